@@ -368,7 +368,7 @@ take() { # NAME HOW
     enricher-switch.png) driven "$stem" "$to" 438x ;;
     enricher-*)
       if [ "$how" = dialogs ]; then
-        fromTest org.selectiverenderer.enricher.driving.PicturesTest "${stem#*-}-light-200" "$to" 1100x
+        fromTest org.selectiverenderer.enricher.robot.PicturesTest "${stem#*-}-light-200" "$to" 1100x
       else
         driven "$stem" "$to" 1100x
       fi

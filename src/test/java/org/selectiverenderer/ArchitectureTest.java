@@ -46,12 +46,13 @@ class ArchitectureTest {
       Set.of(
           "org.selectiverenderer.runtime.sai.EmbeddedBrowserFactory", // named, not called
           "org.selectiverenderer.experiment.headlog.HeadLog", // handed on without its name
-          "org.selectiverenderer.runtime.walk.Motion", // what a motion source of others gives
+          "org.selectiverenderer.runtime.navigation.MotionRequest", // what a motion source of
+          // others gives
           // what tests of other packages measure and plug in
           "org.selectiverenderer.tracker.Orientation",
-          "org.selectiverenderer.tracker.emulate.InterTrax2Emulator",
-          "org.selectiverenderer.tracker.emulate.PseudoTerminal",
-          "org.selectiverenderer.validation.report.Fingerprints");
+          "org.selectiverenderer.tracker.emulator.InterTrax2Emulator",
+          "org.selectiverenderer.tracker.emulator.PseudoTerminal",
+          "org.selectiverenderer.validation.report.SarifReportWriter");
 
   private static final String[] DISPLAY = {
     "java.awt..", "javax.swing..", "com.jogamp..", "jogamp.."

@@ -13,28 +13,28 @@ public enum GrowthSeries {
   OBJECTS(10, 100, 1_000, 10_000) {
     @Override
     public BenchScene write(Path dir, int size) throws IOException {
-      return GrowthScene.objects(dir, size, false);
+      return GrowthSceneGenerator.objects(dir, size, false);
     }
   },
   /** ProximitySensors, of which the viewer is near a few. */
   SENSORS(1, 10, 100, 1_000, 10_000, 100_000) {
     @Override
     public BenchScene write(Path dir, int size) throws IOException {
-      return GrowthScene.sensors(dir, size);
+      return GrowthSceneGenerator.sensors(dir, size);
     }
   },
   /** Enriched Switches, of which ten change. */
   SWITCHES(10, 100, 1_000, 10_000, 100_000) {
     @Override
     public BenchScene write(Path dir, int size) throws IOException {
-      return ManySwitchesScene.write(dir, size, GrowthScene.SWITCHES);
+      return ManySwitchesSceneGenerator.write(dir, size, GrowthSceneGenerator.SWITCHES);
     }
   },
   /** Objects in files of their own, that share the same number of triangles. */
   INLINES(100, 1_000, 10_000) {
     @Override
     public BenchScene write(Path dir, int size) throws IOException {
-      return GrowthScene.objects(dir, size, true);
+      return GrowthSceneGenerator.objects(dir, size, true);
     }
   },
   /** Triangles, in ten inlined files. */
@@ -42,7 +42,7 @@ public enum GrowthSeries {
     @Override
     public BenchScene write(Path dir, int size) throws IOException {
       int columns = (int) Math.round(Math.sqrt(size / 20.0));
-      return GrowthScene.objects(dir, FILES, size / 20 / columns, columns, true);
+      return GrowthSceneGenerator.objects(dir, FILES, size / 20 / columns, columns, true);
     }
   };
 

@@ -1,6 +1,6 @@
 package org.selectiverenderer.chart;
 
-import org.selectiverenderer.geometry.font.Font;
+import org.selectiverenderer.geometry.font.FontFace;
 import org.selectiverenderer.geometry.font.Glyph;
 
 /**
@@ -8,7 +8,7 @@ import org.selectiverenderer.geometry.font.Glyph;
  *
  * @param size pixels per em
  */
-public record SizedFont(Font font, double size, boolean bold) {
+public record SizedFont(FontFace font, double size, boolean bold) {
   /** Returns the width of a text in pixels. */
   public double width(String text) {
     return size * text.codePoints().mapToObj(font::glyph).mapToDouble(Glyph::advance).sum();

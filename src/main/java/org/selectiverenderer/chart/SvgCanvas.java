@@ -1,16 +1,16 @@
 package org.selectiverenderer.chart;
 
 import java.util.List;
-import org.selectiverenderer.base.picture.SvgDrawing;
-import org.selectiverenderer.base.picture.SvgPrecision;
+import org.selectiverenderer.base.image.SvgPrecision;
+import org.selectiverenderer.base.image.SvgWriter;
 
 /**
  * Draws to SVG. Text is written as text elements with their length, so that nothing overlaps in a
  * viewer that lacks the font.
  */
-public final class SvgCanvas implements Canvas {
+public final class SvgCanvas implements ChartCanvas {
   private final String prologue;
-  private final SvgDrawing svg;
+  private final SvgWriter svg;
 
   /** Creates a canvas for a complete SVG file. */
   public SvgCanvas(int width, int height, String title) {
@@ -20,7 +20,7 @@ public final class SvgCanvas implements Canvas {
   private SvgCanvas(int width, int height, String title, String prologue) {
     this.prologue = prologue;
     String fonts = "'DejaVu Sans', Verdana, sans-serif";
-    svg = new SvgDrawing(width, height, fonts, title, SvgPrecision.HUNDREDTHS);
+    svg = new SvgWriter(width, height, fonts, title, SvgPrecision.HUNDREDTHS);
   }
 
   /** Creates a canvas for an SVG element within an HTML page. */

@@ -28,7 +28,7 @@ import org.selectiverenderer.cli.view.SimulateCommand;
 import org.selectiverenderer.cli.view.TrackCommand;
 import org.selectiverenderer.enricher.EnricherApp;
 import org.selectiverenderer.enricher.WindowIcon;
-import org.selectiverenderer.x3d.files.ContentAccess;
+import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 
 /** Creates the commands, in the order of {@code --help}. */
 final class CommandCatalogue {
@@ -105,7 +105,7 @@ final class CommandCatalogue {
         });
   }
 
-  private static ExitStatus enricher(Optional<Path> scene, ContentAccess access)
+  private static ExitStatus enricher(Optional<Path> scene, ContentAccessPolicy access)
       throws IOException {
     LibraryProperties.swingFirst();
     Path settings =

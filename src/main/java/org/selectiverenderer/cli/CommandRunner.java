@@ -4,13 +4,14 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.util.List;
 import org.selectiverenderer.cli.base.CliCommand;
-import org.selectiverenderer.cli.base.HelpText;
+import org.selectiverenderer.cli.base.HelpFormatter;
+import org.selectiverenderer.cli.base.ProgramInvocation;
 import org.selectiverenderer.cli.base.ProgramVersion;
-import org.selectiverenderer.cli.base.TypedProgram;
-import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.CommandException;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
-import org.selectiverenderer.cli.output.OutputFailure;
+import org.selectiverenderer.cli.output.FailureMessage;
+import org.selectiverenderer.cli.output.StandardOutputException;
 import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.IExecutionExceptionHandler;
@@ -35,10 +36,10 @@ final class CommandRunner {
     try {
       int code = commandLine(commands, help).execute(args);
       // Written here, as picocli prints a stack trace when its own output fails.
-      console.out().print(TypedProgram.in(help.toString()));
+      console.out().print(ProgramInvocation.in(help.toString()));
       console.out().flush();
       return ExitStatus.of(code);
-    } catch (OutputFailure | Error e) { // Output can fail as late as in the flush.
+    } catch (StandardOutputException | Error e) { // Output can fail as late as in the flush.
       return report(ProgramVersion.PROGRAM, e);
     }
   }
@@ -68,14 +69,15 @@ final class CommandRunner {
   private static final class HelpTexts implements IHelpFactory {
     @Override
     public CommandLine.Help create(CommandSpec command, CommandLine.Help.ColorScheme colours) {
-      return new HelpText(command, colours);
+      return new HelpFormatter(command, colours);
     }
   }
 
   private final class Reports implements IParameterExceptionHandler, IExecutionExceptionHandler {
     @Override
     public int handleParseException(ParameterException failure, String[] args) {
-      return report(name(failure.getCommandLine()), CommandFailure.usage(sentence(failure))).code();
+      return report(name(failure.getCommandLine()), CommandException.usage(sentence(failure)))
+          .code();
     }
 
     @Override
@@ -92,7 +94,7 @@ final class CommandRunner {
   }
 
   private ExitStatus report(String command, Throwable failure) {
-    return new FailureReport(console, root.debug()).report(command, failure);
+    return new FailureReporter(console, root.debug()).report(command, failure);
   }
 
   private static String sentence(ParameterException failure) {
@@ -110,5 +112,38 @@ final class CommandRunner {
 
   private static String name(CommandLine command) {
     return command.getCommandSpec().qualifiedName();
+  }
+
+  /** Reports the failure of a command in one line and returns the exit status. */
+  private static final class FailureReporter {
+    private final Console console;
+    private final boolean stackTraces;
+
+    /**
+     * @param stackTraces whether the stack trace follows the line
+     */
+    FailureReporter(Console console, boolean stackTraces) {
+      this.console = console;
+      this.stackTraces = stackTraces;
+    }
+
+    /**
+     * Reports a failure.
+     *
+     * @param command the command as typed, such as {@code selective-renderer run}
+     */
+    ExitStatus report(String command, Throwable failure) {
+      if (failure instanceof StandardOutputException output && output.readerHasGone()) {
+        return ExitStatus.DONE;
+      }
+      console.message(command + ": " + FailureMessage.of(failure));
+      if (failure instanceof CommandException cause && cause.wrongUsage()) {
+        console.message("Try '" + command + " --help'.");
+      }
+      if (stackTraces) {
+        failure.printStackTrace(console.err());
+      }
+      return ExitStatus.FAILURE;
+    }
   }
 }

@@ -3,14 +3,17 @@ package org.selectiverenderer.cli;
 import java.io.BufferedOutputStream;
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;
+import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.Locale;
 import org.selectiverenderer.cli.base.LibraryProperties;
-import org.selectiverenderer.cli.bundle.DesktopStart;
+import org.selectiverenderer.cli.base.ProgramVersion;
+import org.selectiverenderer.cli.bundle.DesktopLaunch;
 import org.selectiverenderer.cli.output.Console;
-import org.selectiverenderer.cli.output.StandardOutput;
-import org.selectiverenderer.runtime.render.context.GlStart;
+import org.selectiverenderer.cli.output.StandardOutputStream;
+import org.selectiverenderer.runtime.render.context.GlPreloader;
 import picocli.CommandLine.Help.Ansi;
 
 /**
@@ -23,7 +26,7 @@ public final class Main {
   /** Runs one command and ends the process, whatever windows or threads are left. */
   public static void main(String[] typed) {
     LibraryProperties.set();
-    DesktopStart desktop = DesktopStart.ofProcess();
+    DesktopLaunch desktop = DesktopLaunch.ofProcess();
     String[] args = desktop.arguments(typed);
     // Messages and reports are parsed by other programs, so numbers do not depend on the
     // machine's locale.
@@ -33,7 +36,7 @@ public final class Main {
     PrintStream out =
         new PrintStream(
             new BufferedOutputStream(
-                new StandardOutput(new FileOutputStream(FileDescriptor.out)), 1 << 16),
+                new StandardOutputStream(new FileOutputStream(FileDescriptor.out)), 1 << 16),
             colours,
             StandardCharsets.UTF_8);
     PrintStream err =
@@ -41,8 +44,8 @@ public final class Main {
             desktop.messages(new FileOutputStream(FileDescriptor.err)),
             true,
             StandardCharsets.UTF_8);
-    LibraryNoise.silence(args, err);
-    GlStart start = GlStart.begin(CommandCatalogue.draws(args));
+    StandardErrorSilencer.silence(args, err);
+    GlPreloader start = GlPreloader.begin(CommandCatalogue.draws(args));
     int status = execute(args, new Console(out, err, colours));
     start.await();
     desktop.tell(status);
@@ -56,5 +59,34 @@ public final class Main {
 
   private static int execute(String[] args, Console console) {
     return new CommandRunner(console).run(args, CommandCatalogue.commands(console, args)).code();
+  }
+
+  /**
+   * Suppresses the output of libraries on standard error, for instance JOGL's handled exceptions.
+   * The program's own messages go through the {@link Console}.
+   */
+  private static final class StandardErrorSilencer {
+    private StandardErrorSilencer() {}
+
+    /**
+     * Silences {@code System.err} unless the user asked for {@code --debug}, and reports an
+     * uncaught exception of a thread in one line.
+     *
+     * @param err stream of the program's own messages
+     */
+    static void silence(String[] args, PrintStream err) {
+      if (Arrays.asList(args).contains("--debug") || RootCommand.debugByEnvironment()) {
+        return;
+      }
+      System.setErr(new PrintStream(OutputStream.nullOutputStream()));
+      Thread.setDefaultUncaughtExceptionHandler(
+          (thread, failure) ->
+              err.println(
+                  ProgramVersion.PROGRAM
+                      + ": internal error in thread "
+                      + thread.getName()
+                      + ", please report it: "
+                      + failure));
+    }
   }
 }

@@ -1,7 +1,7 @@
 package org.selectiverenderer.cli;
 
 import org.selectiverenderer.cli.base.ProgramVersion;
-import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.CommandException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ScopeType;
@@ -40,6 +40,6 @@ final class RootCommand implements Runnable {
 
   @Override
   public void run() {
-    throw CommandFailure.usage("no command given");
+    throw CommandException.usage("no command given");
   }
 }

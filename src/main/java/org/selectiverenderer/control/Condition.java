@@ -10,8 +10,8 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
 import java.util.function.ToIntFunction;
-import org.selectiverenderer.schema.Choice;
 import org.selectiverenderer.schema.SwitchSchemas;
+import org.selectiverenderer.schema.VersionMetadata;
 
 /**
  * The experimental condition: which versions of objects a participant sees (thesis 6.1.2, and 7.2
@@ -91,12 +91,13 @@ public enum Condition {
    * them.
    */
   private static int highLow(SwitchSchemas schemas, Set<String> activated) {
-    List<Choice> judged = schemas.choices().stream().filter(c -> !c.schemas().isEmpty()).toList();
-    List<Choice> reachable =
+    List<VersionMetadata> judged =
+        schemas.choices().stream().filter(c -> !c.schemas().isEmpty()).toList();
+    List<VersionMetadata> reachable =
         judged.stream().filter(c -> !Collections.disjoint(c.schemas(), activated)).toList();
     double[] degrees =
         (reachable.isEmpty() ? judged : reachable)
-            .stream().mapToDouble(Choice::consistency).distinct().toArray();
+            .stream().mapToDouble(VersionMetadata::consistency).distinct().toArray();
     return degrees.length == 1 && degrees[0] > 0.5
         ? schemas.leastDetailed()
         : schemas.mostDetailed();

@@ -28,18 +28,19 @@ final class ControlledArea {
   private final X3DField exitTime;
   private final X3DFieldEventListener onEnter;
   private final X3DFieldEventListener onExit;
-  private final MetadataWatch watch;
+  private final MetadataWatcher watch;
   private List<ControlProblem> problems = List.of();
   private Optional<SensorSchemas> schemas = Optional.empty();
 
-  ControlledArea(ProximitySensor sensor, Supplier<String> name, Turn turn, Listener listener) {
+  ControlledArea(
+      ProximitySensor sensor, Supplier<String> name, ListenerLock turn, Listener listener) {
     this.sensor = sensor;
     this.name = name;
     this.enterTime = sensor.getField("enterTime");
     this.exitTime = sensor.getField("exitTime");
     this.onEnter = event -> turn.take(() -> listener.entered(this, event.getTime()));
     this.onExit = event -> turn.take(() -> listener.left(this, event.getTime()));
-    this.watch = new MetadataWatch(sensor, turn, time -> listener.metadataChanged(this, time));
+    this.watch = new MetadataWatcher(sensor, turn, time -> listener.metadataChanged(this, time));
     enterTime.addX3DEventListener(onEnter);
     exitTime.addX3DEventListener(onExit);
     read();
@@ -90,8 +91,8 @@ final class ControlledArea {
 
   /** Removes all listeners from the sensor. */
   void close() {
-    FieldRelease.remove(enterTime, onEnter);
-    FieldRelease.remove(exitTime, onExit);
+    FieldListeners.remove(enterTime, onEnter);
+    FieldListeners.remove(exitTime, onExit);
     watch.close();
   }
 }

@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.schema.MetadataSource;
+import org.selectiverenderer.schema.MetadataNode;
 import org.web3d.x3d.sai.X3DMetadataObject;
 import org.web3d.x3d.sai.X3DNode;
 import org.web3d.x3d.sai.core.MetadataDouble;
@@ -19,7 +19,7 @@ import org.web3d.x3d.sai.core.MetadataString;
  *
  * @param node the metadata node, which is an {@link X3DMetadataObject} too
  */
-record SaiMetadata(X3DNode node) implements MetadataSource {
+record SaiMetadata(X3DNode node) implements MetadataNode {
   /**
    * Two are equal when their nodes are. Written out, because Java generates a record's methods at
    * first use, which takes time.

@@ -5,9 +5,9 @@ import java.util.Map;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.sai.InlinedScenes;
-import org.selectiverenderer.sai.InstanceBodies;
-import org.selectiverenderer.schema.Activation;
+import org.selectiverenderer.sai.InlineSceneAccess;
+import org.selectiverenderer.sai.ProtoBodyAccess;
+import org.selectiverenderer.schema.SchemaActivation;
 import org.web3d.x3d.sai.BrowserEvent;
 import org.web3d.x3d.sai.BrowserListener;
 import org.web3d.x3d.sai.ExternalBrowser;
@@ -20,9 +20,9 @@ import org.web3d.x3d.sai.X3DNode;
  * <p>Only nodes with metadata of the vocabulary count; others are ignored. The scene is read once
  * when control begins, and all changes are followed: of children and metadata, nodes that are added
  * or removed, and the replacement of the world. The scenes of Inlines are included where the
- * browser gives access to them ({@link InlinedScenes}), as if the files were one; with a browser
- * that only follows the standard a problem reports that they are not. The bodies of prototype
- * instances are treated likewise ({@link InstanceBodies}).
+ * browser gives access to them ({@link InlineSceneAccess}), as if the files were one; with a
+ * browser that only follows the standard a problem reports that they are not. The bodies of
+ * prototype instances are treated likewise ({@link ProtoBodyAccess}).
  *
  * <p>The controller keeps its own record of what each Switch shows, since a browser may let a write
  * take effect later than it is made, and writes only what differs. A choice that others write (a
@@ -48,7 +48,7 @@ public final class SelectiveController implements AutoCloseable {
   private final Consumer<ControlEvent> events;
   private final Consumer<ControlProblem> problems;
   private final BrowserListener onBrowser = this::browserChanged;
-  private @Nullable SceneControl scene;
+  private @Nullable SceneController scene;
 
   /**
    * Takes control of the scene that the browser shows, and of every scene that it will show.
@@ -80,7 +80,7 @@ public final class SelectiveController implements AutoCloseable {
     return scene == null ? List.of() : scene.enteredAreas();
   }
 
-  /** Returns the active schemas in the order of {@link Activation#activeSchemas()}. */
+  /** Returns the active schemas in the order of {@link SchemaActivation#activeSchemas()}. */
   public synchronized List<String> activeSchemas() {
     return scene == null ? List.of() : scene.activeSchemas();
   }
@@ -123,17 +123,18 @@ public final class SelectiveController implements AutoCloseable {
     var context = browser.getExecutionContext();
     if (context != null) { // no world is shown yet
       scene =
-          new SceneControl(context, new Turn(this), opener(), bodies(), settings, events, problems);
+          new SceneController(
+              context, new ListenerLock(this), opener(), bodies(), settings, events, problems);
       scene.start();
     }
   }
 
-  private @Nullable InlinedScenes opener() {
-    return browser instanceof InlinedScenes opening ? opening : null;
+  private @Nullable InlineSceneAccess opener() {
+    return browser instanceof InlineSceneAccess opening ? opening : null;
   }
 
   private UnaryOperator<X3DNode> bodies() {
-    return browser instanceof InstanceBodies opening ? opening::bodyOf : UnaryOperator.identity();
+    return browser instanceof ProtoBodyAccess opening ? opening::bodyOf : UnaryOperator.identity();
   }
 
   private void detach() {

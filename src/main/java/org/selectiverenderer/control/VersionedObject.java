@@ -24,7 +24,7 @@ final class VersionedObject {
   private final X3DFieldEventListener onChildren;
   private final X3DField whichChoice;
   private final X3DFieldEventListener onChoice;
-  private final MetadataWatch watch;
+  private final MetadataWatcher watch;
 
   /** The controller's own writes whose events have not come yet, oldest first. */
   private List<Integer> pending = List.of();
@@ -43,7 +43,7 @@ final class VersionedObject {
   VersionedObject(
       Switch node,
       Supplier<String> name,
-      Turn turn,
+      ListenerLock turn,
       ObjDoubleConsumer<VersionedObject> onChange,
       Consumer<VersionedObject> onForeignChoice) {
     this.node = node;
@@ -52,7 +52,7 @@ final class VersionedObject {
     this.shown = atStart;
     this.children = node.getField("children");
     this.onChildren = event -> turn.take(() -> onChange.accept(this, event.getTime()));
-    this.watch = new MetadataWatch(node, turn, time -> onChange.accept(this, time));
+    this.watch = new MetadataWatcher(node, turn, time -> onChange.accept(this, time));
     this.whichChoice = node.getField("whichChoice");
     this.onChoice = event -> turn.take(() -> choiceChanged(onForeignChoice));
     children.addX3DEventListener(onChildren);
@@ -157,8 +157,8 @@ final class VersionedObject {
 
   /** Removes all listeners from the Switch. */
   void close() {
-    FieldRelease.remove(children, onChildren);
-    FieldRelease.remove(whichChoice, onChoice);
+    FieldListeners.remove(children, onChildren);
+    FieldListeners.remove(whichChoice, onChoice);
     watch.close();
   }
 }

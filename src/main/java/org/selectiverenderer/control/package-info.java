@@ -9,10 +9,10 @@
  *
  * <p>In: a browser. Out: {@code whichChoice} of Switch nodes, and {@link
  * org.selectiverenderer.control.ControlEvent}s. Of {@code schema} it uses the vocabulary of the
- * metadata and {@link org.selectiverenderer.schema.Activation}, the algorithm without a browser: an
- * index from schemas to Switches, so that activation costs what it changes. Uses {@code schema},
- * {@code org.web3d.x3d.sai}, and {@code sai} for what a browser may offer beyond it; loads no AWT
- * and no GL.
+ * metadata and {@link org.selectiverenderer.schema.SchemaActivation}, the algorithm without a
+ * browser: an index from schemas to Switches, so that activation costs what it changes. Uses {@code
+ * schema}, {@code org.web3d.x3d.sai}, and {@code sai} for what a browser may offer beyond it; loads
+ * no AWT and no GL.
  */
 @NullMarked
 package org.selectiverenderer.control;

@@ -10,5 +10,5 @@ import org.selectiverenderer.base.problem.Problem;
 @FunctionalInterface
 public interface DocumentCheck {
   /** Returns the problems, with their locations in the snapshot's text. */
-  List<Problem> check(Snapshot snapshot);
+  List<Problem> check(DocumentSnapshot snapshot);
 }

@@ -1,7 +1,7 @@
 package org.selectiverenderer.document;
 
 import java.util.List;
-import org.selectiverenderer.x3d.source.TextChange;
+import org.selectiverenderer.x3d.source.TextEdit;
 
 /** Receives the changes of a document, on the thread that makes them, after they are made. */
 public interface DocumentListener {
@@ -13,7 +13,7 @@ public interface DocumentListener {
    * @param readAnew whether the text was parsed anew, so that all elements are new objects;
    *     otherwise attached elements keep their identity
    */
-  record Change(long revision, List<TextChange> changes, boolean readAnew) {}
+  record Change(long revision, List<TextEdit> changes, boolean readAnew) {}
 
   void changed(Change change);
 }

@@ -3,7 +3,7 @@ package org.selectiverenderer.document;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import org.selectiverenderer.x3d.source.TextChange;
+import org.selectiverenderer.x3d.source.TextEdit;
 
 /**
  * A named change of a document, which is one undo step.
@@ -11,10 +11,10 @@ import org.selectiverenderer.x3d.source.TextChange;
  * @param name the name of the change for the Undo menu: {@code Set schemas of Switch_TrashCan}
  * @param changes non-overlapping text changes in ascending order; offsets are those before the edit
  */
-public record Edit(String name, List<TextChange> changes) {
+public record Edit(String name, List<TextEdit> changes) {
   public Edit {
-    List<TextChange> sorted = new ArrayList<>(changes);
-    sorted.sort(Comparator.comparingInt(TextChange::from).thenComparingInt(TextChange::to));
+    List<TextEdit> sorted = new ArrayList<>(changes);
+    sorted.sort(Comparator.comparingInt(TextEdit::from).thenComparingInt(TextEdit::to));
     for (int i = 1; i < sorted.size(); i++) {
       if (sorted.get(i).from() < sorted.get(i - 1).to()) {
         throw new IllegalArgumentException(

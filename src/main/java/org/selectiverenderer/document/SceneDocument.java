@@ -6,19 +6,19 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.x3d.field.FieldParser;
 import org.selectiverenderer.x3d.source.DocumentElement;
-import org.selectiverenderer.x3d.source.DocumentFault;
+import org.selectiverenderer.x3d.source.DocumentError;
 import org.selectiverenderer.x3d.source.ElementSource;
 import org.selectiverenderer.x3d.source.ElementTree;
 import org.selectiverenderer.x3d.source.EncodedText;
-import org.selectiverenderer.x3d.source.Entities;
+import org.selectiverenderer.x3d.source.EntityTable;
 import org.selectiverenderer.x3d.source.Gzip;
+import org.selectiverenderer.x3d.source.SourceAttribute;
 import org.selectiverenderer.x3d.source.StartTag;
-import org.selectiverenderer.x3d.source.TextChange;
-import org.selectiverenderer.x3d.source.WrittenAttribute;
-import org.selectiverenderer.x3d.source.XmlFault;
+import org.selectiverenderer.x3d.source.TextEdit;
+import org.selectiverenderer.x3d.source.XmlParseException;
 
 /**
  * A scene file opened for editing as text. An unchanged document is saved with exactly its original
@@ -38,12 +38,12 @@ public final class SceneDocument {
   private final UndoHistory history = new UndoHistory(this::apply);
   private final List<DocumentListener> listeners = new CopyOnWriteArrayList<>();
   private @Nullable ElementTree tree;
-  private @Nullable DocumentFault fault;
-  private Entities entities = Entities.NONE;
+  private @Nullable DocumentError fault;
+  private EntityTable entities = EntityTable.NONE;
   private long revision;
 
   /** The latest snapshot, which is shared as long as it is reachable. */
-  private WeakReference<Snapshot> latest = new WeakReference<>(null);
+  private WeakReference<DocumentSnapshot> latest = new WeakReference<>(null);
 
   private SceneDocument(String name, EncodedText encoding, boolean compressed, byte[] bytes) {
     this.name = name;
@@ -52,10 +52,10 @@ public final class SceneDocument {
     // The original bytes are kept only if they cannot be restored from the characters.
     this.original = compressed || !encoding.exact() ? bytes : null;
     this.buffer = new TextBuffer(encoding.characters());
-    entities = Entities.of(buffer.characters());
+    entities = EntityTable.of(buffer.characters());
     try {
       tree = encoding.elements(source);
-    } catch (XmlFault e) {
+    } catch (XmlParseException e) {
       readAnew(); // as after an edit, so that the fault has the same location
     }
   }
@@ -109,7 +109,7 @@ public final class SceneDocument {
   }
 
   /** Returns the well-formedness error; empty if there is none. */
-  public Optional<DocumentFault> fault() {
+  public Optional<DocumentError> fault() {
     return Optional.ofNullable(fault);
   }
 
@@ -128,7 +128,7 @@ public final class SceneDocument {
   }
 
   /** Returns the entities that the document's own DOCTYPE declares. */
-  public Entities entities() {
+  public EntityTable entities() {
     return entities;
   }
 
@@ -139,15 +139,15 @@ public final class SceneDocument {
 
   /** An attribute's value, references replaced; empty when it is not given. */
   public Optional<String> attribute(DocumentElement element, String attribute) {
-    return tag(element).attribute(attribute).map(WrittenAttribute::value);
+    return tag(element).attribute(attribute).map(SourceAttribute::value);
   }
 
   /** Returns the location of a character. */
-  public Location location(int offset) {
+  public SourceLocation location(int offset) {
     CharSequence text = buffer.characters();
     int line = buffer.lines().line(text, offset);
     int start = buffer.lines().start(text, line);
-    return new Location(name, line, Character.codePointCount(text, start, offset) + 1);
+    return new SourceLocation(name, line, Character.codePointCount(text, start, offset) + 1);
   }
 
   /** Returns the offset of a location; a column beyond the end of the line gives the line's end. */
@@ -161,14 +161,14 @@ public final class SceneDocument {
   }
 
   /** Returns the formatter that writes additions in the author's style. */
-  public Layout layout() {
-    return new Layout(buffer.characters());
+  public SourceFormatter layout() {
+    return new SourceFormatter(buffer.characters());
   }
 
   /**
    * Performs an edit.
    *
-   * @throws EditRefused if the document is locked
+   * @throws EditRejectedException if the document is locked
    */
   public void perform(Edit edit) {
     unlocked();
@@ -179,34 +179,34 @@ public final class SceneDocument {
    * Writes files and performs the edit that belongs to them as one undo step, which restores the
    * files too.
    *
-   * @throws EditRefused if the document is locked; then nothing is written
+   * @throws EditRejectedException if the document is locked; then nothing is written
    * @throws IOException if a file cannot be written, with a one-line message that names it; then
    *     nothing has changed
    */
-  public void perform(Edit edit, List<StepFile> files) throws IOException {
+  public void perform(Edit edit, List<UndoableFileWrite> files) throws IOException {
     unlocked();
     if (files.isEmpty()) {
       history.perform(edit);
     } else {
-      history.perform(edit, StepFiles.write(files));
+      history.perform(edit, UndoableFileWrites.write(files));
     }
   }
 
   /**
    * Replaces characters as by typing; consecutive typing is one undo step.
    *
-   * @throws EditRefused if the document is locked
+   * @throws EditRejectedException if the document is locked
    */
   public void type(int from, int to, String text) {
     unlocked();
-    history.type(TYPING, new TextChange(from, to, text));
+    history.type(TYPING, new TextEdit(from, to, text));
   }
 
   private void unlocked() {
     locked()
         .ifPresent(
             why -> {
-              throw new EditRefused(name + ": " + why);
+              throw new EditRejectedException(name + ": " + why);
             });
   }
 
@@ -224,7 +224,7 @@ public final class SceneDocument {
    * Reports that a snapshot has been saved. If the document has changed since, it stays unsaved,
    * whatever is undone.
    */
-  public void markSaved(Snapshot then) {
+  public void markSaved(DocumentSnapshot then) {
     if (then.revision() == revision) {
       history.markSaved();
     } else {
@@ -238,11 +238,11 @@ public final class SceneDocument {
   }
 
   /** Returns a snapshot of the present state. */
-  public Snapshot snapshot() {
-    Snapshot now = latest.get();
+  public DocumentSnapshot snapshot() {
+    DocumentSnapshot now = latest.get();
     if (now == null || now.revision() != revision) {
       String text = buffer.characters().toString();
-      now = new Snapshot(name, revision, text, locked(), this::encoded);
+      now = new DocumentSnapshot(name, revision, text, locked(), this::encoded);
       latest = new WeakReference<>(now);
     }
     return now;
@@ -279,7 +279,7 @@ public final class SceneDocument {
     }
 
     @Override
-    public Location location(int offset) {
+    public SourceLocation location(int offset) {
       return SceneDocument.this.location(offset);
     }
 
@@ -289,13 +289,13 @@ public final class SceneDocument {
     }
 
     @Override
-    public Entities entities() {
+    public EntityTable entities() {
       return entities;
     }
   }
 
-  private List<TextChange> apply(List<TextChange> changes) {
-    List<TextChange> inverse = buffer.apply(changes);
+  private List<TextEdit> apply(List<TextEdit> changes) {
+    List<TextEdit> inverse = buffer.apply(changes);
     revision++;
     boolean followed = tree != null && tree.follow(changes, revision);
     if (!followed) {
@@ -310,11 +310,11 @@ public final class SceneDocument {
     if (tree != null) {
       tree.detach();
     }
-    entities = Entities.of(buffer.characters());
+    entities = EntityTable.of(buffer.characters());
     try {
       tree = ElementTree.of(source, revision);
       fault = null;
-    } catch (XmlFault e) {
+    } catch (XmlParseException e) {
       tree = null;
       fault = e.fault();
     }

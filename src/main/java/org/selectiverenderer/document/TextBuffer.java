@@ -3,7 +3,7 @@ package org.selectiverenderer.document;
 import java.util.ArrayList;
 import java.util.List;
 import org.selectiverenderer.x3d.source.LineIndex;
-import org.selectiverenderer.x3d.source.TextChange;
+import org.selectiverenderer.x3d.source.TextEdit;
 
 /** A mutable text with an index of its lines. */
 final class TextBuffer {
@@ -34,24 +34,24 @@ final class TextBuffer {
    *
    * @return the changes that undo them, sorted, in the offsets of the changed text
    */
-  List<TextChange> apply(List<TextChange> changes) {
-    List<TextChange> inverse = new ArrayList<>(changes.size());
+  List<TextEdit> apply(List<TextEdit> changes) {
+    List<TextEdit> inverse = new ArrayList<>(changes.size());
     int grown = 0;
-    for (TextChange change : changes) {
+    for (TextEdit change : changes) {
       int from = change.from() + grown;
       inverse.add(
-          new TextChange(
+          new TextEdit(
               from, from + change.text().length(), text.substring(change.from(), change.to())));
       grown += change.growth();
     }
     if (changes.size() <= IN_PLACE) {
       for (int i = changes.size() - 1; i >= 0; i--) {
-        TextChange change = changes.get(i);
+        TextEdit change = changes.get(i);
         text.replace(change.from(), change.to(), change.text());
         lines.changed(change.from(), change.to(), change.text().length(), text);
       }
     } else {
-      text = TextChange.applied(changes, text);
+      text = TextEdit.applied(changes, text);
       lines.reset();
     }
     return inverse;

@@ -6,19 +6,19 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
-import org.selectiverenderer.x3d.source.TextChange;
+import org.selectiverenderer.x3d.source.TextEdit;
 
 /** The undo and redo steps of a document. */
 public final class UndoHistory {
   /** An undo step; it is a list of sets of changes, each in the offsets after the previous set. */
-  private record Step(String name, List<List<TextChange>> undo, Optional<StepFiles> files) {}
+  private record Step(String name, List<List<TextEdit>> undo, Optional<UndoableFileWrites> files) {}
 
   /**
    * The largest memory for contents of files; older steps beyond it leave their files as they are.
    */
   private static final long MOST_KEPT = 256L << 20;
 
-  private final Function<List<TextChange>, List<TextChange>> text;
+  private final Function<List<TextEdit>, List<TextEdit>> text;
   private final List<Step> done = new ArrayList<>();
   private final List<Step> undone = new ArrayList<>();
   private int saved;
@@ -27,7 +27,7 @@ public final class UndoHistory {
   /**
    * @param text applies changes and returns their inverse
    */
-  UndoHistory(Function<List<TextChange>, List<TextChange>> text) {
+  UndoHistory(Function<List<TextEdit>, List<TextEdit>> text) {
     this.text = text;
   }
 
@@ -40,7 +40,7 @@ public final class UndoHistory {
   }
 
   /** Performs an edit whose files have been written; they belong to its step. */
-  void perform(Edit edit, StepFiles files) {
+  void perform(Edit edit, UndoableFileWrites files) {
     push(edit.name(), List.of(text.apply(edit.changes())), Optional.of(files));
     typing = false;
     forgetFiles();
@@ -50,7 +50,7 @@ public final class UndoHistory {
     long kept = 0;
     for (int i = done.size() - 1; i >= 0; i--) {
       Step step = done.get(i);
-      kept += step.files().map(StepFiles::size).orElse(0L);
+      kept += step.files().map(UndoableFileWrites::size).orElse(0L);
       if (step.files().isPresent() && kept > MOST_KEPT) {
         done.set(i, new Step(step.name() + " (its files stay)", step.undo(), Optional.empty()));
       }
@@ -58,11 +58,11 @@ public final class UndoHistory {
   }
 
   /** Performs a change by typing, which is merged with a previous one. */
-  void type(String name, TextChange change) {
-    List<TextChange> inverse = text.apply(List.of(change));
+  void type(String name, TextEdit change) {
+    List<TextEdit> inverse = text.apply(List.of(change));
     if (typing()) {
       Step step = done.remove(done.size() - 1);
-      List<List<TextChange>> undo = new ArrayList<>(List.of(inverse));
+      List<List<TextEdit>> undo = new ArrayList<>(List.of(inverse));
       undo.addAll(step.undo());
       done.add(new Step(step.name(), undo, step.files()));
     } else {
@@ -81,7 +81,7 @@ public final class UndoHistory {
     typing = false;
   }
 
-  private void push(String name, List<List<TextChange>> undo, Optional<StepFiles> files) {
+  private void push(String name, List<List<TextEdit>> undo, Optional<UndoableFileWrites> files) {
     if (saved > done.size()) {
       saved = -1; // what was saved can be reached no more
     }
@@ -107,8 +107,8 @@ public final class UndoHistory {
   /**
    * Reverts the last step including its files; returns false if there is none.
    *
-   * @throws EditRefused if a file cannot be restored or another program has changed it; then
-   *     nothing is reverted
+   * @throws EditRejectedException if a file cannot be restored or another program has changed it;
+   *     then nothing is reverted
    */
   public boolean undo() {
     return undo(false);
@@ -126,7 +126,7 @@ public final class UndoHistory {
   /**
    * Repeats the last step that was reverted; returns false if there is none.
    *
-   * @throws EditRefused as {@link #undo()} does
+   * @throws EditRejectedException as {@link #undo()} does
    */
   public boolean redo() {
     return redo(false);
@@ -151,7 +151,7 @@ public final class UndoHistory {
    * Returns the files that undoing or redoing would replace although another program has changed
    * them.
    *
-   * @throws EditRefused if one cannot be read
+   * @throws EditRejectedException if one cannot be read
    */
   public List<Path> changedMeanwhile(boolean back) {
     List<Step> steps = back ? done : undone;
@@ -161,7 +161,7 @@ public final class UndoHistory {
     try {
       return steps.get(steps.size() - 1).files().get().changedMeanwhile(back);
     } catch (IOException e) {
-      throw new EditRefused(String.valueOf(e.getMessage()));
+      throw new EditRejectedException(String.valueOf(e.getMessage()));
     }
   }
 
@@ -175,12 +175,12 @@ public final class UndoHistory {
       try {
         step.files().get().move(back, over);
       } catch (IOException e) {
-        throw new EditRefused(String.valueOf(e.getMessage()));
+        throw new EditRejectedException(String.valueOf(e.getMessage()));
       }
     }
     from.remove(from.size() - 1);
-    List<List<TextChange>> inverse = new ArrayList<>();
-    for (List<TextChange> part : step.undo()) {
+    List<List<TextEdit>> inverse = new ArrayList<>();
+    for (List<TextEdit> part : step.undo()) {
       inverse.add(0, text.apply(part));
     }
     to.add(new Step(step.name(), inverse, step.files()));

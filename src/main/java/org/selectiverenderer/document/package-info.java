@@ -23,7 +23,8 @@
  * file to show one change.
  *
  * <p>A step may write files beside the document's own, such as versions of an object ({@link
- * org.selectiverenderer.document.StepFile}): they belong to the step, undone and redone with it.
+ * org.selectiverenderer.document.UndoableFileWrite}): they belong to the step, undone and redone
+ * with it.
  *
  * <p>A document belongs to one thread at a time. Snapshots of it are values.
  *

@@ -12,7 +12,7 @@ import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.camera.Camera;
 import org.selectiverenderer.runtime.camera.DepthRange;
 import org.selectiverenderer.runtime.camera.EyeView;
-import org.selectiverenderer.runtime.camera.HiddenPart;
+import org.selectiverenderer.runtime.camera.HiddenAreaMesh;
 import org.selectiverenderer.runtime.camera.ViewLayout;
 
 /**
@@ -56,7 +56,7 @@ public final class HeadsetLayout implements ViewLayout {
   }
 
   /** The hidden area of an eye's picture and the frustum that it was computed for. */
-  private record Mask(EyeFrustum frustum, HiddenPart part) {}
+  private record Mask(EyeFrustum frustum, HiddenAreaMesh part) {}
 
   /**
    * Sets the hidden area meshes of the lenses, the left one first.
@@ -70,9 +70,9 @@ public final class HeadsetLayout implements ViewLayout {
   }
 
   /** Returns the hidden area of an eye's picture, computed when its mesh or frustum changes. */
-  private HiddenPart hidden(int eye, EyeFrustum frustum) {
+  private HiddenAreaMesh hidden(int eye, EyeFrustum frustum) {
     if (eye >= lenses.size()) {
-      return HiddenPart.NONE;
+      return HiddenAreaMesh.NONE;
     }
     while (masks.size() <= eye) {
       masks.add(mask(masks.size(), frustum));
@@ -91,7 +91,7 @@ public final class HeadsetLayout implements ViewLayout {
       corners[i] = (float) at.x;
       corners[i + 1] = (float) at.y;
     }
-    return new Mask(frustum, new HiddenPart(corners));
+    return new Mask(frustum, new HiddenAreaMesh(corners));
   }
 
   /** Sets whether the runtime's heights are above the user's floor. */

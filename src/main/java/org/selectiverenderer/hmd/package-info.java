@@ -9,8 +9,8 @@
  * degrees.
  *
  * <p>The pose of the head is read in the frame step ({@link
- * org.selectiverenderer.hmd.TrackedMotion}), so that sensors are evaluated for the same view that
- * is drawn; the step of a frame begins when the previous frame has been submitted.
+ * org.selectiverenderer.hmd.HeadTrackedMotion}), so that sensors are evaluated for the same view
+ * that is drawn; the step of a frame begins when the previous frame has been submitted.
  *
  * <p>Uses {@code tracker}, {@code runtime} but its renderer, {@code base.json} for the profiles and
  * {@code base.problem}; makes no GL call.

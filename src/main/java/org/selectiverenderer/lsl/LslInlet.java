@@ -17,7 +17,7 @@ public final class LslInlet implements AutoCloseable {
   /** Capacity of the inlet's buffer in seconds. */
   private static final int BUFFERED = 360;
 
-  private final LslCalls calls;
+  private final LslBindings calls;
   private final long info;
   private final long handle;
   private final int channels;
@@ -45,7 +45,7 @@ public final class LslInlet implements AutoCloseable {
    */
   public record Offset(double remote, double seconds, double uncertainty) {}
 
-  LslInlet(LslCalls calls, long info) {
+  LslInlet(LslBindings calls, long info) {
     this.calls = calls;
     this.info = info;
     channels = calls.channels.callInt(info);
@@ -58,30 +58,30 @@ public final class LslInlet implements AutoCloseable {
    *
    * @param timeout seconds to wait for the labels of the channels, which are numbered otherwise
    */
-  public StreamDescription description(double timeout) {
-    List<StreamDescription.Channel> named = named(timeout);
-    List<StreamDescription.Channel> all = new ArrayList<>();
+  public StreamInfo description(double timeout) {
+    List<StreamInfo.Channel> named = named(timeout);
+    List<StreamInfo.Channel> all = new ArrayList<>();
     for (int i = 0; i < channels; i++) {
-      StreamDescription.Channel channel =
-          i < named.size() ? named.get(i) : new StreamDescription.Channel("", "", "");
+      StreamInfo.Channel channel =
+          i < named.size() ? named.get(i) : new StreamInfo.Channel("", "", "");
       all.add(
           channel.label().isEmpty()
-              ? new StreamDescription.Channel("channel" + (i + 1), channel.unit(), channel.type())
+              ? new StreamInfo.Channel("channel" + (i + 1), channel.unit(), channel.type())
               : channel);
     }
-    return new StreamDescription(
-        LslCalls.text(calls.name.call(info)),
-        LslCalls.text(calls.type.call(info)),
+    return new StreamInfo(
+        LslBindings.text(calls.name.call(info)),
+        LslBindings.text(calls.type.call(info)),
         all,
         calls.rate.callDouble(info),
         texts,
-        LslCalls.text(calls.sourceId.call(info)),
-        LslCalls.text(calls.host.call(info)),
-        LslCalls.text(calls.uid.call(info)));
+        LslBindings.text(calls.sourceId.call(info)),
+        LslBindings.text(calls.host.call(info)),
+        LslBindings.text(calls.uid.call(info)));
   }
 
-  private List<StreamDescription.Channel> named(double timeout) {
-    List<StreamDescription.Channel> found = new ArrayList<>();
+  private List<StreamInfo.Channel> named(double timeout) {
+    List<StreamInfo.Channel> found = new ArrayList<>();
     try (MemoryStack stack = MemoryStack.stackPush()) {
       IntBuffer failed = stack.callocInt(1);
       long full = calls.fullInfo.call(handle, timeout, MemoryUtil.memAddress(failed));
@@ -90,8 +90,8 @@ public final class LslInlet implements AutoCloseable {
       }
       long channel =
           calls.child.call(
-              calls.child.call(calls.description.call(full), LslCalls.text(stack, "channels")),
-              LslCalls.text(stack, "channel"));
+              calls.child.call(calls.description.call(full), LslBindings.text(stack, "channels")),
+              LslBindings.text(stack, "channel"));
       while (found.size() < channels) {
         String label = value(channel, "label");
         String unit = value(channel, "unit");
@@ -99,8 +99,8 @@ public final class LslInlet implements AutoCloseable {
         if (label.isEmpty() && unit.isEmpty() && type.isEmpty()) {
           break; // liblsl returns an empty node after the last channel.
         }
-        found.add(new StreamDescription.Channel(label, unit, type));
-        channel = calls.nextSibling.call(channel, LslCalls.text(stack, "channel"));
+        found.add(new StreamInfo.Channel(label, unit, type));
+        channel = calls.nextSibling.call(channel, LslBindings.text(stack, "channel"));
       }
       calls.destroyInfo.call(full);
     }
@@ -109,7 +109,7 @@ public final class LslInlet implements AutoCloseable {
 
   private String value(long node, String name) {
     try (MemoryStack stack = MemoryStack.stackPush()) {
-      return LslCalls.text(calls.childValue.call(node, LslCalls.text(stack, name)));
+      return LslBindings.text(calls.childValue.call(node, LslBindings.text(stack, name)));
     }
   }
 
@@ -160,7 +160,7 @@ public final class LslInlet implements AutoCloseable {
     }
     List<String> values = new ArrayList<>();
     for (int i = 0; i < channels; i++) {
-      values.add(LslCalls.text(sample.get(i)));
+      values.add(LslBindings.text(sample.get(i)));
       calls.destroyText.call(sample.get(i));
     }
     return Optional.of(new Sample(time, values));

@@ -16,9 +16,9 @@ public final class LslLibrary {
 
   private static final String RELEASES = "https://github.com/sccn/liblsl/releases";
 
-  private final LslCalls calls;
+  private final LslBindings calls;
 
-  private LslLibrary(LslCalls calls) {
+  private LslLibrary(LslBindings calls) {
     this.calls = calls;
   }
 
@@ -74,7 +74,7 @@ public final class LslLibrary {
     for (String name : names) {
       try {
         SharedLibrary library = APIUtil.apiCreateLibrary(name);
-        return new LslLibrary(new LslCalls(library));
+        return new LslLibrary(new LslBindings(library));
       } catch (UnsatisfiedLinkError e) {
         reason.addSuppressed(e); // For --debug: LWJGL's message is about its own settings.
       }
@@ -100,7 +100,7 @@ public final class LslLibrary {
    *
    * @throws IOException if the library rejects the stream
    */
-  public LslOutlet outlet(StreamDescription description) throws IOException {
+  public LslOutlet outlet(StreamInfo description) throws IOException {
     return LslOutlet.open(calls, description);
   }
 

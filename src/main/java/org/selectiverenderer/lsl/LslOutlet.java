@@ -16,17 +16,17 @@ public final class LslOutlet implements AutoCloseable {
 
   static final int TEXTS = 3;
 
-  private final LslCalls calls;
+  private final LslBindings calls;
   private final long handle;
   private final int channels;
 
-  private LslOutlet(LslCalls calls, long handle, int channels) {
+  private LslOutlet(LslBindings calls, long handle, int channels) {
     this.calls = calls;
     this.handle = handle;
     this.channels = channels;
   }
 
-  static LslOutlet open(LslCalls calls, StreamDescription stream) throws IOException {
+  static LslOutlet open(LslBindings calls, StreamInfo stream) throws IOException {
     long info = info(calls, stream);
     try {
       long handle = calls.createOutlet.call(info, 0, BUFFERED);
@@ -39,23 +39,23 @@ public final class LslOutlet implements AutoCloseable {
     }
   }
 
-  private static long info(LslCalls calls, StreamDescription stream) throws IOException {
+  private static long info(LslBindings calls, StreamInfo stream) throws IOException {
     try (MemoryStack stack = MemoryStack.stackPush()) {
       long info =
           calls.createInfo.call(
-              LslCalls.text(stack, stream.name()),
-              LslCalls.text(stack, stream.type()),
+              LslBindings.text(stack, stream.name()),
+              LslBindings.text(stack, stream.type()),
               stream.channels().size(),
               stream.rate(),
               stream.texts() ? TEXTS : NUMBERS,
-              LslCalls.text(stack, stream.sourceId()));
+              LslBindings.text(stack, stream.sourceId()));
       if (info == MemoryUtil.NULL) {
         throw new IOException("liblsl rejects the description of the stream " + stream.name());
       }
       long channels =
-          calls.appendChild.call(calls.description.call(info), LslCalls.text(stack, "channels"));
-      for (StreamDescription.Channel channel : stream.channels()) {
-        long node = calls.appendChild.call(channels, LslCalls.text(stack, "channel"));
+          calls.appendChild.call(calls.description.call(info), LslBindings.text(stack, "channels"));
+      for (StreamInfo.Channel channel : stream.channels()) {
+        long node = calls.appendChild.call(channels, LslBindings.text(stack, "channel"));
         value(calls, node, "label", channel.label());
         value(calls, node, "unit", channel.unit());
         value(calls, node, "type", channel.type());
@@ -64,10 +64,10 @@ public final class LslOutlet implements AutoCloseable {
     }
   }
 
-  private static void value(LslCalls calls, long node, String name, String value) {
+  private static void value(LslBindings calls, long node, String name, String value) {
     if (!value.isEmpty()) {
       try (MemoryStack stack = MemoryStack.stackPush()) {
-        calls.appendValue.call(node, LslCalls.text(stack, name), LslCalls.text(stack, value));
+        calls.appendValue.call(node, LslBindings.text(stack, name), LslBindings.text(stack, value));
       }
     }
   }

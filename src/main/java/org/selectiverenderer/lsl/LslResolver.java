@@ -18,17 +18,17 @@ public final class LslResolver implements AutoCloseable {
 
   private static final int MOST = 64;
 
-  private final LslCalls calls;
+  private final LslBindings calls;
   private final long handle;
 
-  private LslResolver(LslCalls calls, long handle) {
+  private LslResolver(LslBindings calls, long handle) {
     this.calls = calls;
     this.handle = handle;
   }
 
-  static LslResolver open(LslCalls calls, String predicate) throws IOException {
+  static LslResolver open(LslBindings calls, String predicate) throws IOException {
     try (MemoryStack stack = MemoryStack.stackPush()) {
-      long handle = calls.createResolver.call(LslCalls.text(stack, predicate), FORGET);
+      long handle = calls.createResolver.call(LslBindings.text(stack, predicate), FORGET);
       if (handle == MemoryUtil.NULL) {
         throw new IOException(
             "liblsl rejects \"" + predicate + "\"; write a condition such as type='EEG'");
@@ -40,7 +40,7 @@ public final class LslResolver implements AutoCloseable {
   /**
    * Opens inlets for the streams that were found and are not known yet.
    *
-   * @param known {@link StreamDescription#uid}s of the known streams
+   * @param known {@link StreamInfo#uid}s of the known streams
    * @return the inlets, which the caller closes
    */
   public List<LslInlet> found(Set<String> known) {
@@ -49,7 +49,7 @@ public final class LslResolver implements AutoCloseable {
       PointerBuffer infos = stack.callocPointer(MOST);
       int count = calls.results.callInt(handle, MemoryUtil.memAddress(infos), MOST);
       for (int i = 0; i < Math.max(0, count); i++) {
-        if (known.contains(LslCalls.text(calls.uid.call(infos.get(i))))) {
+        if (known.contains(LslBindings.text(calls.uid.call(infos.get(i))))) {
           calls.destroyInfo.call(infos.get(i));
         } else {
           inlets.add(new LslInlet(calls, infos.get(i)));

@@ -8,7 +8,7 @@
  * called through the libffi that LWJGL contains, which {@code polygon} needs anyway, so that no
  * further library is shipped.
  *
- * <p>In: a {@link org.selectiverenderer.lsl.StreamDescription} and samples for an {@link
+ * <p>In: a {@link org.selectiverenderer.lsl.StreamInfo} and samples for an {@link
  * org.selectiverenderer.lsl.LslOutlet}; or a predicate on streams for an {@link
  * org.selectiverenderer.lsl.LslResolver}, which finds them, each to be read by an {@link
  * org.selectiverenderer.lsl.LslInlet}. Times are seconds of the library's clock on this machine

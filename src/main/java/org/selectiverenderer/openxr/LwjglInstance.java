@@ -89,7 +89,7 @@ final class LwjglInstance implements XrInstance {
   }
 
   @Override
-  public List<PictureSize> pictures(long system) {
+  public List<RecommendedImageSize> pictures(long system) {
     try (MemoryStack stack = MemoryStack.stackPush()) {
       IntBuffer count = stack.ints(2);
       XrViewConfigurationView.Buffer views = XrViewConfigurationView.calloc(2, stack);
@@ -97,11 +97,11 @@ final class LwjglInstance implements XrInstance {
       check(
           "EnumerateViewConfigurationViews",
           XR10.xrEnumerateViewConfigurationViews(instance, system, STEREO, count, views));
-      List<PictureSize> pictures = new ArrayList<>();
+      List<RecommendedImageSize> pictures = new ArrayList<>();
       views.forEach(
           view ->
               pictures.add(
-                  new PictureSize(
+                  new RecommendedImageSize(
                       view.recommendedImageRectWidth(),
                       view.recommendedImageRectHeight(),
                       view.recommendedSwapchainSampleCount())));
@@ -205,8 +205,8 @@ final class LwjglInstance implements XrInstance {
   }
 
   @Override
-  public XrInputs inputs() {
-    return new LwjglInputs(instance);
+  public XrActionSystem inputs() {
+    return new LwjglActionSystem(instance);
   }
 
   @Override

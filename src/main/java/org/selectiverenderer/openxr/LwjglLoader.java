@@ -19,13 +19,13 @@ final class LwjglLoader implements XrLoader {
   private static final String NAME = "Selective Renderer";
 
   LwjglLoader() {
-    LoaderNoise.silence();
+    LoaderLogSilencer.silence();
   }
 
-  /** Throws {@link XrFailure} for a result below 0; all other results are success codes. */
+  /** Throws {@link XrResultException} for a result below 0; all other results are success codes. */
   static int check(String function, int result) {
     if (result < 0) {
-      throw new XrFailure(function, result);
+      throw new XrResultException(function, result);
     }
     return result;
   }

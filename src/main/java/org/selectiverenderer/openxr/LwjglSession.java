@@ -132,7 +132,7 @@ final class LwjglSession implements XrSession {
   }
 
   @Override
-  public Optional<List<EyeSight>> eyes(long in, long time) {
+  public Optional<List<XrEyeView>> eyes(long in, long time) {
     try (MemoryStack stack = MemoryStack.stackPush()) {
       XrViewLocateInfo info =
           XrViewLocateInfo.calloc(stack)
@@ -148,11 +148,11 @@ final class LwjglSession implements XrSession {
       if ((state.viewStateFlags() & XR10.XR_VIEW_STATE_ORIENTATION_VALID_BIT) == 0) {
         return Optional.empty();
       }
-      List<EyeSight> sights = new ArrayList<>();
+      List<XrEyeView> sights = new ArrayList<>();
       for (XrView view : views) {
         XrFovf field = view.fov();
         sights.add(
-            new EyeSight(
+            new XrEyeView(
                 pose(view.pose()),
                 Math.tan(field.angleLeft()),
                 Math.tan(field.angleRight()),
@@ -324,7 +324,7 @@ final class LwjglSession implements XrSession {
   }
 
   private void fill(XrCompositionLayerProjectionView view, EyePicture picture) {
-    EyeSight sight = picture.sight();
+    XrEyeView sight = picture.sight();
     Vector3d at = sight.pose().position();
     Quaterniond turn = sight.pose().orientation();
     view.pose().position$().set((float) at.x, (float) at.y, (float) at.z);
@@ -339,14 +339,14 @@ final class LwjglSession implements XrSession {
   }
 
   @Override
-  public HiddenArea hidden(int eye) {
+  public VisibilityMask hidden(int eye) {
     try (MemoryStack stack = MemoryStack.stackPush()) {
       XrVisibilityMaskKHR mask = XrVisibilityMaskKHR.calloc(stack).type$Default();
       readMask(eye, mask);
       int corners = mask.vertexCountOutput();
       int indices = mask.indexCountOutput();
       if (corners == 0 || indices == 0) {
-        return HiddenArea.NONE;
+        return VisibilityMask.NONE;
       }
       XrVector2f.Buffer points = XrVector2f.calloc(corners);
       IntBuffer numbers = MemoryUtil.memCallocInt(indices);
@@ -360,7 +360,7 @@ final class LwjglSession implements XrSession {
           flat[2 * i] = point.x();
           flat[2 * i + 1] = point.y();
         }
-        return new HiddenArea(flat);
+        return new VisibilityMask(flat);
       } finally {
         points.free();
         MemoryUtil.memFree(numbers);

@@ -13,7 +13,7 @@ final class XrConnection implements AutoCloseable {
 
   /** Extensions that are enabled if the runtime supports them. */
   private static final Set<String> WANTED =
-      Set.of(OPENGL, MASK, PRESENCE, CLOCK, XrActions.GAZE, InteractionProfiles.HANDS);
+      Set.of(OPENGL, MASK, PRESENCE, CLOCK, XrActionBindings.GAZE, InteractionProfile.HANDS);
 
   private final XrInstance instance;
   private final Set<String> enabled;
@@ -46,7 +46,7 @@ final class XrConnection implements AutoCloseable {
       Set<String> enabled = new LinkedHashSet<>(WANTED);
       enabled.retainAll(offered);
       return open(loader.create(enabled), enabled);
-    } catch (XrFailure e) {
+    } catch (XrResultException e) {
       throw new HeadsetUnavailableException(missing(e), e);
     } catch (LinkageError e) {
       throw new HeadsetUnavailableException(
@@ -63,7 +63,7 @@ final class XrConnection implements AutoCloseable {
     try {
       String runtime = instance.runtime();
       return new XrConnection(instance, enabled, runtime, system(instance, runtime));
-    } catch (HeadsetUnavailableException | XrFailure e) {
+    } catch (HeadsetUnavailableException | XrResultException e) {
       instance.close();
       throw e;
     }
@@ -73,8 +73,9 @@ final class XrConnection implements AutoCloseable {
       throws HeadsetUnavailableException {
     try {
       return instance.system();
-    } catch (XrFailure e) {
-      if (e.code() == XrFailure.INSTANCE_LOST || e.code() == XrFailure.RUNTIME_FAILURE) {
+    } catch (XrResultException e) {
+      if (e.code() == XrResultException.INSTANCE_LOST
+          || e.code() == XrResultException.RUNTIME_FAILURE) {
         throw e;
       }
       throw new HeadsetUnavailableException(
@@ -84,9 +85,9 @@ final class XrConnection implements AutoCloseable {
     }
   }
 
-  private static String missing(XrFailure failure) {
+  private static String missing(XrResultException failure) {
     return switch (failure.code()) {
-      case XrFailure.RUNTIME_UNAVAILABLE, -32 ->
+      case XrResultException.RUNTIME_UNAVAILABLE, -32 ->
           "no OpenXR runtime is set up on this computer: install the headset's runtime, SteamVR or"
               + " Monado and make it the active one, or name its manifest file in XR_RUNTIME_JSON";
       default ->
@@ -120,13 +121,13 @@ final class XrConnection implements AutoCloseable {
     return enabled.contains(extension);
   }
 
-  XrActions actions() {
-    return new XrActions(instance.inputs(), enabled, tracksEyes());
+  XrActionBindings actions() {
+    return new XrActionBindings(instance.inputs(), enabled, tracksEyes());
   }
 
   /** Returns whether the headset has an eye tracker that the runtime supports. */
   boolean tracksEyes() {
-    return facts.eyeGaze() && has(XrActions.GAZE);
+    return facts.eyeGaze() && has(XrActionBindings.GAZE);
   }
 
   @Override

@@ -17,7 +17,7 @@ public record XrFrame(
     long display,
     boolean drawn,
     SpacePose head,
-    List<EyeSight> eyes,
+    List<XrEyeView> eyes,
     boolean floor,
     long lead,
-    XrInput input) {}
+    XrInputState input) {}

@@ -21,26 +21,26 @@ public final class XrHeadset implements AutoCloseable {
   private final XrLoader loader;
   private final GraphicsBinding binding;
   private final Posture posture;
-  private final Consumer<HeadsetNews> news;
+  private final Consumer<HeadsetEvent> news;
   private final LongSupplier nanos;
   private @Nullable XrConnection connection;
-  private @Nullable XrSitting sitting;
+  private @Nullable XrRunningSession sitting;
   private SessionState state = SessionState.UNKNOWN;
   private boolean running;
   private boolean there = true;
   private boolean recentred;
   private long retryAt;
-  private HeadsetNews.@Nullable Kind seen;
+  private HeadsetEvent.@Nullable Kind seen;
   private XrSession.@Nullable FrameTime time;
-  private final FramePacing pacing = new FramePacing();
-  private volatile XrStatus status = XrStatus.NONE;
+  private final FrameStatistics pacing = new FrameStatistics();
+  private volatile XrHeadsetStatus status = XrHeadsetStatus.NONE;
 
   XrHeadset(
       XrLoader loader,
       XrConnection connection,
       GraphicsBinding binding,
       Posture posture,
-      Consumer<HeadsetNews> news,
+      Consumer<HeadsetEvent> news,
       LongSupplier nanos) {
     this.loader = loader;
     this.connection = connection;
@@ -50,13 +50,13 @@ public final class XrHeadset implements AutoCloseable {
     this.nanos = nanos;
     try {
       sit(connection);
-    } catch (XrFailure e) {
+    } catch (XrResultException e) {
       lost(e.getMessage());
     }
   }
 
   private void sit(XrConnection on) {
-    XrSitting begun = new XrSitting(on, binding, posture);
+    XrRunningSession begun = new XrRunningSession(on, binding, posture);
     sitting = begun;
     state = SessionState.UNKNOWN;
     running = false;
@@ -65,7 +65,7 @@ public final class XrHeadset implements AutoCloseable {
     seen = null;
     pacing.restart();
     tell(
-        HeadsetNews.Kind.FOUND,
+        HeadsetEvent.Kind.FOUND,
         "headset %s, runtime %s, pictures of %dx%d for each eye, %s"
             .formatted(
                 on.headset(),
@@ -78,12 +78,12 @@ public final class XrHeadset implements AutoCloseable {
                         ? "the floor is not known, so heights are those of the scene"
                         : "seated"));
     if (!on.position()) {
-      tell(HeadsetNews.Kind.FOUND, "the headset tracks its orientation only, not its position");
+      tell(HeadsetEvent.Kind.FOUND, "the headset tracks its orientation only, not its position");
     }
   }
 
   /** Returns the size of an eye's picture; empty while the runtime is lost. */
-  public Optional<PictureSize> size() {
+  public Optional<RecommendedImageSize> size() {
     return Optional.ofNullable(sitting).map(known -> known.images().size());
   }
 
@@ -92,12 +92,12 @@ public final class XrHeadset implements AutoCloseable {
    *
    * @return empty if the runtime has no masks
    */
-  public List<HiddenArea> hidden() {
+  public List<VisibilityMask> hidden() {
     return sitting == null ? List.of() : sitting.hidden();
   }
 
   /** Returns the status of the headset; thread-safe. */
-  public XrStatus status() {
+  public XrHeadsetStatus status() {
     return status;
   }
 
@@ -129,7 +129,7 @@ public final class XrHeadset implements AutoCloseable {
   }
 
   private Optional<XrFrame> due() {
-    XrSitting sat = sitting;
+    XrRunningSession sat = sitting;
     XrConnection on = connection;
     if (sat == null || on == null) {
       return Optional.empty();
@@ -159,7 +159,7 @@ public final class XrHeadset implements AutoCloseable {
     return frame;
   }
 
-  private void heard(XrEvent event, XrSitting sat) {
+  private void heard(XrEvent event, XrRunningSession sat) {
     if (event instanceof XrEvent.State change) {
       state = change.state();
       switch (state) {
@@ -175,7 +175,7 @@ public final class XrHeadset implements AutoCloseable {
         case LOSS_PENDING -> lost("the runtime ends the session");
         case EXITING -> {
           leave();
-          tell(HeadsetNews.Kind.LEAVE, "the headset's runtime asks the program to end");
+          tell(HeadsetEvent.Kind.LEAVE, "the headset's runtime asks the program to end");
         }
         default -> {
           // The state determines the visibility.
@@ -185,24 +185,24 @@ public final class XrHeadset implements AutoCloseable {
       lost("the runtime ends");
     } else if (event instanceof XrEvent.Recentred) {
       recentred = true;
-      tell(HeadsetNews.Kind.RECENTRED, "the origin of the room was reset in the headset");
+      tell(HeadsetEvent.Kind.RECENTRED, "the origin of the room was reset in the headset");
     } else if (event instanceof XrEvent.Presence presence) {
       there = presence.there();
     } else if (event instanceof XrEvent.MaskChanged) {
       sat.readHidden();
     } else if (event instanceof XrEvent.ControllersChanged) {
-      tell(HeadsetNews.Kind.CONTROLLERS, sat.controllers());
+      tell(HeadsetEvent.Kind.CONTROLLERS, sat.controllers());
     }
   }
 
   /** Reports when the user begins or ceases to see the scene. */
   private void look() {
-    HeadsetNews.Kind now =
+    HeadsetEvent.Kind now =
         !visible()
-            ? HeadsetNews.Kind.AWAY
-            : state == SessionState.FOCUSED ? HeadsetNews.Kind.WORN : HeadsetNews.Kind.COVERED;
+            ? HeadsetEvent.Kind.AWAY
+            : state == SessionState.FOCUSED ? HeadsetEvent.Kind.WORN : HeadsetEvent.Kind.COVERED;
     // The headset counts as taken off only after it was worn.
-    boolean first = seen == null && now == HeadsetNews.Kind.AWAY;
+    boolean first = seen == null && now == HeadsetEvent.Kind.AWAY;
     if (now == seen || first) {
       return;
     }
@@ -234,7 +234,7 @@ public final class XrHeadset implements AutoCloseable {
    * @return the texture's OpenGL name; empty if the runtime was lost
    */
   public Optional<Integer> acquire(int eye) {
-    XrSitting sat = sitting;
+    XrRunningSession sat = sitting;
     return sat == null || time == null
         ? Optional.empty()
         : guarded(() -> sat.images().acquire(eye));
@@ -260,7 +260,7 @@ public final class XrHeadset implements AutoCloseable {
   private <T> Optional<T> guarded(Supplier<T> call) {
     try {
       return Optional.of(call.get());
-    } catch (XrFailure e) {
+    } catch (XrResultException e) {
       lost(e.getMessage());
       return Optional.empty();
     }
@@ -269,14 +269,14 @@ public final class XrHeadset implements AutoCloseable {
   private void lost(String why) {
     leave();
     tell(
-        HeadsetNews.Kind.LOST,
+        HeadsetEvent.Kind.LOST,
         "the headset's runtime was lost (%s); the program tries to reconnect every second"
             .formatted(why));
   }
 
   /** Closes session and connection; {@link #next} tries to reconnect after a second. */
   private void leave() {
-    XrSitting sat = sitting;
+    XrRunningSession sat = sitting;
     XrConnection on = connection;
     sitting = null;
     connection = null;
@@ -310,18 +310,18 @@ public final class XrHeadset implements AutoCloseable {
       sit(found);
     } catch (HeadsetUnavailableException e) {
       // The loss has been reported; the next attempt follows.
-    } catch (XrFailure e) {
+    } catch (XrResultException e) {
       leave();
     }
   }
 
-  private void tell(HeadsetNews.Kind kind, String text) {
-    news.accept(new HeadsetNews(kind, text));
+  private void tell(HeadsetEvent.Kind kind, String text) {
+    news.accept(new HeadsetEvent(kind, text));
   }
 
-  private XrStatus status(Optional<XrFrame> frame) {
+  private XrHeadsetStatus status(Optional<XrFrame> frame) {
     XrConnection on = connection;
-    return new XrStatus(
+    return new XrHeadsetStatus(
         on == null ? status.runtime() : on.runtime(),
         on == null ? status.headset() : on.headset(),
         visible(),
@@ -336,7 +336,7 @@ public final class XrHeadset implements AutoCloseable {
    * Describes a status for people: {@code Monado 25.0.0, 90 Hz, 3 of 5400 frames missed, pose 21 ms
    * ahead}.
    */
-  public static String describe(XrStatus status) {
+  public static String describe(XrHeadsetStatus status) {
     if (status.lost()) {
       return "headset: the runtime %s was lost".formatted(status.runtime());
     }
@@ -356,5 +356,46 @@ public final class XrHeadset implements AutoCloseable {
   @Override
   public void close() {
     leave();
+  }
+
+  /** Counts the frames of a headset, and the display periods without a new frame. */
+  private static final class FrameStatistics {
+    private long last;
+    private boolean going;
+    private long frames;
+    private long missed;
+    private double rate;
+
+    /** Restarts after a time without frames, which do not count as missed. */
+    void restart() {
+      going = false;
+    }
+
+    /** Counts a frame that is due. */
+    void frame(XrSession.FrameTime time) {
+      frames++;
+      if (time.period() > 0) {
+        rate = 1e9 / time.period();
+        if (going && time.drawn()) {
+          missed += Math.max(0, Math.round((time.display() - last) / (double) time.period()) - 1);
+        }
+      }
+      going = time.drawn();
+      last = time.display();
+    }
+
+    long frames() {
+      return frames;
+    }
+
+    /** Returns the number of display periods in which the previous frame was shown again. */
+    long missed() {
+      return missed;
+    }
+
+    /** Returns the runtime's frame rate in frames per second; 0 before the first frame. */
+    double rate() {
+      return rate;
+    }
   }
 }

@@ -5,13 +5,16 @@ import java.util.Optional;
 import java.util.OptionalLong;
 
 /**
- * The functions of an OpenXR instance, a connection to the runtime. All throw {@link XrFailure}.
+ * The functions of an OpenXR instance, a connection to the runtime. All throw {@link
+ * XrResultException}.
  */
 interface XrInstance extends AutoCloseable {
   /** Returns name and version of the runtime. */
   String runtime();
 
-  /** Finds a headset; throws {@link XrFailure#FORM_FACTOR_UNAVAILABLE} if none is connected. */
+  /**
+   * Finds a headset; throws {@link XrResultException#FORM_FACTOR_UNAVAILABLE} if none is connected.
+   */
   long system();
 
   /**
@@ -24,7 +27,7 @@ interface XrInstance extends AutoCloseable {
   SystemFacts facts(long system);
 
   /** Returns the recommended sizes of the two pictures, the left eye's first. */
-  List<PictureSize> pictures(long system);
+  List<RecommendedImageSize> pictures(long system);
 
   /** Returns the environment blend mode that the runtime prefers. */
   int blendMode(long system);
@@ -39,7 +42,7 @@ interface XrInstance extends AutoCloseable {
   OptionalLong now();
 
   /** Creates the action system, before there is a session. */
-  XrInputs inputs();
+  XrActionSystem inputs();
 
   @Override
   void close();

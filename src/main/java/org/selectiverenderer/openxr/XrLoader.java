@@ -2,7 +2,10 @@ package org.selectiverenderer.openxr;
 
 import java.util.Set;
 
-/** The functions of the OpenXR loader, before there is an instance. All throw {@link XrFailure}. */
+/**
+ * The functions of the OpenXR loader, before there is an instance. All throw {@link
+ * XrResultException}.
+ */
 interface XrLoader {
   /**
    * Returns the extensions that the runtime supports; this is the first call that needs a runtime.

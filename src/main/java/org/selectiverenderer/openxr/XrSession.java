@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 
-/** The functions of an OpenXR session. All throw {@link XrFailure}. */
+/** The functions of an OpenXR session. All throw {@link XrResultException}. */
 interface XrSession extends AutoCloseable {
   /** The types of reference spaces, with their numbers (XrReferenceSpaceType, OpenXR 1.0, 7.1). */
   enum SpaceKind {
@@ -46,7 +46,7 @@ interface XrSession extends AutoCloseable {
   /**
    * Locates the views of the eyes in a space at a time, the left one first; empty while unknown.
    */
-  Optional<List<EyeSight>> eyes(long in, long time);
+  Optional<List<XrEyeView>> eyes(long in, long time);
 
   /** Returns the OpenGL texture formats that the runtime supports, best first. */
   List<Integer> formats();
@@ -77,7 +77,7 @@ interface XrSession extends AutoCloseable {
    *
    * @param sight view with which it was rendered, in the space of the layer
    */
-  record EyePicture(long swapchain, int width, int height, EyeSight sight) {}
+  record EyePicture(long swapchain, int width, int height, XrEyeView sight) {}
 
   /**
    * Ends a frame.
@@ -88,7 +88,7 @@ interface XrSession extends AutoCloseable {
   void endFrame(long display, int blendMode, long space, List<EyePicture> pictures);
 
   /** Returns the visibility mask of an eye; only if the extension is enabled. */
-  HiddenArea hidden(int eye);
+  VisibilityMask hidden(int eye);
 
   @Override
   void close();

@@ -6,15 +6,15 @@
  * OpenGL context ({@link org.selectiverenderer.openxr.GraphicsBinding}), textures with rendered
  * pictures. Out, by {@link org.selectiverenderer.openxr.XrHeadset}: when the next frame is due,
  * with the predicted poses of head and eyes ({@link org.selectiverenderer.openxr.XrFrame}), the
- * state of controllers and gaze ({@link org.selectiverenderer.openxr.XrInput}), and changes of the
- * headset's state ({@link org.selectiverenderer.openxr.HeadsetNews}).
+ * state of controllers and gaze ({@link org.selectiverenderer.openxr.XrInputState}), and changes of
+ * the headset's state ({@link org.selectiverenderer.openxr.HeadsetEvent}).
  *
  * <pre>
  *   XrHeadset (states, loss and return, events)
- *     |-- {@code EyeImages} (swapchains)
- *     |-- {@code XrActions}, {@code InteractionProfiles} (controllers, eyes)
+ *     |-- {@code EyeSwapchains} (swapchains)
+ *     |-- {@code XrActionBindings}, {@code InteractionProfile} (controllers, eyes)
  *     v
- *   XrLoader, XrInstance, XrSession, {@code XrInputs}: interfaces to the functions of OpenXR
+ *   XrLoader, XrInstance, XrSession, {@code XrActionSystem}: interfaces to the functions of OpenXR
  *     |-- Lwjgl...: implementations by LWJGL; tests have fakes
  * </pre>
  *

@@ -11,37 +11,37 @@ import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.files.AtomicFileWriter;
 import org.selectiverenderer.base.files.FileTransaction;
-import org.selectiverenderer.base.files.WholeFile;
-import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.base.problem.Problems;
-import org.selectiverenderer.radiosity.bake.LightPictures;
-import org.selectiverenderer.radiosity.bake.Lit;
-import org.selectiverenderer.radiosity.bake.LitScene;
-import org.selectiverenderer.radiosity.bake.TexelScene;
-import org.selectiverenderer.radiosity.output.InputsKept;
-import org.selectiverenderer.radiosity.output.LampFit;
-import org.selectiverenderer.radiosity.output.LitForm;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.radiosity.bake.LightingResult;
+import org.selectiverenderer.radiosity.bake.LightmapImageSet;
+import org.selectiverenderer.radiosity.bake.LightmappedScene;
+import org.selectiverenderer.radiosity.bake.VertexLitScene;
+import org.selectiverenderer.radiosity.output.HighlightLightWriter;
+import org.selectiverenderer.radiosity.output.LightmapFormat;
+import org.selectiverenderer.radiosity.output.LitSceneFormat;
 import org.selectiverenderer.radiosity.output.LitSceneWriter;
-import org.selectiverenderer.radiosity.output.TexelForm;
-import org.selectiverenderer.radiosity.output.VertexForm;
+import org.selectiverenderer.radiosity.output.OutputCollisionGuard;
+import org.selectiverenderer.radiosity.output.VertexColorFormat;
+import org.selectiverenderer.radiosity.parallel.RadiosityProgress;
 import org.selectiverenderer.radiosity.preview.PreviewCamera;
-import org.selectiverenderer.radiosity.preview.PreviewPicture;
-import org.selectiverenderer.radiosity.scene.LightScene;
-import org.selectiverenderer.radiosity.scene.LightSceneReader;
-import org.selectiverenderer.radiosity.scene.UnlitSceneException;
+import org.selectiverenderer.radiosity.preview.PreviewRenderer;
+import org.selectiverenderer.radiosity.scene.RadiosityException;
+import org.selectiverenderer.radiosity.scene.RadiosityScene;
+import org.selectiverenderer.radiosity.scene.RadiositySceneBuilder;
 import org.selectiverenderer.radiosity.solve.EnergyBalance;
-import org.selectiverenderer.radiosity.solve.Solution;
-import org.selectiverenderer.radiosity.work.WorkProgress;
+import org.selectiverenderer.radiosity.solve.RadiositySolution;
 import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.loading.LoadedScene;
 import org.selectiverenderer.runtime.loading.SceneLoader;
 import org.selectiverenderer.runtime.nodes.NodeFactory;
 import org.selectiverenderer.runtime.nodes.group.GroupingNode;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
-import org.selectiverenderer.x3d.files.ContentAccess;
 import org.selectiverenderer.x3d.source.ReadLimits;
+import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 
 /**
  * One run of the radiosity command: reads a scene file, computes its light and writes the lit
@@ -55,7 +55,7 @@ import org.selectiverenderer.x3d.source.ReadLimits;
  */
 public record RadiosityJob(
     Path scene,
-    ContentAccess access,
+    ContentAccessPolicy access,
     Path output,
     Path inlines,
     @Nullable Path preview,
@@ -90,15 +90,16 @@ public record RadiosityJob(
       long rays,
       int files,
       boolean complete,
-      @Nullable PictureReport pictures) {}
+      @Nullable LightmapReport pictures) {}
 
   /** The loaded scene and what is derived from it. */
-  private record Work(LoadedScene loaded, InstanceTree tree, LightScene light, Problems problems) {}
+  private record LoadedJob(
+      LoadedScene loaded, InstanceTree tree, RadiosityScene light, ProblemCollector problems) {}
 
   /** Creates a job for a scene that may load its own files only. */
   public RadiosityJob(
       Path scene, Path output, Path inlines, @Nullable Path preview, RadiositySettings settings) {
-    this(scene, ContentAccess.none(), output, inlines, preview, settings);
+    this(scene, ContentAccessPolicy.none(), output, inlines, preview, settings);
   }
 
   /**
@@ -134,80 +135,87 @@ public record RadiosityJob(
    * @param iterations receives the energy balance of each iteration and the requested quality in
    *     percent
    * @throws IOException if a file cannot be read or written; the message is one line
-   * @throws UnlitSceneException if the scene cannot be lit, before the long work, or if it is
+   * @throws RadiosityException if the scene cannot be lit, before the long work, or if it is
    *     cancelled before the first iteration is complete
    */
   public Report run(
-      Problems problems, WorkProgress progress, BiConsumer<EnergyBalance, Double> iterations)
-      throws IOException, UnlitSceneException {
+      ProblemCollector problems,
+      RadiosityProgress progress,
+      BiConsumer<EnergyBalance, Double> iterations)
+      throws IOException, RadiosityException {
     try (SceneLoader loader =
         new SceneLoader(
             NodeCatalogue.load(), new NodeFactory(), ReadLimits.standard(), access, problems)) {
       LoadedScene loaded = loader.load(scene);
       InstanceTree tree = new InstanceTree((GroupingNode) loaded.scene().root(), loaded.assets());
       if (tree.root().children().isEmpty() && hasError(problems)) {
-        throw UnlitSceneException.unread();
+        throw RadiosityException.unread();
       }
-      new InputsKept(scene, tree, access.named()).stay(output, inlines, preview);
-      progress.at(WorkProgress.Stage.READING, 0.5);
-      LightScene lightScene =
-          new LightSceneReader(settings.photometric(), problems)
+      new OutputCollisionGuard(scene, tree, access.named()).stay(output, inlines, preview);
+      progress.at(RadiosityProgress.Stage.READING, 0.5);
+      RadiosityScene lightScene =
+          new RadiositySceneBuilder(settings.photometric(), problems)
               .read(tree, loaded.scene().unitLength());
-      progress.at(WorkProgress.Stage.READING, 1);
-      return light(new Work(loaded, tree, lightScene, problems), progress, iterations);
+      progress.at(RadiosityProgress.Stage.READING, 1);
+      return light(new LoadedJob(loaded, tree, lightScene, problems), progress, iterations);
     }
   }
 
   private Report light(
-      Work work, WorkProgress progress, BiConsumer<EnergyBalance, Double> iterations)
-      throws IOException, UnlitSceneException {
+      LoadedJob work, RadiosityProgress progress, BiConsumer<EnergyBalance, Double> iterations)
+      throws IOException, RadiosityException {
     double unit = work.loaded().scene().unitLength();
-    PreviewPicture picture =
+    PreviewRenderer picture =
         preview == null
             ? null
-            : new PreviewPicture(work.light(), PreviewCamera.of(work.tree(), unit));
-    Consumer<Solution> each =
+            : new PreviewRenderer(work.light(), PreviewCamera.of(work.tree(), unit));
+    Consumer<RadiositySolution> each =
         solution -> {
           iterations.accept(solution.last(), settings.quality());
           show(picture, shown -> shown.of(solution, settings.exposure()));
         };
     if (!settings.store().inTextures()) {
-      TextureNotes.atVertices(work.light(), work.problems());
-      LitScene lit = new Radiosity(settings, progress).light(work.light(), each);
+      TextureDiagnostics.atVertices(work.light(), work.problems());
+      VertexLitScene lit = new VertexLightBaker(settings, progress).light(work.light(), each);
       show(picture, shown -> shown.of(lit));
-      int files = write(work, new VertexForm(lit), progress, "colours").texts();
+      int files = write(work, new VertexColorFormat(lit), progress, "colours").texts();
       return report(work, lit, lit.facets().vertices(), files, null);
     }
-    TextureNotes.inPictures(work.light(), work.problems());
-    TexelScene lit =
-        new TexelRadiosity(settings, progress, work.problems())
+    TextureDiagnostics.inPictures(work.light(), work.problems());
+    LightmappedScene lit =
+        new LightmapBaker(settings, progress, work.problems())
             .light(
                 work.light(),
-                TexelForm.files(work.light()),
+                LightmapFormat.files(work.light()),
                 each,
                 picture == null
                     ? null
                     : (pages, curve) -> show(picture, shown -> shown.of(pages, curve)));
     show(picture, shown -> shown.of(lit.pages(), lit.curve()));
-    LightPictures painted = LightPictures.of(lit);
+    LightmapImageSet painted = LightmapImageSet.of(lit);
     if (settings.store().highlights()) {
-      TextureNotes.withoutHighlights(work.light(), painted.use(), work.problems());
+      TextureDiagnostics.withoutHighlights(work.light(), painted.use(), work.problems());
     }
-    LampFit lamps = new LampFit(lit.curve(), settings.photometric(), unit);
-    TexelForm form = new TexelForm(lit, painted, lamps, settings.store().highlights());
+    HighlightLightWriter lamps =
+        new HighlightLightWriter(lit.curve(), settings.photometric(), unit);
+    LightmapFormat form = new LightmapFormat(lit, painted, lamps, settings.store().highlights());
     Written written = write(work, form, progress, "pictures");
-    PictureReport pictures =
-        PictureReport.of(lit, written.pictures(), painted.use().apart(), form.shining());
+    LightmapReport pictures =
+        LightmapReport.of(lit, written.pictures(), painted.use().apart(), form.shining());
     return report(work, lit, 0, written.texts(), pictures);
   }
 
   private Report report(
-      Work work, Lit lit, int vertices, int files, @Nullable PictureReport pictures) {
+      LoadedJob work,
+      LightingResult lit,
+      int vertices,
+      int files,
+      @Nullable LightmapReport pictures) {
     EnergyBalance balance = lit.solution().last();
     if (balance.escaped() * 100 > OPEN * balance.emitted()) {
       work.problems()
           .info(
-              Location.of(scene.toString()),
+              SourceLocation.of(scene.toString()),
               "the scene is open: %.0f percent of its light leaves it"
                   .formatted(100 * balance.escaped() / balance.emitted()));
     }
@@ -225,7 +233,7 @@ public record RadiosityJob(
         pictures);
   }
 
-  private static boolean hasError(Problems problems) {
+  private static boolean hasError(ProblemCollector problems) {
     return problems.list().stream()
         .anyMatch(problem -> problem.severity() == Problem.Severity.ERROR);
   }
@@ -238,23 +246,24 @@ public record RadiosityJob(
   /**
    * @param where the place of the light for the file's description: colours or pictures
    */
-  private Written write(Work work, LitForm form, WorkProgress progress, String where)
+  private Written write(
+      LoadedJob work, LitSceneFormat form, RadiosityProgress progress, String where)
       throws IOException {
-    progress.at(WorkProgress.Stage.WRITING, 0);
+    progress.at(RadiosityProgress.Stage.WRITING, 0);
     Map<Path, String> texts =
         new LitSceneWriter(work.light(), form, output, inlines, work.problems())
             .write(
                 work.loaded().scene(),
                 work.tree(),
                 "Lit by radiosity, from " + scene.getFileName() + "; light is in the " + where);
-    progress.at(WorkProgress.Stage.WRITING, 0.3);
+    progress.at(RadiosityProgress.Stage.WRITING, 0.3);
     Map<Path, byte[]> pictures = form.pictures();
-    progress.at(WorkProgress.Stage.WRITING, 0.8);
+    progress.at(RadiosityProgress.Stage.WRITING, 0.8);
     FileTransaction writing = new FileTransaction();
     texts.forEach((file, text) -> writing.add(file, text.getBytes(StandardCharsets.UTF_8)));
     pictures.forEach(writing::add);
     writing.commit();
-    progress.at(WorkProgress.Stage.WRITING, 1);
+    progress.at(RadiosityProgress.Stage.WRITING, 1);
     return new Written(
         texts.size(), pictures.values().stream().map(bytes -> bytes.length).toList());
   }
@@ -262,10 +271,10 @@ public record RadiosityJob(
   /**
    * Overwrites the preview in place, so that an image viewer that has it open shows the new one.
    */
-  private void show(@Nullable PreviewPicture picture, Function<PreviewPicture, byte[]> png) {
+  private void show(@Nullable PreviewRenderer picture, Function<PreviewRenderer, byte[]> png) {
     if (preview != null && picture != null) {
       try {
-        WholeFile.writeInto(preview, png.apply(picture));
+        AtomicFileWriter.writeInto(preview, png.apply(picture));
       } catch (IOException e) {
         throw new UncheckedIOException(e);
       }

@@ -34,7 +34,7 @@ public record RadiositySettings(
     int seed,
     double exposure,
     int maxPolygons,
-    LightStore store) {
+    LightStorageSettings store) {
 
   /** The settings of the command without options. */
   public static final RadiositySettings DEFAULT =
@@ -50,7 +50,7 @@ public record RadiositySettings(
           1,
           0,
           300_000,
-          LightStore.DEFAULT);
+          LightStorageSettings.DEFAULT);
 
   /** Creates settings that store light at vertices. */
   public RadiositySettings(
@@ -77,7 +77,7 @@ public record RadiositySettings(
         seed,
         exposure,
         maxPolygons,
-        LightStore.VERTICES);
+        LightStorageSettings.VERTICES);
   }
 
   public RadiositySettings {
@@ -96,7 +96,7 @@ public record RadiositySettings(
   }
 
   /** Returns these settings with another storage of light. */
-  public RadiositySettings with(LightStore other) {
+  public RadiositySettings with(LightStorageSettings other) {
     return new RadiositySettings(
         iterations,
         quality,

@@ -23,10 +23,10 @@
  * from sets with integer seeds, and only {@code StrictMath} is used beyond square roots.
  *
  * <p>In: a scene's file and {@link org.selectiverenderer.radiosity.RadiositySettings}. Out: {@link
- * org.selectiverenderer.radiosity.bake.LitScene} and, by {@code output}, files; by {@code preview},
- * pictures on the way. Uses {@code runtime} but its renderer, {@code x3d} and {@code base}; the
- * packages within also {@code polygon.model}, {@code schema} and {@code geometry}. Loads no AWT and
- * no GL itself.
+ * org.selectiverenderer.radiosity.bake.VertexLitScene} and, by {@code output}, files; by {@code
+ * preview}, pictures on the way. Uses {@code runtime} but its renderer, {@code x3d} and {@code
+ * base}; the packages within also {@code polygon.model}, {@code schema} and {@code geometry}. Loads
+ * no AWT and no GL itself.
  */
 @NullMarked
 package org.selectiverenderer.radiosity;

@@ -12,13 +12,13 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.runtime.collide.MeshTrees;
-import org.selectiverenderer.runtime.instance.Assets;
+import org.selectiverenderer.runtime.collision.MeshBvhCache;
+import org.selectiverenderer.runtime.instance.AssetProvider;
 import org.selectiverenderer.runtime.instance.GroupInstance;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.runtime.nodes.group.GroupingNode;
-import org.selectiverenderer.runtime.nodes.sensor.FrameNode;
-import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.runtime.nodes.sensor.FrameDrivenNode;
+import org.selectiverenderer.runtime.scene.EventCascade;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
 import org.selectiverenderer.runtime.viewer.Viewer;
@@ -33,7 +33,10 @@ import org.selectiverenderer.runtime.viewer.Viewer;
 final class LayerStack {
   /** The objects that all layers share. */
   record Parts(
-      Assets assets, MeshTrees meshes, Consumer<GroupInstance> activated, Cascade cascade) {}
+      AssetProvider assets,
+      MeshBvhCache meshes,
+      Consumer<GroupInstance> activated,
+      EventCascade cascade) {}
 
   private final Parts parts;
   private final Scene scene;
@@ -55,14 +58,14 @@ final class LayerStack {
   private boolean relayered;
 
   private SceneLayer active;
-  private Pointer pointed = Pointer.AWAY;
-  private Picture picture;
+  private PointerState pointed = PointerState.AWAY;
+  private DisplayMetrics picture;
 
   /**
    * @param user the viewer that the user moves in the active layer
    * @param picture the size of the picture
    */
-  LayerStack(Scene scene, Parts parts, Viewer user, Picture picture) {
+  LayerStack(Scene scene, Parts parts, Viewer user, DisplayMetrics picture) {
     this.picture = picture;
     this.scene = scene;
     this.parts = parts;
@@ -196,12 +199,12 @@ final class LayerStack {
     }
   }
 
-  void look(Cascade cascade) {
+  void look(EventCascade cascade) {
     all().forEach(layer -> layer.look(picture, part(layer), cascade));
   }
 
   /** Brings nodes whose layout depends on the size of the picture up to date. */
-  void see(Picture now) {
+  void see(DisplayMetrics now) {
     picture = now;
     all().forEach(layer -> layer.see(now, part(layer)));
   }
@@ -212,12 +215,12 @@ final class LayerStack {
    *
    * @param since the pointer states since the last frame, oldest first
    */
-  void point(List<Pointer> since, Cascade cascade) {
+  void point(List<PointerState> since, EventCascade cascade) {
     if (alone()) {
       base.pointing.frame(since, user, cascade);
       return;
     }
-    List<Pointer> left = since.isEmpty() ? List.of(pointed) : since;
+    List<PointerState> left = since.isEmpty() ? List.of(pointed) : since;
     pointed = left.get(left.size() - 1);
     List<SceneLayer> order = order();
     for (int i = order.size() - 1; i >= 0; i--) {
@@ -232,14 +235,15 @@ final class LayerStack {
    *
    * @param latest the last pointer state since the last frame, if there was one
    */
-  Optional<ShapeInstance> pointedAt(Optional<Pointer> latest) {
+  Optional<ShapeInstance> pointedAt(Optional<PointerState> latest) {
     if (alone()) {
       return base.pointing.idle(latest.orElse(base.pointing.last()), user);
     }
     List<SceneLayer> order = order();
     for (int i = order.size() - 1; i >= 0; i--) {
       SceneLayer layer = order.get(i);
-      Pointer inside = LayerPointing.in(part(layer), layer.viewer(), latest.orElse(pointed), user);
+      PointerState inside =
+          LayerPointerMapping.in(part(layer), layer.viewer(), latest.orElse(pointed), user);
       if (pickable(layer) && layer.pointing.meets(inside, layer.viewer())) {
         return layer == active ? layer.pointing.idle(inside, user) : Optional.empty();
       }
@@ -247,7 +251,7 @@ final class LayerStack {
     return Optional.empty();
   }
 
-  void sense(double time, Cascade cascade) {
+  void sense(double time, EventCascade cascade) {
     all().forEach(layer -> layer.sense(time, cascade));
   }
 
@@ -255,7 +259,7 @@ final class LayerStack {
     all().forEach(layer -> layer.instances.update());
   }
 
-  void bind(Cascade cascade) {
+  void bind(EventCascade cascade) {
     all().forEach(layer -> layer.bindables.update(cascade));
   }
 
@@ -280,7 +284,7 @@ final class LayerStack {
   }
 
   /** Returns whether a condition holds for the pointing device handler of any layer. */
-  boolean anyPointing(Predicate<Pointing> so) {
+  boolean anyPointing(Predicate<PointingDeviceHandler> so) {
     return all().stream().anyMatch(layer -> so.test(layer.pointing));
   }
 
@@ -307,7 +311,7 @@ final class LayerStack {
     }
     if (changed) {
       // A node may be USEd in several layers; it is updated once per frame.
-      Set<FrameNode> taken = Collections.newSetFromMap(new IdentityHashMap<>());
+      Set<FrameDrivenNode> taken = Collections.newSetFromMap(new IdentityHashMap<>());
       all().forEach(layer -> layer.choose(taken));
       all().forEach(SceneLayer::engage);
     }

@@ -1,7 +1,7 @@
 package org.selectiverenderer.runtime;
 
 import java.util.Optional;
-import org.selectiverenderer.runtime.instance.Backdrop;
+import org.selectiverenderer.runtime.instance.Background;
 import org.selectiverenderer.runtime.instance.Fog;
 import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.scene.Node;
@@ -22,7 +22,7 @@ import org.selectiverenderer.runtime.viewer.Viewer;
 public record LayerView(
     InstanceTree instances,
     Viewer viewer,
-    Optional<Backdrop> backdrop,
+    Optional<Background> backdrop,
     Fog fog,
     Optional<Node> navigationInfo,
     Optional<Node> viewpoint,

@@ -1,19 +1,19 @@
 package org.selectiverenderer.runtime;
 
 import java.util.List;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.runtime.instance.InstanceTree;
-import org.selectiverenderer.runtime.loading.LiveFiles;
 import org.selectiverenderer.runtime.loading.LoadedScene;
+import org.selectiverenderer.runtime.loading.RunningSceneLoader;
 import org.selectiverenderer.runtime.nodes.script.ScriptNode;
 import org.selectiverenderer.runtime.nodes.sound.AudioClipNode;
 import org.selectiverenderer.runtime.nodes.sound.SoundNode;
-import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.runtime.scene.EventCascade;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
-import org.selectiverenderer.runtime.script.ScriptWorld;
-import org.selectiverenderer.runtime.script.Scripts;
+import org.selectiverenderer.runtime.script.ScriptHost;
+import org.selectiverenderer.runtime.script.ScriptScheduler;
 import org.selectiverenderer.runtime.sound.Voice;
 
 /**
@@ -23,12 +23,12 @@ import org.selectiverenderer.runtime.sound.Voice;
  */
 final class RunningScene {
   private final World world;
-  private final Cascade cascade;
-  private final Problems problems;
+  private final EventCascade cascade;
+  private final ProblemCollector problems;
   final Scene scene;
   final LayerStack layers;
-  final LiveFiles files;
-  final Scripts scripts;
+  final RunningSceneLoader files;
+  final ScriptScheduler scripts;
   private boolean cutOff;
 
   RunningScene(World world, LoadedScene loaded) {
@@ -36,15 +36,15 @@ final class RunningScene {
     cascade = world.cascade();
     problems = world.problems();
     scene = loaded.scene();
-    files = new LiveFiles(loaded, problems, world::post);
-    AnchorLinks links = new AnchorLinks(scene, files, problems, new LinkTarget());
+    files = new RunningSceneLoader(loaded, problems, world::post);
+    AnchorHandler links = new AnchorHandler(scene, files, problems, new LinkTarget());
     layers =
         new LayerStack(
             scene,
             new LayerStack.Parts(files.assets(), world.meshes(), links::follow, cascade),
             world.viewer(),
             world.picture());
-    scripts = new Scripts(new ScriptsWorld(links));
+    scripts = new ScriptScheduler(new ScriptsWorld(links));
     world.keys().follow(List.of(), cascade);
     reportCutOff();
   }
@@ -61,7 +61,7 @@ final class RunningScene {
     if (instances.cutOff() && !cutOff) {
       cutOff = true;
       problems.error(
-          Location.of(scene.url()),
+          SourceLocation.of(scene.url()),
           "the scene contains itself or has more than %s instances; the rest is left out"
               .formatted(instances.maxInstances()));
     }
@@ -119,7 +119,7 @@ final class RunningScene {
   }
 
   /** The changes that an Anchor may make to this world. */
-  private final class LinkTarget implements AnchorLinks.Target {
+  private final class LinkTarget implements AnchorHandler.Target {
     @Override
     public void bind(Node viewpoint) {
       world.bindables().bind(viewpoint, cascade);
@@ -132,20 +132,20 @@ final class RunningScene {
   }
 
   /** The running scene as Scripts see it. */
-  private final class ScriptsWorld implements ScriptWorld {
-    private final AnchorLinks links;
+  private final class ScriptsWorld implements ScriptHost {
+    private final AnchorHandler links;
 
-    ScriptsWorld(AnchorLinks links) {
+    ScriptsWorld(AnchorHandler links) {
       this.links = links;
     }
 
     @Override
-    public Cascade cascade() {
+    public EventCascade cascade() {
       return cascade;
     }
 
     @Override
-    public Problems problems() {
+    public ProblemCollector problems() {
       return problems;
     }
 
@@ -155,7 +155,7 @@ final class RunningScene {
     }
 
     @Override
-    public LiveFiles files() {
+    public RunningSceneLoader files() {
       return files;
     }
 

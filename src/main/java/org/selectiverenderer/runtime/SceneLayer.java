@@ -8,25 +8,25 @@ import org.joml.Quaterniond;
 import org.joml.Quaterniondc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
-import org.selectiverenderer.runtime.instance.Backdrop;
-import org.selectiverenderer.runtime.instance.BackdropReader;
+import org.selectiverenderer.runtime.instance.Background;
+import org.selectiverenderer.runtime.instance.BackgroundReader;
 import org.selectiverenderer.runtime.instance.Fog;
 import org.selectiverenderer.runtime.instance.InstanceTree;
-import org.selectiverenderer.runtime.nodes.bind.BindStacks;
+import org.selectiverenderer.runtime.navigation.NavigationMode;
+import org.selectiverenderer.runtime.navigation.NavigationParameters;
+import org.selectiverenderer.runtime.nodes.bindable.BindingStacks;
 import org.selectiverenderer.runtime.nodes.group.GroupingNode;
 import org.selectiverenderer.runtime.nodes.group.InlineNode;
-import org.selectiverenderer.runtime.nodes.key.KeyDeviceSensorNode;
+import org.selectiverenderer.runtime.nodes.keyboard.KeyDeviceSensorNode;
 import org.selectiverenderer.runtime.nodes.script.ScriptNode;
-import org.selectiverenderer.runtime.nodes.sensor.FrameNode;
+import org.selectiverenderer.runtime.nodes.sensor.FrameDrivenNode;
 import org.selectiverenderer.runtime.nodes.sound.SoundNode;
-import org.selectiverenderer.runtime.pick.Picking;
-import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.runtime.picking.PickSensorEvaluator;
+import org.selectiverenderer.runtime.scene.EventCascade;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
-import org.selectiverenderer.runtime.viewer.Extent;
+import org.selectiverenderer.runtime.viewer.ViewExtent;
 import org.selectiverenderer.runtime.viewer.Viewer;
-import org.selectiverenderer.runtime.walk.Navigation;
-import org.selectiverenderer.runtime.walk.NavigationMode;
 
 /**
  * A layer of a running scene (X3D 4.0, 35.2) with its instances, binding stacks, viewer, pointing
@@ -43,15 +43,15 @@ final class SceneLayer {
 
   final GroupingNode root;
   final InstanceTree instances;
-  final BindStacks bindables;
+  final BindingStacks bindables;
   final ViewpointFollower follower;
-  final Pointing pointing;
-  final BackdropReader backdrops;
-  private final Picking picking;
+  final PointingDeviceHandler pointing;
+  final BackgroundReader backdrops;
+  private final PickSensorEvaluator picking;
   private Viewer viewer;
-  private List<FrameNode> looking = List.of();
-  private List<FrameNode> chosen = List.of();
-  private FrameRound round = new FrameRound(List.of());
+  private List<FrameDrivenNode> looking = List.of();
+  private List<FrameDrivenNode> chosen = List.of();
+  private SensorScheduler round = new SensorScheduler(List.of());
   private long frameNodesOf = -1;
   private List<InlineNode> inlines = List.of();
   private List<ScriptNode> scripts = List.of();
@@ -71,11 +71,11 @@ final class SceneLayer {
     flat = root.type().name().equals("LayoutLayer");
     instances = new InstanceTree(root, parts.assets());
     instances.onMoved(node -> round.moved(node));
-    backdrops = new BackdropReader(parts.assets());
-    bindables = new BindStacks(root, parts.cascade());
+    backdrops = new BackgroundReader(parts.assets());
+    bindables = new BindingStacks(root, parts.cascade());
     follower = new ViewpointFollower(instances, bindables, viewer);
-    pointing = new Pointing(instances, parts.meshes(), parts.activated());
-    picking = new Picking(instances, parts.assets(), parts.meshes());
+    pointing = new PointingDeviceHandler(instances, parts.meshes(), parts.activated());
+    picking = new PickSensorEvaluator(instances, parts.assets(), parts.meshes());
   }
 
   Viewer viewer() {
@@ -106,7 +106,7 @@ final class SceneLayer {
   }
 
   /** Returns the frame-driven nodes of the layer, including those that another layer updates. */
-  List<FrameNode> looking() {
+  List<FrameDrivenNode> looking() {
     return looking;
   }
 
@@ -115,7 +115,7 @@ final class SceneLayer {
     return draggable;
   }
 
-  Optional<Backdrop> backdrop() {
+  Optional<Background> backdrop() {
     return bindables
         .bound("X3DBackgroundNode")
         .map(node -> backdrops.read(node, follower.placeOf(node)));
@@ -149,11 +149,11 @@ final class SceneLayer {
    *
    * @param picture the picture in which the scene was last drawn
    */
-  void look(Picture picture, LayerView.Part part, Cascade cascade) {
+  void look(DisplayMetrics picture, LayerView.Part part, EventCascade cascade) {
     if (flat) {
       viewer.moveTo(FLAT_EYE);
       viewer.turnTo(UPRIGHT);
-      viewer.extent(Optional.of(Extent.DEFAULT));
+      viewer.extent(Optional.of(ViewExtent.DEFAULT));
     }
     see(picture, part);
     Vector3d up = viewer.orientation().transform(new Vector3d(0, 1, 0));
@@ -162,7 +162,7 @@ final class SceneLayer {
   }
 
   /** Places the nodes whose layout depends on the size of the picture. */
-  void see(Picture picture, LayerView.Part part) {
+  void see(DisplayMetrics picture, LayerView.Part part) {
     if (instances.dependsOnPicture()) {
       instances.see(picture.sight(viewer, part));
     }
@@ -175,14 +175,14 @@ final class SceneLayer {
   private Optional<Vector3dc> pivot() {
     return bindables
         .bound("NavigationInfo")
-        .map(info -> Navigation.of(info).initial())
+        .map(info -> NavigationParameters.of(info).initial())
         .filter(mode -> mode == NavigationMode.EXAMINE || mode == NavigationMode.LOOKAT)
         .flatMap(mode -> follower.pivot());
   }
 
   /** Updates the layer's sensors and clocks for a frame. */
-  void sense(double time, Cascade cascade) {
-    round.frame(new WorldFrame(time, viewer, instances, this::pivot), cascade);
+  void sense(double time, EventCascade cascade) {
+    round.frame(new WorldFrameContext(time, viewer, instances, this::pivot), cascade);
     picking.frame(cascade);
   }
 
@@ -192,18 +192,18 @@ final class SceneLayer {
    *
    * @param taken the nodes that other layers update, to which the chosen ones are added
    */
-  void choose(Set<FrameNode> taken) {
+  void choose(Set<FrameDrivenNode> taken) {
     chosen = looking.stream().filter(taken::add).toList();
     if (!round.isOf(chosen)) {
       round.close();
-      round = new FrameRound(List.of());
+      round = new SensorScheduler(List.of());
     }
   }
 
   /** Schedules the chosen nodes; called after the other layers have released theirs. */
   void engage() {
     if (!round.isOf(chosen)) {
-      round = new FrameRound(chosen);
+      round = new SensorScheduler(chosen);
     }
   }
 
@@ -219,7 +219,7 @@ final class SceneLayer {
       return false;
     }
     frameNodesOf = instances.structureVersion();
-    FrameNodes walk = FrameNodes.of(scene, base, instances);
+    LayerNodeIndex walk = LayerNodeIndex.of(scene, base, instances);
     looking = walk.frameNodes();
     inlines = walk.inlines();
     scripts = walk.scripts();
@@ -234,22 +234,26 @@ final class SceneLayer {
   /**
    * Passes the pointing device to the layer's sensors and Anchors.
    *
-   * @return the states for the layers below: {@link Pointer#AWAY} where the pointer is over a shape
-   *     of this layer
+   * @return the states for the layers below: {@link PointerState#AWAY} where the pointer is over a
+   *     shape of this layer
    */
-  List<Pointer> point(
-      List<Pointer> since, LayerView.Part part, boolean pickable, Viewer whole, Cascade cascade) {
-    List<Pointer> here = new ArrayList<>(since.size());
-    List<Pointer> below = new ArrayList<>(since.size());
-    for (Pointer pointer : since) {
-      Pointer inside =
+  List<PointerState> point(
+      List<PointerState> since,
+      LayerView.Part part,
+      boolean pickable,
+      Viewer whole,
+      EventCascade cascade) {
+    List<PointerState> here = new ArrayList<>(since.size());
+    List<PointerState> below = new ArrayList<>(since.size());
+    for (PointerState pointer : since) {
+      PointerState inside =
           pickable
-              ? LayerPointing.in(part, viewer, pointer, whole)
-              : new Pointer(Optional.empty(), pointer.pressed());
+              ? LayerPointerMapping.in(part, viewer, pointer, whole)
+              : new PointerState(Optional.empty(), pointer.pressed());
       here.add(inside);
       below.add(
           pointing.meets(inside, viewer)
-              ? new Pointer(Optional.empty(), pointer.pressed(), pointer.aspect())
+              ? new PointerState(Optional.empty(), pointer.pressed(), pointer.aspect())
               : pointer);
     }
     pointing.frame(here, viewer, cascade);

@@ -8,16 +8,16 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.geometry.Bounds;
+import org.selectiverenderer.geometry.BoundingBox;
 import org.selectiverenderer.runtime.instance.InstanceTree;
-import org.selectiverenderer.runtime.instance.ShownBounds;
-import org.selectiverenderer.runtime.nodes.bind.BindStacks;
-import org.selectiverenderer.runtime.nodes.bind.ViewpointNode;
+import org.selectiverenderer.runtime.instance.VisibleBounds;
+import org.selectiverenderer.runtime.nodes.bindable.BindingStacks;
+import org.selectiverenderer.runtime.nodes.bindable.ViewpointNode;
 import org.selectiverenderer.runtime.scene.Node;
-import org.selectiverenderer.runtime.viewer.Extent;
-import org.selectiverenderer.runtime.viewer.Framing;
+import org.selectiverenderer.runtime.viewer.CameraFraming;
 import org.selectiverenderer.runtime.viewer.NavigationFrame;
 import org.selectiverenderer.runtime.viewer.Pose;
+import org.selectiverenderer.runtime.viewer.ViewExtent;
 import org.selectiverenderer.runtime.viewer.Viewer;
 
 /**
@@ -31,7 +31,7 @@ final class ViewpointFollower {
   private static final Matrix4dc DEFAULT = new Matrix4d().translation(0, 0, 10);
 
   private final InstanceTree instances;
-  private final BindStacks bindables;
+  private final BindingStacks bindables;
   private final ViewpointGroups groups;
   private Viewer viewer;
   private @Nullable Node followed;
@@ -44,9 +44,9 @@ final class ViewpointFollower {
   private boolean allWanted;
 
   private @Nullable Vector3d centre;
-  private @Nullable Extent wide;
+  private @Nullable ViewExtent wide;
 
-  ViewpointFollower(InstanceTree instances, BindStacks bindables, Viewer viewer) {
+  ViewpointFollower(InstanceTree instances, BindingStacks bindables, Viewer viewer) {
     this.instances = instances;
     this.bindables = bindables;
     this.viewer = viewer;
@@ -106,7 +106,9 @@ final class ViewpointFollower {
         viewer.fieldOfView(viewpoint.fieldOfView());
         double scale = NavigationFrame.of(placeOf(viewpoint)).scale();
         viewer.extent(
-            viewpoint.extent().map(extent -> wide == null ? Extent.of(extent).times(scale) : wide));
+            viewpoint
+                .extent()
+                .map(extent -> wide == null ? ViewExtent.of(extent).times(scale) : wide));
       }
       pose.set(now);
     }
@@ -136,17 +138,17 @@ final class ViewpointFollower {
    * @return whether the scene shows any shape
    */
   boolean viewAll() {
-    Optional<Bounds> all = ShownBounds.of(instances.shapes());
+    Optional<BoundingBox> all = VisibleBounds.of(instances.shapes());
     all.ifPresent(this::look);
     return all.isPresent();
   }
 
   /** Moves the viewer to where a whole bounding box is in view. */
-  void look(Bounds box) {
+  void look(BoundingBox box) {
     Node from = followed;
     NavigationFrame frame =
         from == null ? NavigationFrame.WORLD : NavigationFrame.of(placeOf(from));
-    Framing framing = Framing.of(box, Pose.of(viewer), frame.upright());
+    CameraFraming framing = CameraFraming.of(box, Pose.of(viewer), frame.upright());
     boolean parallel = viewer.extent().isPresent();
     framing.pose().applyTo(viewer);
     wide = framing.extent();

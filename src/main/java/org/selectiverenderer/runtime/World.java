@@ -5,20 +5,20 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.base.problem.Problems;
-import org.selectiverenderer.runtime.collide.MeshTrees;
-import org.selectiverenderer.runtime.instance.Assets;
-import org.selectiverenderer.runtime.instance.Backdrop;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.runtime.collision.MeshBvhCache;
+import org.selectiverenderer.runtime.instance.AssetProvider;
+import org.selectiverenderer.runtime.instance.Background;
 import org.selectiverenderer.runtime.instance.Fog;
 import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.loading.LoadedScene;
-import org.selectiverenderer.runtime.nodes.bind.BindStacks;
-import org.selectiverenderer.runtime.nodes.key.KeyDevice;
-import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.runtime.nodes.bindable.BindingStacks;
+import org.selectiverenderer.runtime.nodes.keyboard.KeyDevice;
+import org.selectiverenderer.runtime.scene.EventCascade;
 import org.selectiverenderer.runtime.scene.Scene;
 import org.selectiverenderer.runtime.sound.Voice;
-import org.selectiverenderer.runtime.viewer.Extent;
+import org.selectiverenderer.runtime.viewer.ViewExtent;
 import org.selectiverenderer.runtime.viewer.Viewer;
 import org.selectiverenderer.runtime.viewer.ViewerMotion;
 
@@ -38,27 +38,27 @@ public final class World {
     void replaced(World world);
   }
 
-  private final Problems problems;
-  private final Cascade cascade;
+  private final ProblemCollector problems;
+  private final EventCascade cascade;
   private final Viewer viewer = new Viewer();
-  private final WorldTasks tasks;
-  private final Views views = new Views(this);
+  private final WorldTaskQueue tasks;
+  private final ViewpointNavigator views = new ViewpointNavigator(this);
   private final List<ReplaceListener> replaceListeners = new ArrayList<>();
   private final KeyDevice keys = new KeyDevice();
-  private final MeshTrees meshes = new MeshTrees();
-  private final ConcurrentLinkedQueue<Pointer> pointed = new ConcurrentLinkedQueue<>();
+  private final MeshBvhCache meshes = new MeshBvhCache();
+  private final ConcurrentLinkedQueue<PointerState> pointed = new ConcurrentLinkedQueue<>();
 
   private final List<Runnable> stepListeners = new ArrayList<>();
   private double time = Double.NaN;
   private double epoch = EPOCH;
   private volatile boolean running = true;
-  private Picture picture = Picture.DEFAULT;
+  private DisplayMetrics picture = DisplayMetrics.DEFAULT;
   private RunningScene shown;
 
-  public World(LoadedScene loaded, Problems problems) {
+  public World(LoadedScene loaded, ProblemCollector problems) {
     this.problems = problems;
-    cascade = new Cascade(problems);
-    tasks = new WorldTasks(problems);
+    cascade = new EventCascade(problems);
+    tasks = new WorldTaskQueue(problems);
     shown = new RunningScene(this, loaded);
   }
 
@@ -99,7 +99,7 @@ public final class World {
   }
 
   /** Returns the meshes and images of the scene's nodes. */
-  public Assets assets() {
+  public AssetProvider assets() {
     return shown.files.assets();
   }
 
@@ -107,7 +107,7 @@ public final class World {
    * Returns the BVHs of the meshes, which ray casting and collisions share; each is built when
    * first needed.
    */
-  public MeshTrees meshes() {
+  public MeshBvhCache meshes() {
     return meshes;
   }
 
@@ -119,22 +119,22 @@ public final class World {
    * Returns the binding stacks of the active layer: its bound Viewpoint, NavigationInfo, Background
    * and Fog.
    */
-  public BindStacks bindables() {
+  public BindingStacks bindables() {
     return shown.layers.active().bindables;
   }
 
   /** Returns the event cascade, through which fields are set. */
-  public Cascade cascade() {
+  public EventCascade cascade() {
     return cascade;
   }
 
-  public Problems problems() {
+  public ProblemCollector problems() {
     return problems;
   }
 
   /** Returns the bound background of the active layer. */
-  public Backdrop backdrop() {
-    return shown.layers.active().backdrop().orElse(Backdrop.BLACK);
+  public Background backdrop() {
+    return shown.layers.active().backdrop().orElse(Background.BLACK);
   }
 
   /** Returns the fog of the bound Fog node. */
@@ -165,13 +165,13 @@ public final class World {
    * @param frustum the cross-section of the display's view frustum at distance 1, for displays
    *     whose viewing angle differs from the viewer's
    */
-  public void seenIn(double width, double height, Optional<Extent> frustum) {
-    picture = new Picture(width, height, frustum);
+  public void seenIn(double width, double height, Optional<ViewExtent> frustum) {
+    picture = new DisplayMetrics(width, height, frustum);
     shown.layers.see(picture);
   }
 
   /** Returns the size of the picture in which the scene is seen. */
-  Picture picture() {
+  DisplayMetrics picture() {
     return picture;
   }
 
@@ -179,7 +179,7 @@ public final class World {
    * Reports that the pointing device moved or that its button went down or up. The next step
    * evaluates it before it delivers events. Thread-safe.
    */
-  public void point(Pointer pointer) {
+  public void point(PointerState pointer) {
     pointed.add(pointer);
   }
 
@@ -193,7 +193,7 @@ public final class World {
    * went down now; then a drag must not move the viewer. As of the last step.
    */
   public boolean wantsDrag() {
-    return shown.layers.anyPointing(Pointing::wantsDrag);
+    return shown.layers.anyPointing(PointingDeviceHandler::wantsDrag);
   }
 
   /** Returns whether the scene has a drag sensor. */
@@ -203,7 +203,7 @@ public final class World {
 
   /** Returns whether a drag sensor has grabbed the pointing device, as of the last step. */
   public boolean dragging() {
-    return shown.layers.anyPointing(Pointing::dragging);
+    return shown.layers.anyPointing(PointingDeviceHandler::dragging);
   }
 
   /**
@@ -248,7 +248,7 @@ public final class World {
    * deferred to the beginning of the next step. Tasks run in the order of their calls. Thread-safe.
    */
   public void execute(Runnable task) {
-    tasks.execute(task, Location.of(shown.scene.url()));
+    tasks.execute(task, SourceLocation.of(shown.scene.url()));
   }
 
   /**
@@ -288,7 +288,7 @@ public final class World {
     cascade.at(epoch + now);
     shown.frameNodes();
     shown.scripts.start();
-    tasks.runDeferred(Location.of(shown.scene.url()));
+    tasks.runDeferred(SourceLocation.of(shown.scene.url()));
     tasks.runPosted(); // A task may show another scene.
     shown.settle();
     if (!running) {
@@ -331,12 +331,12 @@ public final class World {
   }
 
   /** Returns the navigator that moves the viewer to viewpoints and shapes. */
-  public Views views() {
+  public ViewpointNavigator views() {
     return views;
   }
 
   /** Returns the last state of the pointing device since the last frame, if there was one. */
-  Optional<Pointer> latestPointer() {
+  Optional<PointerState> latestPointer() {
     return pointed.stream().reduce((before, after) -> after);
   }
 }

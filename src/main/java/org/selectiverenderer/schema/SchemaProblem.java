@@ -6,7 +6,7 @@ package org.selectiverenderer.schema;
  * @param message one sentence that says what is wrong and what the program does about it
  * @param metadata the metadata node with the error
  */
-public record SchemaProblem(Kind kind, String message, MetadataSource metadata) {
+public record SchemaProblem(Kind kind, String message, MetadataNode metadata) {
   /** The kinds of errors. */
   public enum Kind {
     /** A schema field without a schema, so that the metadata has no effect. */

@@ -26,8 +26,8 @@ public final class SchemaReader {
    *
    * @return empty if the metadata has no schema field of areas
    */
-  public Optional<SensorSchemas> sensor(MetadataSource metadata) {
-    Vocabulary words = Vocabulary.of(metadata);
+  public Optional<SensorSchemas> sensor(MetadataNode metadata) {
+    SchemaMetadata words = SchemaMetadata.of(metadata);
     misplaced(words, Owner.CHOICE, "describes a version of an object, not an area");
     if (!words.hasAny(Owner.SENSOR)) {
       return Optional.empty();
@@ -45,32 +45,32 @@ public final class SchemaReader {
    *     choice without a child would hide the object
    * @return empty if the metadata has no schema field of choices
    */
-  public Optional<SwitchSchemas> switchNode(MetadataSource metadata, int children) {
-    Vocabulary words = Vocabulary.of(metadata);
+  public Optional<SwitchSchemas> switchNode(MetadataNode metadata, int children) {
+    SchemaMetadata words = SchemaMetadata.of(metadata);
     misplaced(words, Owner.SENSOR, "describes an area, not an object");
     if (!words.hasAny(Owner.CHOICE)) {
       return Optional.empty();
     }
-    List<? extends MetadataSource> sets =
-        metadata.children().stream().filter(MetadataSource::isSet).toList();
+    List<? extends MetadataNode> sets =
+        metadata.children().stream().filter(MetadataNode::isSet).toList();
     if (sets.isEmpty()) {
       sets = List.of(metadata);
     } else {
       misplaced(
-          Vocabulary.ofStringsIn(metadata),
+          SchemaMetadata.ofStringsIn(metadata),
           Owner.CHOICE,
           "is beside the MetadataSets of the choices, not inside one of them");
     }
     compare(metadata, sets, children);
-    ChoiceReader reader = new ChoiceReader(problems);
-    List<Choice> choices = new ArrayList<>();
+    VersionMetadataReader reader = new VersionMetadataReader(problems);
+    List<VersionMetadata> choices = new ArrayList<>();
     for (int i = 0; i < Math.min(sets.size(), children); i++) {
       choices.add(reader.read(i, sets.get(i)));
     }
     return choices.isEmpty() ? Optional.empty() : Optional.of(new SwitchSchemas(choices));
   }
 
-  private List<String> schemas(Vocabulary words, SchemaField field) {
+  private List<String> schemas(SchemaMetadata words, SchemaField field) {
     List<String> schemas = words.values(field);
     if (schemas.isEmpty() && words.has(field)) {
       problems.accept(
@@ -82,7 +82,7 @@ public final class SchemaReader {
     return schemas;
   }
 
-  private void compare(MetadataSource metadata, List<? extends MetadataSource> sets, int children) {
+  private void compare(MetadataNode metadata, List<? extends MetadataNode> sets, int children) {
     String counts =
         count(sets.size(), "MetadataSet", "MetadataSets")
             + " for "
@@ -95,8 +95,8 @@ public final class SchemaReader {
               counts + "no schema shows the other children",
               metadata));
     }
-    for (MetadataSource beyond : sets.subList(Math.min(sets.size(), children), sets.size())) {
-      if (Vocabulary.of(beyond).hasAny(Owner.CHOICE)) {
+    for (MetadataNode beyond : sets.subList(Math.min(sets.size(), children), sets.size())) {
+      if (SchemaMetadata.of(beyond).hasAny(Owner.CHOICE)) {
         problems.accept(
             new SchemaProblem(Kind.MORE_SETS_THAN_CHOICES, counts + "this one is ignored", beyond));
       }
@@ -107,7 +107,7 @@ public final class SchemaReader {
     return number + " " + (number == 1 ? one : many);
   }
 
-  private void misplaced(Vocabulary words, Owner owner, String why) {
+  private void misplaced(SchemaMetadata words, Owner owner, String why) {
     for (SchemaField field : SchemaField.values()) {
       if (field.owner() == owner && words.has(field)) {
         problems.accept(

@@ -12,7 +12,7 @@ import java.util.Map;
  * @param choices one for each MetadataSet, in order; at least one, at most as many as the Switch
  *     has children
  */
-public record SwitchSchemas(List<Choice> choices) {
+public record SwitchSchemas(List<VersionMetadata> choices) {
   /** Checks that each choice is at the position of its index. */
   public SwitchSchemas {
     choices = List.copyOf(choices);
@@ -29,7 +29,7 @@ public record SwitchSchemas(List<Choice> choices) {
    */
   public Map<String, Integer> choiceBySchema() {
     Map<String, Integer> map = new LinkedHashMap<>();
-    for (Choice choice : choices) {
+    for (VersionMetadata choice : choices) {
       for (String schema : choice.schemas()) {
         map.put(schema, choice.index());
       }
@@ -40,7 +40,7 @@ public record SwitchSchemas(List<Choice> choices) {
   /** Returns the most detailed child: the least consistent one, the first of equals. */
   public int mostDetailed() {
     int best = 0;
-    for (Choice choice : choices) {
+    for (VersionMetadata choice : choices) {
       if (choice.consistency() < choices.get(best).consistency()) {
         best = choice.index();
       }
@@ -51,7 +51,7 @@ public record SwitchSchemas(List<Choice> choices) {
   /** Returns the least detailed child: the most consistent one, the last of equals. */
   public int leastDetailed() {
     int best = 0;
-    for (Choice choice : choices) {
+    for (VersionMetadata choice : choices) {
       if (choice.consistency() >= choices.get(best).consistency()) {
         best = choice.index();
       }

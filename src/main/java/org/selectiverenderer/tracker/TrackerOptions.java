@@ -14,7 +14,10 @@ import java.util.Set;
  *     for none, at most 0.1
  */
 public record TrackerOptions(
-    Optional<Swap> swapped, Set<Axis> inverted, Optional<Smoothing> smoothing, double prediction) {
+    Optional<Swap> swapped,
+    Set<EulerAngle> inverted,
+    Optional<Smoothing> smoothing,
+    double prediction) {
   /** Maximum prediction time in seconds; a head may have stopped and turned back by then. */
   public static final double LONGEST_PREDICTION = 0.1;
 
@@ -39,7 +42,7 @@ public record TrackerOptions(
   }
 
   /** Two angles that are exchanged. */
-  public record Swap(Axis one, Axis other) {
+  public record Swap(EulerAngle one, EulerAngle other) {
     /**
      * @throws IllegalArgumentException if they are the same
      */
@@ -50,8 +53,8 @@ public record TrackerOptions(
     }
 
     /** Returns the source angles of yaw, pitch and roll, in this order. */
-    public List<Axis> order() {
-      Axis[] order = Axis.values();
+    public List<EulerAngle> order() {
+      EulerAngle[] order = EulerAngle.values();
       order[one.ordinal()] = other;
       order[other.ordinal()] = one;
       return List.of(order);

@@ -7,13 +7,13 @@
  * the reference implementation with which a test compares this fast path. A recording that must
  * reproduce the same frames is stepped by the frames' clock, not by wall-clock time.
  *
- * <p>{@link org.selectiverenderer.tracker.open.Trackers} opens all of them. To add one:
+ * <p>{@link org.selectiverenderer.tracker.factory.TrackerFactory} opens all of them. To add one:
  *
  * <ol>
  *   <li>a record in {@link org.selectiverenderer.tracker.TrackerSpec}, and how it is written in
  *       {@code TrackerSpecParser} (the switch, and the list of kinds)
- *   <li>a {@link org.selectiverenderer.tracker.live.PoseSource} in {@code serial} or {@code net},
- *       beside the others, with its test
+ *   <li>a {@link org.selectiverenderer.tracker.pipeline.PoseSource} in {@code serial} or {@code
+ *       net}, beside the others, with its test
  *   <li>a line in {@code Trackers}
  *   <li>a hint at what may be wrong with a device whose records are not valid: {@code
  *       live.TroubleEpisodes}

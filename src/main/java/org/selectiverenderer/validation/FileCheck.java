@@ -6,5 +6,5 @@ package org.selectiverenderer.validation;
  */
 public interface FileCheck {
   /** Checks a file and adds the findings. */
-  void check(FileView file, Findings findings);
+  void check(FileContext file, FindingCollector findings);
 }

@@ -3,7 +3,7 @@ package org.selectiverenderer.validation;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.X3dFile;
@@ -24,14 +24,14 @@ public record FileOutline(
     long bytes,
     X3dFile scene,
     List<ParsedNode> nodes,
-    Map<Location, Map<String, Location>> places,
+    Map<SourceLocation, Map<String, SourceLocation>> places,
     Map<ParsedNode, GeometryMeasure> measures) {
 
   /**
    * Returns the location of a field of a node; that of the node if the field is not given or its
    * location is not kept.
    */
-  public Location place(NodeView node, String field) {
+  public SourceLocation place(NodeView node, String field) {
     return places.getOrDefault(node.location(), Map.of()).getOrDefault(field, node.location());
   }
 

@@ -1,8 +1,8 @@
 package org.selectiverenderer.validation;
 
 import java.util.Comparator;
-import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problem.Severity;
+import org.selectiverenderer.base.problem.SourceLocation;
 
 /**
  * A finding: a violation of a rule at a location in a file (SARIF: result).
@@ -13,7 +13,7 @@ import org.selectiverenderer.base.problem.Problem.Severity;
  * @param message one sentence
  */
 public record Finding(
-    Rule rule, Severity severity, Location location, String node, String message) {
+    Rule rule, Severity severity, SourceLocation location, String node, String message) {
   /** The order of findings in reports: by file, line, column, rule, then node and message. */
   public static final Comparator<Finding> ORDER =
       Comparator.comparing((Finding finding) -> finding.location().file())

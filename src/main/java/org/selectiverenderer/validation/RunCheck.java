@@ -8,7 +8,7 @@ import java.util.List;
  */
 public interface RunCheck {
   /** Checks all scenes of a run and adds the findings. */
-  void check(List<SceneView> scenes, Settings settings, Findings findings);
+  void check(List<SceneContext> scenes, Settings settings, FindingCollector findings);
 
   /**
    * The settings of a run.

@@ -6,5 +6,5 @@ package org.selectiverenderer.validation;
  */
 public interface SceneCheck {
   /** Checks a scene and adds the findings. */
-  void check(SceneView scene, Findings findings);
+  void check(SceneContext scene, FindingCollector findings);
 }

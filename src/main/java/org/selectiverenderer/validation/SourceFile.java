@@ -5,8 +5,8 @@ import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.x3d.files.Content;
-import org.selectiverenderer.x3d.files.ContentBase;
+import org.selectiverenderer.x3d.url.BaseUrl;
+import org.selectiverenderer.x3d.url.UrlContent;
 
 /**
  * A file to check.
@@ -17,21 +17,21 @@ import org.selectiverenderer.x3d.files.ContentBase;
  * @param inMemory content read from standard input, the network or a data url; null for a file on
  *     disk
  */
-public record SourceFile(Path path, String name, @Nullable Content inMemory) {
+public record SourceFile(Path path, String name, @Nullable UrlContent inMemory) {
   /** Returns a file on disk. */
   public static SourceFile of(Path path, Path base) {
-    return new SourceFile(path, ReportedNames.relative(path, base), null);
+    return new SourceFile(path, ReportFileNames.relative(path, base), null);
   }
 
   /** Returns a scene from standard input, as if it were a file of that path. */
   public static SourceFile of(Path path, String name, byte[] content) {
     Path parent = path.getParent();
-    ContentBase base = ContentBase.folder(parent == null ? Path.of("") : parent);
-    return new SourceFile(path, name, new Content.OfBytes(path.toString(), name, base, content));
+    BaseUrl base = BaseUrl.folder(parent == null ? Path.of("") : parent);
+    return new SourceFile(path, name, new UrlContent.OfBytes(path.toString(), name, base, content));
   }
 
   /** Returns the file that a url of a scene refers to. */
-  public static SourceFile of(Content content, Path base) {
+  public static SourceFile of(UrlContent content, Path base) {
     return content
         .file()
         .map(path -> of(path, base))
@@ -57,8 +57,8 @@ public record SourceFile(Path path, String name, @Nullable Content inMemory) {
   }
 
   /** Returns the base against which relative urls are resolved. */
-  public ContentBase base() {
-    return inMemory == null ? ContentBase.folder(folder()) : inMemory.base();
+  public BaseUrl base() {
+    return inMemory == null ? BaseUrl.folder(folder()) : inMemory.base();
   }
 
   /** Returns the folder of the file. */

@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Problem.Severity;
-import org.selectiverenderer.x3d.files.ContentAccess;
+import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 
 /**
  * The settings of a validation run.
@@ -21,9 +21,9 @@ import org.selectiverenderer.x3d.files.ContentAccess;
 public record ValidationSettings(
     Set<String> ignored,
     Map<String, Severity> severities,
-    List<Budget> budgets,
+    List<PolygonBudget> budgets,
     double megabytes,
-    ContentAccess access,
+    ContentAccessPolicy access,
     @Nullable Path file) {
   /** Makes defensive copies, so that the record is immutable. */
   public ValidationSettings {
@@ -38,7 +38,7 @@ public record ValidationSettings(
   /** Returns the default settings: no ignored rules and no budgets. */
   public static ValidationSettings standard() {
     return new ValidationSettings(
-        Set.of(), Map.of(), List.of(), MEGABYTES, ContentAccess.none(), null);
+        Set.of(), Map.of(), List.of(), MEGABYTES, ContentAccessPolicy.none(), null);
   }
 
   /** Returns whether a rule is ignored. */
@@ -54,7 +54,7 @@ public record ValidationSettings(
   }
 
   /** Returns the settings with other access rights of scenes. */
-  public ValidationSettings allowing(ContentAccess wanted) {
+  public ValidationSettings allowing(ContentAccessPolicy wanted) {
     return new ValidationSettings(ignored, severities, budgets, megabytes, wanted, file);
   }
 

@@ -3,7 +3,7 @@
  * what its author intends, without a display and without network access.
  *
  * <pre>
- *  paths --SceneFinder--> files --FileChecker (in parallel)--> FileOutline + findings of the file
+ *  paths --SceneFinder--> files --ValidationRun.FileChecker (in parallel)--> FileOutline + findings of the file
  *                                    | Inlines, each file once
  *                                    v
  *               SceneCheck: one scene with all it inlines --> findings of the scene
@@ -17,8 +17,9 @@
  * scene that the reader builds from them; then the text and the coordinates are released, and what
  * is left, the {@link org.selectiverenderer.validation.FileOutline}, is the input of {@link
  * org.selectiverenderer.validation.SceneCheck}s, so that memory is bounded by the largest file.
- * {@link org.selectiverenderer.validation.Findings} drops those that the settings or a comment in
- * the file suppress. The order of findings is that of their locations, independent of threads.
+ * {@link org.selectiverenderer.validation.FindingCollector} drops those that the settings or a
+ * comment in the file suppress. The order of findings is that of their locations, independent of
+ * threads.
  *
  * <p>A rule is data in its group's package; a check finds violations of rules and has no state. All
  * rules are in the {@link org.selectiverenderer.validation.run.RuleCatalogue}, from which {@code
@@ -29,10 +30,10 @@
  * settings and baselines, and {@code report}.
  *
  * <p>In: files and folders, {@link org.selectiverenderer.validation.ValidationSettings}. Out:
- * {@link org.selectiverenderer.validation.Report}, which {@code validation.report} writes in one of
- * five formats, sorted and with the same bytes on every machine. Uses {@code polygon.count}, {@code
- * geometry}, {@code x3d} and {@code base.problem}; the packages within also {@code schema} and
- * {@code base}. Loads no AWT and no GL.
+ * {@link org.selectiverenderer.validation.ValidationReport}, which {@code validation.report} writes
+ * in one of five formats, sorted and with the same bytes on every machine. Uses {@code
+ * polygon.count}, {@code geometry}, {@code x3d} and {@code base.problem}; the packages within also
+ * {@code schema} and {@code base}. Loads no AWT and no GL.
  */
 @NullMarked
 package org.selectiverenderer.validation;

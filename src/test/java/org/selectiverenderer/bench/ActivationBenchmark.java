@@ -24,10 +24,10 @@ import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
 import org.selectiverenderer.app.walk.Walkthrough;
 import org.selectiverenderer.control.SelectiveController;
-import org.selectiverenderer.schema.Activation;
-import org.selectiverenderer.schema.Choice;
+import org.selectiverenderer.schema.SchemaActivation;
 import org.selectiverenderer.schema.SensorSchemas;
 import org.selectiverenderer.schema.SwitchSchemas;
+import org.selectiverenderer.schema.VersionMetadata;
 
 /**
  * Microseconds to enter or leave an area whose schemas affect 10 of 100,000 enriched switches: the
@@ -46,7 +46,7 @@ public class ActivationBenchmark {
   private static final Vector3dc INSIDE = new Vector3d(0, 0, 0);
   private static final Vector3dc OUTSIDE = new Vector3d(0, 0, 6);
 
-  private final Activation<String, Integer> activation = new Activation<>();
+  private final SchemaActivation<String, Integer> activation = new SchemaActivation<>();
   private Path dir;
   private Walkthrough walk;
   private double time;
@@ -63,7 +63,7 @@ public class ActivationBenchmark {
     dir = Files.createTempDirectory("activation");
     walk =
         Walkthrough.open(
-            ManySwitchesScene.write(dir, SWITCHES, AFFECTED).scene(),
+            ManySwitchesSceneGenerator.write(dir, SWITCHES, AFFECTED).scene(),
             SelectiveController.Settings.SELECTIVE,
             problem -> {},
             event -> {},
@@ -73,8 +73,8 @@ public class ActivationBenchmark {
   private static SwitchSchemas schemas(String first, String second) {
     return new SwitchSchemas(
         List.of(
-            new Choice(0, Optional.empty(), Optional.empty(), List.of(first)),
-            new Choice(1, Optional.empty(), Optional.empty(), List.of(second))));
+            new VersionMetadata(0, Optional.empty(), Optional.empty(), List.of(first)),
+            new VersionMetadata(1, Optional.empty(), Optional.empty(), List.of(second))));
   }
 
   @TearDown
@@ -94,7 +94,7 @@ public class ActivationBenchmark {
   }
 
   @Benchmark
-  public List<Activation.Change<Integer>> activation() {
+  public List<SchemaActivation.Change<Integer>> activation() {
     inside = !inside;
     return inside ? activation.enter("area") : activation.exit("area");
   }

@@ -13,7 +13,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.selectiverenderer.app.timeline.TimelineEvent;
 import org.selectiverenderer.app.walk.Walkthrough;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.control.ControlEvent;
 import org.selectiverenderer.control.SelectiveController;
 import org.selectiverenderer.runtime.viewer.CameraPath;
@@ -42,7 +42,7 @@ class GrowthSeriesTest {
       names = {"OBJECTS", "INLINES"})
   void objectsShareTheSameTrianglesHoweverManyThereAre(GrowthSeries series) throws IOException {
     assertThat(series.write(dir.resolve("some"), 100).triangles())
-        .isEqualTo(GrowthScene.TRIANGLES)
+        .isEqualTo(GrowthSceneGenerator.TRIANGLES)
         .isEqualTo(series.write(dir.resolve("more"), 1_000).triangles());
   }
 
@@ -60,7 +60,7 @@ class GrowthSeriesTest {
       names = {"SENSORS", "SWITCHES", "INLINES"})
   void theWalkEntersAnAreaAndSwitches(GrowthSeries series) throws IOException {
     BenchScene scene = series.write(dir, 100);
-    CameraPath path = CameraPathReader.read(scene.path(), new Problems()).orElseThrow();
+    CameraPath path = CameraPathReader.read(scene.path(), new ProblemCollector()).orElseThrow();
     List<String> problems = new ArrayList<>();
     List<ControlEvent> events = new ArrayList<>();
     try (Walkthrough walk =
@@ -68,7 +68,7 @@ class GrowthSeriesTest {
             scene.scene(),
             SelectiveController.Settings.SELECTIVE,
             problem -> problems.add(problem.toString()),
-            event -> events.add(((TimelineEvent.Told) event).event()),
+            event -> events.add(((TimelineEvent.ControllerEvent) event).event()),
             text -> {})) {
       for (double time = 0; time <= path.end(); time += 1.0 / 30) {
         walk.step(time, new PathMotion(path, 0));

@@ -9,17 +9,17 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import org.selectiverenderer.base.csv.CsvColumns;
-import org.selectiverenderer.base.csv.CsvFaults;
-import org.selectiverenderer.base.csv.CsvNumbers;
+import org.selectiverenderer.base.csv.CsvColumnSpec;
+import org.selectiverenderer.base.csv.CsvErrorHandler;
+import org.selectiverenderer.base.csv.CsvNumberParser;
 import org.selectiverenderer.base.csv.CsvRow;
 import org.selectiverenderer.base.csv.CsvTable;
 import org.selectiverenderer.bench.PerformancePlot.Form;
 import org.selectiverenderer.chart.BarPlot;
 import org.selectiverenderer.chart.BarPlot.Group;
-import org.selectiverenderer.chart.CurvePlot;
-import org.selectiverenderer.chart.CurvePlot.Curve;
-import org.selectiverenderer.chart.CurvePlot.Point;
+import org.selectiverenderer.chart.LinePlot;
+import org.selectiverenderer.chart.LinePlot.Curve;
+import org.selectiverenderer.chart.LinePlot.Point;
 import org.selectiverenderer.chart.Plot;
 
 /**
@@ -64,12 +64,12 @@ final class PerformancePlots {
     Set<String> series = new LinkedHashSet<>();
     Map<String, Map<String, Double>> groups = new LinkedHashMap<>();
     List<String> faults = new ArrayList<>();
-    CsvFaults hears = (at, message) -> faults.add(at + ": " + message);
+    CsvErrorHandler hears = (at, message) -> faults.add(at + ": " + message);
     for (CsvRow row : rows(figures, List.of("group", "series", "value"), hears)) {
       series.add(row.cell("series"));
       Map<String, Double> values =
           groups.computeIfAbsent(row.cell("group"), name -> new LinkedHashMap<>());
-      CsvNumbers.number(row, "value", hears)
+      CsvNumberParser.number(row, "value", hears)
           .ifPresent(
               value -> {
                 if (values.put(row.cell("series"), value) != null) {
@@ -87,17 +87,17 @@ final class PerformancePlots {
         groups.entrySet().stream().map(g -> new Group(g.getKey(), g.getValue())).toList());
   }
 
-  private static CurvePlot curves(PerformancePlot plot, Path figures) throws IOException {
+  private static LinePlot curves(PerformancePlot plot, Path figures) throws IOException {
     Map<String, List<Point>> curves = new LinkedHashMap<>();
     List<String> faults = new ArrayList<>();
-    CsvFaults hears = (at, message) -> faults.add(at + ": " + message);
+    CsvErrorHandler hears = (at, message) -> faults.add(at + ": " + message);
     for (CsvRow row : rows(figures, List.of("series", "x", "y"), hears)) {
-      double x = CsvNumbers.number(row, "x", hears).orElse(1);
-      double y = CsvNumbers.number(row, "y", hears).orElse(1);
+      double x = CsvNumberParser.number(row, "x", hears).orElse(1);
+      double y = CsvNumberParser.number(row, "y", hears).orElse(1);
       curves.computeIfAbsent(row.cell("series"), name -> new ArrayList<>()).add(new Point(x, y));
     }
     refuse(faults);
-    return new CurvePlot(
+    return new LinePlot(
         plot.title(),
         plot.subtitle(),
         plot.unit(0),
@@ -105,9 +105,9 @@ final class PerformancePlots {
         curves.entrySet().stream().map(c -> new Curve(c.getKey(), c.getValue())).toList());
   }
 
-  private static List<CsvRow> rows(Path figures, List<String> columns, CsvFaults hears)
+  private static List<CsvRow> rows(Path figures, List<String> columns, CsvErrorHandler hears)
       throws IOException {
-    CsvTable table = CsvTable.read(figures, CsvColumns.of(columns), hears).orElse(null);
+    CsvTable table = CsvTable.read(figures, CsvColumnSpec.of(columns), hears).orElse(null);
     return table != null && table.require(columns, "a plot needs") ? table.rows() : List.of();
   }
 

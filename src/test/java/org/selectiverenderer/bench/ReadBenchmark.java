@@ -20,7 +20,7 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.read.X3dReader;
@@ -57,7 +57,7 @@ public class ReadBenchmark {
   @Benchmark
   public List<X3dFile> read() throws InterruptedException, ExecutionException {
     X3dReader reader = new X3dReader(NodeCatalogue.load());
-    Problems problems = new Problems();
+    ProblemCollector problems = new ProblemCollector();
     List<Future<X3dFile>> reads = new ArrayList<>();
     for (byte[] file : files) {
       reads.add(pool.submit(() -> reader.read("object.x3d", file, problems)));

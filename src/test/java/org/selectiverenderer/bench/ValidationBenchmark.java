@@ -15,8 +15,8 @@ import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
-import org.selectiverenderer.validation.Report;
 import org.selectiverenderer.validation.SourceFile;
+import org.selectiverenderer.validation.ValidationReport;
 import org.selectiverenderer.validation.ValidationSettings;
 import org.selectiverenderer.validation.run.RuleCatalogue;
 import org.selectiverenderer.validation.run.Validator;
@@ -45,7 +45,7 @@ public class ValidationBenchmark {
   }
 
   @Benchmark
-  public Report validate() throws IOException {
+  public ValidationReport validate() throws IOException {
     return new Validator(RuleCatalogue.standard(), ValidationSettings.standard(), Path.of(""))
         .validate(files);
   }

@@ -47,7 +47,7 @@ public record BarPlot(
   public BarPlot {
     series = List.copyOf(series);
     groups = List.copyOf(groups);
-    if (series.size() > SeriesColours.limit()) {
+    if (series.size() > SeriesPalette.limit()) {
       throw new IllegalArgumentException(series.size() + " series cannot be told apart");
     }
     if (new HashSet<>(series).size() < series.size()) {
@@ -70,7 +70,7 @@ public record BarPlot(
 
   @Override
   public String svg() {
-    return new BarPlotDrawing(this).svg();
+    return new BarPlotRenderer(this).svg();
   }
 
   /** What the axis reaches: the longest bar, and something above 0. */

@@ -22,7 +22,7 @@ import org.selectiverenderer.polygon.count.SceneStatistics;
 import org.selectiverenderer.polygon.count.SceneStatistics.ObjectCount;
 import org.selectiverenderer.polygon.count.SceneStatistics.ScopeCount;
 import org.selectiverenderer.polygon.count.SceneStatistics.StateCount;
-import org.selectiverenderer.polygon.count.StatisticsCharts;
+import org.selectiverenderer.polygon.count.SceneStatisticsCharts;
 
 class ChartsTest {
   private static final SceneStatistics OFFICE = office("Switch_TrashCan", 291489);
@@ -48,9 +48,9 @@ class ChartsTest {
   }
 
   private static void write(Path file, SceneStatistics statistics) throws IOException {
-    ChartFile.of(file)
+    ChartFileWriter.of(file)
         .orElseThrow()
-        .write("Polygons of a & b.x3d", StatisticsCharts.of(statistics));
+        .write("Polygons of a & b.x3d", SceneStatisticsCharts.of(statistics));
   }
 
   /** A text or a bar on the page; texts are as wide as their letters and as high as an em. */
@@ -60,7 +60,7 @@ class ChartsTest {
     }
   }
 
-  private static final class Recorder implements Canvas {
+  private static final class Recorder implements ChartCanvas {
     final List<Box> texts = new ArrayList<>();
     final List<Box> bars = new ArrayList<>();
 
@@ -83,14 +83,15 @@ class ChartsTest {
   @ValueSource(longs = {0, 1, 7, 999, 291489, 1234567890123L})
   void noTextMeetsAnotherOrABarOrTheEdge(long polygons) {
     String longName = "Switch_" + "VeryLongName".repeat(12);
-    BarChartPage page = new BarChartPage(StatisticsCharts.of(office(longName, polygons)));
+    BarChartRenderer page =
+        new BarChartRenderer(SceneStatisticsCharts.of(office(longName, polygons)));
     Recorder recorder = new Recorder();
 
     page.draw(recorder);
 
     for (Box text : recorder.texts) {
       assertThat(text.left).as(text.what).isGreaterThanOrEqualTo(0);
-      assertThat(text.right).as(text.what).isLessThanOrEqualTo(BarChartPage.WIDTH);
+      assertThat(text.right).as(text.what).isLessThanOrEqualTo(BarChartRenderer.WIDTH);
       assertThat(text.bottom).as(text.what).isLessThan(page.height());
       assertThat(recorder.texts).filteredOn(other -> other != text && other.meets(text)).isEmpty();
       assertThat(recorder.bars).filteredOn(bar -> bar.meets(text)).isEmpty();
@@ -101,7 +102,7 @@ class ChartsTest {
   void barsAreLabelledWithObjectsAndStates() {
     Recorder recorder = new Recorder();
 
-    new BarChartPage(StatisticsCharts.of(OFFICE)).draw(recorder);
+    new BarChartRenderer(SceneStatisticsCharts.of(OFFICE)).draw(recorder);
 
     assertThat(recorder.texts)
         .extracting(Box::what)
@@ -161,8 +162,8 @@ class ChartsTest {
 
   @Test
   void otherEndingsAreNoChartFiles() {
-    assertThat(ChartFile.of(Path.of("chart.jpg"))).isEmpty();
-    assertThat(ChartFile.of(Path.of("svg"))).isEmpty();
+    assertThat(ChartFileWriter.of(Path.of("chart.jpg"))).isEmpty();
+    assertThat(ChartFileWriter.of(Path.of("svg"))).isEmpty();
   }
 
   @Test
@@ -183,7 +184,7 @@ class ChartsTest {
     SceneStatistics hall =
         new SceneStatistics("hall.x3d", 9, objects, List.of(new ScopeCount("Hall", 9, List.of())));
 
-    BarChart chart = StatisticsCharts.of(hall).get(0);
+    BarChart chart = SceneStatisticsCharts.of(hall).get(0);
 
     assertThat(chart.bars()).hasSize(200);
     assertThat(chart.subtitle()).endsWith("100 more are left out");

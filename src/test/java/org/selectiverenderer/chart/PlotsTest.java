@@ -22,8 +22,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.chart.BarPlot.Group;
-import org.selectiverenderer.chart.CurvePlot.Curve;
-import org.selectiverenderer.chart.CurvePlot.Point;
+import org.selectiverenderer.chart.LinePlot.Curve;
+import org.selectiverenderer.chart.LinePlot.Point;
 import org.w3c.dom.Element;
 import org.w3c.dom.NodeList;
 
@@ -52,8 +52,8 @@ class PlotsTest {
               part("hall", 40, 120, 80, 35, 20.5, 60, 3),
               part("attic", 41, 110, 380, 135, 70, 90, 4)));
 
-  private static final CurvePlot CURVES =
-      new CurvePlot(
+  private static final LinePlot CURVES =
+      new LinePlot(
           "More sensors",
           "made-up figures",
           "sensors",
@@ -86,14 +86,14 @@ class PlotsTest {
             false,
             List.of(longName, "b"),
             List.of(new Group(longName, Map.of("b", 1e9)))),
-        new CurvePlot(
+        new LinePlot(
             "Steep",
             "",
             "x",
             "y",
             List.of(new Curve("c", List.of(new Point(1, 2), new Point(1e6, 3))))),
         new BarPlot("Nothing", "", "", false, List.of(), List.of()),
-        new CurvePlot(
+        new LinePlot(
             longName,
             longName,
             longName.substring(0, 80),
@@ -152,7 +152,7 @@ class PlotsTest {
     }
     for (Box box : boxes) {
       assertThat(box.left).as(box.text).isGreaterThanOrEqualTo(0);
-      assertThat(box.right).as(box.text).isLessThanOrEqualTo(PlotHead.WIDTH);
+      assertThat(box.right).as(box.text).isLessThanOrEqualTo(PlotHeader.WIDTH);
       assertThat(box.bottom).as(box.text).isLessThanOrEqualTo(height);
       assertThat(boxes)
           .as(box.text)
@@ -186,7 +186,7 @@ class PlotsTest {
     "0.1, 0.1"
   })
   void numbersHaveThreeDigitsThatCount(double value, String text) {
-    assertThat(PlotNumber.of(value)).isEqualTo(text);
+    assertThat(PlotNumberFormat.of(value)).isEqualTo(text);
   }
 
   @Test
@@ -232,7 +232,7 @@ class PlotsTest {
             List.of(new Point(1, 0)),
             List.of(new Point(2, 1), new Point(1, 1)),
             List.<Point>of())) {
-      assertThatThrownBy(() -> new CurvePlot("", "", "", "", List.of(new Curve("c", points))))
+      assertThatThrownBy(() -> new LinePlot("", "", "", "", List.of(new Curve("c", points))))
           .isInstanceOf(IllegalArgumentException.class)
           .hasMessageContaining("c ");
     }

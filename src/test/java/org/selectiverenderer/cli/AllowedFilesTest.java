@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** The options --allow and --allow-net, and the keys of the same in a settings file. */
-class AllowedFilesTest extends CommandRun {
+class AllowedFilesTest extends CommandTestCase {
   private static final String BOX = "<Shape><Box/></Shape>";
 
   @TempDir private Path folder;

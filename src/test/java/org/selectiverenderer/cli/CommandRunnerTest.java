@@ -12,13 +12,13 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.NoSuchFileException;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.cli.base.CliCommand;
-import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.CommandException;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
-import org.selectiverenderer.cli.output.StandardOutput;
+import org.selectiverenderer.cli.output.StandardOutputStream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
@@ -45,8 +45,8 @@ class CommandRunnerTest {
     ExitStatus status =
         run(
             console -> {
-              Problems problems = new Problems(console::problem);
-              problems.warning(new Location("a.x3d", 3, 7), "odd");
+              ProblemCollector problems = new ProblemCollector(console::problem);
+              problems.warning(new SourceLocation("a.x3d", 3, 7), "odd");
               return ExitStatus.of(problems);
             });
     assertThat(status).isEqualTo(ExitStatus.PROBLEMS);
@@ -88,7 +88,7 @@ class CommandRunnerTest {
   @Test
   void anUnusableEnvironmentIsSaidWithoutAHint() {
     assertFailure(
-        CommandFailure.environment("no display; use --offscreen"), "no display; use --offscreen");
+        CommandException.environment("no display; use --offscreen"), "no display; use --offscreen");
   }
 
   @Test
@@ -96,7 +96,7 @@ class CommandRunnerTest {
     ExitStatus status =
         run(
             console -> {
-              throw CommandFailure.usage("--size needs --offscreen");
+              throw CommandException.usage("--size needs --offscreen");
             });
     assertThat(status.code()).isEqualTo(2);
     assertThat(messages())
@@ -185,7 +185,7 @@ class CommandRunnerTest {
   private ExitStatus runInto(OutputStream target, Work work, String... args) {
     Console console =
         new Console(
-            new PrintStream(new StandardOutput(target), false, StandardCharsets.UTF_8),
+            new PrintStream(new StandardOutputStream(target), false, StandardCharsets.UTF_8),
             new PrintStream(err, true, StandardCharsets.UTF_8),
             false);
     String[] words = args.length == 0 ? new String[] {"try"} : args;

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.cli.output.Console;
 import picocli.CommandLine.Command;
 
-class MainTest extends CommandRun {
+class MainTest extends CommandTestCase {
   @Test
   void versionIsTheBuildsOwn() {
     assertThat(execute("--version")).isZero();

@@ -20,7 +20,7 @@ class OptionsPageTest {
     PrintStream nowhere = new PrintStream(new ByteArrayOutputStream());
     Console console = new Console(nowhere, nowhere, false);
     var model = new CommandRunner(console).model(CommandCatalogue.commands(console));
-    String page = OptionsPage.of(model.getCommandSpec());
+    String page = OptionsPageGenerator.of(model.getCommandSpec());
     assertThat(page)
         .contains("\n## simulate\n", "\n### experiment run\n", "| `--rate ", "default: 60")
         .doesNotContain("${", "@|");

@@ -18,7 +18,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.selectiverenderer.cli.author.ValidateCommand;
 import org.selectiverenderer.cli.output.Console;
-import org.selectiverenderer.validation.Mutants;
+import org.selectiverenderer.validation.SceneMutator;
 import org.selectiverenderer.validation.report.ReportFormat;
 
 /** Corrupted scenes as the command meets them: an answer in time, a status, no stack trace. */
@@ -30,7 +30,7 @@ class ValidateMutationTest {
   @ParameterizedTest
   @EnumSource
   void endsWithAStatusAndNoStackTraceInEveryFormat(ReportFormat format) throws IOException {
-    Mutants mutants = new Mutants(format.ordinal());
+    SceneMutator mutants = new SceneMutator(format.ordinal());
     for (int i = 0; i < CASES; i++) {
       Path scene = Files.write(folder.resolve("scene.x3d"), mutants.next());
       assertTimeoutPreemptively(Duration.ofSeconds(30), () -> check(format, scene));

@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.read.X3dReader;
@@ -36,7 +36,7 @@ record ConformanceScene(
    * @throws IllegalArgumentException when it says something that is unknown, or names no clause
    */
   static ConformanceScene read(Path file) throws IOException {
-    Problems unheard = new Problems(); // The run hears them.
+    ProblemCollector unheard = new ProblemCollector(); // The run hears them.
     X3dFile parsed = new X3dReader(NodeCatalogue.load()).read(file, unheard);
     ConformanceScene scene =
         new ConformanceScene(

@@ -13,9 +13,9 @@ import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.runtime.camera.ViewLayout;
-import org.selectiverenderer.runtime.render.Shading;
+import org.selectiverenderer.runtime.render.ShadingMode;
 import org.selectiverenderer.runtime.render.context.Screenshot;
-import org.selectiverenderer.runtime.render.show.OffscreenView;
+import org.selectiverenderer.runtime.render.display.OffscreenView;
 import org.selectiverenderer.testing.RequiresDisplay;
 
 /** Every scene of the conformance suite meets the expectations in its head. */
@@ -59,7 +59,7 @@ class ConformanceTest {
   }
 
   static void run(ConformanceScene scene) throws IOException {
-    try (ConformanceRun run = new ConformanceRun(scene)) {
+    try (ConformanceSceneRunner run = new ConformanceSceneRunner(scene)) {
       compare(run, scene);
       for (String expected : scene.values()) {
         FieldEvent value = run.value(ConformanceScene.word(expected, 0));
@@ -73,7 +73,7 @@ class ConformanceTest {
     }
   }
 
-  private static void compare(ConformanceRun run, ConformanceScene scene) {
+  private static void compare(ConformanceSceneRunner run, ConformanceScene scene) {
     List<FieldEvent> events = run.events();
     boolean same = events.size() == scene.events().size();
     for (int i = 0; same && i < events.size(); i++) {
@@ -87,8 +87,8 @@ class ConformanceTest {
   }
 
   static void draw(ConformanceScene scene) throws IOException {
-    try (ConformanceRun run = new ConformanceRun(scene);
-        OffscreenView view = OffscreenView.open(SIZE, SIZE, 0, ViewLayout.MONO, Shading.AUTO)) {
+    try (ConformanceSceneRunner run = new ConformanceSceneRunner(scene);
+        OffscreenView view = OffscreenView.open(SIZE, SIZE, 0, ViewLayout.MONO, ShadingMode.AUTO)) {
       view.draw(run.world());
       Screenshot shot = view.screenshot();
       if (Boolean.getBoolean("conformance.pictures")) {

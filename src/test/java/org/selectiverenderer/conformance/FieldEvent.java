@@ -16,11 +16,11 @@ record FieldEvent(double time, String nodeAndField, FieldType type, @Nullable Ob
   /** Returns whether the event matches {@code NODE.field VALUE}, at any time. */
   boolean isValue(String expected) {
     return ConformanceScene.word(expected, 0).equals(nodeAndField)
-        && FieldValues.agree(type, value, ConformanceScene.rest(expected, 1));
+        && FieldValueFormat.agree(type, value, ConformanceScene.rest(expected, 1));
   }
 
   @Override
   public String toString() {
-    return time + " " + nodeAndField + " " + FieldValues.text(value);
+    return time + " " + nodeAndField + " " + FieldValueFormat.text(value);
   }
 }

@@ -1,8 +1,8 @@
 package org.selectiverenderer.control;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.selectiverenderer.control.RunningScene.area;
-import static org.selectiverenderer.control.RunningScene.object;
+import static org.selectiverenderer.control.ControlledSceneFixture.area;
+import static org.selectiverenderer.control.ControlledSceneFixture.object;
 
 import java.util.Map;
 import org.junit.jupiter.api.Test;
@@ -24,20 +24,20 @@ class ChangingSceneTest {
   private static final double OUTSIDE = -5;
   private static final double AT_DESK = 0;
 
-  private static MetadataString string(RunningScene scene, String name, String value) {
+  private static MetadataString string(ControlledSceneFixture scene, String name, String value) {
     MetadataString string = (MetadataString) scene.scene().createNode("MetadataString");
     string.setName(name);
     string.setValue(new String[] {value});
     return string;
   }
 
-  private static MetadataSet set(RunningScene scene, X3DNode... children) {
+  private static MetadataSet set(ControlledSceneFixture scene, X3DNode... children) {
     MetadataSet set = (MetadataSet) scene.scene().createNode("MetadataSet");
     set.setValue(children);
     return set;
   }
 
-  private static Switch newObject(RunningScene scene, String schema) {
+  private static Switch newObject(ControlledSceneFixture scene, String schema) {
     Switch node = (Switch) scene.scene().createNode("Switch");
     node.setChildren(new X3DNode[] {scene.scene().createNode("Group")});
     node.setMetadata(set(scene, set(scene, string(scene, "schemaBelonginess", schema))));
@@ -46,7 +46,7 @@ class ChangingSceneTest {
 
   @Test
   void aSwitchThatIsAddedFollowsTheEnteredAreas() {
-    try (var scene = RunningScene.under(Condition.SELECTIVE, DESK + "<Group DEF='G'/>")) {
+    try (var scene = ControlledSceneFixture.under(Condition.SELECTIVE, DESK + "<Group DEF='G'/>")) {
       scene.walkTo(AT_DESK);
       scene.news();
 
@@ -65,7 +65,7 @@ class ChangingSceneTest {
 
   @Test
   void aChoiceThatSomebodyElseSetIsKnownToTheNextActivation() {
-    try (var scene = RunningScene.under(Condition.SELECTIVE, DESK + TRASH_CAN)) {
+    try (var scene = ControlledSceneFixture.under(Condition.SELECTIVE, DESK + TRASH_CAN)) {
       scene.walkTo(AT_DESK);
       ((Switch) scene.node("TrashCan")).setWhichChoice(1);
       scene.walkTo(AT_DESK);
@@ -91,7 +91,7 @@ class ChangingSceneTest {
             + "<ROUTE fromNode='Hack' fromField='isActive' toNode='T' toField='set_boolean'/>"
             + "<ROUTE fromNode='T' fromField='triggerValue' toNode='TrashCan'"
             + " toField='whichChoice'/>";
-    try (var scene = RunningScene.under(Condition.SELECTIVE, DESK + TRASH_CAN + hack)) {
+    try (var scene = ControlledSceneFixture.under(Condition.SELECTIVE, DESK + TRASH_CAN + hack)) {
       scene.walkTo(AT_DESK);
       scene.walkTo(OUTSIDE);
       scene.walkTo(9);
@@ -108,7 +108,7 @@ class ChangingSceneTest {
   @Test
   void aSwitchThatIsTakenAwayIsLeftAlone() {
     try (var scene =
-        RunningScene.under(
+        ControlledSceneFixture.under(
             Condition.SELECTIVE, DESK + "<Group DEF='G'>" + TRASH_CAN + "</Group>")) {
       scene.walkTo(OUTSIDE);
       Switch trashCan = (Switch) scene.node("TrashCan");
@@ -123,7 +123,7 @@ class ChangingSceneTest {
   @Test
   void aSwitchThatStaysInAnotherPlaceIsStillFollowed() {
     try (var scene =
-        RunningScene.under(
+        ControlledSceneFixture.under(
             Condition.SELECTIVE,
             DESK + "<Group DEF='G'>" + TRASH_CAN + "</Group><Switch USE='TrashCan'/>")) {
       scene.walkTo(OUTSIDE);
@@ -137,7 +137,7 @@ class ChangingSceneTest {
   @Test
   void anotherSchemaInAMetadataStringCounts() {
     try (var scene =
-        RunningScene.under(
+        ControlledSceneFixture.under(
             Condition.SELECTIVE,
             DESK
                 + "<Switch DEF='Vase'><Group/><MetadataString DEF='Schema'"
@@ -154,7 +154,7 @@ class ChangingSceneTest {
 
   @Test
   void metadataThatReplacesOtherMetadataCounts() {
-    try (var scene = RunningScene.under(Condition.SELECTIVE, DESK + TRASH_CAN)) {
+    try (var scene = ControlledSceneFixture.under(Condition.SELECTIVE, DESK + TRASH_CAN)) {
       scene.walkTo(OUTSIDE);
       X3DMetadataObject elsewhere =
           set(scene, set(scene, string(scene, "schemaBelonginess", "SofaSchema")));
@@ -173,7 +173,7 @@ class ChangingSceneTest {
   @Test
   void aSensorThatIsEnrichedWhileTheViewerIsInItCountsAsEntered() {
     try (var scene =
-        RunningScene.under(
+        ControlledSceneFixture.under(
             Condition.SELECTIVE, "<ProximitySensor DEF='P' size='2 2 2'/>" + TRASH_CAN)) {
       scene.walkTo(AT_DESK);
       scene.news();
@@ -188,7 +188,7 @@ class ChangingSceneTest {
   @Test
   void aSensorThatIsTakenAwayClaimsNothing() {
     try (var scene =
-        RunningScene.under(
+        ControlledSceneFixture.under(
             Condition.SELECTIVE,
             area("Room", 0, "OfficeSchema", "HallSchema")
                 + "<Group DEF='G'>"
@@ -207,7 +207,7 @@ class ChangingSceneTest {
 
   @Test
   void nodesAddedAtTheTopAreFoundAndThoseRemovedAreLeftAlone() {
-    try (var scene = RunningScene.under(Condition.SELECTIVE, DESK)) {
+    try (var scene = ControlledSceneFixture.under(Condition.SELECTIVE, DESK)) {
       scene.walkTo(AT_DESK);
       Switch added = newObject(scene, "DeskSchema");
       scene.scene().addRootNode(added);
@@ -226,13 +226,14 @@ class ChangingSceneTest {
         DESK
             + "<Switch DEF='Lamp'><Group/><Group/><MetadataString containerField='metadata'"
             + " name='schemaBelonginess' value='\"DeskSchema\"'/></Switch>";
-    try (var scene = RunningScene.under(Condition.SELECTIVE, DESK + TRASH_CAN)) {
+    try (var scene = ControlledSceneFixture.under(Condition.SELECTIVE, DESK + TRASH_CAN)) {
       scene.walkTo(OUTSIDE);
       assertThat(scene.problems).isEmpty();
       scene.node("TrashCan").setMetadata(string(scene, "schemaBelonginess", "DeskSchema"));
       scene.walkTo(OUTSIDE);
       assertThat(scene.problems).extracting(ControlProblem::nodeName).containsExactly("TrashCan");
-      scene.browser.replaceWorld(scene.browser.createX3DFromString(RunningScene.file(wrong)));
+      scene.browser.replaceWorld(
+          scene.browser.createX3DFromString(ControlledSceneFixture.file(wrong)));
       scene.walkTo(OUTSIDE);
 
       assertThat(scene.problems)
@@ -243,7 +244,7 @@ class ChangingSceneTest {
 
   @Test
   void aWriteThatFailsIsReported() {
-    try (var scene = RunningScene.under(Condition.SELECTIVE, DESK + TRASH_CAN)) {
+    try (var scene = ControlledSceneFixture.under(Condition.SELECTIVE, DESK + TRASH_CAN)) {
       scene.walkTo(OUTSIDE);
       scene.node("TrashCan").dispose();
       scene.walkTo(AT_DESK);
@@ -257,13 +258,14 @@ class ChangingSceneTest {
 
   @Test
   void anotherWorldIsTakenOver() {
-    try (var scene = RunningScene.under(Condition.SELECTIVE, DESK + TRASH_CAN)) {
+    try (var scene = ControlledSceneFixture.under(Condition.SELECTIVE, DESK + TRASH_CAN)) {
       scene.walkTo(OUTSIDE);
       Switch before = (Switch) scene.node("TrashCan");
       scene.news();
       scene.browser.replaceWorld(
           scene.browser.createX3DFromString(
-              RunningScene.file(DESK + object("DEF='Lamp'", "DeskSchema", "OfficeSchema"))));
+              ControlledSceneFixture.file(
+                  DESK + object("DEF='Lamp'", "DeskSchema", "OfficeSchema"))));
       scene.walkTo(OUTSIDE);
       assertThat(scene.news()).containsExactly(new Start(0, Map.of("Lamp", 1)));
       scene.walkTo(AT_DESK);

@@ -8,26 +8,29 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.schema.Choice;
-import org.selectiverenderer.schema.Degree;
+import org.selectiverenderer.schema.ConsistencyDegree;
 import org.selectiverenderer.schema.SwitchSchemas;
+import org.selectiverenderer.schema.VersionMetadata;
 
 class ConditionTest {
   private static final Set<String> OFFICE = Set.of("DeskSchema", "OfficeSchema");
 
   private static final SwitchSchemas TRASH_CAN =
-      versions(version(0, "DeskSchema", Degree.LOW), version(1, "OfficeSchema", Degree.HIGH));
+      versions(
+          version(0, "DeskSchema", ConsistencyDegree.LOW),
+          version(1, "OfficeSchema", ConsistencyDegree.HIGH));
   private static final SwitchSchemas KITCHEN =
       versions(
-          new Choice(0, Optional.empty(), Optional.empty(), List.of()),
-          version(1, "KitchenSchema", Degree.HIGH));
-  private static final SwitchSchemas SHOVEL = versions(version(0, "KitchenSchema", Degree.LOW));
+          new VersionMetadata(0, Optional.empty(), Optional.empty(), List.of()),
+          version(1, "KitchenSchema", ConsistencyDegree.HIGH));
+  private static final SwitchSchemas SHOVEL =
+      versions(version(0, "KitchenSchema", ConsistencyDegree.LOW));
 
-  private static Choice version(int index, String schema, Degree degree) {
-    return new Choice(index, Optional.empty(), Optional.of(degree), List.of(schema));
+  private static VersionMetadata version(int index, String schema, ConsistencyDegree degree) {
+    return new VersionMetadata(index, Optional.empty(), Optional.of(degree), List.of(schema));
   }
 
-  private static SwitchSchemas versions(Choice... choices) {
+  private static SwitchSchemas versions(VersionMetadata... choices) {
     return new SwitchSchemas(List.of(choices));
   }
 
@@ -47,7 +50,9 @@ class ConditionTest {
     assertThat(choice(Condition.HIGH, TRASH_CAN)).isZero();
     assertThat(choice(Condition.HIGH, KITCHEN)).isZero();
     SwitchSchemas asInFigure52 =
-        versions(version(0, "OfficeSchema", Degree.HIGH), version(1, "DeskSchema", Degree.LOW));
+        versions(
+            version(0, "OfficeSchema", ConsistencyDegree.HIGH),
+            version(1, "DeskSchema", ConsistencyDegree.LOW));
     assertThat(choice(Condition.HIGH, asInFigure52)).isEqualTo(1);
   }
 
@@ -69,7 +74,9 @@ class ConditionTest {
   @Test
   void highLowCountsOnlySchemasThatAnAreaActivates() {
     SwitchSchemas varyingElsewhere =
-        versions(version(0, "GarageSchema", Degree.LOW), version(1, "OfficeSchema", Degree.HIGH));
+        versions(
+            version(0, "GarageSchema", ConsistencyDegree.LOW),
+            version(1, "OfficeSchema", ConsistencyDegree.HIGH));
     assertThat(choice(Condition.HIGH_LOW, varyingElsewhere)).isEqualTo(1);
   }
 

@@ -1,9 +1,9 @@
 package org.selectiverenderer.control;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.selectiverenderer.control.RunningScene.area;
-import static org.selectiverenderer.control.RunningScene.file;
-import static org.selectiverenderer.control.RunningScene.object;
+import static org.selectiverenderer.control.ControlledSceneFixture.area;
+import static org.selectiverenderer.control.ControlledSceneFixture.file;
+import static org.selectiverenderer.control.ControlledSceneFixture.object;
 
 import java.io.IOException;
 import java.lang.reflect.Proxy;
@@ -42,17 +42,17 @@ class InlinedRoomsTest {
     Files.writeString(dir.resolve("floor.x3d"), file(ONE));
   }
 
-  private RunningScene building(String nodes) {
-    RunningScene scene = new RunningScene(dir, nodes);
+  private ControlledSceneFixture building(String nodes) {
+    ControlledSceneFixture scene = new ControlledSceneFixture(dir, nodes);
     scene.control(Condition.SELECTIVE);
     return scene;
   }
 
-  private static Map<String, Integer> choices(RunningScene scene) {
+  private static Map<String, Integer> choices(ControlledSceneFixture scene) {
     return scene.controller.choices();
   }
 
-  private static void awaitArrival(RunningScene scene, double place, String object) {
+  private static void awaitArrival(ControlledSceneFixture scene, double place, String object) {
     for (int i = 0; i < 2000 && !choices(scene).containsKey(object); i++) {
       LockSupport.parkNanos(5_000_000);
       scene.walkTo(place);
@@ -251,7 +251,7 @@ class InlinedRoomsTest {
 
   @Test
   void aBrowserThatKeepsInlinesClosedIsSaidOnce() {
-    try (var scene = new RunningScene(dir, ONE + ONE.replace("Office", "Other"))) {
+    try (var scene = new ControlledSceneFixture(dir, ONE + ONE.replace("Office", "Other"))) {
       List<ControlProblem> problems = new ArrayList<>();
       try (var controller =
           new SelectiveController(
@@ -273,7 +273,7 @@ class InlinedRoomsTest {
   void inlinesOfVersionsAreNoReasonToMention() {
     String versions =
         object("DEF='S'", "A", "B").replaceFirst("<Group/>", "<Inline url='\"store.x3d\"'/>");
-    try (var scene = new RunningScene(dir, area("P", 0, "A", "B") + versions)) {
+    try (var scene = new ControlledSceneFixture(dir, area("P", 0, "A", "B") + versions)) {
       List<ControlProblem> problems = new ArrayList<>();
       new SelectiveController(closed(scene.browser), Settings.SELECTIVE, event -> {}, problems::add)
           .close();

@@ -1,8 +1,8 @@
 package org.selectiverenderer.control;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.selectiverenderer.control.RunningScene.area;
-import static org.selectiverenderer.control.RunningScene.object;
+import static org.selectiverenderer.control.ControlledSceneFixture.area;
+import static org.selectiverenderer.control.ControlledSceneFixture.object;
 
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Proxy;
@@ -43,7 +43,7 @@ class LateEventsTest {
   private X3DFieldEventListener onExit;
 
   /** A browser whose sensor tells nobody but the test. */
-  private ExternalBrowser browser(RunningScene scene) {
+  private ExternalBrowser browser(ControlledSceneFixture scene) {
     X3DNode sensor =
         standIn(
             ProximitySensor.class,
@@ -99,14 +99,14 @@ class LateEventsTest {
     listener.readableFieldChanged(new X3DFieldEvent("test", time, null));
   }
 
-  private void control(RunningScene scene, Consumer<ControlEvent> events) {
+  private void control(ControlledSceneFixture scene, Consumer<ControlEvent> events) {
     scene.controller =
         new SelectiveController(browser(scene), Settings.SELECTIVE, events, scene.problems::add);
   }
 
   @Test
   void anEntryThatTheSensorHasShownAlreadyIsToldOnce() {
-    try (var scene = new RunningScene(SCENE)) {
+    try (var scene = new ControlledSceneFixture(SCENE)) {
       scene.walkTo(AT_DESK);
       control(scene, scene.events::add);
       assertThat(scene.news())
@@ -126,7 +126,7 @@ class LateEventsTest {
 
   @Test
   void anExitFromBeforeTheControlBeganIsNotTold() {
-    try (var scene = new RunningScene(SCENE)) {
+    try (var scene = new ControlledSceneFixture(SCENE)) {
       scene.walkTo(AT_DESK);
       scene.walkTo(OUTSIDE);
       control(scene, scene.events::add);
@@ -138,7 +138,7 @@ class LateEventsTest {
 
   @Test
   void whatComesAfterTheEndChangesNothing() {
-    try (var scene = new RunningScene(SCENE)) {
+    try (var scene = new ControlledSceneFixture(SCENE)) {
       control(scene, scene.events::add);
       scene.controller.close();
       scene.news();
@@ -150,7 +150,7 @@ class LateEventsTest {
 
   @Test
   void eventsOfSeveralThreadsAreToldOneAfterTheOther() throws InterruptedException {
-    try (var scene = new RunningScene(SCENE)) {
+    try (var scene = new ControlledSceneFixture(SCENE)) {
       CountDownLatch entering = new CountDownLatch(1);
       CountDownLatch goOn = new CountDownLatch(1);
       Consumer<ControlEvent> events =

@@ -1,8 +1,8 @@
 package org.selectiverenderer.control;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.selectiverenderer.control.RunningScene.area;
-import static org.selectiverenderer.control.RunningScene.object;
+import static org.selectiverenderer.control.ControlledSceneFixture.area;
+import static org.selectiverenderer.control.ControlledSceneFixture.object;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -25,7 +25,7 @@ class SelectiveControllerTest {
 
   @Test
   void enteringAndLeavingTheDeskSwitchesInTheSameFrame() {
-    try (var scene = RunningScene.under(Condition.SELECTIVE, DESK + TRASH_CAN)) {
+    try (var scene = ControlledSceneFixture.under(Condition.SELECTIVE, DESK + TRASH_CAN)) {
       assertThat(scene.news()).containsExactly(new Start(0, Map.of("TrashCan", 1)));
       scene.walkTo(OUTSIDE);
       assertThat(scene.news()).isEmpty();
@@ -52,7 +52,7 @@ class SelectiveControllerTest {
   @Test
   void leavingTheDeskInsideTheBookcaseKeepsBookcaseObjectsHigh() {
     try (var scene =
-        RunningScene.under(Condition.SELECTIVE, DESK + BOOKCASE + TRASH_CAN + PRINTER)) {
+        ControlledSceneFixture.under(Condition.SELECTIVE, DESK + BOOKCASE + TRASH_CAN + PRINTER)) {
       scene.walkTo(OUTSIDE);
       scene.walkTo(AT_DESK);
       scene.walkTo(AT_BOTH);
@@ -68,7 +68,7 @@ class SelectiveControllerTest {
   void onlyEnrichedNodesCount() {
     String others =
         "<Switch DEF='Menu' whichChoice='0'><Group/></Switch><ProximitySensor size='9 9 9'/>";
-    try (var scene = RunningScene.under(Condition.HIGH, others + DESK + TRASH_CAN)) {
+    try (var scene = ControlledSceneFixture.under(Condition.HIGH, others + DESK + TRASH_CAN)) {
       assertThat(scene.news()).containsExactly(new Start(0, Map.of("TrashCan", 0)));
       scene.walkTo(AT_DESK);
 
@@ -80,7 +80,7 @@ class SelectiveControllerTest {
   @Test
   void fixedConditionsSetTheChoicesBeforeTheFirstFrameAndNeverAgain() {
     for (Condition condition : List.of(Condition.HIGH, Condition.HIGH_LOW)) {
-      try (var scene = RunningScene.under(condition, DESK + TRASH_CAN)) {
+      try (var scene = ControlledSceneFixture.under(condition, DESK + TRASH_CAN)) {
         assertThat(scene.choice("TrashCan")).isZero();
         scene.walkTo(AT_DESK);
         scene.walkTo(OUTSIDE);
@@ -93,7 +93,8 @@ class SelectiveControllerTest {
 
   @Test
   void whichChoiceIsWrittenOnlyWhenItDiffers() {
-    try (var scene = RunningScene.under(Condition.SELECTIVE, DESK + BOOKCASE + TRASH_CAN)) {
+    try (var scene =
+        ControlledSceneFixture.under(Condition.SELECTIVE, DESK + BOOKCASE + TRASH_CAN)) {
       List<Double> written = new ArrayList<>();
       scene
           .node("TrashCan")
@@ -113,7 +114,7 @@ class SelectiveControllerTest {
   void nodesWithoutANameGetOneByTheirPlaceInTheScene() {
     String anonymous = object("", "DeskSchema", "OfficeSchema");
     try (var scene =
-        RunningScene.under(
+        ControlledSceneFixture.under(
             Condition.SELECTIVE, TRASH_CAN + "<Group>" + anonymous + "</Group>" + anonymous)) {
       assertThat(scene.controller.choices().keySet())
           .containsExactly("TrashCan", "Switch#2", "Switch#3");
@@ -123,7 +124,7 @@ class SelectiveControllerTest {
   @Test
   void aSwitchThatStandsInTwoPlacesIsSwitchedOnce() {
     try (var scene =
-        RunningScene.under(
+        ControlledSceneFixture.under(
             Condition.SELECTIVE,
             DESK + TRASH_CAN + "<Transform><Switch USE='TrashCan'/></Transform>")) {
       scene.walkTo(OUTSIDE);
@@ -136,7 +137,7 @@ class SelectiveControllerTest {
 
   @Test
   void aViewerWhoIsInAnAreaAlreadyCountsAsEntered() {
-    try (var scene = new RunningScene(DESK + TRASH_CAN)) {
+    try (var scene = new ControlledSceneFixture(DESK + TRASH_CAN)) {
       scene.walkTo(OUTSIDE);
       scene.walkTo(AT_DESK);
 
@@ -158,7 +159,7 @@ class SelectiveControllerTest {
             + "<MetadataString name='degreeOfConsistency' value='\"much\"'/>"
             + "<MetadataString name='schemaBelonginess' value='\"A\"'/></MetadataSet></MetadataSet>"
             + "</Switch>";
-    try (var scene = RunningScene.under(Condition.SELECTIVE, wrong)) {
+    try (var scene = ControlledSceneFixture.under(Condition.SELECTIVE, wrong)) {
       assertThat(scene.controller.problems())
           .singleElement()
           .hasToString(
@@ -169,7 +170,7 @@ class SelectiveControllerTest {
 
   @Test
   void afterClosingNothingIsSwitchedAnyMore() {
-    try (var scene = RunningScene.under(Condition.SELECTIVE, DESK + TRASH_CAN)) {
+    try (var scene = ControlledSceneFixture.under(Condition.SELECTIVE, DESK + TRASH_CAN)) {
       scene.walkTo(OUTSIDE);
       scene.controller.close();
       scene.news();

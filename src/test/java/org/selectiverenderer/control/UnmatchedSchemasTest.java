@@ -1,15 +1,15 @@
 package org.selectiverenderer.control;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.selectiverenderer.control.RunningScene.area;
-import static org.selectiverenderer.control.RunningScene.object;
+import static org.selectiverenderer.control.ControlledSceneFixture.area;
+import static org.selectiverenderer.control.ControlledSceneFixture.object;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
 class UnmatchedSchemasTest {
   private static List<String> problems(String nodes) {
-    try (var scene = RunningScene.under(Condition.SELECTIVE, nodes)) {
+    try (var scene = ControlledSceneFixture.under(Condition.SELECTIVE, nodes)) {
       return scene.problems.stream().map(p -> p.severity() + " " + p).toList();
     }
   }

@@ -7,10 +7,10 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.document.enrichment.Enrichment;
+import org.selectiverenderer.document.enrichment.DocumentEnrichment;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.DocumentElement;
-import org.selectiverenderer.x3d.source.TextChange;
+import org.selectiverenderer.x3d.source.TextEdit;
 
 /** Scenes whose DOCTYPE declares entities open with their elements; nothing is fetched. */
 class DoctypeEntitiesTest {
@@ -52,7 +52,7 @@ class DoctypeEntitiesTest {
     assertThat(document.fault()).isEmpty();
     DocumentElement area = named(document, "Area_kitchen");
     assertThat(area.location().line()).isEqualTo(11);
-    Enrichment enrichment = new Enrichment(document, NodeCatalogue.load());
+    DocumentEnrichment enrichment = new DocumentEnrichment(document, NodeCatalogue.load());
     assertThat(enrichment.sensors().get(0).schemas().enter()).containsExactly("kitchen");
     assertThat(document.snapshot().text()).isEqualTo(SUBSET);
   }
@@ -69,7 +69,7 @@ class DoctypeEntitiesTest {
     assertThat(document.text(chair)).isEqualTo("&chair;");
     assertThat(document.tag(chair).attributes()).isEmpty();
     assertThatThrownBy(() -> document.layout().attribute(chair, "DEF", "x"))
-        .isInstanceOf(EditRefused.class);
+        .isInstanceOf(EditRejectedException.class);
     assertThat(document.entities().find("far").orElseThrow().value()).isEmpty();
   }
 
@@ -78,9 +78,9 @@ class DoctypeEntitiesTest {
     SceneDocument document = document(SUBSET);
     DocumentElement area = named(document, "Area_kitchen");
     assertThatThrownBy(() -> document.layout().attribute(area, "DEF", "Other"))
-        .isInstanceOf(EditRefused.class)
+        .isInstanceOf(EditRejectedException.class)
         .hasMessageContaining("entity");
-    TextChange change = document.layout().attribute(area, "size", "4 5 6");
+    TextEdit change = document.layout().attribute(area, "size", "4 5 6");
     document.perform(new Edit("Set size", List.of(change)));
     assertThat(document.snapshot().text()).isEqualTo(SUBSET.replace("1 2 3", "4 5 6"));
     assertThat(area.attached()).isTrue();
@@ -92,7 +92,7 @@ class DoctypeEntitiesTest {
   void anotherDeclarationIsFollowed() throws IOException {
     SceneDocument document = document(SUBSET);
     int at = SUBSET.indexOf("\"kitchen\"") + 1;
-    document.perform(new Edit("e", List.of(new TextChange(at, at + 7, "office"))));
+    document.perform(new Edit("e", List.of(new TextEdit(at, at + 7, "office"))));
     assertThat(named(document, "Area_office").name()).isEqualTo("ProximitySensor");
   }
 

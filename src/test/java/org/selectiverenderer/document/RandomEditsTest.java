@@ -10,9 +10,9 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.x3d.source.DocumentElement;
-import org.selectiverenderer.x3d.source.TextChange;
+import org.selectiverenderer.x3d.source.TextEdit;
 
 /** Whatever is edited: the tree is that of the text, and undoing all gives the bytes back. */
 class RandomEditsTest {
@@ -50,9 +50,9 @@ class RandomEditsTest {
     SceneDocument document = SceneDocument.of("a.x3d", text.getBytes(StandardCharsets.UTF_8));
     List<DocumentListener.Change> heard = new ArrayList<>();
     document.addListener(heard::add);
-    List<TextChange> changes = new ArrayList<>();
+    List<TextEdit> changes = new ArrayList<>();
     for (int at = text.indexOf('A'); at >= 0; at = text.indexOf('A', at + 1)) {
-      changes.add(new TextChange(at, at + 1, "B" + changes.size()));
+      changes.add(new TextEdit(at, at + 1, "B" + changes.size()));
     }
     document.perform(new Edit("Name all", changes));
     assertSameAsReadAnew(document);
@@ -116,11 +116,11 @@ class RandomEditsTest {
 
   /** Some changes: of whole elements or of any characters, one or many. */
   private static Edit edit(SceneDocument document, Random random) {
-    List<TextChange> changes = new ArrayList<>();
+    List<TextEdit> changes = new ArrayList<>();
     int at = 0;
     int count = random.nextInt(4) == 0 ? 1 + random.nextInt(12) : 1;
     for (int i = 0; i < count; i++) {
-      TextChange change = change(document, random);
+      TextEdit change = change(document, random);
       if (change.from() >= at) {
         changes.add(change);
         at = change.to();
@@ -129,7 +129,7 @@ class RandomEditsTest {
     return new Edit("Change", changes);
   }
 
-  private static TextChange change(SceneDocument document, Random random) {
+  private static TextEdit change(SceneDocument document, Random random) {
     CharSequence text = document.text();
     int from = random.nextInt(text.length() + 1);
     String piece = PIECES[random.nextInt(PIECES.length)];
@@ -140,13 +140,13 @@ class RandomEditsTest {
     if (document.tree().isPresent() && random.nextInt(3) > 0) {
       DocumentElement element = document.tree().get().at(from).orElse(document.tree().get().root());
       return switch (random.nextInt(4)) {
-        case 0 -> TextChange.insert(element.start(), "<Group DEF='N'/>");
-        case 1 -> TextChange.insert(element.end(), piece);
-        case 2 -> TextChange.insert(element.tagEnd(), "<Box/>");
+        case 0 -> TextEdit.insert(element.start(), "<Group DEF='N'/>");
+        case 1 -> TextEdit.insert(element.end(), piece);
+        case 2 -> TextEdit.insert(element.tagEnd(), "<Box/>");
         default ->
             element.parent().isPresent() && random.nextInt(3) == 0
-                ? TextChange.remove(element.start(), element.end())
-                : new TextChange(
+                ? TextEdit.remove(element.start(), element.end())
+                : new TextEdit(
                     element.start(), element.end(), "<Cone>" + document.text(element) + "</Cone>");
       };
     }
@@ -154,7 +154,7 @@ class RandomEditsTest {
     if (to > 0 && to < text.length() && Character.isLowSurrogate(text.charAt(to))) {
       to++;
     }
-    return new TextChange(from, to, piece);
+    return new TextEdit(from, to, piece);
   }
 
   private static void assertSameAsReadAnew(SceneDocument document) throws IOException {
@@ -163,7 +163,7 @@ class RandomEditsTest {
     assertThat(document.fault()).as(text).isEqualTo(fresh.fault());
     assertThat(described(document)).as(text).isEqualTo(described(fresh));
     for (int offset = 0; offset <= text.length(); offset += 7) {
-      Location location = document.location(offset);
+      SourceLocation location = document.location(offset);
       assertThat(location).isEqualTo(fresh.location(offset));
     }
   }

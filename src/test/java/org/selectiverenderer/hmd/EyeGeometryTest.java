@@ -148,8 +148,8 @@ class EyeGeometryTest {
 
   @Test
   void theFieldOfAWindowIsTheWiderOneAcrossWhereItIsBroad() {
-    Presentation window =
-        new Presentation(
+    DisplayConfiguration window =
+        new DisplayConfiguration(
             DisplayMode.WINDOW,
             new EyeGeometry(display(1, Double.POSITIVE_INFINITY), 0.063),
             false);

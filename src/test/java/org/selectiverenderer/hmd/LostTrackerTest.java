@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.hmd.TrackedMotion.WhenLost;
+import org.selectiverenderer.hmd.HeadTrackedMotion.WhenLost;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.viewer.Heading;
 import org.selectiverenderer.runtime.viewer.ViewerMotion;
@@ -23,10 +23,10 @@ import org.selectiverenderer.tracker.PoseSample;
 import org.selectiverenderer.tracker.TrackerListener;
 import org.selectiverenderer.tracker.TrackerOptions;
 import org.selectiverenderer.tracker.TrackerSpec;
-import org.selectiverenderer.tracker.emulate.EmulatedInterTrax2;
-import org.selectiverenderer.tracker.emulate.InterTrax2Emulator;
-import org.selectiverenderer.tracker.emulate.PseudoTerminal;
-import org.selectiverenderer.tracker.open.Trackers;
+import org.selectiverenderer.tracker.emulator.EmulatedInterTrax2;
+import org.selectiverenderer.tracker.emulator.InterTrax2Emulator;
+import org.selectiverenderer.tracker.emulator.PseudoTerminal;
+import org.selectiverenderer.tracker.factory.TrackerFactory;
 
 /** What turns the view when an emulated tracker's cable is pulled. */
 @Timeout(value = 60, unit = TimeUnit.SECONDS)
@@ -56,16 +56,17 @@ class LostTrackerTest {
         EmulatedInterTrax2.start(
             link, new InterTrax2Emulator.Settings(120, (t, into) -> into.turn(30, 0, 0)));
     try (HeadTracker tracker =
-        Trackers.open(new TrackerSpec.InterTrax2(link.toString()), TrackerOptions.NONE, listener)) {
+        TrackerFactory.open(
+            new TrackerSpec.InterTrax2(link.toString()), TrackerOptions.NONE, listener)) {
       records.await();
       // Whoever steers turns the view by a degree in each frame.
       ViewerMotion mouse =
           (viewer, time, dt) ->
               viewer.turnTo(new Quaterniond(viewer.orientation()).rotateX(Math.toRadians(1)));
-      World frozen = Scenes.world("<Viewpoint position='0 0 0'/>");
-      World followed = Scenes.world("<Viewpoint position='0 0 0'/>");
-      TrackedMotion freeze = new TrackedMotion(frozen, tracker, mouse, WhenLost.FREEZE);
-      TrackedMotion follow = new TrackedMotion(followed, tracker, mouse, WhenLost.MOUSE);
+      World frozen = TestWorlds.world("<Viewpoint position='0 0 0'/>");
+      World followed = TestWorlds.world("<Viewpoint position='0 0 0'/>");
+      HeadTrackedMotion freeze = new HeadTrackedMotion(frozen, tracker, mouse, WhenLost.FREEZE);
+      HeadTrackedMotion follow = new HeadTrackedMotion(followed, tracker, mouse, WhenLost.MOUSE);
       frozen.step(1, freeze);
       followed.step(1, follow);
       assertThat(follow.steering()).isTrue();

@@ -8,9 +8,9 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.runtime.World;
-import org.selectiverenderer.runtime.render.Shading;
+import org.selectiverenderer.runtime.render.ShadingMode;
 import org.selectiverenderer.runtime.render.context.Screenshot;
-import org.selectiverenderer.runtime.render.show.OffscreenView;
+import org.selectiverenderer.runtime.render.display.OffscreenView;
 import org.selectiverenderer.testing.RequiresDisplay;
 
 /** Dots of known places, found again in the pictures that are really drawn. */
@@ -36,7 +36,7 @@ class StereoPictureTest {
 
   private static Screenshot picture(World world, EyeGeometry eyes, StereoLayout.Arrangement how) {
     try (OffscreenView view =
-        OffscreenView.open(WIDTH, HEIGHT, 0, new StereoLayout(eyes, how), Shading.AUTO)) {
+        OffscreenView.open(WIDTH, HEIGHT, 0, new StereoLayout(eyes, how), ShadingMode.AUTO)) {
       view.draw(world);
       return view.screenshot();
     }
@@ -74,7 +74,8 @@ class StereoPictureTest {
     Vector3d far = new Vector3d(0.6, -0.4, -4);
     EyeGeometry eyes = new EyeGeometry(DisplayProfile.PROVIEW_50, IPD);
     Screenshot shot =
-        picture(Scenes.world(dots(near, far, 0.01)), eyes, StereoLayout.Arrangement.SIDE_BY_SIDE);
+        picture(
+            TestWorlds.world(dots(near, far, 0.01)), eyes, StereoLayout.Arrangement.SIDE_BY_SIDE);
     for (Eye eye : Eye.values()) {
       checkEye(shot, eyes, eye, near, 0xff0000);
       checkEye(shot, eyes, eye, far, 0x00ff00);
@@ -104,7 +105,8 @@ class StereoPictureTest {
     Vector3d near = new Vector3d(0.05, 0.1, -0.9);
     Vector3d far = new Vector3d(-0.3, -0.2, -3);
     Screenshot shot =
-        picture(Scenes.world(dots(near, far, 0.01)), eyes, StereoLayout.Arrangement.SIDE_BY_SIDE);
+        picture(
+            TestWorlds.world(dots(near, far, 0.01)), eyes, StereoLayout.Arrangement.SIDE_BY_SIDE);
     for (Eye eye : Eye.values()) {
       checkEye(shot, eyes, eye, near, 0xff0000);
       checkEye(shot, eyes, eye, far, 0x00ff00);
@@ -116,7 +118,7 @@ class StereoPictureTest {
     EyeGeometry eyes = new EyeGeometry(DisplayProfile.PROVIEW_50, IPD);
     // Centimetres: a point a metre away lies at 100.
     World centimetres =
-        Scenes.world(
+        TestWorlds.world(
             "<unit category='length' name='centimetre' conversionFactor='0.01'/>",
             dots(new Vector3d(0, 0, -100), new Vector3d(0, 20, -400), 1));
     checkEye(
@@ -127,7 +129,7 @@ class StereoPictureTest {
         0xff0000);
     // A viewer ten times as large sees what is ten metres away as another what is one away.
     World giant =
-        Scenes.world(
+        TestWorlds.world(
             "<Transform scale='10 10 10'><Viewpoint position='0 0 0'/></Transform>"
                 + "<NavigationInfo headlight='false'/>"
                 + dot(new Vector3d(0, 0, -10), "1 0 0", 0.1));
@@ -144,7 +146,7 @@ class StereoPictureTest {
     EyeGeometry eyes = new EyeGeometry(DisplayProfile.DESK, IPD);
     Vector3d point = new Vector3d(0, 0, -1);
     World world =
-        Scenes.world(
+        TestWorlds.world(
             "<Viewpoint position='0 0 0'/><NavigationInfo headlight='false'/>"
                 + dot(point, "1 1 1", 0.01));
     Screenshot shot = picture(world, eyes, StereoLayout.Arrangement.ANAGLYPH);
@@ -163,7 +165,7 @@ class StereoPictureTest {
 
   @Test
   void whatTheDisplaysProportionsLeaveFreeIsBlack() {
-    World world = Scenes.world("<Background skyColor='1 1 1'/><Viewpoint position='0 0 0'/>");
+    World world = TestWorlds.world("<Background skyColor='1 1 1'/><Viewpoint position='0 0 0'/>");
     try (OffscreenView view =
         OffscreenView.open(
             800,
@@ -172,7 +174,7 @@ class StereoPictureTest {
             new StereoLayout(
                 new EyeGeometry(DisplayProfile.PROVIEW_50, IPD),
                 StereoLayout.Arrangement.SIDE_BY_SIDE),
-            Shading.AUTO)) {
+            ShadingMode.AUTO)) {
       view.draw(world);
       Screenshot shot = view.screenshot();
       assertThat(shot.rgb(200, 400)).isEqualTo(0xffffff);
@@ -201,7 +203,7 @@ class StereoPictureTest {
     Vector3d outside = new Vector3d(-0.8, 0, -2);
     Screenshot shot =
         picture(
-            Scenes.world(dots(outside, new Vector3d(0.8, 0, -2), 0.02)),
+            TestWorlds.world(dots(outside, new Vector3d(0.8, 0, -2), 0.02)),
             eyes,
             StereoLayout.Arrangement.SIDE_BY_SIDE);
     checkEye(shot, eyes, Eye.LEFT, outside, 0xff0000);
@@ -220,7 +222,7 @@ class StereoPictureTest {
             new HeadsetLayout.EyeAt(new Vector3d(-IPD / 2, 0, 0), new Quaterniond(), frustum),
             new HeadsetLayout.EyeAt(new Vector3d(IPD / 2, 0, 0), new Quaterniond(), frustum)));
     World world =
-        Scenes.world(
+        TestWorlds.world(
             "<Background skyColor='0 0 1 1 0 1' skyAngle='1.5'/>"
                 + "<Viewpoint position='0 0 0'/><NavigationInfo headlight='false'/>"
                 + dot(new Vector3d(0, 0, -4), "0 1 0", 3.9));
@@ -241,7 +243,7 @@ class StereoPictureTest {
   }
 
   private static Screenshot shot(World world, HeadsetLayout layout) {
-    try (OffscreenView view = OffscreenView.open(WIDTH, HEIGHT, 0, layout, Shading.AUTO)) {
+    try (OffscreenView view = OffscreenView.open(WIDTH, HEIGHT, 0, layout, ShadingMode.AUTO)) {
       view.draw(world);
       return view.screenshot();
     }

@@ -10,7 +10,7 @@ public final class FakeHeadset {
 
   /** It has an eye tracker. */
   public FakeHeadset withEyes() {
-    runtime.extensions.add(XrActions.GAZE);
+    runtime.extensions.add(XrActionBindings.GAZE);
     runtime.eyeGaze = true;
     return this;
   }
@@ -42,8 +42,8 @@ public final class FakeHeadset {
   }
 
   /** Finds it. */
-  public XrSearch search() throws HeadsetUnavailableException {
-    return XrSearch.begin(runtime);
+  public XrHeadsetFinder search() throws HeadsetUnavailableException {
+    return XrHeadsetFinder.begin(runtime);
   }
 
   /** How many connections to the runtime are open. */

@@ -40,7 +40,7 @@ final class FakeRuntime implements XrLoader {
   boolean focused = true;
   boolean eyeGaze;
   boolean gazeVouched = true;
-  HiddenArea mask = new HiddenArea(new float[] {-1, -1.1f, 0, -1.1f, -1, 0});
+  VisibilityMask mask = new VisibilityMask(new float[] {-1, -1.1f, 0, -1.1f, -1, 0});
   Optional<SpacePose> gaze = Optional.empty();
 
   /** Where hands point: 51 is the left one, 52 the right one. */
@@ -74,7 +74,7 @@ final class FakeRuntime implements XrLoader {
     calls.add(function);
     Integer code = faults.get(function);
     if (code != null) {
-      throw new XrFailure(function, code);
+      throw new XrResultException(function, code);
     }
   }
 
@@ -103,7 +103,7 @@ final class FakeRuntime implements XrLoader {
     public long system() {
       call("GetSystem");
       if (!headset) {
-        throw new XrFailure("GetSystem", XrFailure.FORM_FACTOR_UNAVAILABLE);
+        throw new XrResultException("GetSystem", XrResultException.FORM_FACTOR_UNAVAILABLE);
       }
       return 7;
     }
@@ -114,8 +114,8 @@ final class FakeRuntime implements XrLoader {
     }
 
     @Override
-    public List<PictureSize> pictures(long system) {
-      return List.of(new PictureSize(400, 300, 1), new PictureSize(400, 300, 1));
+    public List<RecommendedImageSize> pictures(long system) {
+      return List.of(new RecommendedImageSize(400, 300, 1), new RecommendedImageSize(400, 300, 1));
     }
 
     @Override
@@ -141,7 +141,7 @@ final class FakeRuntime implements XrLoader {
     }
 
     @Override
-    public XrInputs inputs() {
+    public XrActionSystem inputs() {
       return new Inputs();
     }
 
@@ -151,7 +151,7 @@ final class FakeRuntime implements XrLoader {
       call("DestroyInstance");
     }
 
-    private final class Inputs implements XrInputs {
+    private final class Inputs implements XrActionSystem {
       @Override
       public long action(String name, String shown, Kind kind) {
         long id = 100 + actions.size();
@@ -245,14 +245,14 @@ final class FakeRuntime implements XrLoader {
     }
 
     @Override
-    public Optional<List<EyeSight>> eyes(long in, long time) {
+    public Optional<List<XrEyeView>> eyes(long in, long time) {
       call("LocateViews");
       return known ? Optional.of(List.of(eye(-0.03), eye(0.03))) : Optional.empty();
     }
 
-    private EyeSight eye(double x) {
+    private XrEyeView eye(double x) {
       Vector3d at = head.orientation().transform(new Vector3d(x, 0, 0)).add(head.position());
-      return new EyeSight(new SpacePose(at, head.orientation()), -1, 0.9, -1.1, 1);
+      return new XrEyeView(new SpacePose(at, head.orientation()), -1, 0.9, -1.1, 1);
     }
 
     @Override
@@ -321,7 +321,7 @@ final class FakeRuntime implements XrLoader {
     }
 
     @Override
-    public HiddenArea hidden(int eye) {
+    public VisibilityMask hidden(int eye) {
       call("GetVisibilityMaskKHR");
       return mask;
     }

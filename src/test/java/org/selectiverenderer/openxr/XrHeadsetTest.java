@@ -16,14 +16,14 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.selectiverenderer.openxr.HeadsetNews.Kind;
+import org.selectiverenderer.openxr.HeadsetEvent.Kind;
 
 class XrHeadsetTest {
   private static final GraphicsBinding BINDING = new GraphicsBinding.Windows(1, 2);
   private static final long SECOND = 1_000_000_000;
 
   private final FakeRuntime runtime = new FakeRuntime();
-  private final List<HeadsetNews> news = new ArrayList<>();
+  private final List<HeadsetEvent> news = new ArrayList<>();
   private long nanos;
 
   private XrHeadset show(Posture posture) throws HeadsetUnavailableException {
@@ -50,7 +50,7 @@ class XrHeadsetTest {
   }
 
   private List<Kind> kinds() {
-    return news.stream().map(HeadsetNews::kind).toList();
+    return news.stream().map(HeadsetEvent::kind).toList();
   }
 
   @Test
@@ -131,9 +131,9 @@ class XrHeadsetTest {
 
   @Test
   void colorsAreHandedOverAsWhatTheyAre() {
-    assertEquals(0x8C43, EyeImages.format(List.of(0x881A, 0x8058, 0x8C43)));
-    assertEquals(0x8058, EyeImages.format(List.of(0x881A, 0x8058)));
-    assertEquals(0x881A, EyeImages.format(List.of(0x881A)));
+    assertEquals(0x8C43, EyeSwapchains.format(List.of(0x881A, 0x8058, 0x8C43)));
+    assertEquals(0x8058, EyeSwapchains.format(List.of(0x881A, 0x8058)));
+    assertEquals(0x881A, EyeSwapchains.format(List.of(0x881A)));
   }
 
   @Test
@@ -181,12 +181,12 @@ class XrHeadsetTest {
       })
   void aRuntimeThatDiesInAnyCallIsLookedForUntilItIsBack(String function) throws Exception {
     XrHeadset headset = worn();
-    runtime.faults.put(function, XrFailure.INSTANCE_LOST);
+    runtime.faults.put(function, XrResultException.INSTANCE_LOST);
     frame(headset);
     assertEquals(List.of(Kind.FOUND, Kind.WORN, Kind.LOST), kinds());
     assertTrue(news.get(2).text().contains("xr" + function));
     assertEquals(0, runtime.open);
-    runtime.faults.put("CreateInstance", XrFailure.RUNTIME_FAILURE);
+    runtime.faults.put("CreateInstance", XrResultException.RUNTIME_FAILURE);
     nanos += SECOND;
     assertTrue(frame(headset).isEmpty());
     assertTrue(headset.status().lost());
@@ -253,7 +253,7 @@ class XrHeadsetTest {
     frame(headset);
     runtime.period = FakeRuntime.PERIOD;
     frame(headset);
-    XrStatus status = headset.status();
+    XrHeadsetStatus status = headset.status();
     assertEquals(100, status.rate(), 1e-9);
     assertEquals(4, status.frames());
     assertEquals(2, status.missed());
@@ -280,13 +280,13 @@ class XrHeadsetTest {
     runtime.sticks.put("walk", new Vector2d(0.1, 1));
     runtime.sticks.put("turn", new Vector2d(-1, 0));
     runtime.buttons.put("yes", true);
-    XrInput input = frame(headset).orElseThrow().input();
+    XrInputState input = frame(headset).orElseThrow().input();
     assertEquals(1, input.forward(), 1e-9);
     assertEquals(0, input.side(), 1e-9); // A stick that rests is never quite in its middle.
     assertEquals(-1, input.turn(), 1e-9);
-    assertEquals(Set.of(HeadsetButton.YES), input.held());
+    assertEquals(Set.of(ControllerAction.YES), input.held());
     runtime.focused = false;
-    assertEquals(XrInput.NONE, frame(headset).orElseThrow().input());
+    assertEquals(XrInputState.NONE, frame(headset).orElseThrow().input());
     runtime.events.add(new XrEvent.ControllersChanged());
     frame(headset);
     assertEquals("the headset's controls are Index controllers", news.get(2).text());
@@ -294,7 +294,7 @@ class XrHeadsetTest {
 
   @Test
   void readsWhereTheEyesLook() throws Exception {
-    runtime.extensions.add(XrActions.GAZE);
+    runtime.extensions.add(XrActionBindings.GAZE);
     runtime.eyeGaze = true;
     runtime.gaze =
         Optional.of(new SpacePose(new Vector3d(), new Quaterniond().rotationX(Math.PI / 2)));
@@ -315,19 +315,19 @@ class XrHeadsetTest {
         new SpacePose(new Vector3d(0.2, -0.3, -0.4), new Quaterniond().rotationX(0.3));
     runtime.aims.put(52L, right);
     runtime.buttons.put("choose_right", true);
-    XrInput input = frame(worn()).orElseThrow().input();
+    XrInputState input = frame(worn()).orElseThrow().input();
     assertTrue(input.left().isEmpty());
     assertEquals(right, input.right().orElseThrow());
-    assertEquals(Set.of(HeadsetButton.CHOOSE_RIGHT), input.held());
+    assertEquals(Set.of(ControllerAction.CHOOSE_RIGHT), input.held());
   }
 
   @Test
   void tellsWhetherTheHeadsetTracksTheEyes() throws Exception {
-    assertFalse(XrSearch.begin(runtime).tracksEyes());
+    assertFalse(XrHeadsetFinder.begin(runtime).tracksEyes());
     runtime.eyeGaze = true;
-    assertFalse(XrSearch.begin(runtime).tracksEyes()); // The runtime would not tell.
-    runtime.extensions.add(XrActions.GAZE);
-    assertTrue(XrSearch.begin(runtime).tracksEyes());
+    assertFalse(XrHeadsetFinder.begin(runtime).tracksEyes()); // The runtime would not tell.
+    runtime.extensions.add(XrActionBindings.GAZE);
+    assertTrue(XrHeadsetFinder.begin(runtime).tracksEyes());
   }
 
   @Test
@@ -345,16 +345,16 @@ class XrHeadsetTest {
     assertTrue(worn().hidden().isEmpty());
     runtime.extensions.add(XrConnection.MASK);
     XrHeadset headset = worn();
-    List<HiddenArea> first = headset.hidden();
+    List<VisibilityMask> first = headset.hidden();
     assertEquals(List.of(runtime.mask, runtime.mask), first);
     headset.next();
     headset.begin();
     headset.end(false);
     assertSame(first, headset.hidden());
-    runtime.mask = HiddenArea.NONE;
+    runtime.mask = VisibilityMask.NONE;
     runtime.events.add(new XrEvent.MaskChanged());
     headset.next();
-    assertEquals(List.of(HiddenArea.NONE, HiddenArea.NONE), headset.hidden());
+    assertEquals(List.of(VisibilityMask.NONE, VisibilityMask.NONE), headset.hidden());
   }
 
   @Test
@@ -366,16 +366,17 @@ class XrHeadsetTest {
   }
 
   private String missing() {
-    return assertThrows(HeadsetUnavailableException.class, () -> XrSearch.begin(runtime))
+    return assertThrows(HeadsetUnavailableException.class, () -> XrHeadsetFinder.begin(runtime))
         .getMessage();
   }
 
   @Test
   void saysWhatIsMissingAndWhatToDo() throws Exception {
-    runtime.faults.put("EnumerateInstanceExtensionProperties", XrFailure.RUNTIME_UNAVAILABLE);
+    runtime.faults.put(
+        "EnumerateInstanceExtensionProperties", XrResultException.RUNTIME_UNAVAILABLE);
     assertTrue(missing().startsWith("no OpenXR runtime is set up on this computer: install"));
     runtime.faults.clear();
-    runtime.faults.put("CreateInstance", XrFailure.RUNTIME_FAILURE);
+    runtime.faults.put("CreateInstance", XrResultException.RUNTIME_FAILURE);
     assertTrue(missing().contains("does not answer (xrCreateInstance: XR_ERROR_RUNTIME_FAILURE)"));
     runtime.faults.clear();
     runtime.headset = false;
@@ -390,9 +391,9 @@ class XrHeadsetTest {
 
   @Test
   void whatWasFoundAndNotShownIsLetGo() throws Exception {
-    try (XrSearch search = XrSearch.begin(runtime)) {
+    try (XrHeadsetFinder search = XrHeadsetFinder.begin(runtime)) {
       assertEquals("Test headset", search.headset());
-      assertEquals(new PictureSize(400, 300, 1), search.size());
+      assertEquals(new RecommendedImageSize(400, 300, 1), search.size());
     }
     assertEquals(0, runtime.open);
   }

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.selectiverenderer.cli.CommandRun;
+import org.selectiverenderer.cli.CommandTestCase;
 import org.selectiverenderer.cli.Main;
 import org.selectiverenderer.testing.ShowsWindows;
 
@@ -22,7 +22,7 @@ import org.selectiverenderer.testing.ShowsWindows;
  * sessions, are run with {@code -Dstories.all=true} alone.
  */
 @ShowsWindows
-class StoriesTest extends CommandRun {
+class StoriesTest extends CommandTestCase {
   private static final Path EXAMPLES = Path.of("docs/examples");
 
   @TempDir Path folder;

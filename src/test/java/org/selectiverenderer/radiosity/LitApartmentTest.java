@@ -8,10 +8,10 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.base.problem.Problems;
-import org.selectiverenderer.polygon.count.PolygonStatistics;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.polygon.count.ScenePolygonCounter;
 import org.selectiverenderer.polygon.count.SceneStatistics;
-import org.selectiverenderer.polygon.count.StatisticsCsv;
+import org.selectiverenderer.polygon.count.SceneStatisticsCsvWriter;
 
 /**
  * The committed lit apartment, as {@code radiosity scenes/apartment-unlit.x3d --rays 1024 --quality
@@ -28,10 +28,10 @@ class LitApartmentTest {
   }
 
   private static String counts(String scene) throws Exception {
-    Problems problems = new Problems();
-    SceneStatistics statistics = PolygonStatistics.of(SCENES.resolve(scene), List.of(), problems);
+    ProblemCollector problems = new ProblemCollector();
+    SceneStatistics statistics = ScenePolygonCounter.of(SCENES.resolve(scene), List.of(), problems);
     assertThat(problems.list()).isEmpty();
-    return StatisticsCsv.of(statistics).replace(scene, "");
+    return SceneStatisticsCsvWriter.of(statistics).replace(scene, "");
   }
 
   /** Lamps that are on make highlights only: nothing throws back diffuse light. */

@@ -2,8 +2,8 @@ package org.selectiverenderer.radiosity;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
-import static org.selectiverenderer.radiosity.SmallScene.quad;
-import static org.selectiverenderer.radiosity.SmallScene.room;
+import static org.selectiverenderer.radiosity.TestScenes.quad;
+import static org.selectiverenderer.radiosity.TestScenes.room;
 
 import java.io.IOException;
 import java.nio.channels.FileChannel;
@@ -21,10 +21,10 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.base.picture.PngFile;
-import org.selectiverenderer.base.problem.Problems;
-import org.selectiverenderer.radiosity.scene.UnlitSceneException;
-import org.selectiverenderer.radiosity.work.WorkProgress;
+import org.selectiverenderer.base.image.PngEncoder;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.radiosity.parallel.RadiosityProgress;
+import org.selectiverenderer.radiosity.scene.RadiosityException;
 import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.runtime.loading.LoadedScene;
@@ -57,7 +57,7 @@ class RadiosityJobTest {
           300_000);
 
   @TempDir private Path folder;
-  private final Problems problems = new Problems();
+  private final ProblemCollector problems = new ProblemCollector();
   private Path scenes;
 
   @BeforeEach
@@ -68,12 +68,12 @@ class RadiosityJobTest {
 
   private Path scene(String body) throws IOException {
     Path file = scenes.resolve("room.x3d");
-    Files.writeString(file, SmallScene.x3d(body));
+    Files.writeString(file, TestScenes.x3d(body));
     return file;
   }
 
   private void inlined(String name, String body) throws IOException {
-    Files.writeString(folder.resolve("inlineNodes").resolve(name), SmallScene.x3d(body));
+    Files.writeString(folder.resolve("inlineNodes").resolve(name), TestScenes.x3d(body));
   }
 
   private RadiosityJob job(Path scene, RadiositySettings settings) {
@@ -81,8 +81,8 @@ class RadiosityJobTest {
     return new RadiosityJob(scene, output, RadiosityJob.inlinesOf(output), null, settings);
   }
 
-  private RadiosityJob.Report light(String body) throws IOException, UnlitSceneException {
-    return job(scene(body), QUICK).run(problems, WorkProgress.NONE, (balance, quality) -> {});
+  private RadiosityJob.Report light(String body) throws IOException, RadiosityException {
+    return job(scene(body), QUICK).run(problems, RadiosityProgress.NONE, (balance, quality) -> {});
   }
 
   /** Every shape of the lit scene: its colours, unlit. */
@@ -110,7 +110,7 @@ class RadiosityJobTest {
   void aLitSceneShowsItsColoursWithoutLamps() throws Exception {
     Path scene = scene(room(0, 0, 0, 4, GREY) + LAMP);
     String before = Files.readString(scene);
-    job(scene, QUICK).run(problems, WorkProgress.NONE, (balance, quality) -> {});
+    job(scene, QUICK).run(problems, RadiosityProgress.NONE, (balance, quality) -> {});
     assertThat(Files.readString(scene)).isEqualTo(before);
     assertThat(problems.list()).isEmpty();
     ShapeInstance shape = shapes().get(0);
@@ -136,7 +136,7 @@ class RadiosityJobTest {
             new RadiosityJob(scene, scenes.resolve("lit.x3d"), inlines, null, QUICK),
             new RadiosityJob(
                 scene, inlines.resolve("walls.x3d"), folder.resolve("lit"), null, QUICK))) {
-      assertThatThrownBy(() -> job.run(problems, WorkProgress.NONE, (balance, quality) -> {}))
+      assertThatThrownBy(() -> job.run(problems, RadiosityProgress.NONE, (balance, quality) -> {}))
           .isInstanceOf(IOException.class)
           .hasMessageContaining("walls.x3d: the scene is made of this file");
     }
@@ -145,13 +145,13 @@ class RadiosityJobTest {
 
   @Test
   void aPictureThatTheSceneShowsIsNotWrittenOver() throws Exception {
-    Path picture = Files.write(scenes.resolve("wood.png"), PngFile.of(1, 1, new byte[3]));
+    Path picture = Files.write(scenes.resolve("wood.png"), PngEncoder.of(1, 1, new byte[3]));
     Path light = Files.copy(picture, scenes.resolve("room-lit-light.png"));
     Path brighter = Files.copy(picture, folder.resolve("inlineNodes/Walls-2-tiles-bright.png"));
     String shows =
         "<Shape><Appearance><Material/><ImageTexture url='\"%s\"'/></Appearance><Box/></Shape>";
     Path parts = Files.createDirectories(scenes.resolve("parts"));
-    Files.writeString(parts.resolve("walls.x3d"), SmallScene.x3d(room(0, 0, 0, 4, GREY)));
+    Files.writeString(parts.resolve("walls.x3d"), TestScenes.x3d(room(0, 0, 0, 4, GREY)));
     Path inlines = folder.resolve("inlineNodes");
     for (Path shown : List.of(picture, light, brighter)) {
       Path scene =
@@ -167,7 +167,7 @@ class RadiosityJobTest {
               inlines,
               shown.equals(picture) ? scenes.resolve("../scenes/wood.png") : null,
               QUICK);
-      assertThatThrownBy(() -> job.run(problems, WorkProgress.NONE, (balance, quality) -> {}))
+      assertThatThrownBy(() -> job.run(problems, RadiosityProgress.NONE, (balance, quality) -> {}))
           .isInstanceOf(IOException.class)
           .hasMessageContaining(shown.getFileName() + ": the scene is made of this file");
       assertThat(written()).isEqualTo(before);
@@ -270,8 +270,8 @@ class RadiosityJobTest {
   @Test
   void aCancelledRunWritesItsLastIteration() throws Exception {
     int[] iterations = {0};
-    WorkProgress cancelling =
-        new WorkProgress() {
+    RadiosityProgress cancelling =
+        new RadiosityProgress() {
           @Override
           public void at(Stage stage, double share) {
             // Only its end matters.
@@ -294,10 +294,10 @@ class RadiosityJobTest {
 
   @Test
   void whatIsCancelledBeforeTheFirstIterationIsNotWritten() throws Exception {
-    WorkProgress cancelling = new CancelsAt(WorkProgress.Stage.TRANSPORT);
+    RadiosityProgress cancelling = new CancelAtStage(RadiosityProgress.Stage.TRANSPORT);
     Path scene = scene(room(0, 0, 0, 4, GREY) + LAMP);
     assertThatThrownBy(() -> job(scene, QUICK).run(problems, cancelling, (b, q) -> {}))
-        .isInstanceOf(UnlitSceneException.class)
+        .isInstanceOf(RadiosityException.class)
         .hasMessageContaining("cancelled before the first iteration");
     assertThat(written().keySet()).containsExactly("scenes/room.x3d");
   }
@@ -307,10 +307,10 @@ class RadiosityJobTest {
     Path text = scenes.resolve("room.x3d");
     for (String content : List.of("hello, no XML", "", "<X3D><Scene>", "<html/>")) {
       Files.writeString(text, content);
-      Problems said = new Problems();
-      assertThatThrownBy(() -> job(text, QUICK).run(said, WorkProgress.NONE, (b, q) -> {}))
+      ProblemCollector said = new ProblemCollector();
+      assertThatThrownBy(() -> job(text, QUICK).run(said, RadiosityProgress.NONE, (b, q) -> {}))
           .isInstanceOfSatisfying(
-              UnlitSceneException.class, unlit -> assertThat(unlit.isTold()).isTrue());
+              RadiosityException.class, unlit -> assertThat(unlit.isTold()).isTrue());
       assertThat(said.list()).hasSize(1);
     }
   }
@@ -319,8 +319,8 @@ class RadiosityJobTest {
   void ofBytesThatAreNoTextNothingIsSaidAboutTheirEncoding() throws Exception {
     Path file = scenes.resolve("room.x3d");
     Files.write(file, new byte[] {'x', (byte) 0xff, (byte) 0xfe, 0x12, (byte) 0x80});
-    assertThatThrownBy(() -> job(file, QUICK).run(problems, WorkProgress.NONE, (b, q) -> {}))
-        .isInstanceOf(UnlitSceneException.class);
+    assertThatThrownBy(() -> job(file, QUICK).run(problems, RadiosityProgress.NONE, (b, q) -> {}))
+        .isInstanceOf(RadiosityException.class);
     assertThat(problems.list()).hasSize(1);
     assertThat(problems.list().get(0).message()).contains("neither XML nor VRML");
   }
@@ -331,7 +331,7 @@ class RadiosityJobTest {
     Path scene = scene(room(0, 0, 0, 4, GREY) + LAMP);
     try (FileChannel viewer = FileChannel.open(preview, StandardOpenOption.READ)) {
       new RadiosityJob(scene, RadiosityJob.outputOf(scene), folder, preview, QUICK)
-          .run(problems, WorkProgress.NONE, (balance, quality) -> {});
+          .run(problems, RadiosityProgress.NONE, (balance, quality) -> {});
       assertThat(viewer.size()).isEqualTo(Files.size(preview)).isGreaterThan(3);
     }
   }
@@ -345,7 +345,7 @@ class RadiosityJobTest {
     new RadiosityJob(scene, output, folder, preview, QUICK)
         .run(
             problems,
-            WorkProgress.NONE,
+            RadiosityProgress.NONE,
             (balance, quality) -> sizes.add(Files.exists(preview) ? 1 : 0));
     assertThat(Files.readAllBytes(preview)).startsWith(0x89, 'P', 'N', 'G');
     assertThat(sizes).startsWith(0, 1);
@@ -355,16 +355,16 @@ class RadiosityJobTest {
   void textsSayWhatIsWrongBeforeTheWork() throws Exception {
     String walls = room(0, 0, 0, 4, GREY);
     assertThatThrownBy(() -> light(walls))
-        .isInstanceOf(UnlitSceneException.class)
+        .isInstanceOf(RadiosityException.class)
         .hasMessageContaining("the scene has no light");
     assertThatThrownBy(() -> light(LAMP))
-        .isInstanceOf(UnlitSceneException.class)
+        .isInstanceOf(RadiosityException.class)
         .hasMessageContaining("nothing to light");
     assertThatThrownBy(() -> light(LAMP + room(0, 0, 0, 4e6, GREY)))
-        .isInstanceOf(UnlitSceneException.class)
+        .isInstanceOf(RadiosityException.class)
         .hasMessageContaining("100 km");
     assertThatThrownBy(() -> light(LAMP + "<Group>" + BUDGET.formatted(5) + walls + "</Group>"))
-        .isInstanceOf(UnlitSceneException.class)
+        .isInstanceOf(RadiosityException.class)
         .hasMessageContaining("asks for 5 polygons here");
     RadiositySettings fine =
         new RadiositySettings(
@@ -380,8 +380,9 @@ class RadiosityJobTest {
             0,
             300_000);
     assertThatThrownBy(
-            () -> job(scene(LAMP + walls), fine).run(problems, WorkProgress.NONE, (b, q) -> {}))
-        .isInstanceOf(UnlitSceneException.class)
+            () ->
+                job(scene(LAMP + walls), fine).run(problems, RadiosityProgress.NONE, (b, q) -> {}))
+        .isInstanceOf(RadiosityException.class)
         .hasMessageContaining("raise --max-mesh");
     RadiositySettings immense =
         new RadiositySettings(
@@ -397,8 +398,10 @@ class RadiosityJobTest {
             0,
             Integer.MAX_VALUE);
     assertThatThrownBy(
-            () -> job(scene(LAMP + walls), immense).run(problems, WorkProgress.NONE, (b, q) -> {}))
-        .isInstanceOf(UnlitSceneException.class)
+            () ->
+                job(scene(LAMP + walls), immense)
+                    .run(problems, RadiosityProgress.NONE, (b, q) -> {}))
+        .isInstanceOf(RadiosityException.class)
         .hasMessageContaining("MB of memory, more than Java's");
     assertThat(written().keySet()).containsExactly("scenes/room.x3d");
   }

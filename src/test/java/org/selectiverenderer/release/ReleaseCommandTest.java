@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.release.Scripts.Run;
+import org.selectiverenderer.release.ScriptSandbox.Run;
 import org.selectiverenderer.testing.RequiresProgram;
 
 /** {@code packaging/release} in a small repository, with a Maven that makes small jars. */
@@ -43,11 +43,11 @@ class ReleaseCommandTest {
       """;
 
   @TempDir private Path folder;
-  private Scripts scripts;
+  private ScriptSandbox scripts;
 
   @BeforeEach
   void aRepositoryWithAnOrigin() throws Exception {
-    scripts = new Scripts(folder);
+    scripts = new ScriptSandbox(folder);
     scripts.copy("packaging/release", "packaging/releasing");
     scripts.write("CHANGELOG.md", CHANGELOG);
     scripts.write("CITATION.cff", "title: Doors\nversion: 1.1.0\ndate-released: 2025-02-03\n");
@@ -200,7 +200,7 @@ class ReleaseCommandTest {
     Path made = scripts.home.resolve("target/release/1.2.0");
     for (String line : Files.readAllLines(made.resolve("SHA256SUMS"))) {
       String[] parts = line.split(" {2}");
-      assertThat(Scripts.sha256(made.resolve(parts[1]))).as(parts[1]).isEqualTo(parts[0]);
+      assertThat(ScriptSandbox.sha256(made.resolve(parts[1]))).as(parts[1]).isEqualTo(parts[0]);
     }
     try (Stream<Path> files = Files.list(made)) {
       assertThat(files.map(file -> file.getFileName().toString()))

@@ -14,18 +14,18 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.release.Scripts.Run;
+import org.selectiverenderer.release.ScriptSandbox.Run;
 
 /** {@code packaging/validate} and {@code packaging/action} with releases in a folder. */
 @DisabledOnOs(OS.WINDOWS)
 class ReleasedProgramTest {
   @TempDir private Path folder;
-  private Scripts scripts;
+  private ScriptSandbox scripts;
   private Path release;
 
   @BeforeEach
   void aCloneOfAReleasedVersion() throws IOException {
-    scripts = new Scripts(folder);
+    scripts = new ScriptSandbox(folder);
     scripts.copy("selective-renderer", "packaging/validate", "packaging/action");
     state("1.2.0");
     // Notes what it is asked to run; makes no archives of classes.
@@ -78,7 +78,7 @@ class ReleasedProgramTest {
         .asString()
         .startsWith(
             "packaging/validate: the SHA-256 sum of selective-renderer.jar is "
-                + Scripts.sha256(release.resolve("selective-renderer.jar"))
+                + ScriptSandbox.sha256(release.resolve("selective-renderer.jar"))
                 + ", not ")
         .contains("nothing was run");
     assertThat(scripts.notes()).isEmpty();
@@ -96,7 +96,7 @@ class ReleasedProgramTest {
 
   @Test
   void aSumThatTheUserGivesVouchesForAllJarsByTheirList() throws Exception {
-    String sum = Scripts.sha256(release.resolve("SHA256SUMS"));
+    String sum = ScriptSandbox.sha256(release.resolve("SHA256SUMS"));
     scripts.environment.put("SELECTIVE_RENDERER_SHA256", sum);
     assertThat(validate("scene.x3d").status()).isZero();
     // A later release in the place of the first, with a list that fits: only the other jar differs.
@@ -257,7 +257,7 @@ class ReleasedProgramTest {
     Files.writeString(
         release.resolve("SHA256SUMS"),
         "%s  selective-renderer.jar%n%s  x3d-sai.jar%n"
-            .formatted(Scripts.sha256(program), Scripts.sha256(interfaces)));
+            .formatted(ScriptSandbox.sha256(program), ScriptSandbox.sha256(interfaces)));
   }
 
   private static String url(Path path) {

@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.Locale;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.runtime.loading.LoadedScene;
 import org.selectiverenderer.runtime.loading.SceneLoader;
 import org.selectiverenderer.runtime.nodes.NodeFactory;
@@ -25,7 +25,7 @@ final class WorldFixture implements AutoCloseable {
   private static final ViewerMotion STANDING = (viewer, time, dt) -> {};
 
   final List<String> log = new ArrayList<>();
-  final Problems problems = new Problems();
+  final ProblemCollector problems = new ProblemCollector();
   final SceneLoader loader =
       new SceneLoader(NodeCatalogue.load(), new NodeFactory(), ReadLimits.standard(), problems);
   final World world;

@@ -21,7 +21,7 @@ class InlineNodesTest {
   @BeforeAll
   static void update() throws IOException {
     if (Boolean.getBoolean("scenes.update")) {
-      for (Map.Entry<String, String> file : InlineNodes.all().entrySet()) {
+      for (Map.Entry<String, String> file : GeneratedInlineFiles.all().entrySet()) {
         Files.writeString(FOLDER.resolve(file.getKey()), file.getValue());
       }
     }
@@ -29,7 +29,7 @@ class InlineNodesTest {
 
   @Test
   void committedFilesAreWhatTheRecipesMake() throws IOException {
-    for (Map.Entry<String, String> file : InlineNodes.all().entrySet()) {
+    for (Map.Entry<String, String> file : GeneratedInlineFiles.all().entrySet()) {
       assertThat(Files.readString(FOLDER.resolve(file.getKey())))
           .as(file.getKey())
           .isEqualTo(file.getValue());

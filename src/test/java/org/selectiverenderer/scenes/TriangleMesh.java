@@ -2,7 +2,7 @@ package org.selectiverenderer.scenes;
 
 import java.util.List;
 import java.util.stream.Collectors;
-import org.selectiverenderer.base.decimal.DecimalText;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
 
 /**
  * Points and triangles as a recipe makes them.
@@ -17,11 +17,11 @@ record TriangleMesh(List<double[]> points, List<int[]> triangles) {
     return points.stream()
         .map(
             p ->
-                DecimalText.rounded(p[0], 4)
+                DecimalFormatter.rounded(p[0], 4)
                     + " "
-                    + DecimalText.rounded(p[1], 4)
+                    + DecimalFormatter.rounded(p[1], 4)
                     + " "
-                    + DecimalText.rounded(p[2], 4))
+                    + DecimalFormatter.rounded(p[2], 4))
         .collect(Collectors.joining(" "));
   }
 

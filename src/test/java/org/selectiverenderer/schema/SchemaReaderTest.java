@@ -1,9 +1,9 @@
 package org.selectiverenderer.schema;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.selectiverenderer.schema.Metadata.choice;
-import static org.selectiverenderer.schema.Metadata.set;
-import static org.selectiverenderer.schema.Metadata.string;
+import static org.selectiverenderer.schema.TestMetadataNode.choice;
+import static org.selectiverenderer.schema.TestMetadataNode.set;
+import static org.selectiverenderer.schema.TestMetadataNode.string;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -24,7 +24,7 @@ class SchemaReaderTest {
   class Sensors {
     @Test
     void readsEnterAndExitSchemas() {
-      Metadata figure77 =
+      TestMetadataNode figure77 =
           set(string("enterTimeSchema", "DeskSchema"), string("exitTimeSchema", "OfficeSchema"));
 
       assertThat(reader.sensor(figure77))
@@ -34,7 +34,7 @@ class SchemaReaderTest {
 
     @Test
     void readsTheNamesOfFigure40() {
-      Metadata metadata =
+      TestMetadataNode metadata =
           set(
               string("enterTimeSchemaActivation", "DeskSchema"),
               string("exitTimeSchemaActivation", "OfficeSchema"));
@@ -45,7 +45,7 @@ class SchemaReaderTest {
 
     @Test
     void readsSeveralStringsOfOneNameAsFigure47HasThem() {
-      Metadata figure47 =
+      TestMetadataNode figure47 =
           set(string("enterTimeSchema", "Schema1"), string("enterTimeSchema", "Schema2"));
 
       assertThat(reader.sensor(figure47).orElseThrow().enter())
@@ -54,7 +54,7 @@ class SchemaReaderTest {
 
     @Test
     void readsSeveralValuesOfOneStringWithoutSpacesOrRepetition() {
-      Metadata metadata = set(string(" enterTimeSchema ", " A", "B ", "", "A"));
+      TestMetadataNode metadata = set(string(" enterTimeSchema ", " A", "B ", "", "A"));
 
       assertThat(reader.sensor(metadata).orElseThrow().enter()).containsExactly("A", "B");
       assertThat(problems).isEmpty();
@@ -68,7 +68,8 @@ class SchemaReaderTest {
 
     @Test
     void readsSetsWithinSets() {
-      Metadata metadata = set(set(string("enterTimeSchema", "A")), string("exitTimeSchema", "B"));
+      TestMetadataNode metadata =
+          set(set(string("enterTimeSchema", "A")), string("exitTimeSchema", "B"));
 
       assertThat(reader.sensor(metadata)).contains(new SensorSchemas(List.of("A"), List.of("B")));
     }
@@ -81,7 +82,7 @@ class SchemaReaderTest {
 
     @Test
     void reportsAFieldThatNamesNoSchema() {
-      Metadata empty = string("enterTimeSchema", " ");
+      TestMetadataNode empty = string("enterTimeSchema", " ");
 
       assertThat(reader.sensor(set(empty))).contains(new SensorSchemas(List.of(), List.of()));
       assertThat(problems)
@@ -101,7 +102,7 @@ class SchemaReaderTest {
   class Switches {
     @Test
     void describesChildrenInTheOrderOfTheSets() {
-      Metadata figure78 =
+      TestMetadataNode figure78 =
           set(
               choice("consistent", "low", "DeskSchema"),
               choice("consistent", "high", "OfficeSchema"));
@@ -110,15 +111,15 @@ class SchemaReaderTest {
 
       assertThat(schemas.choices())
           .containsExactly(
-              new Choice(
+              new VersionMetadata(
                   0,
                   Optional.of(ConsistencyType.CONSISTENT),
-                  Optional.of(Degree.LOW),
+                  Optional.of(ConsistencyDegree.LOW),
                   List.of("DeskSchema")),
-              new Choice(
+              new VersionMetadata(
                   1,
                   Optional.of(ConsistencyType.CONSISTENT),
-                  Optional.of(Degree.HIGH),
+                  Optional.of(ConsistencyDegree.HIGH),
                   List.of("OfficeSchema")));
       assertThat(problems).isEmpty();
     }
@@ -138,10 +139,12 @@ class SchemaReaderTest {
       assertThat(reader.switchNode(string("schemaBelonginess", "A", "B"), 1))
           .contains(
               new SwitchSchemas(
-                  List.of(new Choice(0, Optional.empty(), Optional.empty(), List.of("A", "B")))));
+                  List.of(
+                      new VersionMetadata(
+                          0, Optional.empty(), Optional.empty(), List.of("A", "B")))));
       assertThat(reader.switchNode(choice("consistent", "0.25", "A"), 1).orElseThrow().choices())
-          .extracting(Choice::degree)
-          .containsExactly(Optional.of(new Degree(0.25)));
+          .extracting(VersionMetadata::degree)
+          .containsExactly(Optional.of(new ConsistencyDegree(0.25)));
       assertThat(problems).isEmpty();
     }
 
@@ -176,22 +179,22 @@ class SchemaReaderTest {
               "degreeOfConsistency must be low, high or a number from 0 to 1, not "
                   + "\"medium\"; it is ignored");
       assertThat(schemas.choices().get(0))
-          .isEqualTo(new Choice(0, Optional.empty(), Optional.empty(), List.of("A")));
+          .isEqualTo(new VersionMetadata(0, Optional.empty(), Optional.empty(), List.of("A")));
     }
 
     @Test
     void reportsSeveralDegreesOfOneChoice() {
-      Metadata metadata =
+      TestMetadataNode metadata =
           set(set(string("degreeOfConsistency", "low", "high"), string("schemaBelonginess", "A")));
 
       assertThat(reader.switchNode(metadata, 1).orElseThrow().choices().get(0).degree())
-          .contains(Degree.LOW);
+          .contains(ConsistencyDegree.LOW);
       assertThat(kinds()).containsExactly(Kind.SEVERAL_VALUES);
     }
 
     @Test
     void ignoresSetsThatHaveNoChild() {
-      Metadata beyond = choice("consistent", "high", "B");
+      TestMetadataNode beyond = choice("consistent", "high", "B");
 
       SwitchSchemas schemas =
           reader.switchNode(set(choice("consistent", "low", "A"), beyond), 1).orElseThrow();
@@ -231,9 +234,9 @@ class SchemaReaderTest {
 
     @Test
     void survivesASetThatHoldsItself() {
-      List<MetadataSource> children = new ArrayList<>();
-      MetadataSource loop =
-          new MetadataSource() {
+      List<MetadataNode> children = new ArrayList<>();
+      MetadataNode loop =
+          new MetadataNode() {
             @Override
             public boolean isSet() {
               return true;
@@ -250,7 +253,7 @@ class SchemaReaderTest {
             }
 
             @Override
-            public List<MetadataSource> children() {
+            public List<MetadataNode> children() {
               return children;
             }
           };

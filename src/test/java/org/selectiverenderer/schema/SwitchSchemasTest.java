@@ -9,29 +9,34 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
 class SwitchSchemasTest {
-  private static SwitchSchemas withDegrees(Degree... degrees) {
-    Choice[] choices = new Choice[degrees.length];
+  private static SwitchSchemas withDegrees(ConsistencyDegree... degrees) {
+    VersionMetadata[] choices = new VersionMetadata[degrees.length];
     Arrays.setAll(
         choices,
-        i -> new Choice(i, Optional.empty(), Optional.ofNullable(degrees[i]), List.of("S")));
+        i ->
+            new VersionMetadata(
+                i, Optional.empty(), Optional.ofNullable(degrees[i]), List.of("S")));
     return new SwitchSchemas(List.of(choices));
   }
 
   @Test
   void theLastSetThatNamesASchemaCounts() {
-    assertThat(withDegrees(Degree.LOW, Degree.HIGH).choiceBySchema()).containsEntry("S", 1);
+    assertThat(withDegrees(ConsistencyDegree.LOW, ConsistencyDegree.HIGH).choiceBySchema())
+        .containsEntry("S", 1);
   }
 
   @Test
   void theLowestDegreeIsTheMostDetailed() {
-    SwitchSchemas asInFigure52 = withDegrees(Degree.HIGH, Degree.LOW);
+    SwitchSchemas asInFigure52 = withDegrees(ConsistencyDegree.HIGH, ConsistencyDegree.LOW);
     assertThat(asInFigure52.mostDetailed()).isEqualTo(1);
     assertThat(asInFigure52.leastDetailed()).isZero();
   }
 
   @Test
   void furtherLevelsAreOrderedByNumber() {
-    SwitchSchemas levels = withDegrees(new Degree(0.5), new Degree(0.25), new Degree(0.75));
+    SwitchSchemas levels =
+        withDegrees(
+            new ConsistencyDegree(0.5), new ConsistencyDegree(0.25), new ConsistencyDegree(0.75));
     assertThat(levels.mostDetailed()).isEqualTo(1);
     assertThat(levels.leastDetailed()).isEqualTo(2);
   }
@@ -41,8 +46,9 @@ class SwitchSchemasTest {
     SwitchSchemas kitchen =
         new SwitchSchemas(
             List.of(
-                Choice.undescribed(0),
-                new Choice(1, Optional.empty(), Optional.of(Degree.HIGH), List.of("K"))));
+                VersionMetadata.undescribed(0),
+                new VersionMetadata(
+                    1, Optional.empty(), Optional.of(ConsistencyDegree.HIGH), List.of("K"))));
     assertThat(kitchen.mostDetailed()).isZero();
     assertThat(kitchen.leastDetailed()).isEqualTo(1);
   }
@@ -60,18 +66,18 @@ class SwitchSchemasTest {
     assertThat(typed(ConsistencyType.FRAME).consistency()).isZero();
   }
 
-  private static Choice typed(ConsistencyType type) {
-    return new Choice(0, Optional.of(type), Optional.empty(), List.of());
+  private static VersionMetadata typed(ConsistencyType type) {
+    return new VersionMetadata(0, Optional.of(type), Optional.empty(), List.of());
   }
 
   @Test
   void degreesAreLowHighOrNumbersFromZeroToOne() {
-    assertThat(Degree.of(" HIGH ")).contains(Degree.HIGH);
-    assertThat(Degree.of("0")).contains(Degree.LOW);
-    assertThat(Degree.of("0.3").orElseThrow().spelling()).isEqualTo("0.3");
-    assertThat(Degree.of("1").orElseThrow().spelling()).isEqualTo("high");
-    assertThat(Degree.of("1.01")).isEmpty();
-    assertThat(Degree.of("NaN")).isEmpty();
-    assertThatIllegalArgumentException().isThrownBy(() -> new Degree(-0.1));
+    assertThat(ConsistencyDegree.of(" HIGH ")).contains(ConsistencyDegree.HIGH);
+    assertThat(ConsistencyDegree.of("0")).contains(ConsistencyDegree.LOW);
+    assertThat(ConsistencyDegree.of("0.3").orElseThrow().spelling()).isEqualTo("0.3");
+    assertThat(ConsistencyDegree.of("1").orElseThrow().spelling()).isEqualTo("high");
+    assertThat(ConsistencyDegree.of("1.01")).isEmpty();
+    assertThat(ConsistencyDegree.of("NaN")).isEmpty();
+    assertThatIllegalArgumentException().isThrownBy(() -> new ConsistencyDegree(-0.1));
   }
 }

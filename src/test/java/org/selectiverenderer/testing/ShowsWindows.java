@@ -16,5 +16,5 @@ import org.junit.jupiter.api.extension.ExtendWith;
 @Retention(RetentionPolicy.RUNTIME)
 @Inherited
 @RequiresDisplay
-@ExtendWith(ScreenLock.class)
+@ExtendWith(ScreenLockExtension.class)
 public @interface ShowsWindows {}

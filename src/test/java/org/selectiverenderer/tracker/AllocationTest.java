@@ -25,14 +25,14 @@ import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.tracker.TrackerOptions.Smoothing;
 import org.selectiverenderer.tracker.TrackerOptions.Swap;
-import org.selectiverenderer.tracker.emulate.EmulatedInterTrax2;
-import org.selectiverenderer.tracker.emulate.HeadMotion;
-import org.selectiverenderer.tracker.emulate.InterTrax2Emulator.Settings;
-import org.selectiverenderer.tracker.emulate.PseudoTerminal.Maker;
-import org.selectiverenderer.tracker.live.LiveTracker;
-import org.selectiverenderer.tracker.live.PoseSink;
-import org.selectiverenderer.tracker.live.PoseSource;
-import org.selectiverenderer.tracker.open.Trackers;
+import org.selectiverenderer.tracker.emulator.EmulatedInterTrax2;
+import org.selectiverenderer.tracker.emulator.HeadMotion;
+import org.selectiverenderer.tracker.emulator.InterTrax2Emulator.Settings;
+import org.selectiverenderer.tracker.emulator.PseudoTerminal.Maker;
+import org.selectiverenderer.tracker.factory.TrackerFactory;
+import org.selectiverenderer.tracker.pipeline.LiveTracker;
+import org.selectiverenderer.tracker.pipeline.PoseSink;
+import org.selectiverenderer.tracker.pipeline.PoseSource;
 
 /**
  * What the virtual machine counts as allocated by a tracker's thread while records arrive. The
@@ -48,8 +48,8 @@ class AllocationTest {
 
   private static final TrackerOptions ALL =
       new TrackerOptions(
-          Optional.of(new Swap(Axis.PITCH, Axis.ROLL)),
-          Set.of(Axis.YAW),
+          Optional.of(new Swap(EulerAngle.PITCH, EulerAngle.ROLL)),
+          Set.of(EulerAngle.YAW),
           Optional.of(Smoothing.DEFAULT),
           0.05);
 
@@ -60,7 +60,7 @@ class AllocationTest {
     private long records;
     private long before;
     private volatile long allocated = -1;
-    private final Watching watching = new Watching();
+    private final RecordingTrackerListener watching = new RecordingTrackerListener();
 
     @Override
     public void sample(PoseSample sample) {
@@ -170,7 +170,7 @@ class AllocationTest {
       client.getOutputStream().write("1 2 3\n".getBytes(StandardCharsets.US_ASCII));
       PoseSample pose = new PoseSample();
       Quaterniond orientation = new Quaterniond();
-      LatencyMeter latency = new LatencyMeter();
+      LatencyHistogram latency = new LatencyHistogram();
       counting.watching.until("a record", () -> tracker.read(pose));
       pose.orientation(orientation);
       latency.record(1);
@@ -187,7 +187,7 @@ class AllocationTest {
   }
 
   private HeadTracker open(TrackerSpec spec) throws IOException {
-    return Trackers.open(spec, ALL, counting);
+    return TrackerFactory.open(spec, ALL, counting);
   }
 
   private static void send(DatagramSocket socket, DatagramPacket packet) {

@@ -11,8 +11,8 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.base.problem.Problem.Severity;
-import org.selectiverenderer.validation.report.Fingerprints;
 import org.selectiverenderer.validation.report.ReportFormat;
+import org.selectiverenderer.validation.report.SarifReportWriter;
 import org.selectiverenderer.validation.run.RuleCatalogue;
 import org.selectiverenderer.validation.run.Validator;
 import org.selectiverenderer.validation.settings.Baseline;
@@ -55,7 +55,7 @@ class ManyFindingsTest {
   @Test
   void allOfThemAreInABaseline() throws IOException {
     Path old = folder.resolve("old.json");
-    Report first = validate(slips(120));
+    ValidationReport first = validate(slips(120));
     Files.writeString(old, ReportFormat.JSON.write(first, STYLE));
     assertThat(first.findings()).hasSize(120);
     assertThat(Baseline.read(old).without(first).findings()).isEmpty();
@@ -68,7 +68,8 @@ class ManyFindingsTest {
     List<Finding> many = validate(slips(200)).findings();
     assertThat(many.subList(0, 20)).isEqualTo(few);
     assertThat(many).extracting(Finding::message).containsOnly(few.get(0).message());
-    assertThat(Fingerprints.of(many).subList(0, 20)).isEqualTo(Fingerprints.of(few));
+    assertThat(SarifReportWriter.Fingerprints.of(many).subList(0, 20))
+        .isEqualTo(SarifReportWriter.Fingerprints.of(few));
   }
 
   @Test
@@ -83,8 +84,8 @@ class ManyFindingsTest {
 
   @Test
   void beyondTenThousandTheyAreOnlyCounted() throws IOException {
-    Report report = validate(slips(Findings.LIMIT + 5));
-    assertThat(report.findings()).hasSize(Findings.LIMIT);
+    ValidationReport report = validate(slips(FindingCollector.LIMIT + 5));
+    assertThat(report.findings()).hasSize(FindingCollector.LIMIT);
     assertThat(report.dropped()).isEqualTo(5);
     for (ReportFormat format : ReportFormat.values()) {
       String expected =
@@ -99,11 +100,12 @@ class ManyFindingsTest {
     return "<Slip/>".repeat(count);
   }
 
-  private static Report validate(String nodes) throws IOException {
+  private static ValidationReport validate(String nodes) throws IOException {
     return validate(nodes, ValidationSettings.standard());
   }
 
-  private static Report validate(String nodes, ValidationSettings settings) throws IOException {
+  private static ValidationReport validate(String nodes, ValidationSettings settings)
+      throws IOException {
     String scene =
         "<?xml version='1.0'?>\n<X3D profile='Full' version='4.0'><Scene>\n"
             + nodes

@@ -76,7 +76,7 @@ class ThesisFiguresTest {
       Files.copy(TRASH_CAN.resolve(version), inlined.resolve(version));
     }
     Path figure = Files.copy(FIGURES.resolve(name), folder.resolve(name));
-    Report report =
+    ValidationReport report =
         new Validator(RuleCatalogue.standard(), ValidationSettings.standard(), folder)
             .validate(List.of(SourceFile.of(figure, folder)));
     return report.findings().stream().map(ThesisFiguresTest::line).collect(Collectors.joining());

@@ -44,7 +44,7 @@ class UnreadableFileTest {
     assertThatThrownBy(() -> validate(locked)).isInstanceOf(AccessDeniedException.class);
   }
 
-  private Report validate(Path scene) throws IOException {
+  private ValidationReport validate(Path scene) throws IOException {
     return new Validator(RuleCatalogue.standard(), ValidationSettings.standard(), folder)
         .validate(List.of(SourceFile.of(scene, folder)));
   }

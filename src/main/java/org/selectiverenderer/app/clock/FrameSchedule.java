@@ -2,6 +2,7 @@ package org.selectiverenderer.app.clock;
 
 import java.util.OptionalDouble;
 import org.selectiverenderer.app.settings.FollowedPath;
+import org.selectiverenderer.runtime.viewer.CameraPath;
 
 /** A sequence of frames whose times are known before the run; it has at least one frame. */
 interface FrameSchedule {
@@ -21,7 +22,24 @@ interface FrameSchedule {
     double start = followed.path().start();
     double end = duration.isPresent() ? start + duration.getAsDouble() : followed.path().end();
     return followed.rate().isPresent()
-        ? new EvenFrames(start, end, followed.rate().getAsDouble())
-        : new RowFrames(followed.path(), end);
+        ? new FixedRateSchedule(start, end, followed.rate().getAsDouble())
+        : new PathRowSchedule(followed.path(), end);
+  }
+
+  /**
+   * A schedule with one frame for each row of a path.
+   *
+   * @param end seconds after which rows are left out; the first row always counts
+   */
+  record PathRowSchedule(CameraPath path, double end) implements FrameSchedule {
+    @Override
+    public boolean has(long frame) {
+      return frame < path.rows() && (frame == 0 || time(frame) <= end);
+    }
+
+    @Override
+    public double time(long frame) {
+      return path.time((int) frame);
+    }
   }
 }

@@ -5,9 +5,9 @@ import java.util.Optional;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.selectiverenderer.experiment.headlog.SceneMap;
-import org.selectiverenderer.experiment.headlog.SceneSurvey;
+import org.selectiverenderer.experiment.headlog.SceneMapBuilder;
 import org.selectiverenderer.runtime.World;
-import org.selectiverenderer.runtime.collide.RayCaster;
+import org.selectiverenderer.runtime.collision.RayCaster;
 
 /** Teleports the user of a headset to the centre of the room that the user looks at. */
 public final class RoomTeleport {
@@ -27,7 +27,7 @@ public final class RoomTeleport {
    */
   public static Optional<String> go(World world) {
     Vector3dc head = world.viewer().position();
-    List<SceneMap.Box> rooms = SceneSurvey.of(world.instances()).rooms();
+    List<SceneMap.Box> rooms = SceneMapBuilder.of(world.instances()).rooms();
     Optional<SceneMap.Box> here = around(rooms, head);
     Optional<SceneMap.Box> to =
         looked(world, head).flatMap(point -> around(rooms, point)).or(() -> here);

@@ -3,18 +3,18 @@
  * the renderer, the navigation and the listener of the run.
  *
  * <pre>
- *   openxr.XrHeadset --pose--> tracker.live.{@code HandedTracker} --> hmd.TrackedMotion (in the step)
+ *   openxr.XrHeadset --pose--> tracker.live.{@code HeadsetPoseTracker} --> hmd.TrackedMotion (in the step)
  *                    --eyes--> hmd.HeadsetLayout --> runtime.render.headset (both pictures)
- *                    --input-> HeadsetHands --> walking, commands, answers
+ *                    --input-> HeadsetControllers --> walking, commands, answers
  *                    --news--> the run's listener: messages, time line, a session's journal
  * </pre>
  *
- * <p>{@link org.selectiverenderer.app.headset.HeadsetLink} is found before anything opens, so that
- * a missing headset ends the run with one line. All else happens on the thread {@code headset},
- * which steps the world. Code that asks the user something reads {@link
- * org.selectiverenderer.app.headset.HeadsetAnswer}s, and places its text by {@link
- * org.selectiverenderer.app.headset.PanelPlace}. Uses {@code openxr}, {@code hmd}, {@code tracker},
- * {@code runtime} with its renderer and {@code experiment.headlog} for rooms.
+ * <p>{@link org.selectiverenderer.app.headset.HeadsetConnection} is found before anything opens, so
+ * that a missing headset ends the run with one line. All else happens on the thread {@code
+ * headset}, which steps the world. Code that asks the user something reads {@link
+ * org.selectiverenderer.app.headset.ControllerAnswer}s, and places its text by {@link
+ * org.selectiverenderer.app.headset.PanelPlacement}. Uses {@code openxr}, {@code hmd}, {@code
+ * tracker}, {@code runtime} with its renderer and {@code experiment.headlog} for rooms.
  */
 @NullMarked
 package org.selectiverenderer.app.headset;

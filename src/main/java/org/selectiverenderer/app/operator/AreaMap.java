@@ -4,7 +4,7 @@ import java.util.List;
 import org.joml.Vector3d;
 import org.selectiverenderer.experiment.headlog.SceneMap;
 import org.selectiverenderer.hmd.FieldOfView;
-import org.selectiverenderer.runtime.camera.Mark;
+import org.selectiverenderer.runtime.camera.Primitive2D;
 import org.selectiverenderer.runtime.viewer.Viewer;
 
 /**
@@ -40,9 +40,9 @@ record AreaMap(SceneMap map, double left, double top, double width, double heigh
    *
    * @param seen the field of view of both eyes together
    */
-  void draw(Viewer viewer, FieldOfView seen, List<String> entered, List<Mark> marks) {
-    marks.add(Mark.rectangle(left, top, width, height, 0xff1c1f23));
-    MapLabels labels = new MapLabels(left + width, top + height);
+  void draw(Viewer viewer, FieldOfView seen, List<String> entered, List<Primitive2D> marks) {
+    marks.add(Primitive2D.rectangle(left, top, width, height, 0xff1c1f23));
+    MapLabelPlacement labels = new MapLabelPlacement(left + width, top + height);
     Scale scale = scale(viewer);
     for (SceneMap.Box room : map.rooms()) {
       double[] b = room.bounds();
@@ -66,7 +66,8 @@ record AreaMap(SceneMap map, double left, double top, double width, double heigh
         corners[2 * i] = scale.right(area.outline().get(i)[0]);
         corners[2 * i + 1] = scale.down(area.outline().get(i)[1]);
       }
-      marks.add(new Mark.Area(corners, color & 0xffffff | (inside ? 0x50000000 : 0x20000000)));
+      marks.add(
+          new Primitive2D.Area(corners, color & 0xffffff | (inside ? 0x50000000 : 0x20000000)));
       outline(scale, area.outline(), color, 1.5, marks);
       double[] at = area.outline().get(0);
       labels.add(area.name(), scale.right(at[0]) + 3, scale.down(at[1]) + 3, color);
@@ -92,12 +93,12 @@ record AreaMap(SceneMap map, double left, double top, double width, double heigh
   }
 
   private static void outline(
-      Scale scale, List<double[]> corners, int color, double width, List<Mark> marks) {
+      Scale scale, List<double[]> corners, int color, double width, List<Primitive2D> marks) {
     for (int i = 0; i < corners.size(); i++) {
       double[] a = corners.get(i);
       double[] b = corners.get((i + 1) % corners.size());
       marks.add(
-          new Mark.Line(
+          new Primitive2D.Line(
               scale.right(a[0]),
               scale.down(a[1]),
               scale.right(b[0]),
@@ -107,7 +108,8 @@ record AreaMap(SceneMap map, double left, double top, double width, double heigh
     }
   }
 
-  private static void viewer(Scale scale, Viewer viewer, FieldOfView seen, List<Mark> marks) {
+  private static void viewer(
+      Scale scale, Viewer viewer, FieldOfView seen, List<Primitive2D> marks) {
     Vector3d ahead = viewer.orientation().transform(new Vector3d(0, 0, -1));
     double heading = Math.atan2(ahead.x, -ahead.z);
     double half = Math.atan(seen.x());
@@ -115,7 +117,7 @@ record AreaMap(SceneMap map, double left, double top, double width, double heigh
     double y = scale.down(viewer.position().z());
     double reach = REACH * scale.pixels();
     marks.add(
-        new Mark.Area(
+        new Primitive2D.Area(
             new double[] {
               x,
               y,
@@ -128,7 +130,7 @@ record AreaMap(SceneMap map, double left, double top, double width, double heigh
     double sin = Math.sin(heading) * VIEWER;
     double cos = Math.cos(heading) * VIEWER;
     marks.add(
-        new Mark.Area(
+        new Primitive2D.Area(
             new double[] {
               x + 1.6 * sin,
               y - 1.6 * cos,

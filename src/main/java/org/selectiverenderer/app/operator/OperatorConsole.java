@@ -5,15 +5,15 @@ import java.util.List;
 import java.util.Locale;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.app.head.HeadSession;
+import org.selectiverenderer.app.head.HeadTrackingSession;
 import org.selectiverenderer.app.settings.RunSettings;
 import org.selectiverenderer.app.settings.TrackerSettings;
 import org.selectiverenderer.app.walk.Walkthrough;
 import org.selectiverenderer.experiment.headlog.SceneMap;
-import org.selectiverenderer.experiment.headlog.SceneSurvey;
-import org.selectiverenderer.runtime.camera.Mark;
+import org.selectiverenderer.experiment.headlog.SceneMapBuilder;
+import org.selectiverenderer.runtime.camera.Primitive2D;
 import org.selectiverenderer.runtime.instance.InstanceTree;
-import org.selectiverenderer.runtime.render.show.OperatorPage;
+import org.selectiverenderer.runtime.render.display.OperatorPage;
 import org.selectiverenderer.tracker.PoseSample;
 import org.selectiverenderer.tracker.TrackerHealth;
 
@@ -32,12 +32,12 @@ public final class OperatorConsole {
   private static final double LINE = 22;
 
   private final RunSettings settings;
-  private final HeadSession head;
+  private final HeadTrackingSession head;
   private @Nullable InstanceTree tree;
   private long structure;
   private SceneMap map = SceneMap.EMPTY;
 
-  public OperatorConsole(RunSettings settings, HeadSession head) {
+  public OperatorConsole(RunSettings settings, HeadTrackingSession head) {
     this.settings = settings;
     this.head = head;
   }
@@ -63,7 +63,7 @@ public final class OperatorConsole {
     double scale = Math.min((width - 2.0 * MARGIN) / pictureWidth, (most - MARGIN) / pictureHeight);
     int shownWidth = (int) Math.max(1, pictureWidth * scale);
     int shownHeight = (int) Math.max(1, pictureHeight * scale);
-    List<Mark> marks = new ArrayList<>();
+    List<Primitive2D> marks = new ArrayList<>();
     double top = MARGIN + shownHeight + MARGIN;
     double side = Math.min(height - top - MARGIN, width * 0.45);
     new AreaMap(map, MARGIN, top, width * 0.5 - 2 * MARGIN, side)
@@ -83,13 +83,13 @@ public final class OperatorConsole {
 
   /** Returns the page while there is no picture. */
   public static OperatorPage waiting(List<String> told) {
-    List<Mark> marks = new ArrayList<>();
+    List<Primitive2D> marks = new ArrayList<>();
     double below = told(told, MARGIN, MARGIN, marks);
     line(MARGIN, below + LETTERS, FAINT, "the participant's picture is black", marks);
     return new OperatorPage(0, 0, 0, 0, marks);
   }
 
-  private static double told(List<String> told, double left, double top, List<Mark> marks) {
+  private static double told(List<String> told, double left, double top, List<Primitive2D> marks) {
     double y = top;
     for (String text : told) {
       y = line(left, y + LETTERS, GOOD, text, marks) - LETTERS;
@@ -101,12 +101,17 @@ public final class OperatorConsole {
     if (tree != now || structure != now.structureVersion()) {
       tree = now;
       structure = now.structureVersion();
-      map = SceneSurvey.of(now);
+      map = SceneMapBuilder.of(now);
     }
   }
 
   private void lines(
-      Walkthrough walk, double interval, boolean blind, double left, double top, List<Mark> marks) {
+      Walkthrough walk,
+      double interval,
+      boolean blind,
+      double left,
+      double top,
+      List<Primitive2D> marks) {
     double y = top + LETTERS;
     if (!blind) {
       y = line(left, y, INK, "schemas active: " + list(walk.activeSchemas()), marks);
@@ -134,7 +139,7 @@ public final class OperatorConsole {
                 line(left, top + 10 * LINE, FAINT, "head log: " + log.file().getFileName(), marks));
   }
 
-  private double tracker(double left, double top, List<Mark> marks) {
+  private double tracker(double left, double top, List<Primitive2D> marks) {
     TrackerHealth health = head.health();
     PoseSample pose = head.pose();
     boolean alarming = health.stale();
@@ -179,7 +184,7 @@ public final class OperatorConsole {
   }
 
   /** Draws the alarm bar when the tracker is silent. */
-  private void alarm(int width, List<Mark> marks) {
+  private void alarm(int width, List<Primitive2D> marks) {
     if (!settings.tracker().tracked()) {
       return;
     }
@@ -187,8 +192,8 @@ public final class OperatorConsole {
     if (!health.stale()) {
       return;
     }
-    marks.add(Mark.rectangle(0, 0, width, 40, 0xe0901810));
-    marks.add(new Mark.Text(alarm(settings.tracker(), health), MARGIN, 27, 20, 0xffffffff));
+    marks.add(Primitive2D.rectangle(0, 0, width, 40, 0xe0901810));
+    marks.add(new Primitive2D.Text(alarm(settings.tracker(), health), MARGIN, 27, 20, 0xffffffff));
   }
 
   /** Returns the sentence that the tracker is silent and what turns the view instead. */
@@ -202,8 +207,8 @@ public final class OperatorConsole {
         });
   }
 
-  private static double line(double x, double y, int color, String text, List<Mark> marks) {
-    marks.add(new Mark.Text(text, x, y, LETTERS, color));
+  private static double line(double x, double y, int color, String text, List<Primitive2D> marks) {
+    marks.add(new Primitive2D.Text(text, x, y, LETTERS, color));
     return y + LINE;
   }
 

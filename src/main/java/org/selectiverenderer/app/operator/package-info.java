@@ -3,7 +3,7 @@
  * window in a session.
  *
  * <p>In: a walk, its head and its figures. Out: lines and {@link
- * org.selectiverenderer.runtime.camera.Mark}s to be drawn. Uses {@code app.head}, {@code
+ * org.selectiverenderer.runtime.camera.Primitive2D}s to be drawn. Uses {@code app.head}, {@code
  * app.settings}, {@code app.walk}, {@code experiment.headlog} for the map, {@code hmd}, {@code
  * tracker} and {@code runtime}.
  */

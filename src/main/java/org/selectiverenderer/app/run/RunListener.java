@@ -2,10 +2,10 @@ package org.selectiverenderer.app.run;
 
 import java.io.IOException;
 import java.util.Optional;
-import org.selectiverenderer.app.head.SampleListener;
+import org.selectiverenderer.app.head.HeadSampleListener;
 import org.selectiverenderer.app.timeline.TimelineEvent;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.openxr.HeadsetNews;
+import org.selectiverenderer.openxr.HeadsetEvent;
 
 /**
  * Receives the events of a run. It is called on the stepping thread, or during loading, in order.
@@ -28,7 +28,7 @@ public interface RunListener {
   default void displayFallback(String told) {}
 
   /** Reports an event of the headset; its text is a sentence. */
-  default void headset(HeadsetNews news) {
+  default void headset(HeadsetEvent news) {
     printed(news.text());
   }
 
@@ -36,7 +36,7 @@ public interface RunListener {
   void happened(TimelineEvent event);
 
   /** Returns the listener for the head log's samples of every frame, if any. */
-  default Optional<SampleListener> samples() {
+  default Optional<HeadSampleListener> samples() {
     return Optional.empty();
   }
 

@@ -1,7 +1,7 @@
 package org.selectiverenderer.app.run;
 
 import java.util.Optional;
-import org.selectiverenderer.app.figures.RunFigures;
+import org.selectiverenderer.app.metrics.RunMetrics;
 import org.selectiverenderer.runtime.render.context.Screenshot;
 
 /**
@@ -12,7 +12,7 @@ import org.selectiverenderer.runtime.render.context.Screenshot;
  * @param operator the last picture of the operator's window, if there was one
  */
 public record RunResult(
-    RunFigures figures,
+    RunMetrics figures,
     boolean problems,
     Optional<Screenshot> screenshot,
     Optional<Screenshot> operator) {}

@@ -2,30 +2,35 @@ package org.selectiverenderer.app.run;
 
 import java.io.IOException;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.app.clock.Pace;
 import org.selectiverenderer.app.clock.Stopwatch;
-import org.selectiverenderer.app.figures.FigureKeeper;
-import org.selectiverenderer.app.figures.RunFigures;
-import org.selectiverenderer.app.head.FrameMoment;
-import org.selectiverenderer.app.head.HeadSession;
-import org.selectiverenderer.app.headset.HeadsetLink;
+import org.selectiverenderer.app.clock.TimingMode;
+import org.selectiverenderer.app.head.FrameTimestamp;
+import org.selectiverenderer.app.head.HeadTrackingSession;
+import org.selectiverenderer.app.headset.HeadsetConnection;
+import org.selectiverenderer.app.metrics.RunMetrics;
+import org.selectiverenderer.app.metrics.RunMetricsCollector;
 import org.selectiverenderer.app.settings.RunSettings;
-import org.selectiverenderer.app.walk.Viewpoints;
-import org.selectiverenderer.app.walk.Walking;
+import org.selectiverenderer.app.walk.UserNavigation;
+import org.selectiverenderer.app.walk.ViewpointFinder;
 import org.selectiverenderer.app.walk.Walkthrough;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.runtime.World;
-import org.selectiverenderer.runtime.camera.Panel;
-import org.selectiverenderer.runtime.render.Drawn;
+import org.selectiverenderer.runtime.camera.WorldSpacePanel;
+import org.selectiverenderer.runtime.navigation.KeyboardMouseControls;
+import org.selectiverenderer.runtime.navigation.NavigationCommand;
+import org.selectiverenderer.runtime.render.FrameStatistics;
 import org.selectiverenderer.runtime.render.context.GlInfo;
-import org.selectiverenderer.runtime.render.show.OperatorPage;
-import org.selectiverenderer.runtime.render.show.WorldHost;
+import org.selectiverenderer.runtime.render.display.OperatorPage;
+import org.selectiverenderer.runtime.render.display.WorldHost;
 import org.selectiverenderer.runtime.render.window.InputEvent;
+import org.selectiverenderer.runtime.sound.AudioPlayer;
+import org.selectiverenderer.runtime.sound.SoundDeviceLine;
 import org.selectiverenderer.runtime.viewer.ViewerMotion;
-import org.selectiverenderer.runtime.walk.Controls;
-import org.selectiverenderer.runtime.walk.NavigationCommand;
 
 /**
  * A run of a scene: everything that happens between one frame and the next, whatever the frame
@@ -37,20 +42,20 @@ final class SceneRun implements WorldHost, AutoCloseable {
   private static final double HALF = 0.5;
 
   private final RunSettings settings;
-  private final HeadSession head;
-  private final RunGuide guide;
-  private final Pace pace;
-  private final RunStop stop;
-  private final Controls controls;
-  private final RunInput input;
-  private final RunText text;
-  private final FigureKeeper keeper = new FigureKeeper();
+  private final HeadTrackingSession head;
+  private final RunController guide;
+  private final TimingMode pace;
+  private final RunCancellation stop;
+  private final KeyboardMouseControls controls;
+  private final InputDispatcher input;
+  private final RunStatusText text;
+  private final RunMetricsCollector keeper = new RunMetricsCollector();
   private final Stopwatch time;
-  private final SceneOpening opening;
-  private final SceneSound sound;
-  private final RunEyes eyes;
-  private RunState state = RunState.LOADING;
-  private @Nullable LiveScene scene;
+  private final BackgroundSceneLoader opening;
+  private final SoundOutput sound;
+  private final RunHeadset eyes;
+  private State state = State.LOADING;
+  private @Nullable ActiveScene scene;
   private @Nullable IOException failure;
   private boolean unreadable;
 
@@ -63,10 +68,10 @@ final class SceneRun implements WorldHost, AutoCloseable {
   SceneRun(
       RunSettings settings,
       RunListener listener,
-      HeadSession head,
-      RunGuide guide,
-      Pace pace,
-      RunStop stop) {
+      HeadTrackingSession head,
+      RunController guide,
+      TimingMode pace,
+      RunCancellation stop) {
     this(settings, listener, head, guide, pace, stop, Optional.empty());
   }
 
@@ -74,11 +79,11 @@ final class SceneRun implements WorldHost, AutoCloseable {
   SceneRun(
       RunSettings settings,
       RunListener listener,
-      HeadSession head,
-      RunGuide guide,
-      Pace pace,
-      RunStop stop,
-      Optional<HeadsetLink> headset) {
+      HeadTrackingSession head,
+      RunController guide,
+      TimingMode pace,
+      RunCancellation stop,
+      Optional<HeadsetConnection> headset) {
     this(settings, listener, head, guide, pace, stop, headset, new Stopwatch());
   }
 
@@ -86,11 +91,11 @@ final class SceneRun implements WorldHost, AutoCloseable {
   SceneRun(
       RunSettings settings,
       RunListener listener,
-      HeadSession head,
-      RunGuide guide,
-      Pace pace,
-      RunStop stop,
-      Optional<HeadsetLink> headset,
+      HeadTrackingSession head,
+      RunController guide,
+      TimingMode pace,
+      RunCancellation stop,
+      Optional<HeadsetConnection> headset,
       Stopwatch time) {
     this.settings = settings;
     this.head = head;
@@ -98,12 +103,12 @@ final class SceneRun implements WorldHost, AutoCloseable {
     this.pace = pace;
     this.stop = stop;
     this.time = time;
-    controls = new Controls(settings.motion().mouse());
-    input = new RunInput(controls, guide);
-    text = new RunText(settings, head, guide, headset.isPresent());
-    eyes = new RunEyes(headset, guide, listener);
-    sound = new SceneSound(pace.audible() && !settings.scene().muted());
-    opening = new SceneOpening(settings.scene(), listener);
+    controls = new KeyboardMouseControls(settings.motion().mouse());
+    input = new InputDispatcher(controls, guide);
+    text = new RunStatusText(settings, head, guide, headset.isPresent());
+    eyes = new RunHeadset(headset, guide, listener);
+    sound = new SoundOutput(pace.audible() && !settings.scene().muted());
+    opening = new BackgroundSceneLoader(settings.scene(), listener);
   }
 
   /**
@@ -152,15 +157,15 @@ final class SceneRun implements WorldHost, AutoCloseable {
                 controls.takeCommands().stream().filter(guide::hears),
                 eyes.straightened() ? Stream.of(NavigationCommand.RESET_HEADING) : Stream.empty())
             .toList();
-    eyes.tell(Optional.ofNullable(scene).map(LiveScene::walk));
+    eyes.tell(Optional.ofNullable(scene).map(ActiveScene::walk));
     // In a headset the scene begins when its user first sees the picture.
-    if (state == RunState.LOADING && opening.done() && eyes.begun()) {
+    if (state == State.LOADING && opening.done() && eyes.begun()) {
       open();
     }
     if (stop.asked() || commands.contains(NavigationCommand.LEAVE)) {
-      state = state.then(RunState.OVER);
+      state = state.then(State.OVER);
     }
-    LiveScene live = scene;
+    ActiveScene live = scene;
     if (live == null) {
       return Optional.empty();
     }
@@ -178,26 +183,26 @@ final class SceneRun implements WorldHost, AutoCloseable {
   private void open() {
     try {
       Walkthrough walk = opening.await();
-      if (pace == Pace.WATCHED && walk.unreadable()) {
+      if (pace == TimingMode.WATCHED && walk.unreadable()) {
         unreadable = true; // Otherwise an empty window would stay open.
-        state = state.then(RunState.OVER);
+        state = state.then(State.OVER);
         return;
       }
       World world = walk.world();
       if (settings.motion().viewpoint().isPresent()) {
-        Viewpoints.start(world, settings.motion().viewpoint().get());
+        ViewpointFinder.start(world, settings.motion().viewpoint().get());
       }
-      Walking walking = new Walking(world, controls, settings.motion().collisions());
+      UserNavigation walking = new UserNavigation(world, controls, settings.motion().collisions());
       guide.opened(walk);
       scene =
-          new LiveScene(
+          new ActiveScene(
               walk, walking, motion(walk, walking), pace.clock(settings, head.replayed()));
       pace.begin(world, settings);
       keeper.loaded();
-      state = state.then(RunState.READY);
+      state = state.then(State.READY);
     } catch (IOException e) {
       failure = e;
-      state = state.then(RunState.OVER);
+      state = state.then(State.OVER);
     }
   }
 
@@ -205,7 +210,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
    * Returns what moves the viewer. Where the head's position is tracked, the guide moves the body
    * and the tracker moves the head relative to it.
    */
-  private ViewerMotion motion(Walkthrough walk, Walking walking) throws IOException {
+  private ViewerMotion motion(Walkthrough walk, UserNavigation walking) throws IOException {
     ViewerMotion moving = pace.motion(settings, walking);
     if (!eyes.worn() && !settings.tracker().placed()) {
       return guide.motion(head.begin(walk, moving, null));
@@ -214,7 +219,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
     return head.begin(walk, guide.motion(moving), follows ? walking::push : null);
   }
 
-  private void obey(NavigationCommand command, Walking walking) {
+  private void obey(NavigationCommand command, UserNavigation walking) {
     guide.heard(command);
     switch (command) {
       case RESET_HEADING -> head.resetHeading();
@@ -223,25 +228,25 @@ final class SceneRun implements WorldHost, AutoCloseable {
     }
   }
 
-  private void advance(LiveScene live, double elapsed) {
+  private void advance(ActiveScene live, double elapsed) {
     boolean over = guide.over(elapsed);
     if (!paused() || live.walk().frames() == 0) {
       head.log(false); // A frame that was stepped but not drawn because the window was hidden.
       for (double frame : live.clock().due(elapsed)) {
         head.log(seen()); // One of several frames that became due during a slow picture.
         live.walk().step(frame, live.motion());
-        head.stepped(FrameMoment.now(frame, time));
+        head.stepped(FrameTimestamp.now(frame, time));
       }
       over |= live.clock().over(elapsed);
     }
     if (over) {
-      state = state.then(RunState.OVER);
+      state = state.then(State.OVER);
     }
   }
 
   @Override
   public boolean finished() {
-    return state == RunState.OVER;
+    return state == State.OVER;
   }
 
   @Override
@@ -250,9 +255,9 @@ final class SceneRun implements WorldHost, AutoCloseable {
   }
 
   @Override
-  public void drawn(Drawn drawn) {
-    if (state == RunState.READY) {
-      state = state.then(RunState.SHOWN);
+  public void drawn(FrameStatistics drawn) {
+    if (state == State.READY) {
+      state = state.then(State.SHOWN);
       if (pace.countsFromFirstPicture()) {
         time.restart(); // The time to upload the scene to the GPU does not count.
       }
@@ -278,7 +283,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
   }
 
   @Override
-  public List<Panel> panels() {
+  public List<WorldSpacePanel> panels() {
     return guide.panels();
   }
 
@@ -311,7 +316,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
    *
    * @throws IOException the failure that ended the run, if one did
    */
-  RunFigures figures(GlInfo gl) throws IOException {
+  RunMetrics figures(GlInfo gl) throws IOException {
     if (failure != null) {
       throw failure;
     }
@@ -325,7 +330,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
    * @throws IOException the failure that ended the run, if one did
    */
   RunResult end(FrameTarget.LastPictures pictures) throws IOException {
-    RunFigures figures = figures(pictures.gl());
+    RunMetrics figures = figures(pictures.gl());
     // The user may have closed the window before the scene was there.
     Walkthrough walk = opening.await();
     walk.end();
@@ -338,6 +343,77 @@ final class SceneRun implements WorldHost, AutoCloseable {
         opening;
         sound) {
       head.log(false); // The last one was stepped, and the window closed before it was shown.
+    }
+  }
+
+  /** The state of a run; states only advance. */
+  private enum State {
+    /** The scene is being loaded; there is nothing to show. */
+    LOADING,
+    /** The scene is loaded and is stepped; no picture of it has been shown. */
+    READY,
+    /** Pictures are shown. */
+    SHOWN,
+    /** The last frame has been stepped, or there will be none. */
+    OVER;
+
+    private static final Map<State, Set<State>> NEXT =
+        Map.of(
+            LOADING, Set.of(READY, OVER),
+            READY, Set.of(SHOWN, OVER),
+            SHOWN, Set.of(OVER),
+            OVER, Set.of(OVER)); // A run may be ended by several causes at once.
+
+    /**
+     * Checks a transition and returns the next state.
+     *
+     * @throws IllegalStateException if it cannot follow this one
+     */
+    State then(State next) {
+      if (!NEXT.getOrDefault(this, Set.of()).contains(next)) {
+        throw new IllegalStateException(this + " is not followed by " + next);
+      }
+      return next;
+    }
+  }
+
+  /** Plays the sounds of a real-time run. A missing sound device is reported once. */
+  private static final class SoundOutput implements AutoCloseable {
+    private final AudioPlayer speaker = new AudioPlayer(SoundDeviceLine::open);
+    private final boolean audible;
+
+    /**
+     * @param audible whether sounds are played at all
+     */
+    SoundOutput(boolean audible) {
+      this.audible = audible;
+    }
+
+    /**
+     * Plays the sounds that are active after a step.
+     *
+     * @param silent whether the run is paused
+     */
+    void hear(World world, boolean silent) {
+      if (!audible) {
+        return;
+      }
+      speaker.play(silent ? List.of() : world.voices());
+      speaker
+          .fault()
+          .ifPresent(
+              reason ->
+                  world
+                      .problems()
+                      .info(
+                          SourceLocation.of(world.scene().url()),
+                          "the sounds of the scene cannot be played: %s; use --mute to run without"
+                              .formatted(reason)));
+    }
+
+    @Override
+    public void close() {
+      speaker.close();
     }
   }
 }

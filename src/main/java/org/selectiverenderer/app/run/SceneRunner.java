@@ -2,12 +2,16 @@ package org.selectiverenderer.app.run;
 
 import java.io.IOException;
 import java.util.Optional;
-import org.selectiverenderer.app.clock.Pace;
-import org.selectiverenderer.app.head.HeadSession;
-import org.selectiverenderer.app.head.TrackerTap;
-import org.selectiverenderer.app.headset.HeadsetLink;
+import java.util.function.Function;
+import org.selectiverenderer.app.clock.TimingMode;
+import org.selectiverenderer.app.head.HeadTrackingSession;
+import org.selectiverenderer.app.head.TrackerRecorder;
+import org.selectiverenderer.app.headset.HeadsetConnection;
 import org.selectiverenderer.app.settings.DisplaySettings;
 import org.selectiverenderer.app.settings.RunSettings;
+import org.selectiverenderer.runtime.render.context.GlInfo;
+import org.selectiverenderer.runtime.render.display.WorldDisplay;
+import org.selectiverenderer.runtime.render.display.WorldHost;
 import org.selectiverenderer.tracker.HeadTracker;
 
 /** Runs a scene from its beginning to its end. */
@@ -23,14 +27,14 @@ public final class SceneRunner {
    * @throws IOException with a one-line message when the scene cannot be read
    * @throws InterruptedException if the waiting thread is interrupted
    */
-  public static RunResult inWindow(RunSettings settings, RunListener listener, RunStop stop)
+  public static RunResult inWindow(RunSettings settings, RunListener listener, RunCancellation stop)
       throws IOException, InterruptedException {
-    RunSettings fitted = WindowStage.fitted(settings, listener::printed);
+    RunSettings fitted = RunWindowFactory.fitted(settings, listener::printed);
     describe(fitted.display(), listener);
     FrameTarget target =
-        new WindowFrames(
-            host -> WindowStage.screen(fitted, Optional.empty(), host, listener::printed));
-    return run(fitted, listener, stop, Pace.WATCHED, target);
+        new WindowFrameTarget(
+            host -> RunWindowFactory.screen(fitted, Optional.empty(), host, listener::printed));
+    return run(fitted, listener, stop, TimingMode.WATCHED, target);
   }
 
   /**
@@ -43,24 +47,32 @@ public final class SceneRunner {
    * @throws InterruptedException if the waiting thread is interrupted
    */
   public static RunResult inHeadset(
-      RunSettings settings, HeadsetLink headset, RunListener listener, RunStop stop)
+      RunSettings settings, HeadsetConnection headset, RunListener listener, RunCancellation stop)
       throws IOException, InterruptedException {
     listener.printed(headset.describe());
-    TrackerTap tap = new TrackerTap();
-    HeadTracker tracker = headset.tracker(TrackerTap.hearing(tap, listener::problem));
+    TrackerRecorder tap = new TrackerRecorder();
+    HeadTracker tracker = headset.tracker(TrackerRecorder.hearing(tap, listener::problem));
     try (headset) {
-      HeadSession head = HeadSession.with(tracker, tap, settings, listener::problem);
+      HeadTrackingSession head =
+          HeadTrackingSession.with(tracker, tap, settings, listener::problem);
       listener.samples().ifPresent(head::tell);
       if (headset.tracksEyes()) {
         head.eyes(headset::gaze);
       }
       try (SceneRun run =
           new SceneRun(
-              settings, listener, head, RunGuide.USER, Pace.WATCHED, stop, Optional.of(headset))) {
+              settings,
+              listener,
+              head,
+              RunController.USER,
+              TimingMode.WATCHED,
+              stop,
+              Optional.of(headset))) {
         FrameTarget target =
-            new WindowFrames(
+            new WindowFrameTarget(
                 host ->
-                    WindowStage.screen(settings, Optional.of(headset), host, listener::printed));
+                    RunWindowFactory.screen(
+                        settings, Optional.of(headset), host, listener::printed));
         return run.end(target.show(run));
       }
     } finally {
@@ -76,10 +88,11 @@ public final class SceneRunner {
    * @throws IOException with a one-line message when the scene cannot be read
    * @throws InterruptedException never
    */
-  public static RunResult offscreen(RunSettings settings, RunListener listener, RunStop stop)
+  public static RunResult offscreen(
+      RunSettings settings, RunListener listener, RunCancellation stop)
       throws IOException, InterruptedException {
     describe(settings.display(), listener);
-    return run(settings, listener, stop, Pace.UNWATCHED, new OffscreenFrames(settings));
+    return run(settings, listener, stop, TimingMode.UNWATCHED, new OffscreenFrameTarget(settings));
   }
 
   /**
@@ -89,16 +102,21 @@ public final class SceneRunner {
    */
   public static RunResult simulated(RunSettings settings, RunListener listener)
       throws IOException, InterruptedException {
-    return run(settings, listener, new RunStop(), Pace.UNWATCHED, new NoFrames());
+    return run(
+        settings, listener, new RunCancellation(), TimingMode.UNWATCHED, new NullFrameTarget());
   }
 
   private static RunResult run(
-      RunSettings settings, RunListener listener, RunStop stop, Pace pace, FrameTarget target)
+      RunSettings settings,
+      RunListener listener,
+      RunCancellation stop,
+      TimingMode pace,
+      FrameTarget target)
       throws IOException, InterruptedException {
     // From here on the tracker is open and the log's files are created.
-    HeadSession head = HeadSession.open(settings, listener::problem);
+    HeadTrackingSession head = HeadTrackingSession.open(settings, listener::problem);
     listener.samples().ifPresent(head::tell);
-    try (SceneRun run = new SceneRun(settings, listener, head, RunGuide.USER, pace, stop)) {
+    try (SceneRun run = new SceneRun(settings, listener, head, RunController.USER, pace, stop)) {
       return run.end(target.show(run));
     } finally {
       stop.ended();
@@ -109,6 +127,44 @@ public final class SceneRunner {
   private static void describe(DisplaySettings display, RunListener listener) {
     if (display.presentation().stereo()) {
       listener.printed(display.presentation().describe(display.width(), display.height()));
+    }
+  }
+
+  /** A frame target that steps the run without drawing, and needs no display. */
+  private static final class NullFrameTarget implements FrameTarget {
+    @Override
+    public LastPictures show(SceneRun run) throws IOException {
+      run.awaitScene();
+      do {
+        run.step();
+        run.submitted();
+      } while (!run.finished());
+      return LastPictures.NONE;
+    }
+  }
+
+  /**
+   * A frame target that shows frames in windows or in a headset. These open while the scene is
+   * being loaded, and their thread steps the run.
+   */
+  private static final class WindowFrameTarget implements FrameTarget {
+    private final Function<WorldHost, WorldDisplay> screens;
+
+    /**
+     * @param screens creates the screen that shows the world of a host
+     */
+    WindowFrameTarget(Function<WorldHost, WorldDisplay> screens) {
+      this.screens = screens;
+    }
+
+    @Override
+    public LastPictures show(SceneRun run) throws InterruptedException {
+      WorldDisplay window = screens.apply(run);
+      window.run();
+      return new LastPictures(
+          window.info().orElse(new GlInfo("", "", "")),
+          window.lastPicture(),
+          window.lastOperatorPicture());
     }
   }
 }

@@ -7,13 +7,13 @@
  * <ul>
  *   <li>the destination of its frames: a {@link org.selectiverenderer.app.run.FrameTarget}, which
  *       calls it once for each frame;
- *   <li>its timing: a {@link org.selectiverenderer.app.clock.Pace};
- *   <li>its guide: a {@link org.selectiverenderer.app.run.RunGuide}, the user or the step of a
+ *   <li>its timing: a {@link org.selectiverenderer.app.clock.TimingMode};
+ *   <li>its guide: a {@link org.selectiverenderer.app.run.RunController}, the user or the step of a
  *       session;
  *   <li>its listener: a {@link org.selectiverenderer.app.run.RunListener}.
  * </ul>
  *
- * <p>A run goes through the states of {@link org.selectiverenderer.app.run.RunState}, in that
+ * <p>A run goes through the states of {@link org.selectiverenderer.app.run.SceneRun.State}, in that
  * order.
  *
  * <p>In: {@link org.selectiverenderer.app.settings.RunSettings}. Out: frames, a time line, a head

@@ -181,7 +181,7 @@ public final class SaiRunner implements AutoCloseable {
    */
   public void follow(CameraPath path, CountDownLatch end) throws InterruptedException {
     long latest = System.nanoTime() + TimeUnit.SECONDS.toNanos(BEGINNING);
-    while (!started.await(SaiWalk.STEP_MS, TimeUnit.MILLISECONDS)) {
+    while (!started.await(SaiPathFollower.STEP_MS, TimeUnit.MILLISECONDS)) {
       if (end.getCount() == 0) {
         return;
       }
@@ -190,7 +190,7 @@ public final class SaiRunner implements AutoCloseable {
             "the browser has read the scene, but has not shown it after " + BEGINNING + " s");
       }
     }
-    SaiWalk walk = new SaiWalk(browser(), path);
+    SaiPathFollower walk = new SaiPathFollower(browser(), path);
     walk.begin(end);
     begun = System.currentTimeMillis() / 1000.0;
     walk.walk(end, PATIENCE);
@@ -200,7 +200,8 @@ public final class SaiRunner implements AutoCloseable {
    * Writes an event to the time line. X3D counts seconds from 1970, the time line from the start.
    */
   private void tell(ControlEvent event) {
-    TimelineEvent.Told told = new TimelineEvent.Told(Math.max(0, event.time() - begun), event);
+    TimelineEvent.ControllerEvent told =
+        new TimelineEvent.ControllerEvent(Math.max(0, event.time() - begun), event);
     if (shown && event instanceof ControlEvent.Start) {
       started.countDown();
     }

@@ -2,11 +2,11 @@ package org.selectiverenderer.app.session;
 
 import java.io.IOException;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.app.headset.HeadsetLink;
-import org.selectiverenderer.hmd.HeadsetShown;
+import org.selectiverenderer.app.headset.HeadsetConnection;
+import org.selectiverenderer.hmd.HeadsetViewSettings;
 import org.selectiverenderer.tracker.HeadTracker;
 import org.selectiverenderer.tracker.TrackerListener;
-import org.selectiverenderer.tracker.live.HandedTracker;
+import org.selectiverenderer.tracker.pipeline.HeadsetPoseTracker;
 
 /**
  * The headset of a session: connected anew for each series of scenes, so that the participant may
@@ -14,22 +14,22 @@ import org.selectiverenderer.tracker.live.HandedTracker;
  * session.
  */
 public final class SessionHeadset {
-  private final HeadsetShown shown;
+  private final HeadsetViewSettings shown;
   private final Search search;
-  private @Nullable HandedTracker tracker;
-  private volatile @Nullable HeadsetLink link;
+  private @Nullable HeadsetPoseTracker tracker;
+  private volatile @Nullable HeadsetConnection link;
 
   /** Finds the headset of this computer. */
   interface Search {
-    HeadsetLink find(HeadsetShown shown) throws IOException;
+    HeadsetConnection find(HeadsetViewSettings shown) throws IOException;
   }
 
   /** Creates the headset of a session with the settings for all its scenes. */
-  public SessionHeadset(HeadsetShown shown) {
-    this(shown, HeadsetLink::find);
+  public SessionHeadset(HeadsetViewSettings shown) {
+    this(shown, HeadsetConnection::find);
   }
 
-  SessionHeadset(HeadsetShown shown, Search search) {
+  SessionHeadset(HeadsetViewSettings shown, Search search) {
     this.shown = shown;
     this.search = search;
   }
@@ -41,18 +41,18 @@ public final class SessionHeadset {
    * @throws IOException with a sentence that says what is missing and what to do
    */
   public String require() throws IOException {
-    try (HeadsetLink found = search.find(shown)) {
+    try (HeadsetConnection found = search.find(shown)) {
       return found.describe();
     }
   }
 
   /** Creates the tracker of the headset: the same for all scenes, opened once. */
   public HeadTracker tracker(TrackerListener hears) {
-    HandedTracker made =
-        new HandedTracker(
+    HeadsetPoseTracker made =
+        new HeadsetPoseTracker(
             hears,
             () -> {
-              HeadsetLink now = link;
+              HeadsetConnection now = link;
               return now == null ? "headset: not in use" : now.described();
             });
     tracker = made;
@@ -64,8 +64,8 @@ public final class SessionHeadset {
    *
    * @throws IOException with a sentence when it is not there any more
    */
-  HeadsetLink connect() throws IOException {
-    HeadsetLink found = search.find(shown);
+  HeadsetConnection connect() throws IOException {
+    HeadsetConnection found = search.find(shown);
     link = found;
     found.feed(() -> tracker);
     return found;

@@ -5,10 +5,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
-import org.selectiverenderer.app.head.ChainTracker;
-import org.selectiverenderer.app.headset.HeadsetLink;
-import org.selectiverenderer.app.run.WindowChain;
-import org.selectiverenderer.experiment.session.OperatorControls;
+import org.selectiverenderer.app.head.SharedHeadTracker;
+import org.selectiverenderer.app.headset.HeadsetConnection;
+import org.selectiverenderer.app.run.RunSequence;
+import org.selectiverenderer.experiment.session.ExperimenterControls;
 import org.selectiverenderer.experiment.session.Session;
 import org.selectiverenderer.experiment.session.SessionStep;
 
@@ -22,19 +22,19 @@ public final class SessionRunner {
   }
 
   private final Session session;
-  private final SessionDialogue dialogue;
-  private final ShownSteps shown;
-  private final OperatorControls controls;
-  private final ChainTracker tracker;
+  private final SessionUi dialogue;
+  private final SessionRunProvider shown;
+  private final ExperimenterControls controls;
+  private final SharedHeadTracker tracker;
   private final Consumer<String> message;
   private final Optional<SessionHeadset> headset;
 
   /** Creates a runner without a headset. */
   public SessionRunner(
       Session session,
-      SessionDialogue dialogue,
-      SessionShow settings,
-      ChainTracker tracker,
+      SessionUi dialogue,
+      SessionDisplaySettings settings,
+      SharedHeadTracker tracker,
       Consumer<String> message) {
     this(session, dialogue, settings, tracker, Optional.empty(), message);
   }
@@ -47,9 +47,9 @@ public final class SessionRunner {
    */
   public SessionRunner(
       Session session,
-      SessionDialogue dialogue,
-      SessionShow settings,
-      ChainTracker tracker,
+      SessionUi dialogue,
+      SessionDisplaySettings settings,
+      SharedHeadTracker tracker,
       Optional<SessionHeadset> headset,
       Consumer<String> message) {
     this.headset = headset;
@@ -57,8 +57,8 @@ public final class SessionRunner {
     this.dialogue = dialogue;
     this.tracker = tracker;
     this.message = message;
-    controls = new OperatorControls(session.journal());
-    shown = new ShownSteps(session, settings, controls);
+    controls = new ExperimenterControls(session.journal());
+    shown = new SessionRunProvider(session, settings, controls);
   }
 
   /**
@@ -106,11 +106,11 @@ public final class SessionRunner {
 
   private void show() throws IOException, InterruptedException {
     if (headset.isEmpty()) {
-      WindowChain.show(shown, tracker, Optional.empty(), message);
+      RunSequence.show(shown, tracker, Optional.empty(), message);
       return;
     }
-    try (HeadsetLink worn = headset.get().connect()) {
-      WindowChain.show(shown, tracker, Optional.of(worn), message);
+    try (HeadsetConnection worn = headset.get().connect()) {
+      RunSequence.show(shown, tracker, Optional.of(worn), message);
     }
   }
 

@@ -2,20 +2,21 @@
  * A participant's session with real windows: the steps that {@code experiment.session} knows, each
  * shown by the same run loop as {@code run} shows a scene.
  *
- * <p>{@link org.selectiverenderer.app.run.WindowChain} shows one run after the other in windows
+ * <p>{@link org.selectiverenderer.app.run.RunSequence} shows one run after the other in windows
  * that stay open. A session's exposure is a run with a {@link
- * org.selectiverenderer.app.run.RunGuide}, which decides when it ends, how dark the picture is and
- * what the operator's window shows. JOGL starts while AWT is headless, and Swing is allowed
+ * org.selectiverenderer.app.run.RunController}, which decides when it ends, how dark the picture is
+ * and what the operator's window shows. JOGL starts while AWT is headless, and Swing is allowed
  * afterwards, because each uses its own X connection.
  *
  * <p>With a headset, questions may be a run of the same chain: {@link
- * org.selectiverenderer.app.session.QuestionGuide} turns presses of buttons into answers, and
- * {@link org.selectiverenderer.app.session.QuestionSheet} lays out the text. The participant's
- * progress is kept by {@code experiment.questionnaire}, for windows and headset alike.
+ * org.selectiverenderer.app.session.HeadsetQuestionController} turns presses of buttons into
+ * answers, and {@link org.selectiverenderer.app.session.QuestionPanelRenderer} lays out the text.
+ * The participant's progress is kept by {@code experiment.questionnaire}, for windows and headset
+ * alike.
  *
  * <p>In: a {@link org.selectiverenderer.experiment.session.Session} begun or resumed, and a {@link
- * org.selectiverenderer.app.session.SessionDialogue}, which asks participant and experimenter. Out:
- * the session's files, and how it ended. Uses {@code app.run} with its settings and measurements,
+ * org.selectiverenderer.app.session.SessionUi}, which asks participant and experimenter. Out: the
+ * session's files, and how it ended. Uses {@code app.run} with its settings and measurements,
  * {@code app.head}, {@code experiment}, {@code hmd}, {@code control}, {@code tracker}, {@code
  * runtime} and {@code base}; Swing is behind the dialogue.
  */

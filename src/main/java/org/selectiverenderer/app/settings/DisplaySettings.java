@@ -2,12 +2,12 @@ package org.selectiverenderer.app.settings;
 
 import java.util.Optional;
 import java.util.OptionalInt;
+import org.selectiverenderer.hmd.DisplayConfiguration;
 import org.selectiverenderer.hmd.DisplayMode;
 import org.selectiverenderer.hmd.DisplayProfile;
 import org.selectiverenderer.hmd.EyeGeometry;
-import org.selectiverenderer.hmd.Presentation;
-import org.selectiverenderer.runtime.render.DrawStyle;
-import org.selectiverenderer.runtime.render.Shading;
+import org.selectiverenderer.runtime.render.RenderOptions;
+import org.selectiverenderer.runtime.render.ShadingMode;
 import org.selectiverenderer.runtime.render.window.Monitor;
 
 /**
@@ -23,31 +23,31 @@ import org.selectiverenderer.runtime.render.window.Monitor;
  * @param operatorMonitor monitor of the operator's window; empty for one that no eye uses
  */
 public record DisplaySettings(
-    Presentation presentation,
+    DisplayConfiguration presentation,
     int width,
     int height,
     boolean sized,
     OptionalInt samples,
-    DrawStyle style,
+    RenderOptions style,
     boolean operator,
     Optional<Monitor> operatorMonitor) {
   /** A window on a desktop monitor. */
   public static final DisplaySettings WINDOW =
       of(
-          new Presentation(
+          new DisplayConfiguration(
               DisplayMode.WINDOW,
               new EyeGeometry(DisplayProfile.DESK, EyeGeometry.MEAN_IPD / 1000),
               false));
 
   /** Creates the settings of a presentation in its default size. */
-  public static DisplaySettings of(Presentation presentation) {
+  public static DisplaySettings of(DisplayConfiguration presentation) {
     return new DisplaySettings(
         presentation,
         presentation.width(),
         presentation.height(),
         false,
         OptionalInt.empty(),
-        DrawStyle.of(Shading.AUTO),
+        RenderOptions.of(ShadingMode.AUTO),
         false,
         Optional.empty());
   }
@@ -65,12 +65,12 @@ public record DisplaySettings(
   }
 
   /** Returns whether light is computed per pixel or per vertex. */
-  public Shading shading() {
+  public ShadingMode shading() {
     return style.shading();
   }
 
   /** Returns these settings with another drawing style. */
-  public DisplaySettings style(DrawStyle wanted) {
+  public DisplaySettings style(RenderOptions wanted) {
     return new DisplaySettings(
         presentation, width, height, sized, samples, wanted, operator, operatorMonitor);
   }
@@ -94,7 +94,7 @@ public record DisplaySettings(
   }
 
   /** Returns these settings with another presentation; a size chosen by the user stays. */
-  public DisplaySettings as(Presentation other) {
+  public DisplaySettings as(DisplayConfiguration other) {
     DisplaySettings suited =
         of(other).samples(samples).style(style).operator(operator).operatorOn(operatorMonitor);
     return sized ? suited.sized(width, height) : suited;

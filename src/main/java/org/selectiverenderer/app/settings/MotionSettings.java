@@ -1,7 +1,7 @@
 package org.selectiverenderer.app.settings;
 
 import java.util.Optional;
-import org.selectiverenderer.runtime.walk.MouseMapping;
+import org.selectiverenderer.runtime.navigation.MouseMapping;
 
 /**
  * The settings of the viewer's motion.

@@ -4,8 +4,8 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.selectiverenderer.control.SelectiveController;
-import org.selectiverenderer.runtime.walk.MouseMapping;
-import org.selectiverenderer.x3d.files.ContentAccess;
+import org.selectiverenderer.runtime.navigation.MouseMapping;
+import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 
 /**
  * The settings of a run: scene, motion, display, tracker, head log and duration.
@@ -29,7 +29,7 @@ public record RunSettings(
    */
   public RunSettings(Path scene, SelectiveController.Settings rendering) {
     this(
-        new SceneSettings(scene, rendering, ContentAccess.none(), false),
+        new SceneSettings(scene, rendering, ContentAccessPolicy.none(), false),
         MotionSettings.walking(MouseMapping.WALK),
         DisplaySettings.WINDOW,
         TrackerSettings.NONE,
@@ -38,7 +38,7 @@ public record RunSettings(
   }
 
   /** Returns these settings with another permission to load files and URLs. */
-  public RunSettings allowing(ContentAccess access) {
+  public RunSettings allowing(ContentAccessPolicy access) {
     return new RunSettings(
         new SceneSettings(scene.file(), scene.rendering(), access, scene.muted()),
         motion,

@@ -2,7 +2,7 @@ package org.selectiverenderer.app.settings;
 
 import java.nio.file.Path;
 import org.selectiverenderer.control.SelectiveController;
-import org.selectiverenderer.x3d.files.ContentAccess;
+import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 
 /**
  * The scene of a run and how it is loaded.
@@ -13,4 +13,4 @@ import org.selectiverenderer.x3d.files.ContentAccess;
  * @param muted whether its sounds are off
  */
 public record SceneSettings(
-    Path file, SelectiveController.Settings rendering, ContentAccess access, boolean muted) {}
+    Path file, SelectiveController.Settings rendering, ContentAccessPolicy access, boolean muted) {}

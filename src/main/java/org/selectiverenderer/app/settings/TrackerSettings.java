@@ -1,6 +1,6 @@
 package org.selectiverenderer.app.settings;
 
-import org.selectiverenderer.hmd.TrackedMotion.WhenLost;
+import org.selectiverenderer.hmd.HeadTrackedMotion.WhenLost;
 import org.selectiverenderer.tracker.TrackerOptions;
 import org.selectiverenderer.tracker.TrackerSpec;
 

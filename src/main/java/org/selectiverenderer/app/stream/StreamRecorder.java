@@ -9,11 +9,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.locks.LockSupport;
-import org.selectiverenderer.base.files.NotWritten;
+import org.selectiverenderer.base.files.FileWriteException;
 import org.selectiverenderer.lsl.LslInlet;
 import org.selectiverenderer.lsl.LslLibrary;
 import org.selectiverenderer.lsl.LslResolver;
-import org.selectiverenderer.lsl.StreamDescription;
+import org.selectiverenderer.lsl.StreamInfo;
 
 /**
  * Records LSL streams of other programs, as soon as they appear, on its own thread {@code lsl-in}.
@@ -41,10 +41,10 @@ final class StreamRecorder implements AutoCloseable {
   /** Receives the events of the recorder, on its thread. */
   interface Listener {
     /** Reports that the recording of a stream has started. */
-    void began(StreamDescription stream, Path file);
+    void began(StreamInfo stream, Path file);
 
     /** Reports that the recording of a stream has ended. */
-    void ended(StreamDescription stream, Path file, long samples);
+    void ended(StreamInfo stream, Path file, long samples);
 
     /** Reports a problem. */
     void problem(String text);
@@ -57,7 +57,7 @@ final class StreamRecorder implements AutoCloseable {
   private final Listener listener;
   private final Set<String> known = new HashSet<>();
   private final Set<String> found = new HashSet<>();
-  private final List<RecordedStream> streams = new ArrayList<>();
+  private final List<StreamRecording> streams = new ArrayList<>();
   private final Thread thread = new Thread(this::work, "lsl-in");
   private volatile boolean closing;
 
@@ -144,21 +144,21 @@ final class StreamRecorder implements AutoCloseable {
   }
 
   private void begin(LslInlet inlet) {
-    StreamDescription stream = inlet.description(NAMES_TIMEOUT);
+    StreamInfo stream = inlet.description(NAMES_TIMEOUT);
     known.add(stream.uid());
     if (own.contains(stream.sourceId()) || recovered(stream)) {
       inlet.close();
       return;
     }
     try {
-      RecordedStream recorded = RecordedStream.open(inlet, stream, folder);
+      StreamRecording recorded = StreamRecording.open(inlet, stream, folder);
       streams.add(recorded);
       recorded.compare(lsl, 0);
       listener.began(stream, recorded.file());
     } catch (IOException e) {
       listener.problem(
           "the stream %s is not recorded: %s"
-              .formatted(stream.name(), NotWritten.named(folder, e).getMessage()));
+              .formatted(stream.name(), FileWriteException.named(folder, e).getMessage()));
     }
   }
 
@@ -166,10 +166,10 @@ final class StreamRecorder implements AutoCloseable {
    * Returns whether a stream continues one that is being recorded: the LSL library reconnects the
    * stream of a program that was restarted.
    */
-  private boolean recovered(StreamDescription stream) {
+  private boolean recovered(StreamInfo stream) {
     return !stream.sourceId().isEmpty()
         && streams.stream()
-            .map(RecordedStream::stream)
+            .map(StreamRecording::stream)
             .anyMatch(
                 there ->
                     there.sourceId().equals(stream.sourceId())
@@ -190,7 +190,7 @@ final class StreamRecorder implements AutoCloseable {
   /** Writes pending samples of all streams and returns whether there may be more. */
   private boolean round(boolean compare, boolean keep) {
     boolean more = false;
-    for (RecordedStream stream : List.copyOf(streams)) {
+    for (StreamRecording stream : List.copyOf(streams)) {
       try {
         more |= stream.take();
         if (compare || keep && !stream.known()) {
@@ -203,19 +203,20 @@ final class StreamRecorder implements AutoCloseable {
         listener.problem(
             "the recording of the stream %s ends here: %s"
                 .formatted(
-                    stream.stream().name(), NotWritten.named(stream.file(), e).getMessage()));
+                    stream.stream().name(),
+                    FileWriteException.named(stream.file(), e).getMessage()));
         end(stream);
       }
     }
     return more;
   }
 
-  private void end(RecordedStream stream) {
+  private void end(StreamRecording stream) {
     streams.remove(stream);
     try {
       stream.close();
     } catch (IOException e) {
-      listener.problem(NotWritten.named(stream.file(), e).getMessage());
+      listener.problem(FileWriteException.named(stream.file(), e).getMessage());
     }
     listener.ended(stream.stream(), stream.file(), stream.count());
   }
@@ -225,6 +226,6 @@ final class StreamRecorder implements AutoCloseable {
   public void close() {
     closing = true;
     LockSupport.unpark(thread);
-    Threads.join(thread);
+    ThreadJoiner.join(thread);
   }
 }

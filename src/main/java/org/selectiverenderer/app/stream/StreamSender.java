@@ -14,20 +14,20 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import org.joml.Quaterniond;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.app.head.SampleListener;
+import org.selectiverenderer.app.head.HeadSampleListener;
 import org.selectiverenderer.experiment.headlog.EyeSample;
 import org.selectiverenderer.experiment.headlog.HeadLogDescription;
 import org.selectiverenderer.experiment.headlog.HeadSample;
 import org.selectiverenderer.lsl.LslLibrary;
 import org.selectiverenderer.lsl.LslOutlet;
-import org.selectiverenderer.lsl.StreamDescription;
-import org.selectiverenderer.lsl.StreamDescription.Channel;
+import org.selectiverenderer.lsl.StreamInfo;
+import org.selectiverenderer.lsl.StreamInfo.Channel;
 
 /**
  * Sends poses, the object looked at, and events as LSL streams. Samples are queued with their own
  * timestamps without blocking, and sent by the thread {@code lsl-out}.
  */
-final class StreamSender implements SampleListener, AutoCloseable {
+final class StreamSender implements HeadSampleListener, AutoCloseable {
   /** The object name that is sent when nothing is in the middle of the view. */
   static final String NOTHING = "none";
 
@@ -46,7 +46,7 @@ final class StreamSender implements SampleListener, AutoCloseable {
     record Look(long nanos, String object) implements Item {}
 
     /** The direction of gaze; empty when another scene begins. */
-    record Eyes(long nanos, Optional<EyeStreams.Eyes> eyes) implements Item {}
+    record Eyes(long nanos, Optional<EyeTrackingStreams.Eyes> eyes) implements Item {}
 
     record Event(long nanos, String text) implements Item {}
   }
@@ -55,7 +55,7 @@ final class StreamSender implements SampleListener, AutoCloseable {
   private final LslOutlet poses;
   private final LslOutlet looks;
   private final LslOutlet events;
-  private final EyeStreams eyes;
+  private final EyeTrackingStreams eyes;
   private final Set<String> sourceIds;
   private final Consumer<String> problem;
   private final Queue<Item> queue = new ConcurrentLinkedQueue<>();
@@ -70,7 +70,7 @@ final class StreamSender implements SampleListener, AutoCloseable {
   private StreamSender(
       LslLibrary lsl,
       List<LslOutlet> outlets,
-      EyeStreams eyes,
+      EyeTrackingStreams eyes,
       Set<String> sourceIds,
       Consumer<String> problem) {
     this.lsl = lsl;
@@ -91,17 +91,17 @@ final class StreamSender implements SampleListener, AutoCloseable {
    */
   static StreamSender open(LslLibrary lsl, String source, Consumer<String> problem)
       throws IOException {
-    List<StreamDescription> streams =
+    List<StreamInfo> streams =
         List.of(
-            StreamDescription.sent(
+            StreamInfo.sent(
                 "SelectiveRenderer-Pose", "MoCap", channels(), false, id("pose", source)),
-            StreamDescription.sent(
+            StreamInfo.sent(
                 "SelectiveRenderer-Gaze",
                 "Gaze",
                 List.of(new Channel("object", "", "Marker")),
                 true,
                 id("gaze", source)),
-            StreamDescription.sent(
+            StreamInfo.sent(
                 "SelectiveRenderer-Events",
                 "Markers",
                 List.of(new Channel("event", "", "Marker")),
@@ -109,14 +109,14 @@ final class StreamSender implements SampleListener, AutoCloseable {
                 id("events", source)));
     List<LslOutlet> outlets = new ArrayList<>();
     try {
-      for (StreamDescription stream : streams) {
+      for (StreamInfo stream : streams) {
         outlets.add(lsl.outlet(stream));
       }
     } catch (IOException e) {
       outlets.forEach(LslOutlet::close);
       throw e;
     }
-    EyeStreams eyes = new EyeStreams(lsl, source, problem);
+    EyeTrackingStreams eyes = new EyeTrackingStreams(lsl, source, problem);
     Set<String> ids = new HashSet<>(eyes.sourceIds());
     streams.forEach(stream -> ids.add(stream.sourceId()));
     StreamSender sender = new StreamSender(lsl, outlets, eyes, Set.copyOf(ids), problem);
@@ -181,7 +181,9 @@ final class StreamSender implements SampleListener, AutoCloseable {
     }
     EyeSample seen = sample.eyes();
     if (seen != null) {
-      add(new Item.Eyes(nanos, Optional.of(new EyeStreams.Eyes(new Quaterniond(turn), seen))));
+      add(
+          new Item.Eyes(
+              nanos, Optional.of(new EyeTrackingStreams.Eyes(new Quaterniond(turn), seen))));
     }
   }
 
@@ -244,6 +246,6 @@ final class StreamSender implements SampleListener, AutoCloseable {
   public void close() {
     closing = true;
     LockSupport.unpark(thread);
-    Threads.join(thread);
+    ThreadJoiner.join(thread);
   }
 }

@@ -13,7 +13,7 @@
  * </pre>
  *
  * <p>The two threads are the only ones that call the library; only the end of the session waits for
- * them. {@link org.selectiverenderer.app.stream.LabStreams} owns both. Uses {@code lsl}, {@code
+ * them. {@link org.selectiverenderer.app.stream.LslStreams} owns both. Uses {@code lsl}, {@code
  * app.head} for the samples, {@code app.timeline}, {@code experiment.headlog} and {@code base}.
  */
 @NullMarked

@@ -12,7 +12,7 @@ public sealed interface TimelineEvent {
    *
    * @param t seconds since the start of the walkthrough
    */
-  record Told(double t, ControlEvent event) implements TimelineEvent {}
+  record ControllerEvent(double t, ControlEvent event) implements TimelineEvent {}
 
   /**
    * An event of the headset.

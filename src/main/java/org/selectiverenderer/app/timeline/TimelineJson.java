@@ -2,7 +2,7 @@ package org.selectiverenderer.app.timeline;
 
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.Optional;
-import org.selectiverenderer.base.decimal.Rounded;
+import org.selectiverenderer.base.decimal.DecimalRounding;
 import org.selectiverenderer.base.json.JsonTree;
 import org.selectiverenderer.control.ControlEvent;
 
@@ -24,8 +24,8 @@ public final class TimelineJson {
   public String line(TimelineEvent event) {
     ObjectNode node = JsonTree.object();
     scene.ifPresent(name -> node.put("scene", name));
-    node.put("t", Rounded.to(6, event.t()));
-    if (event instanceof TimelineEvent.Told told) {
+    node.put("t", DecimalRounding.to(6, event.t()));
+    if (event instanceof TimelineEvent.ControllerEvent told) {
       put(node, told.event());
     } else if (event instanceof TimelineEvent.Headset headset) {
       node.put("event", "headset").put("what", headset.what());

@@ -13,7 +13,7 @@ public final class TimelineText {
 
   /** Returns the line of an event, without a line feed. */
   public String line(TimelineEvent event) {
-    if (event instanceof TimelineEvent.Told told) {
+    if (event instanceof TimelineEvent.ControllerEvent told) {
       return line(told.t(), told.event());
     }
     if (event instanceof TimelineEvent.Headset headset) {

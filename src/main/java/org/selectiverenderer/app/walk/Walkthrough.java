@@ -7,9 +7,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
 import org.selectiverenderer.app.timeline.TimelineEvent;
-import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.control.ControlEvent;
 import org.selectiverenderer.control.ControlProblem;
 import org.selectiverenderer.control.SelectiveController;
@@ -20,8 +20,8 @@ import org.selectiverenderer.runtime.nodes.NodeFactory;
 import org.selectiverenderer.runtime.sai.EmbeddedBrowser;
 import org.selectiverenderer.runtime.viewer.ViewerMotion;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
-import org.selectiverenderer.x3d.files.ContentAccess;
 import org.selectiverenderer.x3d.source.ReadLimits;
+import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 
 /**
  * A loaded scene with its selective controller, stepped frame by frame. The same scene, settings,
@@ -34,7 +34,7 @@ public final class Walkthrough implements AutoCloseable {
   private final SceneLoader loader;
   private final EmbeddedBrowser browser;
   private final SelectiveController controller;
-  private final Problems problems;
+  private final ProblemCollector problems;
   private final Consumer<TimelineEvent> timeline;
   private final List<ControlEvent> early = new ArrayList<>();
   private double firstTime = Double.NaN;
@@ -45,7 +45,7 @@ public final class Walkthrough implements AutoCloseable {
   private Walkthrough(
       World world,
       SceneLoader loader,
-      Problems problems,
+      ProblemCollector problems,
       SelectiveController.Settings settings,
       Consumer<TimelineEvent> timeline,
       Consumer<String> console) {
@@ -66,7 +66,7 @@ public final class Walkthrough implements AutoCloseable {
       Consumer<TimelineEvent> timeline,
       Consumer<String> console)
       throws IOException {
-    return open(scene, settings, ContentAccess.none(), problem, timeline, console);
+    return open(scene, settings, ContentAccessPolicy.none(), problem, timeline, console);
   }
 
   /**
@@ -81,12 +81,12 @@ public final class Walkthrough implements AutoCloseable {
   public static Walkthrough open(
       Path scene,
       SelectiveController.Settings settings,
-      ContentAccess access,
+      ContentAccessPolicy access,
       Consumer<Problem> problem,
       Consumer<TimelineEvent> timeline,
       Consumer<String> console)
       throws IOException {
-    Problems problems = new Problems(problem);
+    ProblemCollector problems = new ProblemCollector(problem);
     SceneLoader loader =
         new SceneLoader(
             NodeCatalogue.load(), new NodeFactory(), ReadLimits.standard(), access, problems);
@@ -105,7 +105,7 @@ public final class Walkthrough implements AutoCloseable {
   }
 
   /** Returns the problems of the scene. */
-  public Problems problems() {
+  public ProblemCollector problems() {
     return problems;
   }
 
@@ -184,11 +184,11 @@ public final class Walkthrough implements AutoCloseable {
    */
   private void tell(ControlEvent event) {
     double t = Double.isNaN(world.time()) ? firstTime : world.time();
-    timeline.accept(new TimelineEvent.Told(t, event));
+    timeline.accept(new TimelineEvent.ControllerEvent(t, event));
   }
 
   private void report(ControlProblem problem) {
-    Location place = browser.locationOf(problem.node());
+    SourceLocation place = browser.locationOf(problem.node());
     switch (problem.severity()) {
       case WARNING -> problems.warning(place, problem.toString());
       case INFO -> problems.info(place, problem.toString());

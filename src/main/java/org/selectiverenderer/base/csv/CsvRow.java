@@ -1,7 +1,7 @@
 package org.selectiverenderer.base.csv;
 
 import java.util.Optional;
-import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.SourceLocation;
 
 /** A row below the header, padded with empty cells to the length of the header. */
 public final class CsvRow {
@@ -41,12 +41,12 @@ public final class CsvRow {
   }
 
   /** Returns where that cell begins in the file. */
-  public Location location(String column) {
+  public SourceLocation location(String column) {
     return table.place(start, line, table.index(column));
   }
 
   /** Returns where the row begins in the file. */
-  public Location location() {
+  public SourceLocation location() {
     return table.place(start, line, 0);
   }
 }

@@ -12,8 +12,8 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.RandomAccess;
-import org.selectiverenderer.base.files.InputFile;
-import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.files.InputFileReader;
+import org.selectiverenderer.base.problem.SourceLocation;
 
 /**
  * A CSV table with a header. Column names are matched without regard to letter case and order. The
@@ -22,11 +22,11 @@ import org.selectiverenderer.base.problem.Location;
  */
 public final class CsvTable {
   private final String file;
-  private final CsvScan scan;
-  private final Separator separator;
-  private final CsvColumns form;
-  private final CsvFaults faults;
-  private final DecimalSign decimalSign;
+  private final CsvScanner scan;
+  private final CsvDelimiter separator;
+  private final CsvColumnSpec form;
+  private final CsvErrorHandler faults;
+  private final DecimalSeparator decimalSign;
   private final Map<String, Integer> columns = new LinkedHashMap<>();
   private final Map<String, Integer> again = new HashMap<>();
   private List<String> header = List.of();
@@ -42,13 +42,13 @@ public final class CsvTable {
 
   private int size;
 
-  private CsvTable(String file, String text, CsvColumns form, CsvFaults faults) {
+  private CsvTable(String file, String text, CsvColumnSpec form, CsvErrorHandler faults) {
     this.file = file;
     this.faults = faults;
     this.form = form;
-    separator = Separator.of(text, form.needed());
-    scan = new CsvScan(text, separator);
-    decimalSign = new DecimalSign(separator);
+    separator = CsvDelimiter.of(text, form.needed());
+    scan = new CsvScanner(text, separator);
+    decimalSign = new DecimalSeparator(separator);
   }
 
   /**
@@ -58,7 +58,7 @@ public final class CsvTable {
    * @return empty if the file is not UTF-8 or not CSV, which {@code faults} has received
    * @throws IOException if the file cannot be read at all
    */
-  public static Optional<CsvTable> read(Path path, CsvColumns form, CsvFaults faults)
+  public static Optional<CsvTable> read(Path path, CsvColumnSpec form, CsvErrorHandler faults)
       throws IOException {
     return parse(path.toString(), bytes(path), form, faults);
   }
@@ -69,7 +69,7 @@ public final class CsvTable {
    * @throws IOException if it cannot be read, or is a folder
    */
   public static byte[] bytes(Path path) throws IOException {
-    return InputFile.bytes(path);
+    return InputFileReader.bytes(path);
   }
 
   /**
@@ -78,8 +78,8 @@ public final class CsvTable {
    * @param file its name, for messages
    */
   public static Optional<CsvTable> parse(
-      String file, byte[] bytes, CsvColumns form, CsvFaults faults) {
-    return Utf8Text.decode(file, bytes, faults).flatMap(text -> parse(file, text, form, faults));
+      String file, byte[] bytes, CsvColumnSpec form, CsvErrorHandler faults) {
+    return Utf8Decoder.decode(file, bytes, faults).flatMap(text -> parse(file, text, form, faults));
   }
 
   /**
@@ -87,8 +87,8 @@ public final class CsvTable {
    *
    * @param file its name, for messages
    */
-  public static Optional<CsvTable> parse(String file, byte[] bytes, CsvFaults faults) {
-    return parse(file, bytes, CsvColumns.ANY, faults);
+  public static Optional<CsvTable> parse(String file, byte[] bytes, CsvErrorHandler faults) {
+    return parse(file, bytes, CsvColumnSpec.ANY, faults);
   }
 
   /**
@@ -96,8 +96,8 @@ public final class CsvTable {
    *
    * @param file its name, for messages
    */
-  public static Optional<CsvTable> parse(String file, String text, CsvFaults faults) {
-    return parse(file, text, CsvColumns.ANY, faults);
+  public static Optional<CsvTable> parse(String file, String text, CsvErrorHandler faults) {
+    return parse(file, text, CsvColumnSpec.ANY, faults);
   }
 
   /**
@@ -106,7 +106,7 @@ public final class CsvTable {
    * @param file its name, for messages
    */
   public static Optional<CsvTable> parse(
-      String file, String withMark, CsvColumns form, CsvFaults faults) {
+      String file, String withMark, CsvColumnSpec form, CsvErrorHandler faults) {
     String text = withMark.startsWith("\uFEFF") ? withMark.substring(1) : withMark;
     CsvTable table = new CsvTable(file, text, form, faults);
     return table.fill() ? Optional.of(table) : Optional.empty();
@@ -123,7 +123,7 @@ public final class CsvTable {
     }
     if (scan.broken()) {
       faults.fault(
-          new Location(file, scan.startLine(), scan.openQuote(scan.start())),
+          new SourceLocation(file, scan.startLine(), scan.openQuote(scan.start())),
           "the file is not valid CSV: a quotation mark is not closed");
     }
     return !scan.broken();
@@ -169,14 +169,14 @@ public final class CsvTable {
       size++;
       return;
     }
-    boolean commas = separator == Separator.COMMA && scan.cells() > header.size();
+    boolean commas = separator == CsvDelimiter.COMMA && scan.cells() > header.size();
     String message =
         "the row has %s values, but the header has %s columns%s"
             .formatted(
                 scan.cells(),
                 header.size(),
                 commas ? " (write numbers with a decimal point, not a comma)" : "");
-    Location place = new Location(file, scan.startLine(), 1);
+    SourceLocation place = new SourceLocation(file, scan.startLine(), 1);
     if (scan.last() && scan.cells() < header.size()) {
       faults.torn(place, message);
     } else {
@@ -219,7 +219,7 @@ public final class CsvTable {
   }
 
   /** Returns where the header names a column, which must exist. */
-  public Location location(String column) {
+  public SourceLocation location(String column) {
     return place(headerStart, headerLine, index(column));
   }
 
@@ -231,12 +231,12 @@ public final class CsvTable {
   public boolean require(List<String> wanted, String needed) {
     List<String> missing = wanted.stream().filter(name -> !has(name)).toList();
     if (header.isEmpty()) {
-      faults.fault(new Location(file, 1, 1), "the file is empty: " + needed + " is needed");
+      faults.fault(new SourceLocation(file, 1, 1), "the file is empty: " + needed + " is needed");
       return false;
     }
     if (!missing.isEmpty()) {
       faults.fault(
-          new Location(file, headerLine, 1),
+          new SourceLocation(file, headerLine, 1),
           "the header lacks " + String.join(", ", missing) + " (it must be " + needed + ")");
       return false;
     }
@@ -269,11 +269,11 @@ public final class CsvTable {
   }
 
   /** Returns where a cell of a record begins; quoted cells before it are counted correctly. */
-  Location place(int record, int line, int cell) {
-    return new Location(file, line, scan.column(record, cell));
+  SourceLocation place(int record, int line, int cell) {
+    return new SourceLocation(file, line, scan.column(record, cell));
   }
 
-  DecimalSign decimalSign() {
+  DecimalSeparator decimalSign() {
     return decimalSign;
   }
 }

@@ -43,18 +43,18 @@ public final class FileTransaction {
   /** A file whose content is on the disk under a temporary name. */
   private record Staged(Path file, Path target, Path temporary, Content content) {}
 
-  private final FileActions actions;
+  private final FileOperations actions;
   private final Map<Path, Content> files = new LinkedHashMap<>();
   private final Deque<Undo> undo = new ArrayDeque<>();
   private Path at = Path.of("");
 
   /** Creates an empty transaction on the real file system. */
   public FileTransaction() {
-    this(FileActions.REAL);
+    this(FileOperations.REAL);
   }
 
   /** Creates an empty transaction on these file operations. */
-  public FileTransaction(FileActions actions) {
+  public FileTransaction(FileOperations actions) {
     this.actions = actions;
   }
 
@@ -86,8 +86,8 @@ public final class FileTransaction {
    * Writes all files, and creates the folders that they need.
    *
    * @return backups of replaced files that could not be deleted; normally empty
-   * @throws NotWritten if a file cannot be written, with a one-line message that names it and says
-   *     whether all changes have been undone
+   * @throws FileWriteException if a file cannot be written, with a one-line message that names it
+   *     and says whether all changes have been undone
    */
   public List<Path> commit() throws IOException {
     List<Path> kept = new ArrayList<>();
@@ -116,7 +116,7 @@ public final class FileTransaction {
         actions.pour(at, sink.getValue());
       }
     } catch (IOException | RuntimeException e) {
-      throw new NotWritten(at, e, rollBack(e));
+      throw new FileWriteException(at, e, rollBack(e));
     }
     undo.clear();
     return leftAfterDeleting(kept);
@@ -140,7 +140,7 @@ public final class FileTransaction {
   }
 
   private void stage(Content content, List<Staged> staged) throws IOException {
-    Path target = FileNames.target(at);
+    Path target = TargetPaths.target(at);
     if (Files.isDirectory(target)) {
       throw new IOException("it is a folder");
     }
@@ -154,10 +154,10 @@ public final class FileTransaction {
     if (Files.exists(target) && !Files.isWritable(target)) {
       throw new IOException("it is write-protected");
     }
-    Path temporary = FileNames.beside(target, "new");
+    Path temporary = TargetPaths.beside(target, "new");
     undo.push(() -> actions.delete(temporary));
     actions.write(temporary, content.bytes());
-    FileNames.copyPermissions(target, temporary);
+    TargetPaths.copyPermissions(target, temporary);
     staged.add(new Staged(at, target, temporary, content));
   }
 
@@ -186,7 +186,7 @@ public final class FileTransaction {
     if (!Files.exists(target)) {
       undo.push(() -> actions.delete(target));
     } else if (more) {
-      Path old = FileNames.beside(target, "old");
+      Path old = TargetPaths.beside(target, "old");
       actions.keep(target, old);
       kept.add(old);
       undo.push(

@@ -6,12 +6,12 @@
  * disk, and then renamed in one atomic step; several files are replaced all or none, and the
  * replaced files are kept until all are in place. Links stay links, permissions are kept, and pipes
  * and devices are written to, not replaced. A file written once ({@link
- * org.selectiverenderer.base.files.WholeFile#writeOnce}) never replaces another. Logs (time lines,
- * head logs, journals) are appended to instead, and use only {@link
- * org.selectiverenderer.base.files.Disk}.
+ * org.selectiverenderer.base.files.AtomicFileWriter#writeOnce}) never replaces another. Logs (time
+ * lines, head logs, journals) are appended to instead, and use only {@link
+ * org.selectiverenderer.base.files.DiskSync}.
  *
  * <p>In: names, paths and bytes. Out: paths, files, or a {@link
- * org.selectiverenderer.base.files.NotWritten}. Uses the JDK only.
+ * org.selectiverenderer.base.files.FileWriteException}. Uses the JDK only.
  */
 @NullMarked
 package org.selectiverenderer.base.files;

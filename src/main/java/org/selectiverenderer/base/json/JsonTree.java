@@ -7,7 +7,7 @@ import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.nio.file.Path;
-import org.selectiverenderer.base.files.InputFile;
+import org.selectiverenderer.base.files.InputFileReader;
 
 /** Reads and builds JSON trees, for files that programs exchange. */
 public final class JsonTree {
@@ -27,7 +27,7 @@ public final class JsonTree {
 
   /** Returns the parser's error message without the locations in it. */
   public static String sentence(JsonProcessingException e) {
-    return JsonFault.sentence(e);
+    return JsonErrorReporter.sentence(e);
   }
 
   /** Parses a text. */
@@ -42,16 +42,16 @@ public final class JsonTree {
    */
   public static JsonNode read(Path file) throws IOException {
     try {
-      JsonNode json = MAPPER.readTree(InputFile.bytes(file));
+      JsonNode json = MAPPER.readTree(InputFileReader.bytes(file));
       if (!json.isObject()) {
         throw new IOException(file + ": a JSON object {...} is needed");
       }
       return json;
     } catch (JsonProcessingException e) {
       throw new IOException(
-          JsonFault.place(file.toString(), e.getLocation())
+          JsonErrorReporter.place(file.toString(), e.getLocation())
               + ": is not valid JSON: "
-              + JsonFault.sentence(e),
+              + JsonErrorReporter.sentence(e),
           e);
     }
   }

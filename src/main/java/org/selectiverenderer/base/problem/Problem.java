@@ -6,7 +6,7 @@ package org.selectiverenderer.base.problem;
  * @param message one sentence that says what is wrong and what the program does about it, on one
  *     line of limited length
  */
-public record Problem(Severity severity, Location location, String message) {
+public record Problem(Severity severity, SourceLocation location, String message) {
   /** The severity; ERROR and WARNING make a command exit with status 1, INFO does not. */
   public enum Severity {
     /** The input is wrong, and the affected part is missing from the result. */

@@ -2,9 +2,9 @@
  * Problems found in a user's files, with their locations.
  *
  * <p>In: a sentence and a location. Out: {@link org.selectiverenderer.base.problem.Problem}s,
- * collected by {@link org.selectiverenderer.base.problem.Problems} in the order of their places;
- * {@link org.selectiverenderer.base.problem.Spelling} suggests the intended name for a misspelt
- * one. Uses no other package of ours.
+ * collected by {@link org.selectiverenderer.base.problem.ProblemCollector} in the order of their
+ * places; {@link org.selectiverenderer.base.problem.SpellingSuggester} suggests the intended name
+ * for a misspelt one. Uses no other package of ours.
  *
  * <p>A {@link Problem} has a severity, file:line:column, and one sentence that says what is wrong
  * and what the program does about it. A problem never keeps the rest of a scene from being shown.

@@ -7,8 +7,8 @@ import java.util.function.Consumer;
 import org.selectiverenderer.apartment.ApartmentGenerator;
 import org.selectiverenderer.base.json.JsonTree;
 import org.selectiverenderer.bench.BenchScene;
-import org.selectiverenderer.bench.HeavyScene;
-import org.selectiverenderer.bench.ManySwitchesScene;
+import org.selectiverenderer.bench.HeavySceneGenerator;
+import org.selectiverenderer.bench.ManySwitchesSceneGenerator;
 import org.selectiverenderer.hmd.DisplayProfile;
 
 /**
@@ -30,51 +30,52 @@ public record Benchmark(String mainClass, int runs, Consumer<String> progress) {
    * @throws InterruptedException when the waiting thread is interrupted
    */
   public ObjectNode run() throws IOException, InterruptedException {
-    try (BenchFolder folder = new BenchFolder()) {
+    try (TemporaryFolder folder = new TemporaryFolder()) {
       return measure(folder.path());
     }
   }
 
   private ObjectNode measure(Path folder) throws IOException, InterruptedException {
     ObjectNode report = JsonTree.object();
-    Machine.describe(report.putObject("machine"));
+    MachineDescription.describe(report.putObject("machine"));
     ObjectNode gl = report.putObject("gl");
     progress.accept("writing scenes");
-    BenchScene heavy = HeavyScene.heavy(folder);
-    BenchScene light = HeavyScene.light(folder);
-    BenchScene many = ManySwitchesScene.write(folder.resolve("many"), SWITCHES, AFFECTED);
+    BenchScene heavy = HeavySceneGenerator.heavy(folder);
+    BenchScene light = HeavySceneGenerator.light(folder);
+    BenchScene many = ManySwitchesSceneGenerator.write(folder.resolve("many"), SWITCHES, AFFECTED);
     progress.accept("reading");
-    ReadingTimes.measure(folder.resolve("heavy"), report.putObject("read"));
-    ChildRun child = new ChildRun(mainClass, runs);
+    ReadingMeasurement.measure(folder.resolve("heavy"), report.putObject("read"));
+    ChildProcessRun child = new ChildProcessRun(mainClass, runs);
     progress.accept("heavy scene: 784,000 triangles");
-    ChildRun.Result result = child.run(heavy);
+    ChildProcessRun.Result result = child.run(heavy);
     gl.setAll((ObjectNode) result.gl());
     ObjectNode heavyNode = report.putObject("heavy");
     put(heavyNode, heavy, result);
-    RawFrames.measure(heavy, heavyNode);
+    RawDrawMeasurement.measure(heavy, heavyNode);
     progress.accept("light scene: a sixth of it");
     ObjectNode lightNode = report.putObject("light");
     put(lightNode, light, child.run(light));
-    RawFrames.measure(light, lightNode);
+    RawDrawMeasurement.measure(light, lightNode);
     progress.accept("both eyes");
     ObjectNode stereo = report.putObject("stereo");
-    StereoCost.measure(heavy, DisplayProfile.PROVIEW_50, stereo.putObject("heavy"));
-    StereoCost.measure(light, DisplayProfile.PROVIEW_50, stereo.putObject("light"));
+    StereoMeasurement.measure(heavy, DisplayProfile.PROVIEW_50, stereo.putObject("heavy"));
+    StereoMeasurement.measure(light, DisplayProfile.PROVIEW_50, stereo.putObject("light"));
     progress.accept("head tracker's record to picture");
-    TrackerLatency.measure(light, folder, child, report.putArray("tracker_latency"));
+    TrackerLatencyMeasurement.measure(light, folder, child, report.putArray("tracker_latency"));
     progress.accept("activation among 100,000 switches");
-    ActivationTimes.measure(many, AFFECTED, report.putObject("activation"));
+    ActivationMeasurement.measure(many, AFFECTED, report.putObject("activation"));
     progress.accept("apartment: writing it");
     Path apartment = folder.resolve("apartment");
     new ApartmentGenerator().writeAll(apartment, false);
     progress.accept("polygon count process");
-    new SimplifyingTimes().measure(apartment.resolve("inlineNodes"), report.putObject("simplify"));
+    new SimplificationMeasurement()
+        .measure(apartment.resolve("inlineNodes"), report.putObject("simplify"));
     progress.accept("radiosity: rays");
-    RadiosityTimes.measure(
+    RayCastingMeasurement.measure(
         apartment.resolve("scenes").resolve("apartment-unlit.x3d"),
         folder,
         report.putObject("radiosity"));
-    new RoomRuns(child, runs, progress)
+    new RoomMeasurement(child, runs, progress)
         .measure(
             apartment.resolve("scenes").resolve("apartment.x3d"),
             apartment,
@@ -82,7 +83,7 @@ public record Benchmark(String mainClass, int runs, Consumer<String> progress) {
     return report;
   }
 
-  private static void put(ObjectNode node, BenchScene scene, ChildRun.Result result) {
+  private static void put(ObjectNode node, BenchScene scene, ChildProcessRun.Result result) {
     node.put("triangles", scene.triangles());
     node.put("load_ms", result.loadMs());
     node.put("process_to_first_frame_ms", result.startMs());

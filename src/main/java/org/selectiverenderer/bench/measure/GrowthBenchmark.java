@@ -8,7 +8,7 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Set;
 import java.util.function.Consumer;
-import org.selectiverenderer.base.decimal.Rounded;
+import org.selectiverenderer.base.decimal.DecimalRounding;
 import org.selectiverenderer.base.json.JsonTree;
 import org.selectiverenderer.bench.BenchScene;
 import org.selectiverenderer.bench.GrowthSeries;
@@ -36,16 +36,16 @@ public record GrowthBenchmark(
    */
   public ObjectNode run(Set<GrowthSeries> wanted) throws IOException, InterruptedException {
     ObjectNode report = JsonTree.object();
-    Machine.describe(report.putObject("machine"));
+    MachineDescription.describe(report.putObject("machine"));
     ObjectNode growth = report.putObject("growth");
-    try (BenchFolder folder = new BenchFolder()) {
+    try (TemporaryFolder folder = new TemporaryFolder()) {
       warmUp(folder.path().resolve("warm-up"));
       for (GrowthSeries series : wanted) {
         String name = series.name().toLowerCase(Locale.ROOT);
         ArrayNode rows = growth.putArray(name);
         for (int size : series.sizes()) {
           progress.accept(String.format(Locale.ROOT, "%s: %,d", name, size));
-          try (BenchFolder own = new BenchFolder()) {
+          try (TemporaryFolder own = new TemporaryFolder()) {
             measure(series.write(own.path(), size), size, rows.addObject());
           }
         }
@@ -58,17 +58,18 @@ public record GrowthBenchmark(
   private static void warmUp(Path folder) throws IOException {
     BenchScene scene = GrowthSeries.INLINES.write(folder, GrowthSeries.INLINES.sizes().get(0));
     for (int round = 0; round < 5; round++) {
-      GrowthTimes.measure(scene, 1, JsonTree.object());
+      GrowthMeasurement.measure(scene, 1, JsonTree.object());
     }
   }
 
   private void measure(BenchScene scene, int size, ObjectNode row)
       throws IOException, InterruptedException {
     row.put("size", size);
-    row.put("mb", Rounded.to(2, scene.bytes() / 1e6));
-    GrowthTimes.measure(scene, runs, row);
+    row.put("mb", DecimalRounding.to(2, scene.bytes() / 1e6));
+    GrowthMeasurement.measure(scene, runs, row);
     if (draws) {
-      JsonNode drawn = new ChildRun(mainClass, 1).once(scene.scene(), scene.path(), SECONDS_DRAWN);
+      JsonNode drawn =
+          new ChildProcessRun(mainClass, 1).once(scene.scene(), scene.path(), SECONDS_DRAWN);
       row.put("fps", drawn.at("/fps").asDouble());
       row.put("first_frame_ms", drawn.at("/first_frame_ms").asDouble());
       row.put("rss_mb", drawn.at("/peak_rss_mb").asDouble());

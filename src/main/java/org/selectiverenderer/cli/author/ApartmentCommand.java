@@ -7,7 +7,7 @@ import org.selectiverenderer.apartment.ApartmentGenerator;
 import org.selectiverenderer.apartment.ApartmentGenerator.Written;
 import org.selectiverenderer.apartment.DifferingFilesException;
 import org.selectiverenderer.cli.base.CliCommand;
-import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.CommandException;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
 import picocli.CommandLine.Command;
@@ -52,7 +52,7 @@ public final class ApartmentCommand extends CliCommand {
     ApartmentGenerator generator = new ApartmentGenerator();
     for (String name : only) {
       if (!generator.objects().contains(name)) {
-        throw CommandFailure.usage("--only: the apartment has no object named " + name);
+        throw CommandException.usage("--only: the apartment has no object named " + name);
       }
     }
     Written written = write(generator);
@@ -61,8 +61,9 @@ public final class ApartmentCommand extends CliCommand {
     }
     written
         .polygons()
-        .forEach((file, count) -> console().message(file + ": " + GoalText.polygonText(count)));
-    LeftFiles.tell(written.left(), console());
+        .forEach(
+            (file, count) -> console().message(file + ": " + ReductionGoals.polygonText(count)));
+    UndeletedFilesWarning.tell(written.left(), console());
     return ExitStatus.DONE;
   }
 
@@ -72,7 +73,7 @@ public final class ApartmentCommand extends CliCommand {
           ? generator.writeAll(folder, force)
           : generator.writeObjects(folder, only, force);
     } catch (DifferingFilesException e) {
-      throw CommandFailure.environment(e.getMessage() + " (--force replaces them)");
+      throw CommandException.environment(e.getMessage() + " (--force replaces them)");
     }
   }
 }

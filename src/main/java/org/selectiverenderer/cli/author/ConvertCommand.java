@@ -7,24 +7,24 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.selectiverenderer.base.files.FileTransaction;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.cli.base.CliCommand;
-import org.selectiverenderer.cli.output.CommandFailure;
-import org.selectiverenderer.cli.output.CommandFiles;
+import org.selectiverenderer.cli.output.CommandException;
+import org.selectiverenderer.cli.output.CommandFileCheck;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
 import org.selectiverenderer.cli.output.OutputFile;
-import org.selectiverenderer.document.XmlValues;
-import org.selectiverenderer.document.file.LeftBehind;
+import org.selectiverenderer.document.AttributeValueParser;
+import org.selectiverenderer.document.file.BrokenRelativeUrls;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
-import org.selectiverenderer.x3d.files.ContentAccess;
-import org.selectiverenderer.x3d.files.ContentBase;
-import org.selectiverenderer.x3d.files.ContentRoot;
 import org.selectiverenderer.x3d.read.X3dReader;
 import org.selectiverenderer.x3d.source.DocumentElement;
-import org.selectiverenderer.x3d.source.DocumentFault;
+import org.selectiverenderer.x3d.source.DocumentError;
 import org.selectiverenderer.x3d.source.Gzip;
 import org.selectiverenderer.x3d.source.XmlDocument;
+import org.selectiverenderer.x3d.url.BaseUrl;
+import org.selectiverenderer.x3d.url.ContentAccessPolicy;
+import org.selectiverenderer.x3d.url.UrlResolver;
 import org.selectiverenderer.x3d.write.SceneFormat;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;
@@ -58,18 +58,18 @@ public final class ConvertCommand extends CliCommand {
   public ExitStatus run() throws IOException {
     OutputFile.check("OUT", output);
     if (SceneFormat.of(output.toString()).isEmpty() && !FileTransaction.sink(output)) {
-      throw CommandFailure.usage(
+      throw CommandException.usage(
           "OUT "
               + output
               + ": its file name extension names no encoding; use .x3d for X3D XML, .x3dv for"
               + " ClassicVRML or .x3dj for X3D JSON");
     }
     if (Files.isDirectory(scene)) {
-      throw CommandFailure.environment("IN " + scene + ": is a folder, not a scene");
+      throw CommandException.environment("IN " + scene + ": is a folder, not a scene");
     }
     SceneFormat format = SceneFormat.of(output.toString()).orElse(SceneFormat.XML);
     if (Files.exists(output) && Files.exists(scene) && Files.isSameFile(output, scene)) {
-      throw CommandFailure.environment(
+      throw CommandException.environment(
           "OUT " + output + ": is the scene itself, which would be lost; name another file");
     }
     NodeCatalogue catalogue = NodeCatalogue.load();
@@ -77,9 +77,9 @@ public final class ConvertCommand extends CliCommand {
     try (InputStream in = Files.newInputStream(scene)) {
       document = new X3dReader(catalogue).document(scene.toString(), in, Files.size(scene));
     }
-    Problems problems = new Problems(console()::problem);
-    for (DocumentFault fault : document.faults()) {
-      if (fault.kind() == DocumentFault.Kind.ENCODING) {
+    ProblemCollector problems = new ProblemCollector(console()::problem);
+    for (DocumentError fault : document.faults()) {
+      if (fault.kind() == DocumentError.Kind.ENCODING) {
         problems.warning(fault.location(), fault.message());
       } else {
         problems.error(fault.location(), fault.message() + "; nothing is written");
@@ -92,28 +92,28 @@ public final class ConvertCommand extends CliCommand {
     byte[] plain = format.text(document, catalogue, problems).getBytes(StandardCharsets.UTF_8);
     FileTransaction writing = new FileTransaction();
     writing.add(output, SceneFormat.packed(output.toString()) ? Gzip.packed(plain) : plain);
-    LeftFiles.tell(writing.commit(), console());
+    UndeletedFilesWarning.tell(writing.commit(), console());
     List<String> left =
-        LeftBehind.in(
+        BrokenRelativeUrls.in(
             document.elements(),
             scene.toAbsolutePath().getParent(),
             output.toAbsolutePath().getParent());
-    FilesNotFound.tell(left, output, console());
+    MissingFilesWarning.tell(left, output, console());
     return ExitStatus.of(problems);
   }
 
   /** Rejects an output that would overwrite a file to which the scene refers. */
   private void keepInlined(XmlDocument document) throws IOException {
-    ContentAccess named = ContentAccess.none();
+    ContentAccessPolicy named = ContentAccessPolicy.none();
     Path folder = scene.toAbsolutePath().getParent();
     if (folder != null) {
-      ContentRoot root = new ContentRoot(folder, named);
+      UrlResolver root = new UrlResolver(folder, named);
       for (DocumentElement element : document.elements()) {
-        for (String url : XmlValues.strings(element.text("url").orElse(""))) {
-          root.note(url, ContentBase.folder(folder));
+        for (String url : AttributeValueParser.strings(element.text("url").orElse(""))) {
+          root.note(url, BaseUrl.folder(folder));
         }
       }
     }
-    new CommandFiles().writes("OUT", output).check(named.named());
+    new CommandFileCheck().writes("OUT", output).check(named.named());
   }
 }

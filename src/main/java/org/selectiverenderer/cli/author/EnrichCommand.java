@@ -4,17 +4,17 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.cli.base.CliCommand;
 import org.selectiverenderer.cli.option.AccessOptions;
 import org.selectiverenderer.cli.option.DryRunOption;
-import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.CommandException;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
 import org.selectiverenderer.cli.output.OutputFile;
 import org.selectiverenderer.document.headless.HeadlessEnrichment;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
-import org.selectiverenderer.x3d.files.ContentAccess;
+import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -41,7 +41,7 @@ public final class EnrichCommand extends CliCommand {
      * @param scene to open; empty for none
      * @param access the files and URLs that the scene may load besides those in its folder
      */
-    ExitStatus open(Optional<Path> scene, ContentAccess access) throws IOException;
+    ExitStatus open(Optional<Path> scene, ContentAccessPolicy access) throws IOException;
   }
 
   private final Window window;
@@ -85,18 +85,18 @@ public final class EnrichCommand extends CliCommand {
   public ExitStatus run() throws IOException {
     if (metadata == null && ratings == null) {
       if (output != null || dryRun.asked()) {
-        throw CommandFailure.usage("--output and --dry-run need --apply or --ratings");
+        throw CommandException.usage("--output and --dry-run need --apply or --ratings");
       }
       return window.open(Optional.ofNullable(scene), access.access());
     }
     if (scene == null) {
-      throw CommandFailure.usage("--apply and --ratings need a SCENE");
+      throw CommandException.usage("--apply and --ratings need a SCENE");
     }
     if (!dryRun.asked()) {
       OutputFile.check("--output", output, "");
     }
     Path target = output == null ? scene : output;
-    Problems problems = new Problems(console()::problem);
+    ProblemCollector problems = new ProblemCollector(console()::problem);
     Optional<HeadlessEnrichment> enriched =
         HeadlessEnrichment.of(
             new HeadlessEnrichment.Request(scene, ratings, metadata, target),
@@ -105,7 +105,7 @@ public final class EnrichCommand extends CliCommand {
     if (enriched.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
-    FilesNotFound.tell(enriched.get().leftBehind(target), target, console());
+    MissingFilesWarning.tell(enriched.get().leftBehind(target), target, console());
     if (dryRun.asked()) {
       console().out().print(enriched.get().difference(target));
     } else if (enriched.get().changed() || output != null) {

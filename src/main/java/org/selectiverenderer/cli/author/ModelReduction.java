@@ -10,22 +10,22 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.files.FileTransaction;
 import org.selectiverenderer.base.json.JsonTree;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.base.problem.Problems;
-import org.selectiverenderer.cli.output.CommandFiles;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.cli.output.CommandFileCheck;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
 import org.selectiverenderer.polygon.model.Model;
 import org.selectiverenderer.polygon.model.ModelReader;
 import org.selectiverenderer.polygon.model.ModelWriter;
-import org.selectiverenderer.polygon.simplify.Goal;
+import org.selectiverenderer.polygon.simplify.EmptyModelException;
 import org.selectiverenderer.polygon.simplify.ModelSize;
-import org.selectiverenderer.polygon.simplify.NoPolygons;
-import org.selectiverenderer.polygon.simplify.Simplified;
+import org.selectiverenderer.polygon.simplify.SimplificationResult;
+import org.selectiverenderer.polygon.simplify.SimplificationTarget;
 import org.selectiverenderer.polygon.simplify.Simplifier;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
-import org.selectiverenderer.x3d.files.ContentAccess;
 import org.selectiverenderer.x3d.source.Gzip;
+import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 
 /**
  * Reduces one model and prints its polygon counts.
@@ -36,38 +36,42 @@ import org.selectiverenderer.x3d.source.Gzip;
  * @param many whether it is one of many models, so that the report names it
  */
 record ModelReduction(
-    Goal goal, ContentAccess access, @Nullable Path output, boolean json, boolean many) {
+    SimplificationTarget goal,
+    ContentAccessPolicy access,
+    @Nullable Path output,
+    boolean json,
+    boolean many) {
 
   ExitStatus run(Path file, Console console) throws IOException {
-    Problems problems = new Problems(console::problem);
+    ProblemCollector problems = new ProblemCollector(console::problem);
     Optional<Model> read = new ModelReader(NodeCatalogue.load(), access).read(file, problems);
     if (read.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
-    new CommandFiles().writes("--output", output).check(access.named());
+    new CommandFileCheck().writes("--output", output).check(access.named());
     Model model = read.get();
     ModelSize size = ModelSize.of(model.meshes());
-    if (GoalText.beyond(goal, size, file, problems)) {
+    if (ReductionGoals.beyond(goal, size, file, problems)) {
       return ExitStatus.PROBLEMS;
     }
     long start = System.nanoTime();
-    Simplified reduced;
+    SimplificationResult reduced;
     try {
       reduced = new Simplifier().simplify(model.meshes(), goal);
-    } catch (NoPolygons e) {
-      problems.error(Location.of(file.toString()), "the model " + e.getMessage());
+    } catch (EmptyModelException e) {
+      problems.error(SourceLocation.of(file.toString()), "the model " + e.getMessage());
       return ExitStatus.PROBLEMS;
     }
     long milliseconds = (System.nanoTime() - start) / 1_000_000;
     write(file, model.with(reduced.parts()), reduced, console);
     print(file, size, reduced, milliseconds, console);
     if (!reduced.met()) {
-      console.message(GoalText.shortfall(file.toString(), goal, reduced));
+      console.message(ReductionGoals.shortfall(file.toString(), goal, reduced));
     }
     return reduced.met() ? ExitStatus.of(problems) : ExitStatus.PROBLEMS;
   }
 
-  private void write(Path file, Model model, Simplified reduced, Console console)
+  private void write(Path file, Model model, SimplificationResult reduced, Console console)
       throws IOException {
     Path target = output == null ? Path.of("model.x3d") : output;
     if (output == null && json) {
@@ -81,7 +85,7 @@ record ModelReduction(
                 folder == null ? target.toAbsolutePath() : folder,
                 String.valueOf(target.getFileName()),
                 "%s, reduced to %s"
-                    .formatted(file.getFileName(), GoalText.polygonText(reduced.polygons())));
+                    .formatted(file.getFileName(), ReductionGoals.polygonText(reduced.polygons())));
     if (output == null) {
       console.out().print(text);
       return;
@@ -90,11 +94,11 @@ record ModelReduction(
     byte[] plain = text.getBytes(StandardCharsets.UTF_8);
     boolean packed = output.toString().toLowerCase(Locale.ROOT).endsWith(".x3dz");
     writing.add(output, packed ? Gzip.packed(plain) : plain);
-    LeftFiles.tell(writing.commit(), console);
+    UndeletedFilesWarning.tell(writing.commit(), console);
   }
 
   private void print(
-      Path file, ModelSize size, Simplified reduced, long milliseconds, Console console) {
+      Path file, ModelSize size, SimplificationResult reduced, long milliseconds, Console console) {
     if (json) {
       ObjectNode report = JsonTree.object();
       if (many) {

@@ -8,7 +8,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.CommandException;
 
 /** The output folder of the command {@code simplify}: each result is named like its model. */
 final class OutputFolder {
@@ -34,19 +34,19 @@ final class OutputFolder {
       }
       Path other = takenBy.put(opened.of(model), model);
       if (other != null) {
-        throw CommandFailure.usage(
+        throw CommandException.usage(
             "--output-dir: %s and %s would both be written to %s; reduce them one after the other"
                 .formatted(other, model, opened.of(model)));
       }
     }
     for (Path target : takenBy.keySet()) {
       if (Files.exists(target) && read.contains(target.toRealPath())) {
-        throw CommandFailure.usage(
+        throw CommandException.usage(
             "--output-dir: " + target + " is one of the models, which would be lost");
       }
     }
     if (Files.exists(folder) && !Files.isDirectory(folder)) {
-      throw CommandFailure.environment("--output-dir " + folder + ": is not a folder");
+      throw CommandException.environment("--output-dir " + folder + ": is not a folder");
     }
     Files.createDirectories(folder);
     return opened;

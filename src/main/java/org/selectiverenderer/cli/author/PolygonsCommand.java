@@ -6,27 +6,27 @@ import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.files.FileFinder;
-import org.selectiverenderer.base.problem.Problems;
-import org.selectiverenderer.chart.ChartFile;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.chart.ChartFileWriter;
 import org.selectiverenderer.cli.base.CliCommand;
-import org.selectiverenderer.cli.batch.Batch;
-import org.selectiverenderer.cli.batch.BatchForm;
+import org.selectiverenderer.cli.batch.BatchOutputFormat;
+import org.selectiverenderer.cli.batch.BatchRunner;
 import org.selectiverenderer.cli.option.AccessOptions;
 import org.selectiverenderer.cli.option.FileArguments;
 import org.selectiverenderer.cli.option.ScenesArgument;
-import org.selectiverenderer.cli.output.CommandFailure;
-import org.selectiverenderer.cli.output.CommandFiles;
+import org.selectiverenderer.cli.output.CommandException;
+import org.selectiverenderer.cli.output.CommandFileCheck;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
 import org.selectiverenderer.cli.output.OutputFile;
-import org.selectiverenderer.polygon.count.PolygonStatistics;
+import org.selectiverenderer.polygon.count.ScenePolygonCounter;
 import org.selectiverenderer.polygon.count.SceneStatistics;
-import org.selectiverenderer.polygon.count.ScopeException;
-import org.selectiverenderer.polygon.count.StatisticsCharts;
-import org.selectiverenderer.polygon.count.StatisticsCsv;
-import org.selectiverenderer.polygon.count.StatisticsJson;
-import org.selectiverenderer.polygon.count.StatisticsText;
-import org.selectiverenderer.x3d.files.ContentAccess;
+import org.selectiverenderer.polygon.count.SceneStatisticsCharts;
+import org.selectiverenderer.polygon.count.SceneStatisticsCsvWriter;
+import org.selectiverenderer.polygon.count.SceneStatisticsJsonWriter;
+import org.selectiverenderer.polygon.count.SceneStatisticsTextWriter;
+import org.selectiverenderer.polygon.count.UnknownScopeException;
+import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -75,7 +75,7 @@ public final class PolygonsCommand extends CliCommand {
       description = "draws the figures as bar charts into a file, 1200 pixels wide")
   private @Nullable Path chart;
 
-  private ContentAccess allowed = ContentAccess.none();
+  private ContentAccessPolicy allowed = ContentAccessPolicy.none();
 
   public PolygonsCommand(Console console) {
     super(console);
@@ -83,59 +83,67 @@ public final class PolygonsCommand extends CliCommand {
 
   @Override
   public ExitStatus run() throws IOException {
-    Optional<ChartFile> chartFile = Optional.ofNullable(chart).flatMap(ChartFile::of);
+    Optional<ChartFileWriter> chartFile = Optional.ofNullable(chart).flatMap(ChartFileWriter::of);
     if (chart != null && chartFile.isEmpty()) {
-      throw CommandFailure.usage("--chart needs a file that ends in .png or .svg, not " + chart);
+      throw CommandException.usage("--chart needs a file that ends in .png or .svg, not " + chart);
     }
     OutputFile.check("--chart", chart);
     allowed = access.access();
     FileArguments files = scenes.files();
     if (!files.one()) {
       if (chart != null) {
-        throw CommandFailure.usage("--chart draws one scene; name one");
+        throw CommandException.usage("--chart draws one scene; name one");
       }
-      return new Batch(console(), form()).run(files.files(FileFinder.SCENES), this::one);
+      return new BatchRunner(console(), form()).run(files.files(FileFinder.SCENES), this::one);
     }
-    Problems problems = new Problems(console()::problem);
+    ProblemCollector problems = new ProblemCollector(console()::problem);
     SceneStatistics statistics = count(files.file(), problems);
-    new CommandFiles()
+    new CommandFileCheck()
         .reads("the scene", files.file())
         .writes("--chart", chart)
         .check(allowed.named());
-    console().out().print(format == Format.csv ? StatisticsCsv.of(statistics) : text(statistics));
+    console()
+        .out()
+        .print(format == Format.csv ? SceneStatisticsCsvWriter.of(statistics) : text(statistics));
     console().out().flush();
     if (chartFile.isPresent()) {
       String title = "Polygons of " + Path.of(statistics.scene()).getFileName();
-      chartFile.get().write(title, StatisticsCharts.of(statistics));
+      chartFile.get().write(title, SceneStatisticsCharts.of(statistics));
     }
     return ExitStatus.of(problems);
   }
 
-  private BatchForm form() {
+  private BatchOutputFormat form() {
     return switch (format) {
-      case text -> BatchForm.TEXTS;
-      case csv -> BatchForm.table(StatisticsCsv.headerOfMany());
-      case json -> BatchForm.JSON_ARRAY;
+      case text -> BatchOutputFormat.TEXTS;
+      case csv -> BatchOutputFormat.table(SceneStatisticsCsvWriter.headerOfMany());
+      case json -> BatchOutputFormat.JSON_ARRAY;
     };
   }
 
   /** Counts one of many scenes. */
   private ExitStatus one(Path scene, Console own) throws IOException {
-    Problems problems = new Problems(own::problem);
+    ProblemCollector problems = new ProblemCollector(own::problem);
     SceneStatistics statistics = count(scene, problems);
-    own.out().print(format == Format.csv ? StatisticsCsv.rowsOfMany(statistics) : text(statistics));
+    own.out()
+        .print(
+            format == Format.csv
+                ? SceneStatisticsCsvWriter.rowsOfMany(statistics)
+                : text(statistics));
     return ExitStatus.of(problems);
   }
 
-  private SceneStatistics count(Path scene, Problems problems) throws IOException {
+  private SceneStatistics count(Path scene, ProblemCollector problems) throws IOException {
     try {
-      return PolygonStatistics.of(scene, scopes, allowed, problems);
-    } catch (ScopeException e) {
-      throw CommandFailure.usage("--scope: " + e.getMessage());
+      return ScenePolygonCounter.of(scene, scopes, allowed, problems);
+    } catch (UnknownScopeException e) {
+      throw CommandException.usage("--scope: " + e.getMessage());
     }
   }
 
   private String text(SceneStatistics statistics) {
-    return format == Format.json ? StatisticsJson.of(statistics) : StatisticsText.of(statistics);
+    return format == Format.json
+        ? SceneStatisticsJsonWriter.of(statistics)
+        : SceneStatisticsTextWriter.of(statistics);
   }
 }

@@ -5,13 +5,13 @@ import java.util.Locale;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.selectiverenderer.cli.output.Console;
-import org.selectiverenderer.radiosity.work.WorkProgress;
+import org.selectiverenderer.radiosity.parallel.RadiosityProgress;
 
 /**
  * A progress bar on the terminal with the stage, the share done and the time left. Ctrl-C cancels
  * the work, and the program ends when the results so far are written.
  */
-final class ProgressBar implements WorkProgress, AutoCloseable {
+final class ProgressBar implements RadiosityProgress, AutoCloseable {
   private static final int CELLS = 30;
 
   /** The longest time after Ctrl-C without progress before the program gives up. */
@@ -83,7 +83,7 @@ final class ProgressBar implements WorkProgress, AutoCloseable {
   }
 
   /** The bar, for example {@code [##### ] 50% form factors, 12 s left}. */
-  static String text(WorkProgress.Stage stage, double done, double seconds) {
+  static String text(RadiosityProgress.Stage stage, double done, double seconds) {
     int filled = (int) (CELLS * done);
     String left =
         done > 0.03 ? String.format(Locale.ROOT, ", %.0f s left", seconds / done * (1 - done)) : "";

@@ -6,21 +6,21 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.OptionalDouble;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.decimal.Rounded;
+import org.selectiverenderer.base.decimal.DecimalRounding;
 import org.selectiverenderer.base.json.JsonTree;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.cli.base.CliCommand;
 import org.selectiverenderer.cli.option.AccessOptions;
 import org.selectiverenderer.cli.option.SceneArgument;
-import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.CommandException;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
 import org.selectiverenderer.cli.output.OutputFile;
-import org.selectiverenderer.radiosity.LightStore;
-import org.selectiverenderer.radiosity.PictureReport;
+import org.selectiverenderer.radiosity.LightStorageSettings;
+import org.selectiverenderer.radiosity.LightmapReport;
 import org.selectiverenderer.radiosity.RadiosityJob;
 import org.selectiverenderer.radiosity.RadiositySettings;
-import org.selectiverenderer.radiosity.scene.UnlitSceneException;
+import org.selectiverenderer.radiosity.scene.RadiosityException;
 import org.selectiverenderer.radiosity.solve.EnergyBalance;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -89,7 +89,7 @@ public final class RadiosityCommand extends CliCommand {
       description =
           "largest size of all pictures together in memory; their files are smaller (default: "
               + "${DEFAULT-VALUE})")
-  private double megabytes = LightStore.DEFAULT.megabytes();
+  private double megabytes = LightStorageSettings.DEFAULT.megabytes();
 
   @Option(
       names = "--noise",
@@ -97,7 +97,7 @@ public final class RadiosityCommand extends CliCommand {
       description =
           "target for the mean noise of the light pictures, percent: noisier texels get "
               + "more rays, up to half as many again in all (default: ${DEFAULT-VALUE})")
-  private double noise = LightStore.DEFAULT.noise();
+  private double noise = LightStorageSettings.DEFAULT.noise();
 
   @Option(
       names = "--no-highlights",
@@ -206,7 +206,7 @@ public final class RadiosityCommand extends CliCommand {
     OutputFile.check("--output", target, ".x3d");
     OutputFile.check("--preview", preview, ".png");
     if (target.toAbsolutePath().normalize().equals(scene.file().toAbsolutePath().normalize())) {
-      throw CommandFailure.usage(
+      throw CommandException.usage(
           "--output is the scene itself, which is not overwritten; name another file");
     }
     Path folder = inlines == null ? RadiosityJob.inlinesOf(target) : inlines;
@@ -222,7 +222,7 @@ public final class RadiosityCommand extends CliCommand {
   }
 
   private ExitStatus light(RadiosityJob job, ProgressBar bar) throws IOException {
-    Problems problems = new Problems(console()::problem);
+    ProblemCollector problems = new ProblemCollector(console()::problem);
     long start = System.nanoTime();
     try {
       RadiosityJob.Report report =
@@ -230,7 +230,7 @@ public final class RadiosityCommand extends CliCommand {
       bar.end();
       print(job.output(), report, (System.nanoTime() - start) / 1e9);
       return ExitStatus.of(problems);
-    } catch (UnlitSceneException e) {
+    } catch (RadiosityException e) {
       bar.end();
       if (!e.isTold()) {
         String message = String.valueOf(e.getMessage());
@@ -256,14 +256,16 @@ public final class RadiosityCommand extends CliCommand {
           seed,
           exposure,
           maxPolygons,
-          new LightStore(
-              store == Store.textures ? LightStore.Kind.TEXTURES : LightStore.Kind.VERTICES,
+          new LightStorageSettings(
+              store == Store.textures
+                  ? LightStorageSettings.Kind.TEXTURES
+                  : LightStorageSettings.Kind.VERTICES,
               size(texels),
               megabytes,
               !noHighlights,
               noise));
     } catch (IllegalArgumentException e) {
-      throw CommandFailure.usage(e.getMessage());
+      throw CommandException.usage(e.getMessage());
     }
   }
 
@@ -285,7 +287,7 @@ public final class RadiosityCommand extends CliCommand {
   }
 
   private void print(Path target, RadiosityJob.Report report, double seconds) {
-    PictureReport pictures = report.pictures();
+    LightmapReport pictures = report.pictures();
     if (format == Format.json) {
       ObjectNode node = JsonTree.object();
       node.put("output", target.toString()).put("files", report.files());
@@ -293,8 +295,8 @@ public final class RadiosityCommand extends CliCommand {
       node.put("vertices", report.vertices()).put("patches", report.patches());
       node.put("lamps", report.lamps()).put("lumens", Math.round(report.lumens()));
       node.put("iterations", report.balance().iteration());
-      node.put("distributed_percent", Rounded.to(2, report.balance().distributed()));
-      node.put("discrepancy", Rounded.to(4, report.balance().discrepancy()));
+      node.put("distributed_percent", DecimalRounding.to(2, report.balance().distributed()));
+      node.put("discrepancy", DecimalRounding.to(4, report.balance().discrepancy()));
       node.put("rays", report.rays()).put("complete", report.complete());
       if (pictures != null) {
         print(node.putObject("pictures"), pictures);
@@ -323,18 +325,18 @@ public final class RadiosityCommand extends CliCommand {
     }
   }
 
-  private void print(ObjectNode node, PictureReport pictures) {
+  private void print(ObjectNode node, LightmapReport pictures) {
     node.put("files", pictures.files()).put("bytes", pictures.bytes());
     node.put("texels", pictures.texels());
-    node.put("least_texels_per_metre", Rounded.to(1, pictures.leastPerMetre()));
-    node.put("most_texels_per_metre", Rounded.to(1, pictures.mostPerMetre()));
-    node.put("noise_mean_percent", Rounded.to(2, 100 * pictures.noise().mean()));
-    node.put("noise_most_percent", Rounded.to(2, 100 * pictures.noise().most()));
+    node.put("least_texels_per_metre", DecimalRounding.to(1, pictures.leastPerMetre()));
+    node.put("most_texels_per_metre", DecimalRounding.to(1, pictures.mostPerMetre()));
+    node.put("noise_mean_percent", DecimalRounding.to(2, 100 * pictures.noise().mean()));
+    node.put("noise_most_percent", DecimalRounding.to(2, 100 * pictures.noise().most()));
     node.put("noise_wished_percent", noise);
     node.put("multiplied", pictures.multiplied()).put("shining", pictures.shining());
   }
 
-  private void print(PictureReport pictures) {
+  private void print(LightmapReport pictures) {
     console()
         .out()
         .printf(

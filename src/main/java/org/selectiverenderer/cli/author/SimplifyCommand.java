@@ -7,16 +7,16 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.files.FileFinder;
 import org.selectiverenderer.cli.base.CliCommand;
-import org.selectiverenderer.cli.batch.Batch;
-import org.selectiverenderer.cli.batch.BatchForm;
+import org.selectiverenderer.cli.batch.BatchOutputFormat;
+import org.selectiverenderer.cli.batch.BatchRunner;
 import org.selectiverenderer.cli.option.AccessOptions;
 import org.selectiverenderer.cli.option.FileArguments;
-import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.CommandException;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
 import org.selectiverenderer.cli.output.OutputFile;
-import org.selectiverenderer.polygon.simplify.Goal;
-import org.selectiverenderer.x3d.files.ContentAccess;
+import org.selectiverenderer.polygon.simplify.SimplificationTarget;
+import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -70,14 +70,14 @@ public final class SimplifyCommand extends CliCommand {
         description = "largest error allowed, as a share of the model's largest extent")
     private @Nullable Double maxError;
 
-    Goal goal() {
+    SimplificationTarget goal() {
       if (vertPercent != null) {
-        return GoalText.percent(vertPercent);
+        return ReductionGoals.percent(vertPercent);
       }
       if (vertCount != null) {
-        return GoalText.vertices(vertCount);
+        return ReductionGoals.vertices(vertCount);
       }
-      return polygons != null ? GoalText.polygons(polygons) : GoalText.error(maxError);
+      return polygons != null ? ReductionGoals.polygons(polygons) : ReductionGoals.error(maxError);
     }
   }
 
@@ -114,12 +114,12 @@ public final class SimplifyCommand extends CliCommand {
 
   @Override
   public ExitStatus run() throws IOException {
-    Goal goal = options.goal();
+    SimplificationTarget goal = options.goal();
     OutputFile.check("--output", output, ".x3d", ".x3dz");
     if (output != null && outputDir != null) {
-      throw CommandFailure.usage("--output and --output-dir exclude each other; give one");
+      throw CommandException.usage("--output and --output-dir exclude each other; give one");
     }
-    ContentAccess allowed = access.access();
+    ContentAccessPolicy allowed = access.access();
     FileArguments files = new FileArguments(names);
     if (files.one()) {
       Path file = files.file();
@@ -129,19 +129,19 @@ public final class SimplifyCommand extends CliCommand {
           && Files.exists(target)
           && Files.exists(file)
           && Files.isSameFile(target, file)) {
-        throw CommandFailure.environment(
+        throw CommandException.environment(
             "--output " + target + ": is the model itself, which would be lost; name another file");
       }
       return new ModelReduction(goal, allowed, target, format == Format.json, false)
           .run(file, console());
     }
     if (output != null || outputDir == null && format != Format.json) {
-      throw CommandFailure.usage("several models need --output-dir, a folder for the results");
+      throw CommandException.usage("several models need --output-dir, a folder for the results");
     }
     List<Path> models = files.files(MODELS);
     OutputFolder folder = outputDir == null ? null : OutputFolder.open(outputDir, models);
     boolean json = format == Format.json;
-    return new Batch(console(), json ? BatchForm.JSON_ARRAY : BatchForm.TEXTS)
+    return new BatchRunner(console(), json ? BatchOutputFormat.JSON_ARRAY : BatchOutputFormat.TEXTS)
         .run(
             models,
             (model, own) ->

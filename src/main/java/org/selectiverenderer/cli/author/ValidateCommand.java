@@ -11,27 +11,27 @@ import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Problem.Severity;
-import org.selectiverenderer.base.problem.Problems;
-import org.selectiverenderer.base.problem.Spelling;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SpellingSuggester;
 import org.selectiverenderer.cli.base.CliCommand;
 import org.selectiverenderer.cli.base.ProgramVersion;
 import org.selectiverenderer.cli.option.AccessOptions;
-import org.selectiverenderer.cli.output.CommandFailure;
-import org.selectiverenderer.cli.output.CommandFiles;
+import org.selectiverenderer.cli.output.CommandException;
+import org.selectiverenderer.cli.output.CommandFileCheck;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
 import org.selectiverenderer.cli.output.OutputFile;
-import org.selectiverenderer.validation.Report;
 import org.selectiverenderer.validation.Rule;
 import org.selectiverenderer.validation.SourceFile;
+import org.selectiverenderer.validation.ValidationReport;
 import org.selectiverenderer.validation.ValidationSettings;
 import org.selectiverenderer.validation.report.ReportFormat;
-import org.selectiverenderer.validation.report.RuleBook;
+import org.selectiverenderer.validation.report.RuleDocumentation;
 import org.selectiverenderer.validation.run.RuleCatalogue;
 import org.selectiverenderer.validation.run.SceneFinder;
 import org.selectiverenderer.validation.run.Validator;
 import org.selectiverenderer.validation.settings.Baseline;
-import org.selectiverenderer.validation.settings.ValidationSettingsFile;
+import org.selectiverenderer.validation.settings.ValidationSettingsReader;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Mixin;
@@ -145,11 +145,14 @@ public final class ValidateCommand extends CliCommand {
   public ExitStatus run() throws IOException {
     RuleCatalogue catalogue = RuleCatalogue.standard();
     if ((rules || explained != null) && !paths.isEmpty()) {
-      throw CommandFailure.usage(
+      throw CommandException.usage(
           (rules ? "--rules" : "--explain") + " lists or explains rules; it takes no PATH");
     }
     if (rules || explained != null) {
-      print(explained == null ? new RuleBook(catalogue).list() : explain(catalogue, explained));
+      print(
+          explained == null
+              ? new RuleDocumentation(catalogue).list()
+              : explain(catalogue, explained));
       return ExitStatus.DONE;
     }
     OutputFile.check("--output", output, "");
@@ -159,9 +162,10 @@ public final class ValidateCommand extends CliCommand {
       return ExitStatus.FAILURE;
     }
     Baseline old = baseline == null ? Baseline.none() : Baseline.read(baseline);
-    Report report = old.without(new Validator(catalogue, settings.get(), base).validate(files()));
-    CommandFiles written =
-        new CommandFiles()
+    ValidationReport report =
+        old.without(new Validator(catalogue, settings.get(), base).validate(files()));
+    CommandFileCheck written =
+        new CommandFileCheck()
             .reads("--config", config)
             .reads("--baseline", baseline)
             .writes("--output", output);
@@ -185,16 +189,17 @@ public final class ValidateCommand extends CliCommand {
     Optional<ValidationSettings> settings =
         config == null
             ? Optional.of(ValidationSettings.standard())
-            : new ValidationSettingsFile(config, catalogue).read(new Problems(console()::problem));
+            : new ValidationSettingsReader(config, catalogue)
+                .read(new ProblemCollector(console()::problem));
     return settings.map(read -> read.ignoring(more).allowing(read.access().and(access.access())));
   }
 
   private List<SourceFile> files() throws IOException {
     if (paths.isEmpty()) {
-      throw CommandFailure.usage("no PATH given; name a scene or a folder of scenes");
+      throw CommandException.usage("no PATH given; name a scene or a folder of scenes");
     }
     if (!Files.isDirectory(base)) {
-      throw CommandFailure.usage("--base " + base + ": is not a folder");
+      throw CommandException.usage("--base " + base + ": is not a folder");
     }
     SceneFinder finder = new SceneFinder(base, input);
     List<SourceFile> files = new ArrayList<>();
@@ -205,17 +210,17 @@ public final class ValidateCommand extends CliCommand {
   }
 
   private static String explain(RuleCatalogue catalogue, String id) {
-    return RuleBook.explain(
+    return RuleDocumentation.explain(
         catalogue.find(id).orElseThrow(() -> unknown(catalogue, "--explain", id)));
   }
 
-  private static CommandFailure unknown(RuleCatalogue catalogue, String option, String id) {
-    return CommandFailure.usage(
+  private static CommandException unknown(RuleCatalogue catalogue, String option, String id) {
+    return CommandException.usage(
         option
             + ": there is no rule '"
             + id
             + "'"
-            + Spelling.nearest(id, catalogue.rules().stream().map(Rule::id).toList())
+            + SpellingSuggester.nearest(id, catalogue.rules().stream().map(Rule::id).toList())
                 .map(near -> "; did you mean " + near + "?")
                 .orElse("; --rules lists them"));
   }

@@ -7,24 +7,24 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.decimal.Counted;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.decimal.Pluralizer;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.cli.base.CliCommand;
 import org.selectiverenderer.cli.option.AccessOptions;
 import org.selectiverenderer.cli.option.DryRunOption;
 import org.selectiverenderer.cli.option.SceneArgument;
-import org.selectiverenderer.cli.output.CommandFiles;
+import org.selectiverenderer.cli.output.CommandFileCheck;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
 import org.selectiverenderer.cli.output.OutputFile;
-import org.selectiverenderer.document.Snapshot;
+import org.selectiverenderer.document.DocumentSnapshot;
 import org.selectiverenderer.document.file.DocumentFile;
-import org.selectiverenderer.document.versions.BadSceneException;
+import org.selectiverenderer.document.versions.ChangePreview;
 import org.selectiverenderer.document.versions.ObjectVersion;
 import org.selectiverenderer.document.versions.PlannedFile;
-import org.selectiverenderer.document.versions.ShownChange;
+import org.selectiverenderer.document.versions.SceneNotEditableException;
 import org.selectiverenderer.document.versions.VersionsEdit;
-import org.selectiverenderer.polygon.simplify.Goal;
+import org.selectiverenderer.polygon.simplify.SimplificationTarget;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
@@ -69,10 +69,10 @@ public final class VersionsCommand extends CliCommand {
         description = "numbers of polygons to keep, one per version")
     private List<Integer> polygons = List.of();
 
-    List<Goal> goals() {
+    List<SimplificationTarget> goals() {
       return polygons.isEmpty()
-          ? vertPercent.stream().map(GoalText::percent).toList()
-          : polygons.stream().map(GoalText::polygons).toList();
+          ? vertPercent.stream().map(ReductionGoals::percent).toList()
+          : polygons.stream().map(ReductionGoals::polygons).toList();
     }
   }
 
@@ -112,18 +112,18 @@ public final class VersionsCommand extends CliCommand {
 
   @Override
   public ExitStatus run() throws IOException {
-    List<Goal> goals = options.goals();
-    Problems problems = new Problems(console()::problem);
+    List<SimplificationTarget> goals = options.goals();
+    ProblemCollector problems = new ProblemCollector(console()::problem);
     OutputFile.check("--output", output, ".x3d", ".x3dz");
     VersionsEdit.Request request =
         new VersionsEdit.Request(
                 scene.file(), object, goals, output == null ? scene.file() : output, inlineFolder)
             .allowing(access.access());
-    Snapshot document = DocumentFile.open(scene.file()).document().snapshot();
+    DocumentSnapshot document = DocumentFile.open(scene.file()).document().snapshot();
     Optional<VersionsEdit> plan;
     try {
       plan = VersionsEdit.plan(document, request, NodeCatalogue.load(), problems);
-    } catch (BadSceneException e) {
+    } catch (SceneNotEditableException e) {
       console().message(e.getMessage());
       return ExitStatus.PROBLEMS;
     }
@@ -131,8 +131,8 @@ public final class VersionsCommand extends CliCommand {
       return ExitStatus.PROBLEMS;
     }
     if (!dryRun.asked()) {
-      new CommandFiles().writes("--output", output).check(request.access().named());
-      LeftFiles.tell(plan.get().write(), console());
+      new CommandFileCheck().writes("--output", output).check(request.access().named());
+      UndeletedFilesWarning.tell(plan.get().write(), console());
     }
     print(plan.get());
     return plan.get().versions().stream().allMatch(ObjectVersion::met)
@@ -162,7 +162,7 @@ public final class VersionsCommand extends CliCommand {
                         scene.file(),
                         version.number(),
                         object,
-                        GoalText.polygonText(version.polygons())
+                        ReductionGoals.polygonText(version.polygons())
                             + (version.polygons() == 1 ? " comes" : " come")));
       }
     }
@@ -183,7 +183,7 @@ public final class VersionsCommand extends CliCommand {
     console().out().println(done + "  " + file.file());
   }
 
-  private void print(ShownChange edit) {
+  private void print(ChangePreview edit) {
     console().out().println(scene.file() + ":" + edit.line() + ":");
     shortened(edit.before().lines().toList()).forEach(line -> console().out().println("- " + line));
     edit.after().lines().forEach(line -> console().out().println("+ " + line));
@@ -204,7 +204,7 @@ public final class VersionsCommand extends CliCommand {
                     line.substring(0, WIDTH),
                     line.length()));
       } else if (i == HEAD) {
-        kept.add("... (" + Counted.of(lines.size() - HEAD - TAIL, "line") + ")");
+        kept.add("... (" + Pluralizer.of(lines.size() - HEAD - TAIL, "line") + ")");
       }
     }
     return kept;

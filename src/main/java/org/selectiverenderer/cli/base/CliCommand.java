@@ -3,7 +3,7 @@ package org.selectiverenderer.cli.base;
 import java.io.IOException;
 import java.util.List;
 import java.util.concurrent.Callable;
-import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.CommandException;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
 
@@ -33,7 +33,7 @@ public abstract class CliCommand implements Callable<Integer> {
   /**
    * Executes the command.
    *
-   * @throws CommandFailure if the command fails, with the message for the user
+   * @throws CommandException if the command fails, with the message for the user
    * @throws IOException reported as one line, with status {@link ExitStatus#FAILURE}
    */
   public abstract ExitStatus run() throws IOException;

@@ -58,7 +58,7 @@ public final class BundleFilesCommand extends CliCommand {
   @Override
   public ExitStatus run() throws IOException {
     CommandLine root = commands.get();
-    for (var page : ManPages.of(root.getCommandSpec(), ProgramVersion.number()).entrySet()) {
+    for (var page : ManPageWriter.of(root.getCommandSpec(), ProgramVersion.number()).entrySet()) {
       write("man/" + page.getKey() + ".1", page.getValue().getBytes(StandardCharsets.UTF_8));
     }
     String bash = AutoComplete.bash(ProgramVersion.PROGRAM, root);
@@ -90,8 +90,8 @@ public final class BundleFilesCommand extends CliCommand {
     }
     TreeMap<Integer, byte[]> small = new TreeMap<>(pictures);
     small.keySet().retainAll(ICO_SIZES);
-    write("icons/" + ProgramVersion.PROGRAM + ".ico", IconFiles.ico(small));
-    write("icons/" + ProgramVersion.PROGRAM + ".icns", IconFiles.icns(pictures));
+    write("icons/" + ProgramVersion.PROGRAM + ".ico", IconFileWriter.ico(small));
+    write("icons/" + ProgramVersion.PROGRAM + ".icns", IconFileWriter.icns(pictures));
   }
 
   private byte[] png(int size) throws IOException {

@@ -4,20 +4,20 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.cli.base.CliCommand;
-import org.selectiverenderer.cli.output.CommandFiles;
+import org.selectiverenderer.cli.output.CommandFileCheck;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
 import org.selectiverenderer.statistics.anova.AnovaOptions;
+import org.selectiverenderer.statistics.data.ParticipantRoster;
 import org.selectiverenderer.statistics.data.Responses;
 import org.selectiverenderer.statistics.data.ResponsesReader;
-import org.selectiverenderer.statistics.data.Roster;
 import org.selectiverenderer.statistics.report.Provenance;
 import org.selectiverenderer.statistics.report.StudyReport;
-import org.selectiverenderer.statistics.study.FamilyCorrection;
-import org.selectiverenderer.statistics.study.MissingTables;
+import org.selectiverenderer.statistics.study.MultipleTestingCorrection;
 import org.selectiverenderer.statistics.study.StudyAnalysis;
+import org.selectiverenderer.statistics.study.UntestableEffectReporter;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -63,10 +63,10 @@ final class ExperimentAnalyseCommand extends CliCommand {
       description = "accepts that objects are present for some participants and absent for others")
   private boolean counterbalanced;
 
-  @Mixin private ScoringChoices scoring = new ScoringChoices();
+  @Mixin private ScoringOptions scoring = new ScoringOptions();
   @Mixin private SphericityOption sphericity = new SphericityOption();
-  @Mixin private AnovaChoices choices = new AnovaChoices();
-  @Mixin private PriorChoices prior = new PriorChoices();
+  @Mixin private EquivalenceBoundOptions choices = new EquivalenceBoundOptions();
+  @Mixin private BayesPriorOptions prior = new BayesPriorOptions();
 
   @Option(
       names = "--format",
@@ -87,9 +87,9 @@ final class ExperimentAnalyseCommand extends CliCommand {
               + " ${DEFAULT-VALUE})")
   private Family family = Family.none;
 
-  @Mixin private ReportDate date = new ReportDate();
-  @Mixin private StudyOutputs outputs = new StudyOutputs();
-  @Mixin private ReportOutput output = new ReportOutput();
+  @Mixin private ReportDateOption date = new ReportDateOption();
+  @Mixin private StudyOutputOptions outputs = new StudyOutputOptions();
+  @Mixin private ReportOutputOption output = new ReportOutputOption();
 
   ExperimentAnalyseCommand(Console console) {
     super(console);
@@ -99,14 +99,14 @@ final class ExperimentAnalyseCommand extends CliCommand {
   public ExitStatus run() throws IOException {
     AnovaOptions options = prior.in(sphericity.in(choices.options()));
     Provenance provenance = date.provenance();
-    CommandFiles files =
-        new CommandFiles().reads("", responses).reads("--participants", participants);
+    CommandFileCheck files =
+        new CommandFileCheck().reads("", responses).reads("--participants", participants);
     output.check(files);
     outputs.check();
-    Problems problems = new Problems(console()::problem);
-    Optional<Roster> roster = Optional.empty();
+    ProblemCollector problems = new ProblemCollector(console()::problem);
+    Optional<ParticipantRoster> roster = Optional.empty();
     if (participants != null) {
-      roster = Roster.read(participants, problems);
+      roster = ParticipantRoster.read(participants, problems);
       if (roster.isEmpty()) {
         return ExitStatus.PROBLEMS;
       }
@@ -115,14 +115,14 @@ final class ExperimentAnalyseCommand extends CliCommand {
     if (found.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
-    FamilyCorrection correction =
+    MultipleTestingCorrection correction =
         switch (family) {
-          case none -> FamilyCorrection.NONE;
-          case holm -> FamilyCorrection.HOLM;
-          case fdr -> FamilyCorrection.FDR;
+          case none -> MultipleTestingCorrection.NONE;
+          case holm -> MultipleTestingCorrection.HOLM;
+          case fdr -> MultipleTestingCorrection.FDR;
         };
     StudyAnalysis study = StudyAnalysis.of(found.get(), scoring.scoring(), options, correction);
-    MissingTables.tell(study, problems);
+    UntestableEffectReporter.tell(study, problems);
     outputs.write(study, provenance, files, console());
     output.write(
         switch (format) {

@@ -7,11 +7,11 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.cli.base.CliCommand;
-import org.selectiverenderer.cli.output.CommandFailure;
-import org.selectiverenderer.cli.output.CommandFiles;
+import org.selectiverenderer.cli.output.CommandException;
+import org.selectiverenderer.cli.output.CommandFileCheck;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
 import org.selectiverenderer.statistics.anova.Anova;
@@ -21,7 +21,7 @@ import org.selectiverenderer.statistics.data.Observations;
 import org.selectiverenderer.statistics.data.ObservationsReader;
 import org.selectiverenderer.statistics.report.AnovaReport;
 import org.selectiverenderer.statistics.report.Provenance;
-import org.selectiverenderer.statistics.study.MissingTables;
+import org.selectiverenderer.statistics.study.UntestableEffectReporter;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -91,8 +91,8 @@ final class ExperimentAnovaCommand extends CliCommand {
   private SphericityOption.@Nullable Words correction;
 
   @Mixin private SphericityOption sphericity = new SphericityOption();
-  @Mixin private AnovaChoices choices = new AnovaChoices();
-  @Mixin private PriorChoices prior = new PriorChoices();
+  @Mixin private EquivalenceBoundOptions choices = new EquivalenceBoundOptions();
+  @Mixin private BayesPriorOptions prior = new BayesPriorOptions();
 
   @Option(
       names = "--format",
@@ -101,8 +101,8 @@ final class ExperimentAnovaCommand extends CliCommand {
       description = "format of the report: ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE})")
   private Format format = Format.text;
 
-  @Mixin private ReportDate date = new ReportDate();
-  @Mixin private ReportOutput output = new ReportOutput();
+  @Mixin private ReportDateOption date = new ReportDateOption();
+  @Mixin private ReportOutputOption output = new ReportOutputOption();
 
   ExperimentAnovaCommand(Console console) {
     super(console);
@@ -111,7 +111,7 @@ final class ExperimentAnovaCommand extends CliCommand {
   @Override
   public ExitStatus run() throws IOException {
     if (within.isEmpty() && between.isEmpty() && covariates.isEmpty()) {
-      throw CommandFailure.usage("no factor given; name one with --within, --between or both");
+      throw CommandException.usage("no factor given; name one with --within, --between or both");
     }
     List<String> columns = new ArrayList<>(List.of(measure, subject));
     columns.addAll(within);
@@ -119,18 +119,18 @@ final class ExperimentAnovaCommand extends CliCommand {
     columns.addAll(covariates);
     if (columns.stream().map(name -> name.toLowerCase(Locale.ROOT)).distinct().count()
         < columns.size()) {
-      throw CommandFailure.usage(
+      throw CommandException.usage(
           "--dv, --subject, --within, --between and --covariate must be different columns");
     }
     if (within.size() + between.size() > MOST_FACTORS) {
-      throw CommandFailure.usage(
+      throw CommandException.usage(
           "at most %d factors can be analysed together; leave some out".formatted(MOST_FACTORS));
     }
     AnovaOptions options =
         prior.in(sphericity.in(choices.options(), Optional.ofNullable(correction)));
     Provenance provenance = date.provenance();
-    output.check(new CommandFiles().reads("", data));
-    Problems problems = new Problems(console()::problem);
+    output.check(new CommandFileCheck().reads("", data));
+    ProblemCollector problems = new ProblemCollector(console()::problem);
     Optional<Observations> read =
         ObservationsReader.read(
             data,
@@ -141,13 +141,15 @@ final class ExperimentAnovaCommand extends CliCommand {
     }
     Optional<String> obstacle = read.get().design().obstacle();
     if (obstacle.isPresent()) {
-      problems.error(new Location(data.toString(), 1, 1), obstacle.get() + "; nothing is analysed");
+      problems.error(
+          new SourceLocation(data.toString(), 1, 1), obstacle.get() + "; nothing is analysed");
       return ExitStatus.PROBLEMS;
     }
     Anova anova = Anova.of(read.get().design(), options);
-    MissingTables.reasons(anova)
+    UntestableEffectReporter.reasons(anova)
         .forEach(
-            reason -> problems.warning(new Location(data.toString(), 1, 1), "no F: " + reason));
+            reason ->
+                problems.warning(new SourceLocation(data.toString(), 1, 1), "no F: " + reason));
     List<Exclusion> exclusions = read.get().exclusions();
     output.write(
         switch (format) {

@@ -4,8 +4,8 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import org.selectiverenderer.base.decimal.Counted;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.decimal.Pluralizer;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.cli.base.CliCommand;
 import org.selectiverenderer.cli.base.ProgramVersion;
 import org.selectiverenderer.cli.output.Console;
@@ -51,7 +51,7 @@ final class ExperimentBidsCommand extends CliCommand {
 
   @Override
   public ExitStatus run() throws IOException {
-    Problems problems = new Problems(console()::problem);
+    ProblemCollector problems = new ProblemCollector(console()::problem);
     Optional<StudyMaterial> material = study.read(problems);
     if (material.isEmpty()) {
       return ExitStatus.PROBLEMS;
@@ -66,8 +66,8 @@ final class ExperimentBidsCommand extends CliCommand {
         .message(
             "BIDS dataset: %s, %s in %s"
                 .formatted(
-                    Counted.of(written.sessions(), "session"),
-                    Counted.of(written.files(), "file"),
+                    Pluralizer.of(written.sessions(), "session"),
+                    Pluralizer.of(written.files(), "file"),
                     output));
     return ExitStatus.of(problems);
   }

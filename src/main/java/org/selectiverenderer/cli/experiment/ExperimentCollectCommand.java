@@ -8,11 +8,11 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.decimal.Counted;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.decimal.Pluralizer;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.cli.base.CliCommand;
-import org.selectiverenderer.cli.output.CommandFailure;
-import org.selectiverenderer.cli.output.CommandFiles;
+import org.selectiverenderer.cli.output.CommandException;
+import org.selectiverenderer.cli.output.CommandFileCheck;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
 import org.selectiverenderer.cli.output.OutputFile;
@@ -99,15 +99,15 @@ final class ExperimentCollectCommand extends CliCommand {
   @Override
   public ExitStatus run() throws IOException {
     if (number != null && number < 1) {
-      throw CommandFailure.usage("--session must be a whole number of at least 1");
+      throw CommandException.usage("--session must be a whole number of at least 1");
     }
     OutputFile.check("--responses", responses, ".csv");
     OutputFile.check("--ratings", ratings, ".csv");
     OutputFile.check("--answers", others, ".csv");
     OutputFile.check("--scores", scores, ".csv");
     OutputFile.check("--bands", bands, ".csv");
-    CommandFiles files =
-        new CommandFiles()
+    CommandFileCheck files =
+        new CommandFileCheck()
             .writes("--responses", responses)
             .writes("--ratings", ratings)
             .writes("--answers", others)
@@ -115,7 +115,7 @@ final class ExperimentCollectCommand extends CliCommand {
             .writes("--bands", bands);
     paper.forEach(table -> files.reads("--paper", table));
     files.check();
-    Problems problems = new Problems(console()::problem);
+    ProblemCollector problems = new ProblemCollector(console()::problem);
     Optional<StudyMaterial> material = study.read(problems);
     if (material.isEmpty()) {
       return ExitStatus.PROBLEMS;
@@ -138,8 +138,8 @@ final class ExperimentCollectCommand extends CliCommand {
         .message(
             "collected: %s of %s"
                 .formatted(
-                    Counted.of(answers.answers(), "answer"),
-                    Counted.of(answers.participants(), "participant")));
+                    Pluralizer.of(answers.answers(), "answer"),
+                    Pluralizer.of(answers.participants(), "participant")));
     return ExitStatus.of(problems);
   }
 

@@ -2,7 +2,7 @@ package org.selectiverenderer.cli.experiment;
 
 import java.util.List;
 import org.selectiverenderer.cli.base.CliCommand;
-import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.CommandException;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
 import picocli.CommandLine.Command;
@@ -40,6 +40,6 @@ public final class ExperimentCommand extends CliCommand {
 
   @Override
   public ExitStatus run() {
-    throw CommandFailure.usage("no experiment command given; experiment --help lists them");
+    throw CommandException.usage("no experiment command given; experiment --help lists them");
   }
 }

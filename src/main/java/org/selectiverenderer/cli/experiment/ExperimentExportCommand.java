@@ -7,9 +7,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.cli.base.CliCommand;
-import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.CommandException;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
 import org.selectiverenderer.experiment.dataset.RecordedStudy;
@@ -17,7 +17,7 @@ import org.selectiverenderer.experiment.export.StudyExport;
 import org.selectiverenderer.experiment.session.CollectedAnswers;
 import org.selectiverenderer.experiment.session.PaperAnswers;
 import org.selectiverenderer.experiment.session.StudyMaterial;
-import org.selectiverenderer.statistics.script.RScripts;
+import org.selectiverenderer.statistics.script.RScriptGenerator;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -60,14 +60,14 @@ final class ExperimentExportCommand extends CliCommand {
 
   @Override
   public ExitStatus run() throws IOException {
-    Problems problems = new Problems(console()::problem);
+    ProblemCollector problems = new ProblemCollector(console()::problem);
     Optional<StudyMaterial> found = study.read(problems);
     if (found.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
     StudyMaterial material = found.get();
     if (Files.exists(output) && Files.isSameFile(output, material.study().folder())) {
-      throw CommandFailure.usage(
+      throw CommandException.usage(
           "--output "
               + output
               + ": is the study's folder, in which nothing is written; name another folder");
@@ -90,7 +90,7 @@ final class ExperimentExportCommand extends CliCommand {
   /** Returns the R script that analyses recognition answers, if there are any. */
   private static Map<String, String> scripts(CollectedAnswers answers) {
     return answers.responses().lines().count() > 1
-        ? Map.of(RScripts.NAME, RScripts.analysis(StudyExport.RESPONSES))
+        ? Map.of(RScriptGenerator.NAME, RScriptGenerator.analysis(StudyExport.RESPONSES))
         : Map.of();
   }
 }

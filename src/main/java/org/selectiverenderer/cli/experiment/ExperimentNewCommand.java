@@ -5,9 +5,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.files.ProgramPlace;
+import org.selectiverenderer.base.files.ProgramLocation;
 import org.selectiverenderer.cli.base.CliCommand;
-import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.CommandException;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
 import org.selectiverenderer.experiment.study.StudyTemplate;
@@ -51,7 +51,7 @@ final class ExperimentNewCommand extends CliCommand {
     Path shown = scene == null ? usual() : scene;
     for (Path needed : List.of(shown, shown.resolveSibling("practice.x3d"))) {
       if (!Files.isRegularFile(needed)) {
-        throw CommandFailure.usage("there is no scene " + needed + "; name another with --scene");
+        throw CommandException.usage("there is no scene " + needed + "; name another with --scene");
       }
     }
     console().message("study: " + StudyTemplate.write(folder, shown));
@@ -63,6 +63,6 @@ final class ExperimentNewCommand extends CliCommand {
     Path here = Path.of(DEFAULT_SCENE);
     return Files.isRegularFile(here)
         ? here
-        : ProgramPlace.file(ExperimentNewCommand.class, DEFAULT_SCENE).orElse(here);
+        : ProgramLocation.file(ExperimentNewCommand.class, DEFAULT_SCENE).orElse(here);
   }
 }

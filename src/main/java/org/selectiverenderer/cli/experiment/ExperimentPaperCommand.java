@@ -6,18 +6,18 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.cli.base.CliCommand;
 import org.selectiverenderer.cli.option.ConditionOptions;
-import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.CommandException;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
 import org.selectiverenderer.cli.output.OutputFile;
 import org.selectiverenderer.control.Condition;
 import org.selectiverenderer.experiment.questionnaire.Questionnaire;
-import org.selectiverenderer.experiment.questionnaire.paper.PaperPage;
-import org.selectiverenderer.experiment.questionnaire.paper.PaperTable;
-import org.selectiverenderer.experiment.session.Participants;
+import org.selectiverenderer.experiment.questionnaire.paper.DataEntryTemplate;
+import org.selectiverenderer.experiment.questionnaire.paper.PaperQuestionnaireHtml;
+import org.selectiverenderer.experiment.session.ParticipantsFile;
 import org.selectiverenderer.experiment.session.SessionFolder;
 import org.selectiverenderer.experiment.session.StudyMaterial;
 import picocli.CommandLine.Command;
@@ -73,11 +73,11 @@ final class ExperimentPaperCommand extends CliCommand {
   @Override
   public ExitStatus run() throws IOException {
     if (!participant.matches(SessionFolder.LABEL)) {
-      throw CommandFailure.usage("--participant must consist of letters and digits");
+      throw CommandException.usage("--participant must consist of letters and digits");
     }
     OutputFile.check("--output", output, ".html");
     OutputFile.check("--csv", csv, ".csv");
-    Problems problems = new Problems(console()::problem);
+    ProblemCollector problems = new ProblemCollector(console()::problem);
     Optional<StudyMaterial> material = study.read(problems);
     if (material.isEmpty()) {
       return ExitStatus.PROBLEMS;
@@ -87,7 +87,7 @@ final class ExperimentPaperCommand extends CliCommand {
       asked.add(material.get().form());
     }
     asked.addAll(material.get().questionnaires(participant));
-    String page = PaperPage.html(asked, material.get().wording(), participant);
+    String page = PaperQuestionnaireHtml.html(asked, material.get().wording(), participant);
     if (output != null) {
       OutputFile.write(output, page);
     } else {
@@ -97,7 +97,8 @@ final class ExperimentPaperCommand extends CliCommand {
       OutputFile.writeOnce(
           "--csv",
           csv,
-          PaperTable.text(asked, material.get().wording(), participant, group(material.get())));
+          DataEntryTemplate.text(
+              asked, material.get().wording(), participant, group(material.get())));
     }
     return ExitStatus.of(problems);
   }
@@ -106,7 +107,7 @@ final class ExperimentPaperCommand extends CliCommand {
     if (condition != null) {
       return condition.spelling();
     }
-    return new Participants(material.study())
+    return new ParticipantsFile(material.study())
         .of(participant)
         .map(assigned -> assigned.condition().spelling())
         .orElse("");

@@ -8,26 +8,26 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.app.head.ChainTracker;
-import org.selectiverenderer.app.session.SessionDialogue;
+import org.selectiverenderer.app.head.SharedHeadTracker;
+import org.selectiverenderer.app.session.OperatorViewSettings;
+import org.selectiverenderer.app.session.SessionDisplaySettings;
 import org.selectiverenderer.app.session.SessionHeadset;
 import org.selectiverenderer.app.session.SessionRunner;
-import org.selectiverenderer.app.session.SessionShow;
-import org.selectiverenderer.app.session.SessionStage;
-import org.selectiverenderer.app.session.SimulatedDialogue;
-import org.selectiverenderer.app.session.WindowDialogue;
-import org.selectiverenderer.app.stream.LabStreams;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.app.session.SessionUi;
+import org.selectiverenderer.app.session.SimulatedSessionUi;
+import org.selectiverenderer.app.session.SwingSessionUi;
+import org.selectiverenderer.app.stream.LslStreams;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.cli.base.CliCommand;
 import org.selectiverenderer.cli.base.LibraryProperties;
 import org.selectiverenderer.cli.base.ProgramVersion;
 import org.selectiverenderer.cli.option.ConditionOptions;
 import org.selectiverenderer.cli.option.LslOptions;
-import org.selectiverenderer.cli.option.TrackerFlags;
-import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.option.TrackerFilterOptions;
+import org.selectiverenderer.cli.output.CommandException;
 import org.selectiverenderer.cli.output.Console;
+import org.selectiverenderer.cli.output.ConsoleRunListener;
 import org.selectiverenderer.cli.output.ExitStatus;
-import org.selectiverenderer.cli.output.RunOutput;
 import org.selectiverenderer.control.Condition;
 import org.selectiverenderer.experiment.session.Session;
 import org.selectiverenderer.experiment.session.SessionFolder;
@@ -36,13 +36,13 @@ import org.selectiverenderer.experiment.session.SessionStep;
 import org.selectiverenderer.experiment.session.StudyMaterial;
 import org.selectiverenderer.experiment.study.Study;
 import org.selectiverenderer.experiment.study.StudyStreams;
+import org.selectiverenderer.hmd.DisplayConfiguration;
 import org.selectiverenderer.hmd.DisplayMode;
 import org.selectiverenderer.hmd.DisplayProfile;
-import org.selectiverenderer.hmd.DisplayProfiles;
+import org.selectiverenderer.hmd.DisplayProfileLoader;
 import org.selectiverenderer.hmd.EyeGeometry;
 import org.selectiverenderer.hmd.HeadsetLayout;
-import org.selectiverenderer.hmd.HeadsetShown;
-import org.selectiverenderer.hmd.Presentation;
+import org.selectiverenderer.hmd.HeadsetViewSettings;
 import org.selectiverenderer.lsl.LslLibrary;
 import org.selectiverenderer.runtime.camera.MirrorSide;
 import org.selectiverenderer.runtime.render.context.GlAvailability;
@@ -70,7 +70,7 @@ import picocli.CommandLine.Option;
 final class ExperimentRunCommand extends CliCommand {
   @Mixin private StudyArgument study = new StudyArgument();
 
-  @Mixin private ParticipantChoice participant = new ParticipantChoice();
+  @Mixin private ParticipantOptions participant = new ParticipantOptions();
 
   @Option(
       names = "--session",
@@ -128,7 +128,7 @@ final class ExperimentRunCommand extends CliCommand {
           "shows the experimenter the participant's condition, even if the study is blind")
   private boolean showCondition;
 
-  @Mixin private TrackerFlags trackerFlags = new TrackerFlags();
+  @Mixin private TrackerFilterOptions trackerFlags = new TrackerFilterOptions();
 
   @Mixin private LslOptions lsl = new LslOptions();
 
@@ -139,64 +139,65 @@ final class ExperimentRunCommand extends CliCommand {
   @Override
   public ExitStatus run() throws IOException {
     check();
-    Problems problems = new Problems(console()::problem);
+    ProblemCollector problems = new ProblemCollector(console()::problem);
     Optional<StudyMaterial> found = study.read(problems);
     if (found.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
     StudyMaterial material = found.get();
     if (condition != null && !material.study().conditions().contains(condition)) {
-      throw CommandFailure.usage(
+      throw CommandException.usage(
           "the study has no condition " + condition.spelling() + " for --condition");
     }
-    Optional<Presentation> presentation = presentation(material.study(), problems);
+    Optional<DisplayConfiguration> presentation = presentation(material.study(), problems);
     if (presentation.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
     List<Monitor> monitors = Monitors.all(); // This starts JOGL; Swing may start only afterwards.
-    SessionStage stage = stage(material.study(), presentation.get(), monitors);
-    SessionShow plain =
-        new SessionShow(
+    OperatorViewSettings stage = stage(material.study(), presentation.get(), monitors);
+    SessionDisplaySettings plain =
+        new SessionDisplaySettings(
             presentation.get(),
             trackerFlags.options(),
             operator == null ? !unattended && viewFits(monitors) : operator,
             stage,
-            new RunOutput(console(), event -> {}));
+            new ConsoleRunListener(console(), event -> {}));
     StudyStreams wanted =
         lsl.asked() ? material.study().streams().sending() : material.study().streams();
     Optional<LslLibrary> library = lsl.library(wanted.wanted()); // before anything has begun
     requireGl(material);
     Optional<SessionHeadset> headset = headset(presentation.get(), material);
-    try (ChainTracker tracker =
+    try (SharedHeadTracker tracker =
             headset
-                .map(worn -> new ChainTracker((settings, hears) -> worn.tracker(hears)))
-                .orElseGet(ChainTracker::new);
+                .map(worn -> new SharedHeadTracker((settings, hears) -> worn.tracker(hears)))
+                .orElseGet(SharedHeadTracker::new);
         Session session = open(material, plain, tracker, problems);
-        LabStreams streams = streams(wanted, library, session);
-        SessionDialogue dialogue =
-            unattended ? new SimulatedDialogue() : new WindowDialogue(material.wording(), stage)) {
-      SessionShow show = plain.heardBy(new RunOutput(console(), event -> {}, streams.samples()));
+        LslStreams streams = streams(wanted, library, session);
+        SessionUi dialogue =
+            unattended ? new SimulatedSessionUi() : new SwingSessionUi(material.wording(), stage)) {
+      SessionDisplaySettings show =
+          plain.heardBy(new ConsoleRunListener(console(), event -> {}, streams.samples()));
       session.journal().listen(streams::event);
       console().message("session: " + session.folder().path());
       return ended(
           new SessionRunner(session, dialogue, show, tracker, headset, console()::message).run(),
           session);
     } catch (GlUnavailableException e) {
-      throw CommandFailure.environment(e.getMessage());
+      throw CommandException.environment(e.getMessage());
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      throw CommandFailure.environment("interrupted; --resume continues the session");
+      throw CommandException.environment("interrupted; --resume continues the session");
     }
   }
 
   /** Returns the study's headset, checked before the session begins; empty for other displays. */
-  private Optional<SessionHeadset> headset(Presentation presentation, StudyMaterial material)
-      throws IOException {
+  private Optional<SessionHeadset> headset(
+      DisplayConfiguration presentation, StudyMaterial material) throws IOException {
     if (presentation.headset().isEmpty()) {
       return Optional.empty();
     }
     if (!(material.study().tracker() instanceof TrackerSpec.None)) {
-      throw CommandFailure.usage(
+      throw CommandException.usage(
           "the study's display is a headset, which is a tracker itself; leave \"tracker\" out of"
               + " the study");
     }
@@ -207,19 +208,19 @@ final class ExperimentRunCommand extends CliCommand {
     return Optional.of(worn);
   }
 
-  private LabStreams streams(StudyStreams wanted, Optional<LslLibrary> library, Session session)
+  private LslStreams streams(StudyStreams wanted, Optional<LslLibrary> library, Session session)
       throws IOException {
     if (library.isEmpty()) {
-      return LabStreams.none();
+      return LslStreams.none();
     }
     Map<String, Object> about = new LinkedHashMap<>();
     about.put("study", session.material().study().name());
     about.put("participant", session.folder().participant());
     about.put("session", session.folder().number());
-    LabStreams streams =
+    LslStreams streams =
         wanted.lsl()
-            ? LabStreams.sending(library.get(), about, session.journal()::tell)
-            : LabStreams.none();
+            ? LslStreams.sending(library.get(), about, session.journal()::tell)
+            : LslStreams.none();
     if (!wanted.record().isEmpty()) {
       try {
         streams.record(
@@ -251,18 +252,18 @@ final class ExperimentRunCommand extends CliCommand {
   private void check() {
     participant.check();
     if (resume && participant.typed().isEmpty()) {
-      throw CommandFailure.usage("--resume needs --participant");
+      throw CommandException.usage("--resume needs --participant");
     }
     if (number < 1) {
-      throw CommandFailure.usage("--session must be a whole number of at least 1");
+      throw CommandException.usage("--session must be a whole number of at least 1");
     }
     if (exposure != null && !(exposure > 0)) {
-      throw CommandFailure.usage("--exposure must be a number of seconds above 0");
+      throw CommandException.usage("--exposure must be a number of seconds above 0");
     }
     GlAvailability.check()
         .ifPresent(
             reason -> {
-              throw CommandFailure.environment(reason + "; a session needs windows");
+              throw CommandException.environment(reason + "; a session needs windows");
             });
   }
 
@@ -275,13 +276,13 @@ final class ExperimentRunCommand extends CliCommand {
       try {
         OffscreenContext.open().close();
       } catch (GlUnavailableException e) {
-        throw CommandFailure.environment(e.getMessage() + "; nothing has begun");
+        throw CommandException.environment(e.getMessage() + "; nothing has begun");
       }
     }
   }
 
   private boolean viewFits(List<Monitor> monitors) {
-    if (SessionStage.viewFits(monitors)) {
+    if (OperatorViewSettings.viewFits(monitors)) {
       return true;
     }
     console()
@@ -292,9 +293,10 @@ final class ExperimentRunCommand extends CliCommand {
   }
 
   /** Chooses the operator's monitors. JOGL has started with them, so Swing may start afterwards. */
-  private SessionStage stage(Study study, Presentation presentation, List<Monitor> monitors) {
+  private OperatorViewSettings stage(
+      Study study, DisplayConfiguration presentation, List<Monitor> monitors) {
     try {
-      return SessionStage.of(
+      return OperatorViewSettings.of(
           study,
           presentation,
           Optional.ofNullable(operatorMonitor),
@@ -302,7 +304,7 @@ final class ExperimentRunCommand extends CliCommand {
           monitors,
           console()::message);
     } catch (IllegalArgumentException e) {
-      throw CommandFailure.usage(
+      throw CommandException.usage(
           e.getMessage()
               + (operatorMonitor == null
                   ? " by --operator-monitor, or in the study's \"display\""
@@ -319,17 +321,21 @@ final class ExperimentRunCommand extends CliCommand {
    * condition.
    */
   private Session open(
-      StudyMaterial material, SessionShow show, ChainTracker tracker, Problems problems)
+      StudyMaterial material,
+      SessionDisplaySettings show,
+      SharedHeadTracker tracker,
+      ProblemCollector problems)
       throws IOException, InterruptedException {
     SessionOptions options =
         new SessionOptions(
             Optional.ofNullable(condition),
             exposure == null ? OptionalDouble.empty() : OptionalDouble.of(exposure),
             unattended,
-            TrackerPresence.instead(material.study().tracker(), withoutTracker, console()::message),
+            TrackerReadinessCheck.instead(
+                material.study().tracker(), withoutTracker, console()::message),
             new ProgramVersion().getVersion()[0]);
-    String id = participant.of(material.study(), resume, ConsoleQuestion::ask);
-    TrackerPresence presence = new TrackerPresence(tracker, show);
+    String id = participant.of(material.study(), resume, ConsolePrompt::ask);
+    TrackerReadinessCheck presence = new TrackerReadinessCheck(tracker, show);
     if (!resume) {
       SessionFolder folder = new SessionFolder(material.study().folder(), id, number);
       Session.requireNew(folder, options.software());
@@ -346,27 +352,28 @@ final class ExperimentRunCommand extends CliCommand {
     }
   }
 
-  private static Optional<Presentation> presentation(Study study, Problems problems)
+  private static Optional<DisplayConfiguration> presentation(Study study, ProblemCollector problems)
       throws IOException {
     Study.Display display = study.display();
     if (display.mode() == DisplayMode.OPENXR) {
       Study.Worn worn = display.worn();
       return Optional.of(
-          Presentation.in(
-              new HeadsetShown(
+          DisplayConfiguration.in(
+              new HeadsetViewSettings(
                   worn.seated(),
                   worn.scale(),
                   Math.toRadians(worn.turn()),
                   MirrorSide.BOTH,
                   new HeadsetLayout(worn.scale()))));
     }
-    Optional<DisplayProfile> profile = DisplayProfiles.builtIn(display.hmd());
+    Optional<DisplayProfile> profile = DisplayProfileLoader.builtIn(display.hmd());
     if (profile.isEmpty()) {
-      profile = DisplayProfiles.read(Path.of(display.hmd()), problems);
+      profile = DisplayProfileLoader.read(Path.of(display.hmd()), problems);
     }
     return profile.map(
         known ->
-            new Presentation(display.mode(), new EyeGeometry(known, display.ipd() / 1000), false));
+            new DisplayConfiguration(
+                display.mode(), new EyeGeometry(known, display.ipd() / 1000), false));
   }
 
   private ExitStatus ended(SessionRunner.Outcome outcome, Session session) {
@@ -380,5 +387,22 @@ final class ExperimentRunCommand extends CliCommand {
                   "the participant declined to take part; see " + session.folder().path();
             });
     return outcome == SessionRunner.Outcome.FINISHED ? ExitStatus.DONE : ExitStatus.PROBLEMS;
+  }
+
+  /** Asks the user a question on the console. */
+  private static final class ConsolePrompt {
+    private ConsolePrompt() {}
+
+    /**
+     * Asks a question.
+     *
+     * @return the answer; empty where input or output is no console, or it was closed
+     */
+    static Optional<String> ask(String question) {
+      java.io.Console console = System.console();
+      return console == null
+          ? Optional.empty()
+          : Optional.ofNullable(console.readLine("%s", question));
+    }
   }
 }

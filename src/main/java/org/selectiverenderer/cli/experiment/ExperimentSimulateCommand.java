@@ -7,19 +7,19 @@ import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.cli.base.CliCommand;
-import org.selectiverenderer.cli.output.CommandFailure;
-import org.selectiverenderer.cli.output.CommandFiles;
+import org.selectiverenderer.cli.output.CommandException;
+import org.selectiverenderer.cli.output.CommandFileCheck;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
 import org.selectiverenderer.statistics.anova.AnovaOptions;
-import org.selectiverenderer.statistics.data.ResponsesCsv;
-import org.selectiverenderer.statistics.detection.Measure;
+import org.selectiverenderer.statistics.data.ResponsesCsvWriter;
+import org.selectiverenderer.statistics.detection.DetectionMeasure;
 import org.selectiverenderer.statistics.report.PowerReport;
-import org.selectiverenderer.statistics.simulation.ObjectList;
 import org.selectiverenderer.statistics.simulation.PowerAnalysis;
-import org.selectiverenderer.statistics.simulation.PowerGoal;
-import org.selectiverenderer.statistics.simulation.SimulatedStudy;
-import org.selectiverenderer.statistics.simulation.StudyModel;
+import org.selectiverenderer.statistics.simulation.RecognitionListSpec;
+import org.selectiverenderer.statistics.simulation.SimulationModel;
+import org.selectiverenderer.statistics.simulation.StudySimulator;
+import org.selectiverenderer.statistics.simulation.TestedHypothesis;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -46,13 +46,13 @@ final class ExperimentSimulateCommand extends CliCommand {
   }
 
   private enum Dependent {
-    dprime(Measure.D_PRIME),
-    logbeta(Measure.LOG_BETA),
-    c(Measure.CRITERION);
+    dprime(DetectionMeasure.D_PRIME),
+    logbeta(DetectionMeasure.LOG_BETA),
+    c(DetectionMeasure.CRITERION);
 
-    private final Measure measure;
+    private final DetectionMeasure measure;
 
-    Dependent(Measure measure) {
+    Dependent(DetectionMeasure measure) {
       this.measure = measure;
     }
   }
@@ -142,7 +142,7 @@ final class ExperimentSimulateCommand extends CliCommand {
       paramLabel = "condition|type|interaction|equivalence",
       defaultValue = "condition",
       description = "effect that --needed looks for (default: ${DEFAULT-VALUE})")
-  private PowerGoal goal = PowerGoal.condition;
+  private TestedHypothesis goal = TestedHypothesis.condition;
 
   @Option(
       names = "--target",
@@ -184,9 +184,9 @@ final class ExperimentSimulateCommand extends CliCommand {
               + "${DEFAULT-VALUE})")
   private Dependent dependent = Dependent.dprime;
 
-  @Mixin private ScoringChoices scoring = new ScoringChoices();
+  @Mixin private ScoringOptions scoring = new ScoringOptions();
   @Mixin private SphericityOption sphericity = new SphericityOption();
-  @Mixin private AnovaChoices choices = new AnovaChoices();
+  @Mixin private EquivalenceBoundOptions choices = new EquivalenceBoundOptions();
 
   @Option(
       names = "--format",
@@ -196,7 +196,7 @@ final class ExperimentSimulateCommand extends CliCommand {
           "format of the power report: ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE})")
   private @Nullable Format format;
 
-  @Mixin private ReportOutput output = new ReportOutput();
+  @Mixin private ReportOutputOption output = new ReportOutputOption();
 
   ExperimentSimulateCommand(Console console) {
     super(console);
@@ -206,8 +206,8 @@ final class ExperimentSimulateCommand extends CliCommand {
   public ExitStatus run() throws IOException {
     AnovaOptions options = sphericity.in(choices.options());
     check();
-    StudyModel model =
-        new StudyModel(
+    SimulationModel model =
+        new SimulationModel(
             conditions,
             each("--d-prime", sensitivities),
             each("--criterion", criteria),
@@ -215,12 +215,13 @@ final class ExperimentSimulateCommand extends CliCommand {
             criterionSpread,
             typeSensitivity,
             typeCriterion,
-            ObjectList.THESIS);
+            RecognitionListSpec.THESIS);
     if (!model.areas().contains(area)) {
-      throw CommandFailure.usage("--area must be one of " + String.join(", ", model.areas()));
+      throw CommandException.usage("--area must be one of " + String.join(", ", model.areas()));
     }
     if (!power && !needed) {
-      output.write(ResponsesCsv.of(SimulatedStudy.responses(model, participants, seed)), console());
+      output.write(
+          ResponsesCsvWriter.of(StudySimulator.responses(model, participants, seed)), console());
       return ExitStatus.DONE;
     }
     PowerAnalysis analysis =
@@ -244,40 +245,40 @@ final class ExperimentSimulateCommand extends CliCommand {
   }
 
   private void check() throws IOException {
-    output.check(new CommandFiles());
+    output.check(new CommandFileCheck());
     if (participants < 1 || studies < 1 || most < 1) {
-      throw CommandFailure.usage(
+      throw CommandException.usage(
           "--participants, --studies and --most must be whole numbers of at least 1");
     }
     if (!(target > 0 && target < 1)) {
-      throw CommandFailure.usage("--target must be a number between 0 and 1");
+      throw CommandException.usage("--target must be a number between 0 and 1");
     }
     if (!(sensitivitySpread >= 0 && criterionSpread >= 0)
         || !DoubleStream.of(sensitivitySpread, criterionSpread, typeSensitivity, typeCriterion)
             .allMatch(Double::isFinite)) {
-      throw CommandFailure.usage(
+      throw CommandException.usage(
           "--d-prime-sd and --criterion-sd must be finite numbers of at least 0");
     }
     if (conditions.stream().distinct().count() < conditions.size()
         || conditions.stream().anyMatch(String::isBlank)) {
-      throw CommandFailure.usage("--conditions must be different names");
+      throw CommandException.usage("--conditions must be different names");
     }
   }
 
   private void checkTested(PowerAnalysis analysis) {
     if (participants <= conditions.size()) {
-      throw CommandFailure.usage(
+      throw CommandException.usage(
           "--participants must be more than the number of conditions, %d: with one in each group"
                   .formatted(conditions.size())
               + " there is no error to test against");
     }
     if (needed && !analysis.tested().contains(goal.finding())) {
       List<String> tested =
-          Stream.of(PowerGoal.values())
+          Stream.of(TestedHypothesis.values())
               .filter(other -> analysis.tested().contains(other.finding()))
-              .map(PowerGoal::name)
+              .map(TestedHypothesis::name)
               .toList();
-      throw CommandFailure.usage(
+      throw CommandException.usage(
           tested.isEmpty()
               ? "--needed has nothing to look for: one condition, and objects of one type in the %s"
                   .formatted(area)
@@ -289,7 +290,7 @@ final class ExperimentSimulateCommand extends CliCommand {
   private List<Double> each(String option, double[] values) {
     if (values.length != 1 && values.length != conditions.size()
         || !DoubleStream.of(values).allMatch(Double::isFinite)) {
-      throw CommandFailure.usage(
+      throw CommandException.usage(
           option + " must have one number, or one for each of " + String.join(", ", conditions));
     }
     return conditions.stream()

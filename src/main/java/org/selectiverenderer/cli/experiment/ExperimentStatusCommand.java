@@ -2,7 +2,7 @@ package org.selectiverenderer.cli.experiment;
 
 import java.io.IOException;
 import java.util.Optional;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.cli.base.CliCommand;
 import org.selectiverenderer.cli.option.FormatOption;
 import org.selectiverenderer.cli.output.Console;
@@ -27,7 +27,7 @@ final class ExperimentStatusCommand extends CliCommand {
 
   @Override
   public ExitStatus run() throws IOException {
-    Problems problems = new Problems(console()::problem);
+    ProblemCollector problems = new ProblemCollector(console()::problem);
     Optional<StudyMaterial> material = study.read(problems);
     if (material.isEmpty()) {
       return ExitStatus.PROBLEMS;

@@ -5,27 +5,27 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.app.threshold.SimulatedTrials;
-import org.selectiverenderer.app.threshold.ThresholdDialogue;
-import org.selectiverenderer.app.threshold.ThresholdPictures;
-import org.selectiverenderer.app.threshold.WindowTrials;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.app.threshold.SimulatedTrialPresenter;
+import org.selectiverenderer.app.threshold.ThresholdStimuli;
+import org.selectiverenderer.app.threshold.TrialPresenter;
+import org.selectiverenderer.app.threshold.WindowTrialPresenter;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.cli.base.CliCommand;
 import org.selectiverenderer.cli.base.LibraryProperties;
+import org.selectiverenderer.cli.base.ProgramInvocation;
 import org.selectiverenderer.cli.base.ProgramVersion;
-import org.selectiverenderer.cli.base.TypedProgram;
 import org.selectiverenderer.cli.option.FormatOption;
-import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.CommandException;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
 import org.selectiverenderer.cli.output.OutputFile;
-import org.selectiverenderer.experiment.questionnaire.Wording;
+import org.selectiverenderer.experiment.questionnaire.ParticipantMessages;
 import org.selectiverenderer.experiment.session.SessionFolder;
-import org.selectiverenderer.experiment.threshold.ThresholdReader;
+import org.selectiverenderer.experiment.threshold.ThresholdReport;
 import org.selectiverenderer.experiment.threshold.ThresholdResults;
 import org.selectiverenderer.experiment.threshold.ThresholdSession;
 import org.selectiverenderer.experiment.threshold.ThresholdStudy;
-import org.selectiverenderer.experiment.threshold.ThresholdTables;
+import org.selectiverenderer.experiment.threshold.ThresholdStudyReader;
 import org.selectiverenderer.runtime.render.context.GlAvailability;
 import org.selectiverenderer.runtime.render.context.GlUnavailableException;
 import picocli.CommandLine.Command;
@@ -87,9 +87,9 @@ final class ExperimentThresholdCommand extends CliCommand {
   @Override
   public ExitStatus run() throws IOException {
     check();
-    Problems problems = new Problems(console()::problem);
+    ProblemCollector problems = new ProblemCollector(console()::problem);
     Optional<ThresholdStudy> found =
-        ThresholdReader.read(Files.isDirectory(file) ? file.resolve(FILE) : file, problems);
+        ThresholdStudyReader.read(Files.isDirectory(file) ? file.resolve(FILE) : file, problems);
     if (found.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
@@ -99,22 +99,22 @@ final class ExperimentThresholdCommand extends CliCommand {
 
   private void check() {
     if (results && (participant != null || resume || unattended)) {
-      throw CommandFailure.usage(
+      throw CommandException.usage(
           "--results prints the results of all participants; leave out --participant, --resume"
               + " and --unattended");
     }
     if (commands != null && !results) {
-      throw CommandFailure.usage("--commands needs --results");
+      throw CommandException.usage("--commands needs --results");
     }
     if (!results && participant == null) {
-      throw CommandFailure.usage("--participant ID or --results is needed");
+      throw CommandException.usage("--participant ID or --results is needed");
     }
     if (participant != null && !participant.matches(SessionFolder.LABEL)) {
-      throw CommandFailure.usage("--participant must consist of letters and digits");
+      throw CommandException.usage("--participant must consist of letters and digits");
     }
   }
 
-  private ExitStatus results(ThresholdStudy study, Problems problems) throws IOException {
+  private ExitStatus results(ThresholdStudy study, ProblemCollector problems) throws IOException {
     ThresholdResults thresholds = ThresholdResults.read(study, problems);
     Path here = Path.of("").toAbsolutePath();
     Path scene = study.scene().toAbsolutePath();
@@ -128,30 +128,31 @@ final class ExperimentThresholdCommand extends CliCommand {
         .out()
         .print(
             format.json()
-                ? ThresholdTables.json(thresholds)
-                : ThresholdTables.text(thresholds, TypedProgram.name(), name));
+                ? ThresholdReport.json(thresholds)
+                : ThresholdReport.text(thresholds, ProgramInvocation.name(), name));
     if (commands != null) {
-      OutputFile.write(commands, thresholds.commands(TypedProgram.name(), name));
+      OutputFile.write(commands, thresholds.commands(ProgramInvocation.name(), name));
     }
     return ExitStatus.of(problems);
   }
 
-  private ExitStatus session(ThresholdStudy study, Problems problems) throws IOException {
+  private ExitStatus session(ThresholdStudy study, ProblemCollector problems) throws IOException {
     GlAvailability.check()
         .ifPresent(
             reason -> {
-              throw CommandFailure.environment(reason + "; the pilot needs pictures");
+              throw CommandException.environment(reason + "; the pilot needs pictures");
             });
     if (!unattended) {
       LibraryProperties.allowSwing();
     }
     Path settings = study.file().toAbsolutePath().getParent();
-    Optional<Wording> wording =
-        Wording.of(study.language(), settings == null ? Path.of("") : settings, problems);
-    Optional<ThresholdPictures> pictures =
+    Optional<ParticipantMessages> wording =
+        ParticipantMessages.of(
+            study.language(), settings == null ? Path.of("") : settings, problems);
+    Optional<ThresholdStimuli> pictures =
         wording.isEmpty()
             ? Optional.empty()
-            : ThresholdPictures.of(study, console()::message, problems);
+            : ThresholdStimuli.of(study, console()::message, problems);
     if (wording.isEmpty() || pictures.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
@@ -163,13 +164,13 @@ final class ExperimentThresholdCommand extends CliCommand {
             new ProgramVersion().getVersion()[0],
             unattended,
             resume);
-    try (ThresholdDialogue dialogue =
+    try (TrialPresenter dialogue =
             unattended
-                ? new SimulatedTrials(study, pictures.get(), id)
-                : new WindowTrials(study, pictures.get(), wording.get());
+                ? new SimulatedTrialPresenter(study, pictures.get(), id)
+                : new WindowTrialPresenter(study, pictures.get(), wording.get());
         ThresholdSession session =
             ThresholdSession.open(study, pictures.get().ladders(), opening, problems)) {
-      boolean through = ThresholdDialogue.run(session, dialogue);
+      boolean through = TrialPresenter.run(session, dialogue);
       console()
           .message(
               through
@@ -181,10 +182,10 @@ final class ExperimentThresholdCommand extends CliCommand {
                   : "the pilot was ended; --resume continues it");
       return through ? ExitStatus.of(problems) : ExitStatus.PROBLEMS;
     } catch (GlUnavailableException e) {
-      throw CommandFailure.environment(e.getMessage());
+      throw CommandException.environment(e.getMessage());
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      throw CommandFailure.environment("interrupted; --resume continues the pilot");
+      throw CommandException.environment("interrupted; --resume continues the pilot");
     }
   }
 }

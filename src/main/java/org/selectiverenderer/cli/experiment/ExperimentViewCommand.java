@@ -4,19 +4,19 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.cli.base.CliCommand;
 import org.selectiverenderer.cli.option.FormatOption;
-import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.CommandException;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
 import org.selectiverenderer.cli.output.OutputFile;
-import org.selectiverenderer.experiment.headlog.AnalysisFormats;
-import org.selectiverenderer.experiment.headlog.Bids;
+import org.selectiverenderer.experiment.headlog.BidsMotionFiles;
 import org.selectiverenderer.experiment.headlog.HeadLog;
 import org.selectiverenderer.experiment.headlog.HeadLogAnalysis;
 import org.selectiverenderer.experiment.headlog.HeadLogPlot;
 import org.selectiverenderer.experiment.headlog.HeadLogReader;
+import org.selectiverenderer.experiment.headlog.HeadLogReport;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -67,9 +67,9 @@ final class ExperimentViewCommand extends CliCommand {
   public ExitStatus run() throws IOException {
     OutputFile.check("--plot", plot, ".svg");
     if (!subject.matches("[0-9A-Za-z]+")) {
-      throw CommandFailure.usage("--subject must consist of letters and digits");
+      throw CommandException.usage("--subject must consist of letters and digits");
     }
-    Problems problems = new Problems(console()::problem);
+    ProblemCollector problems = new ProblemCollector(console()::problem);
     Optional<HeadLog> read = HeadLogReader.read(log, problems);
     if (read.isEmpty()) {
       return ExitStatus.PROBLEMS;
@@ -77,12 +77,12 @@ final class ExperimentViewCommand extends CliCommand {
     HeadLogAnalysis analysis = HeadLogAnalysis.of(read.get());
     console()
         .out()
-        .print(format.json() ? AnalysisFormats.json(analysis) : AnalysisFormats.text(analysis));
+        .print(format.json() ? HeadLogReport.json(analysis) : HeadLogReport.text(analysis));
     if (plot != null) {
       OutputFile.write(plot, HeadLogPlot.svg(analysis));
     }
     if (bids != null) {
-      console().message("BIDS motion data: " + Bids.write(read.get(), bids, subject));
+      console().message("BIDS motion data: " + BidsMotionFiles.write(read.get(), bids, subject));
     }
     return problems.any() ? ExitStatus.PROBLEMS : ExitStatus.DONE;
   }

@@ -3,7 +3,7 @@ package org.selectiverenderer.cli.experiment;
 import java.util.Arrays;
 import java.util.Optional;
 import org.selectiverenderer.statistics.anova.AnovaOptions;
-import org.selectiverenderer.statistics.anova.SphericityChoice;
+import org.selectiverenderer.statistics.anova.SphericityCorrection;
 import picocli.CommandLine.Option;
 
 /** The option for the correction of degrees of freedom where sphericity is violated. */
@@ -38,7 +38,7 @@ final class SphericityOption {
   AnovaOptions in(AnovaOptions options, Optional<Words> other) {
     String word = other.orElse(choice).name();
     return options.withSphericity(
-        Arrays.stream(SphericityChoice.values())
+        Arrays.stream(SphericityCorrection.values())
             .filter(known -> known.word().equals(word))
             .findFirst()
             .orElseThrow());

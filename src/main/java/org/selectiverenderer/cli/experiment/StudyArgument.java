@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.experiment.session.StudyMaterial;
 import org.selectiverenderer.experiment.study.StudyTemplate;
 import picocli.CommandLine.Parameters;
@@ -17,7 +17,7 @@ final class StudyArgument {
   private Path study = Path.of("");
 
   /** Reads the study; empty when it has errors, which are reported to {@code problems}. */
-  Optional<StudyMaterial> read(Problems problems) throws IOException {
+  Optional<StudyMaterial> read(ProblemCollector problems) throws IOException {
     return StudyMaterial.read(
         Files.isDirectory(study) ? study.resolve(StudyTemplate.STUDY) : study, problems);
   }

@@ -4,10 +4,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import org.selectiverenderer.cli.output.CommandFailure;
-import org.selectiverenderer.x3d.files.ContentAccess;
-import org.selectiverenderer.x3d.files.HostPattern;
-import org.selectiverenderer.x3d.files.Network;
+import org.selectiverenderer.cli.output.CommandException;
+import org.selectiverenderer.x3d.url.ContentAccessPolicy;
+import org.selectiverenderer.x3d.url.HostPattern;
+import org.selectiverenderer.x3d.url.HttpFetcher;
 import picocli.CommandLine.Option;
 
 /**
@@ -33,10 +33,10 @@ public final class AccessOptions {
   /**
    * Creates the permissions; one object for the whole command, so that nothing is fetched twice.
    */
-  public ContentAccess access() {
+  public ContentAccessPolicy access() {
     for (Path folder : folders) {
       if (!Files.isDirectory(folder)) {
-        throw CommandFailure.usage("--allow %s: there is no such folder".formatted(folder));
+        throw CommandException.usage("--allow %s: there is no such folder".formatted(folder));
       }
     }
     List<HostPattern> patterns = new ArrayList<>();
@@ -44,9 +44,9 @@ public final class AccessOptions {
       try {
         patterns.add(new HostPattern(host));
       } catch (IllegalArgumentException e) {
-        throw CommandFailure.usage("--allow-net: " + e.getMessage());
+        throw CommandException.usage("--allow-net: " + e.getMessage());
       }
     }
-    return new ContentAccess(folders, new Network(patterns));
+    return new ContentAccessPolicy(folders, new HttpFetcher(patterns));
   }
 }

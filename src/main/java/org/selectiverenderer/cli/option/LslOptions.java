@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.CommandException;
 import org.selectiverenderer.lsl.LslLibrary;
 import picocli.CommandLine.Option;
 
@@ -40,7 +40,7 @@ public final class LslOptions {
     try {
       return Optional.of(LslLibrary.open(Optional.ofNullable(library)));
     } catch (IOException e) {
-      throw CommandFailure.environment(e.getMessage());
+      throw CommandException.environment(e.getMessage());
     }
   }
 }

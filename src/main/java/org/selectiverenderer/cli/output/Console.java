@@ -8,7 +8,8 @@ import org.selectiverenderer.base.problem.Problem;
  * streams lines to a waiting reader flushes after each. Messages and progress go to {@code err},
  * which is not buffered.
  *
- * @param out receives data only, as UTF-8; throws {@link OutputFailure} once it cannot be written
+ * @param out receives data only, as UTF-8; throws {@link StandardOutputException} once it cannot be
+ *     written
  * @param err receives messages and progress
  * @param colours whether help may be coloured: only on a terminal
  */

@@ -1,6 +1,6 @@
 package org.selectiverenderer.cli.output;
 
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 
 /** The exit statuses of a command. */
 public enum ExitStatus {
@@ -28,7 +28,7 @@ public enum ExitStatus {
   }
 
   /** Returns {@link #PROBLEMS} if any error or warning was found, else {@link #DONE}. */
-  public static ExitStatus of(Problems problems) {
+  public static ExitStatus of(ProblemCollector problems) {
     return problems.any() ? PROBLEMS : DONE;
   }
 }

@@ -7,10 +7,10 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Locale;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.files.FileActions;
+import org.selectiverenderer.base.files.AtomicFileWriter;
+import org.selectiverenderer.base.files.FileOperations;
 import org.selectiverenderer.base.files.FileTransaction;
-import org.selectiverenderer.base.files.NotWritten;
-import org.selectiverenderer.base.files.WholeFile;
+import org.selectiverenderer.base.files.FileWriteException;
 
 /**
  * Writes output files, and checks before the work begins that they can be written, so that a typing
@@ -25,14 +25,14 @@ public final class OutputFile {
    * @throws IOException with the file's name
    */
   public static void write(Path file, String text) throws IOException {
-    write(file, text, FileActions.REAL);
+    write(file, text, FileOperations.REAL);
   }
 
   /** Writes a text by given file operations. */
-  static void write(Path file, String text, FileActions actions) throws IOException {
+  static void write(Path file, String text, FileOperations actions) throws IOException {
     try {
-      WholeFile.write(file, text.getBytes(StandardCharsets.UTF_8), actions);
-    } catch (NotWritten e) {
+      AtomicFileWriter.write(file, text.getBytes(StandardCharsets.UTF_8), actions);
+    } catch (FileWriteException e) {
       throw new IOException(file + ": " + e.reason(), e);
     }
   }
@@ -69,18 +69,18 @@ public final class OutputFile {
     }
     Path folder = file.toAbsolutePath().getParent();
     if (folder == null || Files.isDirectory(file)) {
-      throw CommandFailure.environment(option + " " + file + ": is a folder, not a file");
+      throw CommandException.environment(option + " " + file + ": is a folder, not a file");
     }
     if (!Files.isDirectory(folder)) {
-      throw CommandFailure.environment(
+      throw CommandException.environment(
           option + " " + file + ": the folder " + folder + " does not exist");
     }
     if (!Files.isWritable(Files.exists(file) ? file : folder)) {
-      throw CommandFailure.environment(option + " " + file + ": cannot be written");
+      throw CommandException.environment(option + " " + file + ": cannot be written");
     }
     String name = file.toString().toLowerCase(Locale.ROOT);
     if (endings.length > 0 && Arrays.stream(endings).noneMatch(name::endsWith)) {
-      throw CommandFailure.usage(
+      throw CommandException.usage(
           option + " writes " + String.join(" or ", endings) + " files; " + file + " is not one");
     }
   }

@@ -8,19 +8,19 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.json.JsonText;
+import org.selectiverenderer.base.json.JsonWriter;
 import org.selectiverenderer.bench.BenchScene;
 import org.selectiverenderer.bench.GrowthSeries;
-import org.selectiverenderer.bench.HeavyScene;
+import org.selectiverenderer.bench.HeavySceneGenerator;
 import org.selectiverenderer.bench.measure.Benchmark;
-import org.selectiverenderer.bench.measure.BenchmarkText;
+import org.selectiverenderer.bench.measure.BenchmarkTextReport;
 import org.selectiverenderer.bench.measure.GrowthBenchmark;
-import org.selectiverenderer.bench.measure.GrowthText;
+import org.selectiverenderer.bench.measure.GrowthTextReport;
 import org.selectiverenderer.cli.base.CliCommand;
-import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.CommandException;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
-import org.selectiverenderer.cli.output.Interruption;
+import org.selectiverenderer.cli.output.InterruptHandler;
 import org.selectiverenderer.cli.output.OutputFile;
 import org.selectiverenderer.runtime.render.context.GlAvailability;
 import picocli.CommandLine.Command;
@@ -99,31 +99,32 @@ public final class BenchCommand extends CliCommand {
   @Override
   public ExitStatus run() throws IOException {
     if (!growth && series.size() < GrowthSeries.values().length) {
-      throw CommandFailure.usage("--series chooses what --growth measures; give --growth too");
+      throw CommandException.usage("--series chooses what --growth measures; give --growth too");
     }
     if (runs < 1) {
-      throw CommandFailure.usage("--runs must be a whole number of at least 1");
+      throw CommandException.usage("--runs must be a whole number of at least 1");
     }
     if (scenes != null) {
       writeScenes(scenes);
       return ExitStatus.DONE;
     }
     OutputFile.check("--output", output);
-    ObjectNode report = Interruption.interrupts(() -> growth ? growth() : whole());
+    ObjectNode report = InterruptHandler.interrupts(() -> growth ? growth() : whole());
     if (output != null) {
-      OutputFile.write(output, JsonText.of(report));
+      OutputFile.write(output, JsonWriter.of(report));
     }
     if (output == null || format == Format.text) {
-      console().out().print(format == Format.text ? text(report) : JsonText.of(report));
+      console().out().print(format == Format.text ? text(report) : JsonWriter.of(report));
     }
     return ExitStatus.DONE;
   }
 
   private void writeScenes(Path folder) throws IOException {
     if (growth || output != null) {
-      throw CommandFailure.usage("--scenes does not measure; leave out --growth and --output");
+      throw CommandException.usage("--scenes does not measure; leave out --growth and --output");
     }
-    for (BenchScene written : List.of(HeavyScene.heavy(folder), HeavyScene.light(folder))) {
+    for (BenchScene written :
+        List.of(HeavySceneGenerator.heavy(folder), HeavySceneGenerator.light(folder))) {
       console().out().println(written.scene());
     }
   }
@@ -132,7 +133,7 @@ public final class BenchCommand extends CliCommand {
     GlAvailability.check()
         .ifPresent(
             reason -> {
-              throw CommandFailure.environment(reason);
+              throw CommandException.environment(reason);
             });
     return new Benchmark(program, runs, this::progress).run();
   }
@@ -148,6 +149,6 @@ public final class BenchCommand extends CliCommand {
   }
 
   private String text(ObjectNode report) {
-    return growth ? GrowthText.of(report) : BenchmarkText.of(report);
+    return growth ? GrowthTextReport.of(report) : BenchmarkTextReport.of(report);
   }
 }

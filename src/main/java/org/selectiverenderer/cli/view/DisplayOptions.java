@@ -5,13 +5,13 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Problems;
-import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.cli.output.CommandException;
+import org.selectiverenderer.hmd.DisplayConfiguration;
 import org.selectiverenderer.hmd.DisplayMode;
 import org.selectiverenderer.hmd.DisplayProfile;
-import org.selectiverenderer.hmd.DisplayProfiles;
+import org.selectiverenderer.hmd.DisplayProfileLoader;
 import org.selectiverenderer.hmd.EyeGeometry;
-import org.selectiverenderer.hmd.Presentation;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -69,7 +69,7 @@ final class DisplayOptions {
 
   /** Returns the display profile's file, if the option names one; else null. */
   @Nullable Path file() {
-    return hmd == null || DisplayProfiles.builtIn(hmd).isPresent() ? null : Path.of(hmd);
+    return hmd == null || DisplayProfileLoader.builtIn(hmd).isPresent() ? null : Path.of(hmd);
   }
 
   /**
@@ -80,27 +80,27 @@ final class DisplayOptions {
   void check(boolean offscreen, @Nullable Path picture) {
     headset.check(worn());
     if (worn() && offscreen) {
-      throw CommandFailure.usage(
+      throw CommandException.usage(
           "--display openxr shows the scene in a headset, so it cannot be combined with "
               + "--offscreen; leave one of them out");
     }
     if (worn() && (hmd != null || ipd != null || check)) {
-      throw CommandFailure.usage(
+      throw CommandException.usage(
           "--display openxr: a headset brings its own field of view and pupil distance; leave "
               + "--hmd, --ipd and --hmd-check out");
     }
     if (offscreen && operator != null && operator) {
-      throw CommandFailure.usage(
+      throw CommandException.usage(
           "--operator opens a window, so it cannot be combined with --offscreen; leave "
               + "one of them out");
     }
     if (offscreen && picture != null) {
-      throw CommandFailure.usage(
+      throw CommandException.usage(
           "--operator-screenshot needs a window, so it cannot be combined with "
               + "--offscreen; leave one of them out");
     }
     if (picture != null && !operator()) {
-      throw CommandFailure.usage("--operator-screenshot needs --operator");
+      throw CommandException.usage("--operator-screenshot needs --operator");
     }
   }
 
@@ -115,43 +115,45 @@ final class DisplayOptions {
    *
    * @throws IOException if that file cannot be read
    */
-  Optional<Presentation> presentation(Problems problems) throws IOException {
+  Optional<DisplayConfiguration> presentation(ProblemCollector problems) throws IOException {
     if (worn()) {
-      return Optional.of(Presentation.in(headset.shown()));
+      return Optional.of(DisplayConfiguration.in(headset.shown()));
     }
     double millimetres = ipd == null ? EyeGeometry.MEAN_IPD : ipd;
     if (!(millimetres >= 0 && millimetres <= EyeGeometry.LARGEST_IPD)) {
-      throw CommandFailure.usage(
+      throw CommandException.usage(
           "--ipd must be a number of millimetres from 0 to " + (int) EyeGeometry.LARGEST_IPD);
     }
     if (check && mode == DisplayMode.WINDOW) {
       mode = DisplayMode.SIDE_BY_SIDE;
     }
     if (mode == DisplayMode.WINDOW && (hmd != null || ipd != null)) {
-      throw CommandFailure.usage(
+      throw CommandException.usage(
           "--hmd and --ipd need a display for two eyes: add --display side-by-side, "
               + "dual, quad or anaglyph");
     }
     return profile(problems)
         .map(
-            profile -> new Presentation(mode, new EyeGeometry(profile, millimetres / 1000), check));
+            profile ->
+                new DisplayConfiguration(
+                    mode, new EyeGeometry(profile, millimetres / 1000), check));
   }
 
-  private Optional<DisplayProfile> profile(Problems problems) throws IOException {
+  private Optional<DisplayProfile> profile(ProblemCollector problems) throws IOException {
     if (hmd == null) {
       boolean desk = mode == DisplayMode.WINDOW || mode == DisplayMode.ANAGLYPH;
       return Optional.of(desk ? DisplayProfile.DESK : DisplayProfile.PROVIEW_50);
     }
-    Optional<DisplayProfile> known = DisplayProfiles.builtIn(hmd);
+    Optional<DisplayProfile> known = DisplayProfileLoader.builtIn(hmd);
     if (known.isPresent()) {
       return known;
     }
     Path file = Path.of(hmd);
     if (!Files.isRegularFile(file)) {
-      throw CommandFailure.usage(
+      throw CommandException.usage(
           "--hmd " + hmd + ": is neither a file nor one of proview50, proview30 and desk");
     }
-    return DisplayProfiles.read(file, problems);
+    return DisplayProfileLoader.read(file, problems);
   }
 
   /** Converts the name of a display mode. */

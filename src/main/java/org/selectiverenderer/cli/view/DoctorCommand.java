@@ -4,20 +4,20 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.machine.ParentProcess;
+import org.selectiverenderer.base.platform.ParentProcessWatcher;
 import org.selectiverenderer.cli.base.CliCommand;
 import org.selectiverenderer.cli.base.ProgramVersion;
 import org.selectiverenderer.cli.option.FormatOption;
-import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.CommandException;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
-import org.selectiverenderer.cli.output.Interruption;
+import org.selectiverenderer.cli.output.InterruptHandler;
 import org.selectiverenderer.doctor.Diagnosis;
 import org.selectiverenderer.doctor.Probe;
-import org.selectiverenderer.doctor.probe.Probes;
+import org.selectiverenderer.doctor.probe.ProbeCatalogue;
 import org.selectiverenderer.doctor.report.DoctorReport;
-import org.selectiverenderer.doctor.run.ChildStarter;
 import org.selectiverenderer.doctor.run.Doctor;
+import org.selectiverenderer.doctor.run.ProbeProcess;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -64,20 +64,20 @@ public final class DoctorCommand extends CliCommand {
   @Override
   public ExitStatus run() throws IOException {
     if (one != null) {
-      ParentProcess.whenItEnds(() -> Runtime.getRuntime().halt(ExitStatus.FAILURE.code()));
+      ParentProcessWatcher.whenItEnds(() -> Runtime.getRuntime().halt(ExitStatus.FAILURE.code()));
     }
-    return Interruption.interrupts(() -> one == null ? examine() : answer(one));
+    return InterruptHandler.interrupts(() -> one == null ? examine() : answer(one));
   }
 
   private ExitStatus examine() throws IOException, InterruptedException {
     List<String> arguments =
         askPorts ? List.of("doctor", "--ask-ports", ONE) : List.of("doctor", ONE);
     Doctor doctor =
-        new Doctor(ChildStarter.of(program, arguments), System.getProperty("user.home", ""));
+        new Doctor(ProbeProcess.of(program, arguments), System.getProperty("user.home", ""));
     String version = ProgramVersion.number();
     List<Diagnosis> lines = new ArrayList<>();
     lines.add(Diagnosis.ok("program", ProgramVersion.PROGRAM + " " + version));
-    lines.addAll(doctor.examine(Probes.all(askPorts)));
+    lines.addAll(doctor.examine(ProbeCatalogue.all(askPorts)));
     DoctorReport report = new DoctorReport(version, lines);
     console().out().print(format.json() ? report.json() : report.text());
     console().message("doctor: " + report.summary());
@@ -86,17 +86,17 @@ public final class DoctorCommand extends CliCommand {
 
   private ExitStatus answer(String name) throws InterruptedException {
     Probe probe =
-        Probes.all(askPorts).stream()
+        ProbeCatalogue.all(askPorts).stream()
             .filter(each -> each.name().equals(name))
             .findFirst()
-            .orElseThrow(() -> CommandFailure.usage(ONE + ": there is no probe " + name));
+            .orElseThrow(() -> CommandException.usage(ONE + ": there is no probe " + name));
     Doctor.look(probe, this::send);
     return ExitStatus.DONE;
   }
 
   /** Prints and flushes a line, because the next part of a probe may end the process. */
   private void send(Diagnosis line) {
-    console().out().println(ChildStarter.MARK + line.json());
+    console().out().println(ProbeProcess.MARK + line.json());
     console().out().flush();
   }
 }

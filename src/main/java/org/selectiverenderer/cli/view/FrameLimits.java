@@ -1,7 +1,7 @@
 package org.selectiverenderer.cli.view;
 
-import org.selectiverenderer.app.clock.EvenFrames;
-import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.app.clock.FixedRateSchedule;
+import org.selectiverenderer.cli.output.CommandException;
 import org.selectiverenderer.runtime.viewer.CameraPath;
 
 /** Rejects paths and frame rates with an implausible number of frames. */
@@ -10,9 +10,9 @@ final class FrameLimits {
 
   static void check(CameraPath path, double rate) {
     try {
-      new EvenFrames(path.start(), path.end(), rate);
+      new FixedRateSchedule(path.start(), path.end(), rate);
     } catch (IllegalArgumentException e) {
-      throw CommandFailure.usage(e.getMessage());
+      throw CommandException.usage(e.getMessage());
     }
   }
 }

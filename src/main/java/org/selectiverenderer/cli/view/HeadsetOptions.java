@@ -2,9 +2,9 @@ package org.selectiverenderer.cli.view;
 
 import java.util.Locale;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.CommandException;
 import org.selectiverenderer.hmd.HeadsetLayout;
-import org.selectiverenderer.hmd.HeadsetShown;
+import org.selectiverenderer.hmd.HeadsetViewSettings;
 import org.selectiverenderer.runtime.camera.MirrorSide;
 import picocli.CommandLine.Option;
 
@@ -58,21 +58,21 @@ final class HeadsetOptions {
   /** Rejects options that would have no effect. */
   void check(boolean worn) {
     if (!worn && (posture != null || scale != null || turn != null || mirror != null)) {
-      throw CommandFailure.usage(
+      throw CommandException.usage(
           "--posture, --user-scale, --turn and --mirror need --display openxr");
     }
     if (scale != null && !(scale >= 1 / LARGEST && scale <= LARGEST)) {
-      throw CommandFailure.usage("--user-scale must be a number from 0.01 to 100");
+      throw CommandException.usage("--user-scale must be a number from 0.01 to 100");
     }
     if (turn != null && !(turn >= 0 && turn <= WIDEST_TURN)) {
-      throw CommandFailure.usage("--turn must be a number of degrees from 0 to 180");
+      throw CommandException.usage("--turn must be a number of degrees from 0 to 180");
     }
   }
 
-  HeadsetShown shown() {
-    HeadsetShown usual = HeadsetShown.standing();
+  HeadsetViewSettings shown() {
+    HeadsetViewSettings usual = HeadsetViewSettings.standing();
     double size = scale == null ? usual.size() : scale;
-    return new HeadsetShown(
+    return new HeadsetViewSettings(
         posture == Posture.seated,
         size,
         turn == null ? usual.turnStep() : Math.toRadians(turn),

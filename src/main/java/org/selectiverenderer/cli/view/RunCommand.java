@@ -9,48 +9,52 @@ import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.app.head.Replays;
-import org.selectiverenderer.app.headset.HeadsetLink;
+import org.selectiverenderer.app.head.ReplayLogFormat;
+import org.selectiverenderer.app.headset.HeadsetConnection;
+import org.selectiverenderer.app.run.RunCancellation;
 import org.selectiverenderer.app.run.RunResult;
-import org.selectiverenderer.app.run.RunStop;
 import org.selectiverenderer.app.run.SceneRunner;
 import org.selectiverenderer.app.settings.DisplaySettings;
 import org.selectiverenderer.app.settings.FollowedPath;
 import org.selectiverenderer.app.settings.MotionSettings;
 import org.selectiverenderer.app.settings.RunSettings;
 import org.selectiverenderer.app.settings.TrackerSettings;
-import org.selectiverenderer.app.stream.LabStreams;
+import org.selectiverenderer.app.stream.LslStreams;
 import org.selectiverenderer.app.timeline.TimelineEvent;
-import org.selectiverenderer.base.machine.ParentProcess;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.platform.ParentProcessWatcher;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.cli.base.CliCommand;
 import org.selectiverenderer.cli.option.AccessOptions;
 import org.selectiverenderer.cli.option.ConditionOptions;
 import org.selectiverenderer.cli.option.LslOptions;
 import org.selectiverenderer.cli.option.SceneArgument;
-import org.selectiverenderer.cli.option.TrackerFlags;
-import org.selectiverenderer.cli.output.CommandFailure;
-import org.selectiverenderer.cli.output.CommandFiles;
+import org.selectiverenderer.cli.option.TrackerFilterOptions;
+import org.selectiverenderer.cli.output.CommandException;
+import org.selectiverenderer.cli.output.CommandFileCheck;
 import org.selectiverenderer.cli.output.Console;
+import org.selectiverenderer.cli.output.ConsoleRunListener;
 import org.selectiverenderer.cli.output.ExitStatus;
-import org.selectiverenderer.cli.output.Interruption;
-import org.selectiverenderer.cli.output.RunOutput;
+import org.selectiverenderer.cli.output.InterruptHandler;
 import org.selectiverenderer.experiment.headlog.HeadLogFiles;
+import org.selectiverenderer.hmd.DisplayConfiguration;
 import org.selectiverenderer.hmd.DisplayMode;
-import org.selectiverenderer.hmd.Presentation;
 import org.selectiverenderer.lsl.LslLibrary;
 import org.selectiverenderer.openxr.HeadsetUnavailableException;
+import org.selectiverenderer.runtime.navigation.MouseMapping;
 import org.selectiverenderer.runtime.render.context.GlAvailability;
 import org.selectiverenderer.runtime.render.context.GlUnavailableException;
 import org.selectiverenderer.runtime.viewer.CameraPath;
 import org.selectiverenderer.runtime.viewer.CameraPathReader;
-import org.selectiverenderer.runtime.walk.MouseMapping;
 import org.selectiverenderer.tracker.TrackerSpec;
-import org.selectiverenderer.x3d.files.ContentAccess;
+import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.TypeConversionException;
 
 @Command(
     name = "run",
@@ -113,9 +117,9 @@ public final class RunCommand extends CliCommand {
 
   @Mixin private DisplayOptions display = new DisplayOptions();
 
-  @Mixin private HeadOptions head = new HeadOptions();
+  @Mixin private HeadTrackerOptions head = new HeadTrackerOptions();
 
-  @Mixin private TrackerFlags trackerFlags = new TrackerFlags();
+  @Mixin private TrackerFilterOptions trackerFlags = new TrackerFilterOptions();
 
   @Mixin private LslOptions lsl = new LslOptions();
 
@@ -134,7 +138,7 @@ public final class RunCommand extends CliCommand {
               + "moving pictures without a graphics card)")
   private @Nullable Integer samples;
 
-  @Mixin private RecordOptions records = new RecordOptions();
+  @Mixin private RunOutputOptions records = new RunOutputOptions();
 
   public RunCommand(Console console) {
     super(console);
@@ -143,15 +147,15 @@ public final class RunCommand extends CliCommand {
   @Override
   public ExitStatus run() throws IOException {
     // A run that the enricher started ends with it, as by Ctrl-C, with complete files.
-    ParentProcess.whenItEnds(() -> System.exit(ExitStatus.FAILURE.code()));
+    ParentProcessWatcher.whenItEnds(() -> System.exit(ExitStatus.FAILURE.code()));
     if (view.listed()) {
       return ViewOptions.list(scene.file(), console());
     }
     TrackerSpec tracker = head.tracker(display.worn());
-    CommandFiles files = check(tracker);
-    Problems pathProblems = new Problems(console()::problem);
+    CommandFileCheck files = check(tracker);
+    ProblemCollector pathProblems = new ProblemCollector(console()::problem);
     boolean session =
-        tracker instanceof TrackerSpec.Replay replay && Replays.hasPositions(replay.file());
+        tracker instanceof TrackerSpec.Replay replay && ReplayLogFormat.hasPositions(replay.file());
     Path walkedFile = session ? ((TrackerSpec.Replay) tracker).file() : path;
     Optional<CameraPath> walked =
         walkedFile == null ? Optional.empty() : CameraPathReader.read(walkedFile, pathProblems);
@@ -161,11 +165,11 @@ public final class RunCommand extends CliCommand {
     walked.ifPresent(known -> checkPath(known, tracker, session));
     TrackerSettings tracking =
         head.tracking(session ? new TrackerSpec.None() : tracker, trackerFlags.options());
-    Optional<Presentation> presentation = display.presentation(pathProblems);
+    Optional<DisplayConfiguration> presentation = display.presentation(pathProblems);
     if (presentation.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
-    ContentAccess allowed = access.access();
+    ContentAccessPolicy allowed = access.access();
     RunSettings settings =
         new RunSettings(scene.file(), condition.settings())
             .allowing(allowed)
@@ -174,9 +178,9 @@ public final class RunCommand extends CliCommand {
             .with(display(presentation.get()))
             .with(tracking, head.recorded())
             .lasting(duration == null ? OptionalDouble.empty() : OptionalDouble.of(duration));
-    RunStop stop = new RunStop();
+    RunCancellation stop = new RunCancellation();
     AtomicReference<ExitStatus> ended = new AtomicReference<>(ExitStatus.DONE);
-    Interruption.stops(
+    InterruptHandler.stops(
         stop::stop,
         () -> {
           RunResult result = show(settings, () -> files.check(allowed.named()), stop);
@@ -198,7 +202,7 @@ public final class RunCommand extends CliCommand {
         view.collisions());
   }
 
-  private DisplaySettings display(Presentation wanted) {
+  private DisplaySettings display(DisplayConfiguration wanted) {
     DisplaySettings suited =
         DisplaySettings.of(shown(wanted))
             .samples(samples == null ? OptionalInt.empty() : OptionalInt.of(samples))
@@ -210,18 +214,18 @@ public final class RunCommand extends CliCommand {
   private void checkPath(CameraPath walked, TrackerSpec tracker, boolean session) {
     FrameLimits.check(walked, FollowedPath.RATE);
     if (session && path != null) {
-      throw CommandFailure.usage(
+      throw CommandException.usage(
           "--path cannot be combined with a replayed head log, which has positions of "
               + "its own; leave --path out");
     }
     if (session && head.placed()) {
-      throw CommandFailure.usage(
+      throw CommandException.usage(
           "--tracker-position cannot be combined with a replayed head log, whose positions are "
               + "always used; leave it out");
     }
     boolean turned = walked.at(walked.start()).orientation().isPresent();
     if (!session && turned && !(tracker instanceof TrackerSpec.None)) {
-      throw CommandFailure.usage(
+      throw CommandException.usage(
           "--tracker and --display openxr cannot be combined with a path that turns the view; "
               + "leave yaw, pitch and roll out of the path");
     }
@@ -231,7 +235,7 @@ public final class RunCommand extends CliCommand {
    * Returns the presentation: off-screen rendering has neither monitors nor quad buffers, so it
    * shows both eyes side by side.
    */
-  private Presentation shown(Presentation wanted) {
+  private DisplayConfiguration shown(DisplayConfiguration wanted) {
     boolean windows = wanted.mode() == DisplayMode.DUAL || wanted.mode() == DisplayMode.QUAD;
     if (!offscreen || !windows) {
       return wanted;
@@ -241,18 +245,18 @@ public final class RunCommand extends CliCommand {
   }
 
   /** Checks the options, and returns the input and output files. */
-  private CommandFiles check(TrackerSpec tracker) throws IOException {
+  private CommandFileCheck check(TrackerSpec tracker) throws IOException {
     if (duration != null && !(duration > 0)) {
-      throw CommandFailure.usage("--duration must be a number of seconds above 0");
+      throw CommandException.usage("--duration must be a number of seconds above 0");
     }
     if (samples != null && (samples < 0 || samples > 16)) {
-      throw CommandFailure.usage("--samples must be a whole number from 0 to 16");
+      throw CommandException.usage("--samples must be a whole number from 0 to 16");
     }
     records.check();
     display.check(offscreen, records.pictures().ofOperator());
     trackerFlags.check(tracker);
-    CommandFiles files =
-        new CommandFiles()
+    CommandFileCheck files =
+        new CommandFileCheck()
             .reads("the scene", scene.file())
             .reads("--path", path)
             .reads("--hmd", display.file());
@@ -270,13 +274,14 @@ public final class RunCommand extends CliCommand {
   /**
    * @param begun called when the scene has been read
    */
-  private RunResult show(RunSettings settings, RunOutput.Beginning begun, RunStop stop)
+  private RunResult show(
+      RunSettings settings, ConsoleRunListener.Beginning begun, RunCancellation stop)
       throws IOException {
-    try (LabStreams streams = streams();
-        TimelineFile file = records.timeline().orElse(null)) {
+    try (LslStreams streams = streams();
+        TimelineFileWriter file = records.timeline().orElse(null)) {
       Consumer<TimelineEvent> written = file == null ? event -> {} : file;
-      RunOutput output =
-          new RunOutput(
+      ConsoleRunListener output =
+          new ConsoleRunListener(
               console(),
               written.andThen(streams::happened),
               streams.samples(),
@@ -297,19 +302,20 @@ public final class RunCommand extends CliCommand {
       throw e;
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      throw CommandFailure.environment("interrupted");
+      throw CommandException.environment("interrupted");
     }
   }
 
-  private static HeadsetLink headset(RunSettings settings) throws HeadsetUnavailableException {
-    return HeadsetLink.find(settings.display().presentation().headset().orElseThrow());
+  private static HeadsetConnection headset(RunSettings settings)
+      throws HeadsetUnavailableException {
+    return HeadsetConnection.find(settings.display().presentation().headset().orElseThrow());
   }
 
-  private LabStreams streams() throws IOException {
+  private LslStreams streams() throws IOException {
     Optional<LslLibrary> library = lsl.library(false);
     return library.isEmpty()
-        ? LabStreams.none()
-        : LabStreams.sending(
+        ? LslStreams.none()
+        : LslStreams.sending(
             library.get(),
             Map.of("scene", String.valueOf(scene.file().getFileName())),
             (event, more) -> console().message(String.valueOf(more.get("text"))));
@@ -321,6 +327,38 @@ public final class RunCommand extends CliCommand {
             ? "simulate walks a path through a scene without a display"
             : "simulate walks a path through a scene without a display, and run --offscreen draws"
                 + " without a window where there is a display such as Xvfb";
-    throw CommandFailure.environment(reason + "; " + advice);
+    throw CommandException.environment(reason + "; " + advice);
+  }
+
+  /** A size in pixels, as {@code 1024x768} on the command line. */
+  private record PixelSize(int width, int height) {
+    private static final int MOST = 16384;
+    private static final Pattern FORM = Pattern.compile("([0-9]{1,5})[xX]([0-9]{1,5})");
+
+    /**
+     * Returns the size as on the command line; the generated method of a record would slow down the
+     * start.
+     */
+    @Override
+    public String toString() {
+      return width + "x" + height;
+    }
+
+    /** Converts a size. */
+    static final class Converter implements ITypeConverter<PixelSize> {
+      @Override
+      public PixelSize convert(String value) {
+        Matcher matcher = FORM.matcher(value);
+        if (matcher.matches()) {
+          int width = Integer.parseInt(matcher.group(1));
+          int height = Integer.parseInt(matcher.group(2));
+          if (width > 0 && height > 0 && width <= MOST && height <= MOST) {
+            return new PixelSize(width, height);
+          }
+        }
+        throw new TypeConversionException(
+            "'" + value + "' is not a size such as 1024x768, from 1x1 to " + MOST + "x" + MOST);
+      }
+    }
   }
 }

@@ -13,11 +13,11 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.sai.SaiRunner;
 import org.selectiverenderer.app.timeline.TimelineEvent;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.cli.base.CliCommand;
 import org.selectiverenderer.cli.base.LibraryProperties;
 import org.selectiverenderer.cli.option.ConditionOptions;
-import org.selectiverenderer.cli.output.CommandFiles;
+import org.selectiverenderer.cli.output.CommandFileCheck;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
 import org.selectiverenderer.runtime.viewer.CameraPath;
@@ -84,12 +84,12 @@ public final class SaiCommand extends CliCommand {
     if (!Files.isRegularFile(scene)) {
       throw new IOException(scene + ": the file does not exist");
     }
-    new CommandFiles()
+    new CommandFileCheck()
         .reads("the scene", scene)
         .reads("--path", path)
         .writes("--timeline", timeline)
         .check();
-    Problems pathProblems = new Problems(console()::problem);
+    ProblemCollector pathProblems = new ProblemCollector(console()::problem);
     Optional<CameraPath> walked =
         path == null ? Optional.empty() : CameraPathReader.read(path, pathProblems);
     if (path != null && walked.isEmpty()) {
@@ -100,7 +100,7 @@ public final class SaiCommand extends CliCommand {
     if (timeline == null) {
       return show(walked, event -> {}, status);
     }
-    try (TimelineFile file = new TimelineFile(timeline)) {
+    try (TimelineFileWriter file = new TimelineFileWriter(timeline)) {
       file.open();
       return show(walked, file, status);
     }

@@ -14,22 +14,22 @@ import org.selectiverenderer.app.timeline.TimelineEvent;
 import org.selectiverenderer.app.timeline.TimelineJson;
 import org.selectiverenderer.app.timeline.TimelineText;
 import org.selectiverenderer.base.files.FileFinder;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.cli.base.CliCommand;
-import org.selectiverenderer.cli.batch.Batch;
-import org.selectiverenderer.cli.batch.BatchForm;
+import org.selectiverenderer.cli.batch.BatchOutputFormat;
+import org.selectiverenderer.cli.batch.BatchRunner;
 import org.selectiverenderer.cli.option.AccessOptions;
 import org.selectiverenderer.cli.option.ConditionOptions;
 import org.selectiverenderer.cli.option.FileArguments;
 import org.selectiverenderer.cli.option.FormatOption;
 import org.selectiverenderer.cli.option.ScenesArgument;
-import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.CommandException;
 import org.selectiverenderer.cli.output.Console;
+import org.selectiverenderer.cli.output.ConsoleRunListener;
 import org.selectiverenderer.cli.output.ExitStatus;
-import org.selectiverenderer.cli.output.RunOutput;
 import org.selectiverenderer.runtime.viewer.CameraPath;
 import org.selectiverenderer.runtime.viewer.CameraPathReader;
-import org.selectiverenderer.x3d.files.ContentAccess;
+import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -77,7 +77,7 @@ public final class SimulateCommand extends CliCommand {
 
   @Mixin private FormatOption format = new FormatOption();
 
-  private ContentAccess allowed = ContentAccess.none();
+  private ContentAccessPolicy allowed = ContentAccessPolicy.none();
 
   public SimulateCommand(Console console) {
     super(console);
@@ -86,9 +86,9 @@ public final class SimulateCommand extends CliCommand {
   @Override
   public ExitStatus run() throws IOException {
     if (!(rate > 0) || Double.isInfinite(rate)) {
-      throw CommandFailure.usage("--rate must be a number of frames per second above 0");
+      throw CommandException.usage("--rate must be a number of frames per second above 0");
     }
-    Problems pathProblems = new Problems(console()::problem);
+    ProblemCollector pathProblems = new ProblemCollector(console()::problem);
     Optional<CameraPath> walked = CameraPathReader.read(path, pathProblems);
     if (walked.isEmpty()) {
       return ExitStatus.PROBLEMS;
@@ -105,7 +105,8 @@ public final class SimulateCommand extends CliCommand {
 
   private ExitStatus simulate(FileArguments files, CameraPath walked) throws IOException {
     if (!files.one()) {
-      return new Batch(console(), format.json() ? BatchForm.LINES : BatchForm.TEXTS)
+      return new BatchRunner(
+              console(), format.json() ? BatchOutputFormat.LINES : BatchOutputFormat.TEXTS)
           .run(
               files.files(FileFinder.SCENES),
               (scene, own) -> {
@@ -119,7 +120,7 @@ public final class SimulateCommand extends CliCommand {
       return simulate(files.file(), walked, new TimelineJson(), console());
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      throw CommandFailure.environment("interrupted");
+      throw CommandException.environment("interrupted");
     } finally {
       console().out().flush();
     }
@@ -134,7 +135,7 @@ public final class SimulateCommand extends CliCommand {
             .with(MotionSettings.following(FollowedPath.at(rate, walked)).from(viewpoint()));
     RunResult result =
         SceneRunner.simulated(
-            settings, new RunOutput(to, event -> to.out().println(text.apply(event))));
+            settings, new ConsoleRunListener(to, event -> to.out().println(text.apply(event))));
     return result.problems() ? ExitStatus.PROBLEMS : ExitStatus.DONE;
   }
 }

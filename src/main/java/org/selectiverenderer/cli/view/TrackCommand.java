@@ -6,21 +6,21 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.cli.base.CliCommand;
-import org.selectiverenderer.cli.base.TypedProgram;
-import org.selectiverenderer.cli.option.TrackerFlags;
-import org.selectiverenderer.cli.output.CommandFailure;
-import org.selectiverenderer.cli.output.CommandFiles;
+import org.selectiverenderer.cli.base.ProgramInvocation;
+import org.selectiverenderer.cli.option.TrackerFilterOptions;
+import org.selectiverenderer.cli.output.CommandException;
+import org.selectiverenderer.cli.output.CommandFileCheck;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
-import org.selectiverenderer.cli.output.Interruption;
+import org.selectiverenderer.cli.output.InterruptHandler;
 import org.selectiverenderer.cli.output.OutputFile;
 import org.selectiverenderer.tracker.TrackerException;
 import org.selectiverenderer.tracker.TrackerSpec;
-import org.selectiverenderer.tracker.emulate.EmulatedInterTrax2;
-import org.selectiverenderer.tracker.emulate.HeadMotion;
-import org.selectiverenderer.tracker.emulate.InterTrax2Emulator;
+import org.selectiverenderer.tracker.emulator.EmulatedInterTrax2;
+import org.selectiverenderer.tracker.emulator.HeadMotion;
+import org.selectiverenderer.tracker.emulator.InterTrax2Emulator;
 import org.selectiverenderer.tracker.report.CsvTrackOutput;
 import org.selectiverenderer.tracker.report.JsonTrackOutput;
 import org.selectiverenderer.tracker.report.TextTrackOutput;
@@ -81,7 +81,7 @@ public final class TrackCommand extends CliCommand {
       description = "writes every record to a file that replay: can play")
   private @Nullable Path output;
 
-  @Mixin private TrackerFlags flags = new TrackerFlags();
+  @Mixin private TrackerFilterOptions flags = new TrackerFilterOptions();
 
   @Option(
       names = "--emulate",
@@ -111,13 +111,13 @@ public final class TrackCommand extends CliCommand {
   @Override
   public ExitStatus run() throws IOException {
     if (!(duration > 0)) {
-      throw CommandFailure.usage("--duration must be a number of seconds above 0");
+      throw CommandException.usage("--duration must be a number of seconds above 0");
     }
     if (emulated != null) {
       return emulate();
     }
     if (link != null) {
-      throw CommandFailure.usage("--link needs --emulate");
+      throw CommandException.usage("--link needs --emulate");
     }
     return watch();
   }
@@ -125,12 +125,12 @@ public final class TrackCommand extends CliCommand {
   private ExitStatus watch() throws IOException {
     TrackerSpec tracker = tracker();
     OutputFile.check("--output", output, ".csv");
-    CommandFiles files = new CommandFiles().writes("--output", output);
+    CommandFileCheck files = new CommandFileCheck().writes("--output", output);
     if (tracker instanceof TrackerSpec.Replay replay) {
       files.reads("the replayed log", replay.file());
     }
     files.check();
-    Problems problems = new Problems(console()::problem);
+    ProblemCollector problems = new ProblemCollector(console()::problem);
     List<TrackOutput> outputs = new ArrayList<>();
     outputs.add(
         switch (format) {
@@ -142,7 +142,7 @@ public final class TrackCommand extends CliCommand {
         outputs.add(csv);
       }
       TrackSession session = new TrackSession(tracker, flags.options(), problems::add, outputs);
-      Interruption.stops(session::stop, () -> session.run(duration));
+      InterruptHandler.stops(session::stop, () -> session.run(duration));
     } catch (TrackerException e) {
       if (!problems.any()) {
         throw e;
@@ -154,35 +154,35 @@ public final class TrackCommand extends CliCommand {
 
   private TrackerSpec tracker() {
     if (spec == null) {
-      throw CommandFailure.usage("no tracker given; name one, such as intertrax2:/dev/ttyUSB0");
+      throw CommandException.usage("no tracker given; name one, such as intertrax2:/dev/ttyUSB0");
     }
     try {
       return TrackerSpec.parse(spec);
     } catch (IllegalArgumentException e) {
-      throw CommandFailure.usage(e.getMessage());
+      throw CommandException.usage(e.getMessage());
     }
   }
 
   private ExitStatus emulate() throws IOException {
     if (link == null || spec != null) {
-      throw CommandFailure.usage(
+      throw CommandException.usage(
           "--emulate needs --link PATH, the path of the emulated serial port, and "
               + "takes no SPEC");
     }
     Path path = link;
     InterTrax2Emulator.Settings settings = settings();
     CountDownLatch stopping = new CountDownLatch(1);
-    Interruption.stops(
+    InterruptHandler.stops(
         stopping::countDown,
         () -> {
           try (EmulatedInterTrax2 device = EmulatedInterTrax2.start(path, settings)) {
             console()
                 .message(
                     "the emulated InterTrax2 is ready; type in another terminal: "
-                        + TypedProgram.name()
+                        + ProgramInvocation.name()
                         + " track intertrax2:"
                         + device.link());
-            Interruption.await(stopping, duration);
+            InterruptHandler.await(stopping, duration);
           }
         });
     return ExitStatus.DONE;
@@ -192,7 +192,7 @@ public final class TrackCommand extends CliCommand {
     try {
       return new InterTrax2Emulator.Settings(rate, HeadMotion.LOOKING_ABOUT);
     } catch (IllegalArgumentException e) {
-      throw CommandFailure.usage("--rate: " + e.getMessage());
+      throw CommandException.usage("--rate: " + e.getMessage());
     }
   }
 }

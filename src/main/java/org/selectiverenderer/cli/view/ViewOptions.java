@@ -6,13 +6,13 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.app.walk.Viewpoints;
+import org.selectiverenderer.app.walk.ViewpointFinder;
 import org.selectiverenderer.app.walk.Walkthrough;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
 import org.selectiverenderer.control.SelectiveController;
-import org.selectiverenderer.runtime.render.DrawStyle;
-import org.selectiverenderer.runtime.render.Shading;
+import org.selectiverenderer.runtime.render.RenderOptions;
+import org.selectiverenderer.runtime.render.ShadingMode;
 import picocli.CommandLine.Option;
 
 /** The options for the viewpoint, the collisions and the drawing style of a scene. */
@@ -76,9 +76,9 @@ final class ViewOptions {
     return list;
   }
 
-  DrawStyle style() {
-    return new DrawStyle(
-        Shading.valueOf(shading.name().toUpperCase(Locale.ROOT)),
+  RenderOptions style() {
+    return new RenderOptions(
+        ShadingMode.valueOf(shading.name().toUpperCase(Locale.ROOT)),
         Optional.ofNullable(headlight).map(Switched.on::equals),
         wireframe);
   }
@@ -96,7 +96,7 @@ final class ViewOptions {
             console::problem,
             event -> {},
             text -> {})) {
-      List<Viewpoints.Entry> all = Viewpoints.of(walk.world());
+      List<ViewpointFinder.Entry> all = ViewpointFinder.of(walk.world());
       all.forEach(
           entry -> console.out().println((entry.name() + "\t" + entry.description()).strip()));
       console.out().flush();

@@ -8,7 +8,7 @@ import java.util.function.Consumer;
 import org.selectiverenderer.doctor.Diagnosis;
 import org.selectiverenderer.openxr.HeadsetUnavailableException;
 import org.selectiverenderer.openxr.RuntimeManifest;
-import org.selectiverenderer.openxr.XrSearch;
+import org.selectiverenderer.openxr.XrHeadsetFinder;
 
 /** Checks the OpenXR runtime and its headset. */
 final class HeadsetProbe {
@@ -16,7 +16,7 @@ final class HeadsetProbe {
 
   static void run(Consumer<Diagnosis> found) {
     String manifest = manifest().map(HeadsetProbe::text).orElse("");
-    try (XrSearch search = XrSearch.begin()) {
+    try (XrHeadsetFinder search = XrHeadsetFinder.begin()) {
       found.accept(
           Diagnosis.ok(
               "OpenXR",

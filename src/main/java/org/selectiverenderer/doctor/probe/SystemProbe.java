@@ -11,7 +11,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
-import org.selectiverenderer.base.machine.Processor;
+import org.selectiverenderer.base.platform.CpuInfo;
 import org.selectiverenderer.doctor.Diagnosis;
 
 /** Checks the computer, the operating system and the character encoding. */
@@ -36,8 +36,7 @@ final class SystemProbe {
         Diagnosis.ok(
             "processor",
             "%s, %d cores for this program%s"
-                .formatted(
-                    Processor.name(), Runtime.getRuntime().availableProcessors(), memory())));
+                .formatted(CpuInfo.name(), Runtime.getRuntime().availableProcessors(), memory())));
   }
 
   private static Optional<String> release() throws IOException {

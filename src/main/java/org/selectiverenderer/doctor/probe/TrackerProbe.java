@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import org.selectiverenderer.doctor.Diagnosis;
 import org.selectiverenderer.tracker.TrackerSpec;
-import org.selectiverenderer.tracker.open.TrackerSearch;
+import org.selectiverenderer.tracker.factory.InterTrax2PortFinder;
 import org.selectiverenderer.tracker.serial.SerialPorts;
 
 /** Checks the serial ports, their permissions, and the tracker of the thesis. */
@@ -39,7 +39,7 @@ final class TrackerProbe {
   }
 
   static void search(Consumer<Diagnosis> found) throws InterruptedException {
-    Optional<TrackerSpec> tracker = TrackerSearch.found(new TrackerSpec.InterTrax2("auto"));
+    Optional<TrackerSpec> tracker = InterTrax2PortFinder.found(new TrackerSpec.InterTrax2("auto"));
     found.accept(
         tracker.isPresent()
             ? Diagnosis.ok(TRACKER, "answers at " + ((TrackerSpec.InterTrax2) tracker.get()).port())

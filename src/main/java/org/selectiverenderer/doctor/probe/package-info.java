@@ -3,8 +3,8 @@
  * serial ports, liblsl, sound, fonts.
  *
  * <p>In: the machine. Out: {@link org.selectiverenderer.doctor.Probe}s, listed by {@link
- * org.selectiverenderer.doctor.probe.Probes}. Libraries are called through the packages that wrap
- * them ({@code runtime.render}, {@code openxr}, {@code tracker}, {@code lsl}, {@code
+ * org.selectiverenderer.doctor.probe.ProbeCatalogue}. Libraries are called through the packages
+ * that wrap them ({@code runtime.render}, {@code openxr}, {@code tracker}, {@code lsl}, {@code
  * runtime.sound}). To add one: a class with a method that sends results, and its entry in {@code
  * Probes}.
  */

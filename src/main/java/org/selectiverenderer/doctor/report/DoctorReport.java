@@ -3,8 +3,8 @@ package org.selectiverenderer.doctor.report;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.List;
-import org.selectiverenderer.base.json.JsonText;
 import org.selectiverenderer.base.json.JsonTree;
+import org.selectiverenderer.base.json.JsonWriter;
 import org.selectiverenderer.doctor.Diagnosis;
 
 /**
@@ -48,7 +48,7 @@ public record DoctorReport(String version, List<Diagnosis> lines) {
       summary.put(status.word(), count(status));
     }
     summary.put("healthy", healthy());
-    return JsonText.of(root);
+    return JsonWriter.of(root);
   }
 
   /** Returns the summary in one line. */

@@ -21,13 +21,13 @@ public final class Doctor {
   /** The time for a cancelled probe to end its process, in milliseconds. */
   private static final long LAST_ACTS_MS = 1000;
 
-  private final ChildStarter children;
+  private final ProbeProcess children;
   private final String home;
 
   /**
    * @param home the user's home folder, which reports replace by {@code ~}
    */
-  public Doctor(ChildStarter children, String home) {
+  public Doctor(ProbeProcess children, String home) {
     this.children = children;
     this.home = home;
   }

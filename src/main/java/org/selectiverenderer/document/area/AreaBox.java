@@ -2,7 +2,7 @@ package org.selectiverenderer.document.area;
 
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
-import org.selectiverenderer.geometry.Bounds;
+import org.selectiverenderer.geometry.BoundingBox;
 
 /**
  * The box of an area in the coordinates and the unit of the scene, Y up.
@@ -18,14 +18,14 @@ public record AreaBox(Vector3dc centre, Vector3dc size) {
   }
 
   /** Creates the box of a bounding box. */
-  public static AreaBox of(Bounds bounds) {
+  public static AreaBox of(BoundingBox bounds) {
     return new AreaBox(bounds.min().add(bounds.max()).mul(0.5), bounds.max().sub(bounds.min()));
   }
 
   /** Returns the bounding box, if the box is not rotated. */
-  public Bounds bounds() {
+  public BoundingBox bounds() {
     Vector3d half = new Vector3d(size).mul(0.5);
-    return Bounds.of(centre.sub(half, new Vector3d()), centre.add(half, new Vector3d()));
+    return BoundingBox.of(centre.sub(half, new Vector3d()), centre.add(half, new Vector3d()));
   }
 
   /** Returns the box translated by a vector. */

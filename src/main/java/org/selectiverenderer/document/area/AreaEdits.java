@@ -6,31 +6,31 @@ import java.util.Locale;
 import java.util.Optional;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
-import org.selectiverenderer.base.decimal.DecimalText;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.document.Edit;
-import org.selectiverenderer.document.EditRefused;
-import org.selectiverenderer.document.Layout;
+import org.selectiverenderer.document.EditRejectedException;
 import org.selectiverenderer.document.SceneDocument;
-import org.selectiverenderer.document.enrichment.Enrichment;
+import org.selectiverenderer.document.SourceFormatter;
+import org.selectiverenderer.document.enrichment.DocumentEnrichment;
 import org.selectiverenderer.document.nodes.NodeEdits;
 import org.selectiverenderer.x3d.source.DocumentElement;
-import org.selectiverenderer.x3d.source.TextChange;
+import org.selectiverenderer.x3d.source.TextEdit;
 
 /**
  * Creates edits that add, move and copy the areas of a document. Each edit is for the document's
  * present state and is performed by {@link SceneDocument#perform}; an edit that would change
- * nothing is empty. All throw {@link EditRefused} with a sentence for the author where an edit
- * cannot be made.
+ * nothing is empty. All throw {@link EditRejectedException} with a sentence for the author where an
+ * edit cannot be made.
  */
 public final class AreaEdits {
   private static final List<String> STATEMENTS = List.of("ROUTE", "IMPORT", "EXPORT");
   private static final double SAME = 1e-6;
 
   private final SceneDocument document;
-  private final Enrichment enrichment;
+  private final DocumentEnrichment enrichment;
   private final NodeEdits nodes;
 
-  public AreaEdits(Enrichment enrichment) {
+  public AreaEdits(DocumentEnrichment enrichment) {
     this.enrichment = enrichment;
     this.document = enrichment.document();
     this.nodes = new NodeEdits(document);
@@ -45,13 +45,13 @@ public final class AreaEdits {
     sound(box);
     nodes.check(name);
     DocumentElement scene = scene();
-    Layout layout = document.layout();
+    SourceFormatter layout = document.layout();
     char quote = layout.quote(scene.children().isEmpty() ? scene : scene.children().get(0));
     String line =
         "<ProximitySensor"
-            + Layout.written("DEF", name, quote)
-            + Layout.written("center", text(box.centre(), new float[3], box.size()), quote)
-            + Layout.written("size", text(box.size(), new float[3], box.size()), quote)
+            + SourceFormatter.written("DEF", name, quote)
+            + SourceFormatter.written("center", text(box.centre(), new float[3], box.size()), quote)
+            + SourceFormatter.written("size", text(box.size(), new float[3], box.size()), quote)
             + "/>";
     return new Edit("Add the area " + name, List.of(inserted(scene, line)));
   }
@@ -63,7 +63,8 @@ public final class AreaEdits {
             .tree()
             .orElseThrow(this::broken)
             .scene()
-            .orElseThrow(() -> new EditRefused("the file has no Scene, so no area can be added"));
+            .orElseThrow(
+                () -> new EditRejectedException("the file has no Scene, so no area can be added"));
     for (DocumentElement set : scene.children()) {
       if (set.name().equals("LayerSet")) {
         return activeLayer(set).orElse(scene);
@@ -72,8 +73,8 @@ public final class AreaEdits {
     return scene;
   }
 
-  private EditRefused broken() {
-    return new EditRefused(
+  private EditRejectedException broken() {
+    return new EditRejectedException(
         document
                 .fault()
                 .map(fault -> fault.location() + ": " + fault.message())
@@ -99,8 +100,8 @@ public final class AreaEdits {
    * Inserts a line after the last child that contains an area, else after all nodes and before the
    * routes.
    */
-  private TextChange inserted(DocumentElement scene, String line) {
-    Layout layout = document.layout();
+  private TextEdit inserted(DocumentElement scene, String line) {
+    SourceFormatter layout = document.layout();
     Optional<DocumentElement> after = Optional.empty();
     for (DocumentElement child : scene.children()) {
       if (holdsArea(child)) {
@@ -135,9 +136,9 @@ public final class AreaEdits {
     DocumentElement sensor = area.element();
     Vector3d centre = vector(area.frame().ownCentre(box));
     Vector3d size = vector(area.frame().ownSize(box));
-    List<TextChange> changes = new ArrayList<>();
-    float[] oldCentre = PlacedAreas.centre(sensor);
-    float[] oldSize = PlacedAreas.size(sensor);
+    List<TextEdit> changes = new ArrayList<>();
+    float[] oldCentre = AreaLocator.centre(sensor);
+    float[] oldSize = AreaLocator.size(sensor);
     if (differs(centre, oldCentre, size)) {
       changes.add(document.layout().attribute(sensor, "center", text(centre, oldCentre, size)));
     }
@@ -149,7 +150,7 @@ public final class AreaEdits {
 
   /** Adds a translated copy of an area with its schemas, as another part of the same area. */
   public Edit copy(PlacedArea area, String name, Vector3dc shift) {
-    List<TextChange> moved = place(area, area.box().movedBy(shift), "").changes();
+    List<TextEdit> moved = place(area, area.box().movedBy(shift), "").changes();
     return new Edit("Copy " + area.name(), List.of(nodes.copied(area.element(), name, moved)));
   }
 
@@ -159,7 +160,8 @@ public final class AreaEdits {
 
   private static void sound(AreaBox box) {
     if (!box.sound()) {
-      throw new EditRefused("the width, height and depth of an area must be greater than 0");
+      throw new EditRejectedException(
+          "the width, height and depth of an area must be greater than 0");
     }
   }
 
@@ -192,8 +194,8 @@ public final class AreaEdits {
       text.append(i == 0 ? "" : " ")
           .append(
               same(wanted.get(i), old[i], size)
-                  ? DecimalText.shortest(old[i])
-                  : DecimalText.rounded(wanted.get(i), decimals));
+                  ? DecimalFormatter.shortest(old[i])
+                  : DecimalFormatter.rounded(wanted.get(i), decimals));
     }
     return text.toString();
   }

@@ -7,7 +7,7 @@ import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
-import org.selectiverenderer.geometry.tessellate.TransformPlacement;
+import org.selectiverenderer.geometry.tessellate.TransformMatrix;
 import org.selectiverenderer.x3d.field.FieldParser;
 import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.source.DocumentElement;
@@ -73,7 +73,7 @@ public record AreaFrame(
   }
 
   private static Matrix4d placement(DocumentElement transform) {
-    return TransformPlacement.of(
+    return TransformMatrix.of(
         new Matrix4d(),
         numbers(transform, "translation", FieldType.SFVec3f, 0, 0, 0),
         numbers(transform, "center", FieldType.SFVec3f, 0, 0, 0),

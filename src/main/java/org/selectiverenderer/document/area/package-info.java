@@ -7,10 +7,10 @@
  * read from the text alone. A box stays a box: its sides are parallel to the sensor's axes, each of
  * which is assigned to the nearest axis of the scene, so that "width" is what the author sees as
  * width also under a Transform that rotates by 90 degrees. {@link
- * org.selectiverenderer.document.area.PlacedAreas} lists all areas, their overlaps, and those with
+ * org.selectiverenderer.document.area.AreaLocator} lists all areas, their overlaps, and those with
  * the same schemas, which are parts of one area; {@link
  * org.selectiverenderer.document.area.AreaEdits} adds, places and copies them; {@link
- * org.selectiverenderer.document.area.GridStep} snaps lengths.
+ * org.selectiverenderer.document.area.GridSnap} snaps lengths.
  *
  * <p>In: a document, boxes. Out: areas, edits, not yet made. Uses {@code document}, {@code
  * document.enrichment}, {@code document.nodes}, {@code geometry}, {@code polygon.count} for

@@ -33,10 +33,10 @@ public record EnrichedSwitch(
    * @param index from 0
    * @param url first URL of an Inline; empty for other nodes
    */
-  public record ChoiceNode(int index, DocumentElement element, String url, ChoiceValues values) {}
+  public record ChoiceNode(int index, DocumentElement element, String url, ChoiceMetadata values) {}
 
   /** Returns the metadata of all choices in order. */
-  public List<ChoiceValues> values() {
+  public List<ChoiceMetadata> values() {
     return choices.stream().map(ChoiceNode::values).toList();
   }
 }

@@ -2,36 +2,36 @@ package org.selectiverenderer.document.enrichment;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.selectiverenderer.document.AttributeValueParser;
 import org.selectiverenderer.document.Edit;
-import org.selectiverenderer.document.EditRefused;
+import org.selectiverenderer.document.EditRejectedException;
 import org.selectiverenderer.document.SceneDocument;
-import org.selectiverenderer.document.XmlValues;
 import org.selectiverenderer.schema.SchemaField;
 import org.selectiverenderer.schema.SensorSchemas;
 import org.selectiverenderer.x3d.source.DocumentElement;
-import org.selectiverenderer.x3d.source.TextChange;
-import org.selectiverenderer.x3d.write.ValueText;
+import org.selectiverenderer.x3d.source.TextEdit;
+import org.selectiverenderer.x3d.write.FieldValueFormatter;
 
 /**
  * Creates edits of the schema metadata of a document's Switches and ProximitySensors. Each edit is
  * for the document's present state and is performed by {@link SceneDocument#perform}; an edit that
  * would change nothing is empty.
  *
- * <p>All throw {@link EditRefused}, with a sentence for the author, where metadata is shared
- * between nodes in a way that the edit would break, or the text is not well-formed.
+ * <p>All throw {@link EditRejectedException}, with a sentence for the author, where metadata is
+ * shared between nodes in a way that the edit would break, or the text is not well-formed.
  */
 public final class EnrichmentEdits {
-  private final Enrichment enrichment;
+  private final DocumentEnrichment enrichment;
   private final SceneDocument document;
 
-  public EnrichmentEdits(Enrichment enrichment) {
+  public EnrichmentEdits(DocumentEnrichment enrichment) {
     this.enrichment = enrichment;
     this.document = enrichment.document();
   }
 
   /** The wanted metadata of a Switch: that of each choice in order. */
-  public record SwitchWish(EnrichedSwitch node, List<ChoiceValues> choices) {
-    public SwitchWish {
+  public record SwitchMetadata(EnrichedSwitch node, List<ChoiceMetadata> choices) {
+    public SwitchMetadata {
       choices = List.copyOf(choices);
       if (choices.size() != node.choices().size()) {
         throw new IllegalArgumentException(
@@ -41,38 +41,39 @@ public final class EnrichmentEdits {
   }
 
   /** The wanted metadata of a sensor. */
-  public record SensorWish(EnrichedSensor node, SensorSchemas schemas) {}
+  public record SensorMetadata(EnrichedSensor node, SensorSchemas schemas) {}
 
   /** Sets the metadata of one choice of a Switch. */
-  public Edit choice(EnrichedSwitch node, int index, ChoiceValues values) {
-    List<ChoiceValues> wanted = new ArrayList<>(node.values());
+  public Edit choice(EnrichedSwitch node, int index, ChoiceMetadata values) {
+    List<ChoiceMetadata> wanted = new ArrayList<>(node.values());
     wanted.set(index, values);
     return all(
         "Describe choice %d of %s".formatted(index, node.name()),
-        List.of(new SwitchWish(node, wanted)),
+        List.of(new SwitchMetadata(node, wanted)),
         List.of());
   }
 
   /** Sets the schemas of an area. */
   public Edit sensor(EnrichedSensor node, SensorSchemas schemas) {
-    return all("Set schemas of " + node.name(), List.of(), List.of(new SensorWish(node, schemas)));
+    return all(
+        "Set schemas of " + node.name(), List.of(), List.of(new SensorMetadata(node, schemas)));
   }
 
   /** Sets the metadata of many nodes as one undo step. */
-  public Edit all(String name, List<SwitchWish> switches, List<SensorWish> sensors) {
+  public Edit all(String name, List<SwitchMetadata> switches, List<SensorMetadata> sensors) {
     wellFormed();
-    NodeWriter writer = new NodeWriter(document);
-    List<TextChange> changes = new ArrayList<>();
-    for (SwitchWish wish : switches) {
+    EnrichedNodeWriter writer = new EnrichedNodeWriter(document);
+    List<TextEdit> changes = new ArrayList<>();
+    for (SwitchMetadata wish : switches) {
       for (int i = 0; i < wish.choices().size(); i++) {
         List<String> there = wish.node().values().get(i).schemas();
-        SchemaSpelling.require(wish.choices().get(i).schemas(), there);
+        SchemaNameValidator.require(wish.choices().get(i).schemas(), there);
       }
       changes.addAll(writer.changes(wish.node(), wish.choices()));
     }
-    for (SensorWish wish : sensors) {
-      SchemaSpelling.require(wish.schemas().enter(), wish.node().schemas().enter());
-      SchemaSpelling.require(wish.schemas().exit(), wish.node().schemas().exit());
+    for (SensorMetadata wish : sensors) {
+      SchemaNameValidator.require(wish.schemas().enter(), wish.node().schemas().enter());
+      SchemaNameValidator.require(wish.schemas().exit(), wish.node().schemas().exit());
       changes.addAll(writer.changes(wish.node(), wish.schemas()));
     }
     return new Edit(name, changes);
@@ -82,15 +83,15 @@ public final class EnrichmentEdits {
    * Returns the metadata changes for a choice that is appended to a Switch: an empty MetadataSet,
    * if each existing choice has a MetadataSet of its own.
    */
-  public List<TextChange> choiceAdded(EnrichedSwitch node) {
+  public List<TextEdit> choiceAdded(EnrichedSwitch node) {
     wellFormed();
-    return new NodeWriter(document).partAdded(node);
+    return new EnrichedNodeWriter(document).partAdded(node);
   }
 
   /** Returns the metadata changes for a choice that is removed. */
-  public List<TextChange> choiceRemoved(EnrichedSwitch node, int index) {
+  public List<TextEdit> choiceRemoved(EnrichedSwitch node, int index) {
     wellFormed();
-    return new NodeWriter(document).partRemoved(node, index);
+    return new EnrichedNodeWriter(document).partRemoved(node, index);
   }
 
   /** Renames a schema wherever it occurs; the name of another schema merges the two. */
@@ -98,10 +99,10 @@ public final class EnrichmentEdits {
     wellFormed();
     String name = to.strip();
     if (name.isEmpty()) {
-      throw new EditRefused("a schema needs a name of at least one letter");
+      throw new EditRejectedException("a schema needs a name of at least one letter");
     }
-    SchemaSpelling.require(List.of(name), List.of());
-    List<TextChange> changes = new ArrayList<>();
+    SchemaNameValidator.require(List.of(name), List.of());
+    List<TextEdit> changes = new ArrayList<>();
     document
         .tree()
         .orElseThrow()
@@ -115,7 +116,7 @@ public final class EnrichmentEdits {
     return new Edit("Rename %s to %s".formatted(from, name), changes);
   }
 
-  private void rename(DocumentElement element, String from, String to, List<TextChange> changes) {
+  private void rename(DocumentElement element, String from, String to, List<TextEdit> changes) {
     boolean names =
         document
             .attribute(element, "name")
@@ -125,11 +126,13 @@ public final class EnrichmentEdits {
     if (!names) {
       return;
     }
-    List<String> values = XmlValues.strings(document.attribute(element, "value").orElse(""));
+    List<String> values =
+        AttributeValueParser.strings(document.attribute(element, "value").orElse(""));
     if (values.stream().anyMatch(value -> value.strip().equals(from))) {
       List<String> renamed =
           values.stream().map(value -> value.strip().equals(from) ? to : value).distinct().toList();
-      changes.add(document.layout().attribute(element, "value", ValueText.strings(renamed)));
+      changes.add(
+          document.layout().attribute(element, "value", FieldValueFormatter.strings(renamed)));
     }
   }
 
@@ -142,17 +145,17 @@ public final class EnrichmentEdits {
 
   /** Removes a schema wherever it occurs. */
   public Edit removeSchema(String schema) {
-    List<SwitchWish> switches = new ArrayList<>();
+    List<SwitchMetadata> switches = new ArrayList<>();
     for (EnrichedSwitch node : enrichment.switches()) {
-      List<ChoiceValues> without =
+      List<ChoiceMetadata> without =
           node.values().stream().map(values -> without(values, schema)).toList();
-      switches.add(new SwitchWish(node, without));
+      switches.add(new SwitchMetadata(node, without));
     }
-    List<SensorWish> sensors = new ArrayList<>();
+    List<SensorMetadata> sensors = new ArrayList<>();
     for (EnrichedSensor node : enrichment.sensors()) {
       SensorSchemas schemas = node.schemas();
       sensors.add(
-          new SensorWish(
+          new SensorMetadata(
               node,
               new SensorSchemas(
                   without(schemas.enter(), schema), without(schemas.exit(), schema))));
@@ -164,10 +167,10 @@ public final class EnrichmentEdits {
    * Returns the metadata of a choice without a schema; a choice that belonged to no other schema
    * loses all its metadata, as when a cell of the table is cleared.
    */
-  private static ChoiceValues without(ChoiceValues values, String schema) {
+  private static ChoiceMetadata without(ChoiceMetadata values, String schema) {
     List<String> rest = without(values.schemas(), schema);
     boolean last = rest.isEmpty() && !values.schemas().isEmpty();
-    return last ? ChoiceValues.NONE : values.with(rest);
+    return last ? ChoiceMetadata.NONE : values.with(rest);
   }
 
   private static List<String> without(List<String> schemas, String schema) {
@@ -179,7 +182,7 @@ public final class EnrichmentEdits {
         .fault()
         .ifPresent(
             fault -> {
-              throw new EditRefused(
+              throw new EditRejectedException(
                   fault.location()
                       + ": "
                       + fault.message()

@@ -7,15 +7,15 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import org.selectiverenderer.base.csv.CsvColumns;
-import org.selectiverenderer.base.csv.CsvFaults;
+import org.selectiverenderer.base.csv.CsvColumnSpec;
+import org.selectiverenderer.base.csv.CsvErrorHandler;
 import org.selectiverenderer.base.csv.CsvRow;
 import org.selectiverenderer.base.csv.CsvTable;
-import org.selectiverenderer.base.problem.Problems;
-import org.selectiverenderer.base.problem.Spelling;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SpellingSuggester;
 import org.selectiverenderer.document.Edit;
+import org.selectiverenderer.schema.ConsistencyDegree;
 import org.selectiverenderer.schema.ConsistencyType;
-import org.selectiverenderer.schema.Degree;
 import org.selectiverenderer.schema.SchemaField;
 import org.selectiverenderer.schema.SchemaField.Owner;
 import org.selectiverenderer.schema.SensorSchemas;
@@ -29,17 +29,17 @@ import org.selectiverenderer.x3d.source.EncodedText;
  */
 public final class MetadataTable {
   private static final List<String> COLUMNS = List.of("node", "choice", "field", "value");
-  private static final CsvColumns FORM = new CsvColumns(COLUMNS, true, true);
+  private static final CsvColumnSpec FORM = new CsvColumnSpec(COLUMNS, true, true);
 
-  private final Enrichment enrichment;
-  private final CsvFaults faults;
+  private final DocumentEnrichment enrichment;
+  private final CsvErrorHandler faults;
   private final Map<String, EnrichedSwitch> switches;
   private final Map<String, EnrichedSensor> sensors;
   private final Map<String, Map<Integer, Map<SchemaField, List<String>>>> ofSwitches =
       new LinkedHashMap<>();
   private final Map<String, Map<SchemaField, List<String>>> ofSensors = new LinkedHashMap<>();
 
-  private MetadataTable(Enrichment enrichment, CsvFaults faults) {
+  private MetadataTable(DocumentEnrichment enrichment, CsvErrorHandler faults) {
     this.enrichment = enrichment;
     this.faults = faults;
     this.switches = enrichment.switchesByName();
@@ -54,9 +54,9 @@ public final class MetadataTable {
    *     or none
    */
   public static Optional<Edit> edit(
-      Enrichment enrichment, String name, byte[] table, Problems problems) {
-    Problems own = new Problems(problems::add);
-    CsvFaults faults = (at, message) -> own.error(at, message + "; the table is not applied");
+      DocumentEnrichment enrichment, String name, byte[] table, ProblemCollector problems) {
+    ProblemCollector own = new ProblemCollector(problems::add);
+    CsvErrorHandler faults = (at, message) -> own.error(at, message + "; the table is not applied");
     Optional<CsvTable> read =
         CsvTable.parse(name, EncodedText.of(table).characters(), FORM, faults);
     if (read.isEmpty() || !read.get().require(COLUMNS, String.join(",", COLUMNS))) {
@@ -84,7 +84,7 @@ public final class MetadataTable {
               .formatted(
                   owner == Owner.CHOICE ? "Switch" : "ProximitySensor",
                   node,
-                  Spelling.nearest(node, known)
+                  SpellingSuggester.nearest(node, known)
                       .map(near -> "; is " + near + " meant?")
                       .orElse("")));
       return;
@@ -143,13 +143,14 @@ public final class MetadataTable {
           row,
           "value",
           "'%s' is unknown; write consistent, inconsistent or frame".formatted(value));
-    } else if (field == SchemaField.DEGREE_OF_CONSISTENCY && Degree.of(value).isEmpty()) {
+    } else if (field == SchemaField.DEGREE_OF_CONSISTENCY
+        && ConsistencyDegree.of(value).isEmpty()) {
       error(
           row,
           "value",
           "'%s' is not a degree; write low, high or a number from 0 to 1".formatted(value));
-    } else if (!single && SchemaSpelling.complaint(value).isPresent()) {
-      error(row, "value", SchemaSpelling.complaint(value).orElseThrow());
+    } else if (!single && SchemaNameValidator.complaint(value).isPresent()) {
+      error(row, "value", SchemaNameValidator.complaint(value).orElseThrow());
     } else {
       values.add(value);
     }
@@ -160,21 +161,21 @@ public final class MetadataTable {
   }
 
   private Edit edit(String name) {
-    List<EnrichmentEdits.SwitchWish> wishes = new ArrayList<>();
+    List<EnrichmentEdits.SwitchMetadata> wishes = new ArrayList<>();
     ofSwitches.forEach(
         (def, byChoice) -> {
           EnrichedSwitch node = switches.get(def);
-          List<ChoiceValues> values = new ArrayList<>(node.values());
+          List<ChoiceMetadata> values = new ArrayList<>(node.values());
           byChoice.forEach((index, fields) -> values.set(index, merged(values.get(index), fields)));
-          wishes.add(new EnrichmentEdits.SwitchWish(node, values));
+          wishes.add(new EnrichmentEdits.SwitchMetadata(node, values));
         });
-    List<EnrichmentEdits.SensorWish> areas = new ArrayList<>();
+    List<EnrichmentEdits.SensorMetadata> areas = new ArrayList<>();
     ofSensors.forEach(
         (def, fields) -> {
           EnrichedSensor node = sensors.get(def);
           SensorSchemas before = node.schemas();
           areas.add(
-              new EnrichmentEdits.SensorWish(
+              new EnrichmentEdits.SensorMetadata(
                   node,
                   new SensorSchemas(
                       distinct(fields.getOrDefault(SchemaField.ENTER_TIME_SCHEMA, before.enter())),
@@ -187,12 +188,15 @@ public final class MetadataTable {
     return values.stream().distinct().toList();
   }
 
-  private static ChoiceValues merged(ChoiceValues before, Map<SchemaField, List<String>> fields) {
+  private static ChoiceMetadata merged(
+      ChoiceMetadata before, Map<SchemaField, List<String>> fields) {
     List<String> type = fields.get(SchemaField.CONSISTENCY_TYPE);
     List<String> degree = fields.get(SchemaField.DEGREE_OF_CONSISTENCY);
-    return new ChoiceValues(
+    return new ChoiceMetadata(
         type == null ? before.type() : type.stream().findFirst().flatMap(ConsistencyType::of),
-        degree == null ? before.degree() : degree.stream().findFirst().flatMap(Degree::of),
+        degree == null
+            ? before.degree()
+            : degree.stream().findFirst().flatMap(ConsistencyDegree::of),
         fields.getOrDefault(SchemaField.SCHEMA_BELONGINESS, before.schemas()));
   }
 }

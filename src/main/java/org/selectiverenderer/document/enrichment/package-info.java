@@ -3,9 +3,9 @@
  * ProximitySensors, and edits that change it. There are no widgets; every action of the enricher's
  * forms, tables and menus is a method here.
  *
- * <p>{@link org.selectiverenderer.document.enrichment.Enrichment} reads; {@link
+ * <p>{@link org.selectiverenderer.document.enrichment.DocumentEnrichment} reads; {@link
  * org.selectiverenderer.document.enrichment.EnrichmentEdits} makes edits; {@link
- * org.selectiverenderer.document.enrichment.SchemaOverview} is the table of objects by schemas;
+ * org.selectiverenderer.document.enrichment.ObjectSchemaMatrix} is the table of objects by schemas;
  * {@link org.selectiverenderer.document.enrichment.MetadataTable} reads METADATA.csv.
  *
  * <p>In: a document, the wanted metadata. Out: edits, not yet performed; problems. Uses {@code

@@ -8,7 +8,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.files.FileActions;
+import org.selectiverenderer.base.files.FileOperations;
 import org.selectiverenderer.document.Edit;
 import org.selectiverenderer.document.SceneDocument;
 
@@ -19,7 +19,7 @@ import org.selectiverenderer.document.SceneDocument;
  * document and file are unchanged.
  */
 public final class DocumentFile {
-  private final FileActions actions;
+  private final FileOperations actions;
   private final SceneDocument document;
   private Path path;
   private @Nullable FileStamp stamp;
@@ -31,7 +31,7 @@ public final class DocumentFile {
   private @Nullable String common;
 
   private DocumentFile(
-      FileActions actions, SceneDocument document, Path path, @Nullable FileStamp stamp) {
+      FileOperations actions, SceneDocument document, Path path, @Nullable FileStamp stamp) {
     this.actions = actions;
     this.document = document;
     this.path = path;
@@ -42,7 +42,7 @@ public final class DocumentFile {
 
   /** Opens a file. */
   public static DocumentFile open(Path path) throws IOException {
-    return open(path, FileActions.REAL);
+    return open(path, FileOperations.REAL);
   }
 
   /**
@@ -50,7 +50,7 @@ public final class DocumentFile {
    *
    * @throws IOException if it cannot be read, with a one-line message that names it
    */
-  public static DocumentFile open(Path path, FileActions actions) throws IOException {
+  public static DocumentFile open(Path path, FileOperations actions) throws IOException {
     if (Files.isDirectory(path)) {
       throw new IOException(path + ": this is a folder, not a scene");
     }
@@ -73,7 +73,7 @@ public final class DocumentFile {
    */
   static DocumentFile unsaved(Path path, SceneDocument document) {
     document.markUnsaved();
-    return new DocumentFile(FileActions.REAL, document, path, null);
+    return new DocumentFile(FileOperations.REAL, document, path, null);
   }
 
   /**
@@ -110,9 +110,9 @@ public final class DocumentFile {
     return file.resolveSibling(file.getFileName() + (sound ? ".bak" : ".faulty.bak"));
   }
 
-  private static DiskState state(Path file, @Nullable FileStamp stamp) throws IOException {
+  private static FileState state(Path file, @Nullable FileStamp stamp) throws IOException {
     return stamp == null
-        ? (Files.exists(file) ? DiskState.CHANGED : DiskState.GONE)
+        ? (Files.exists(file) ? FileState.CHANGED : FileState.GONE)
         : stamp.compare(file);
   }
 
@@ -125,9 +125,9 @@ public final class DocumentFile {
    * Merges another program's changes of the file into the document as one undo step; the changed
    * file becomes the one that saving replaces.
    *
-   * @throws org.selectiverenderer.document.EditRefused if the document is locked
+   * @throws org.selectiverenderer.document.EditRejectedException if the document is locked
    */
-  public void take(DiskCopy copy, Edit edit) {
+  public void take(ExternalFileVersion copy, Edit edit) {
     document.perform(edit);
     stamp = copy.stamp();
     sound = copy.sound();
@@ -141,36 +141,36 @@ public final class DocumentFile {
 
   /** Detects changes of a file by other programs; may be called on any thread. */
   @FunctionalInterface
-  public interface Guard {
-    DiskState state() throws IOException;
+  public interface ChangeGuard {
+    FileState state() throws IOException;
   }
 
   /** Returns a guard that detects changes of the file from now on. */
-  public Guard guard() {
+  public ChangeGuard guard() {
     Path file = path;
     FileStamp expected = stamp;
     return () -> state(file, expected);
   }
 
   /** Creates the operation that writes the present document to its file, on any thread. */
-  public Writing writing() {
-    return new Writing(actions, path, text(), new Writing.Before(guard(), sound));
+  public SaveOperation writing() {
+    return new SaveOperation(actions, path, text(), new SaveOperation.Before(guard(), sound));
   }
 
   /**
    * Creates the operation that writes the present document to another file, which becomes the
    * document's file by {@link #written}.
    */
-  public Writing writing(Path other) {
-    return new Writing(actions, other, text(), null);
+  public SaveOperation writing(Path other) {
+    return new SaveOperation(actions, other, text(), null);
   }
 
-  private Writing.Text text() {
-    return new Writing.Text(document.snapshot(), document.fault().isEmpty());
+  private SaveOperation.Text text() {
+    return new SaveOperation.Text(document.snapshot(), document.fault().isEmpty());
   }
 
   /** Reports that an operation has been completed; to be called on the document's thread. */
-  public void written(Writing done) {
+  public void written(SaveOperation done) {
     path = done.target();
     stamp = done.stamp();
     sound = done.text().sound();
@@ -181,7 +181,8 @@ public final class DocumentFile {
   /**
    * Writes the document to its file.
    *
-   * @throws FileChanged if another program has written the file; {@link Writing#over} overwrites it
+   * @throws FileChangedException if another program has written the file; {@link
+   *     SaveOperation#over} overwrites it
    * @throws IOException if it cannot be written, with a one-line message that names it and says
    *     what to do
    */
@@ -194,7 +195,7 @@ public final class DocumentFile {
     save(writing(other));
   }
 
-  private void save(Writing writing) throws IOException {
+  private void save(SaveOperation writing) throws IOException {
     writing.write();
     written(writing);
   }

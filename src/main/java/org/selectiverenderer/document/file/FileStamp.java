@@ -16,16 +16,16 @@ record FileStamp(long size, FileTime time, String digest) {
   }
 
   /** Compares the stamp with a file; the content decides where only the time has changed. */
-  DiskState compare(Path file) throws IOException {
+  FileState compare(Path file) throws IOException {
     try {
       BasicFileAttributes found = Files.readAttributes(file, BasicFileAttributes.class);
       if (found.size() == size && found.lastModifiedTime().equals(time)) {
-        return DiskState.SAME;
+        return FileState.SAME;
       }
       boolean same = found.size() == size && Sha256.of(Files.readAllBytes(file)).equals(digest);
-      return same ? DiskState.SAME : DiskState.CHANGED;
+      return same ? FileState.SAME : FileState.CHANGED;
     } catch (NoSuchFileException e) {
-      return DiskState.GONE;
+      return FileState.GONE;
     }
   }
 }

@@ -19,7 +19,7 @@ public final class UnifiedDiff {
    * @return empty when the texts are the same; lines end with LF
    */
   public static String of(String name, String nameAfter, String before, String after) {
-    List<Line> lines = lines(LinesWithEnds.of(before), LinesWithEnds.of(after));
+    List<Line> lines = lines(TextLines.of(before), TextLines.of(after));
     StringBuilder diff = new StringBuilder();
     int at = 0;
     while ((at = nextChange(lines, at)) < lines.size()) {
@@ -48,7 +48,7 @@ public final class UnifiedDiff {
   }
 
   private static List<Line> lines(List<String> before, List<String> after) {
-    int[] partner = LineMatching.of(before, after);
+    int[] partner = PatienceDiff.of(before, after);
     List<Line> lines = new ArrayList<>();
     int b = 0;
     for (int a = 0; a < before.size(); a++) {

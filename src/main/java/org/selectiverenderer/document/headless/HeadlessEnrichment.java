@@ -8,25 +8,25 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.files.InputFile;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.files.InputFileReader;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.document.Edit;
-import org.selectiverenderer.document.EditRefused;
+import org.selectiverenderer.document.EditRejectedException;
 import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.document.enrichment.DocumentEnrichment;
 import org.selectiverenderer.document.enrichment.EnrichedSwitch;
-import org.selectiverenderer.document.enrichment.Enrichment;
 import org.selectiverenderer.document.enrichment.MetadataTable;
+import org.selectiverenderer.document.file.BrokenRelativeUrls;
 import org.selectiverenderer.document.file.DocumentFile;
-import org.selectiverenderer.document.file.ForeignScene;
-import org.selectiverenderer.document.file.LeftBehind;
+import org.selectiverenderer.document.file.NonXmlScene;
 import org.selectiverenderer.document.file.UnifiedDiff;
 import org.selectiverenderer.document.ratings.ObjectMatching;
 import org.selectiverenderer.document.ratings.ObjectMatching.Match;
 import org.selectiverenderer.document.ratings.RatingPlan;
 import org.selectiverenderer.document.ratings.Ratings;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
-import org.selectiverenderer.x3d.source.DocumentFault;
+import org.selectiverenderer.x3d.source.DocumentError;
 
 /**
  * Enriches a scene from tables, without a window: first from expectancy ratings, then from a table
@@ -35,13 +35,14 @@ import org.selectiverenderer.x3d.source.DocumentFault;
 public final class HeadlessEnrichment {
   private final DocumentFile file;
   private final String before;
-  private final Enrichment enrichment;
-  private final Problems problems;
+  private final DocumentEnrichment enrichment;
+  private final ProblemCollector problems;
 
-  private HeadlessEnrichment(DocumentFile file, NodeCatalogue catalogue, Problems problems) {
+  private HeadlessEnrichment(
+      DocumentFile file, NodeCatalogue catalogue, ProblemCollector problems) {
     this.file = file;
     this.before = file.document().snapshot().text();
-    this.enrichment = new Enrichment(file.document(), catalogue);
+    this.enrichment = new DocumentEnrichment(file.document(), catalogue);
     this.problems = problems;
   }
 
@@ -61,14 +62,14 @@ public final class HeadlessEnrichment {
    * @throws IOException if a file cannot be read, with a one-line message that names it
    */
   public static Optional<HeadlessEnrichment> of(
-      Request request, NodeCatalogue catalogue, Problems problems) throws IOException {
+      Request request, NodeCatalogue catalogue, ProblemCollector problems) throws IOException {
     Optional<DocumentFile> opened = open(request, catalogue, problems);
     if (opened.isEmpty()) {
       return Optional.empty();
     }
     HeadlessEnrichment run = new HeadlessEnrichment(opened.get(), catalogue, problems);
     SceneDocument document = run.file.document();
-    Optional<DocumentFault> fault = document.fault();
+    Optional<DocumentError> fault = document.fault();
     if (fault.isPresent()) {
       problems.error(fault.get().location(), fault.get().message() + "; nothing has been changed");
       return Optional.empty();
@@ -84,14 +85,14 @@ public final class HeadlessEnrichment {
    * file.
    */
   private static Optional<DocumentFile> open(
-      Request request, NodeCatalogue catalogue, Problems problems) throws IOException {
-    Optional<ForeignScene> foreign = ForeignScene.of(request.scene());
+      Request request, NodeCatalogue catalogue, ProblemCollector problems) throws IOException {
+    Optional<NonXmlScene> foreign = NonXmlScene.of(request.scene());
     if (foreign.isEmpty()) {
       return Optional.of(DocumentFile.open(request.scene()));
     }
     if (request.output().equals(request.scene())) {
       problems.error(
-          Location.of(request.scene().toString()),
+          SourceLocation.of(request.scene().toString()),
           "the scene is in %s, but metadata is written as X3D XML; name an X3D file with --output"
               .formatted(foreign.get().encoding()));
       return Optional.empty();
@@ -118,14 +119,14 @@ public final class HeadlessEnrichment {
             .collect(Collectors.joining(", "));
     if (!following.isEmpty()) {
       problems.info(
-          Location.of(table.toString()),
+          SourceLocation.of(table.toString()),
           "objects without ratings, taken as expected in their room: " + following);
     }
     String silent =
         plan.unrated().stream().map(EnrichedSwitch::name).collect(Collectors.joining(", "));
     if (!silent.isEmpty()) {
       problems.info(
-          Location.of(table.toString()),
+          SourceLocation.of(table.toString()),
           "objects without ratings, which get no metadata: " + silent);
     }
     return perform(plan.edit("Import ratings"));
@@ -133,7 +134,7 @@ public final class HeadlessEnrichment {
 
   private void unused(Path table, Match match) {
     problems.warning(
-        Location.of(table.toString()),
+        SourceLocation.of(table.toString()),
         match.counts()
             ? "'%s' is %s, which has no versions or was rated under another name; not used"
                 .formatted(match.object(), match.switchName().orElse(""))
@@ -153,15 +154,15 @@ public final class HeadlessEnrichment {
     try {
       file.document().perform(edit);
       return true;
-    } catch (EditRefused e) {
-      problems.error(Location.of(file.document().name()), e.getMessage());
+    } catch (EditRejectedException e) {
+      problems.error(SourceLocation.of(file.document().name()), e.getMessage());
       return false;
     }
   }
 
   private static byte[] read(Path table) throws IOException {
     try {
-      return InputFile.bytes(table);
+      return InputFileReader.bytes(table);
     } catch (NoSuchFileException e) {
       throw new IOException(table + ": the file does not exist", e);
     } catch (AccessDeniedException e) {
@@ -182,7 +183,7 @@ public final class HeadlessEnrichment {
 
   /** Returns the relative URLs of files that the scene would not find from the output's folder. */
   public List<String> leftBehind(Path output) {
-    return LeftBehind.in(
+    return BrokenRelativeUrls.in(
         file.document(),
         file.path().toAbsolutePath().getParent(),
         output.toAbsolutePath().getParent());

@@ -10,20 +10,20 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 import org.selectiverenderer.document.Edit;
-import org.selectiverenderer.document.EditRefused;
-import org.selectiverenderer.document.FreeNames;
-import org.selectiverenderer.document.Layout;
+import org.selectiverenderer.document.EditRejectedException;
 import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.document.SourceFormatter;
+import org.selectiverenderer.document.UniqueNameGenerator;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.ElementTree;
-import org.selectiverenderer.x3d.source.TextChange;
-import org.selectiverenderer.x3d.source.WrittenAttribute;
+import org.selectiverenderer.x3d.source.SourceAttribute;
+import org.selectiverenderer.x3d.source.TextEdit;
 
 /**
  * Creates edits that apply to every node: rename, copy, remove. Each edit is for the document's
- * present state and is performed by {@link SceneDocument#perform}. All throw {@link EditRefused}
- * with a sentence for the author where the edit would break the scene or the text is not
- * well-formed.
+ * present state and is performed by {@link SceneDocument#perform}. All throw {@link
+ * EditRejectedException} with a sentence for the author where the edit would break the scene or the
+ * text is not well-formed.
  */
 public final class NodeEdits {
   /** The mandatory elements of a scene. */
@@ -42,7 +42,7 @@ public final class NodeEdits {
         .tree()
         .orElseThrow(
             () ->
-                new EditRefused(
+                new EditRejectedException(
                     document
                             .fault()
                             .map(fault -> fault.location() + ": " + fault.message())
@@ -57,29 +57,32 @@ public final class NodeEdits {
 
   private static void removableOnly(DocumentElement element) {
     if (!removable(element)) {
-      throw new EditRefused("Every scene needs its element " + element.name() + "; it stays");
+      throw new EditRejectedException(
+          "Every scene needs its element " + element.name() + "; it stays");
     }
   }
 
   /** Returns an unused DEF name derived from the wanted one. */
   public String free(String wanted) {
-    return new FreeNames(tree()).free(wanted);
+    return new UniqueNameGenerator(tree()).free(wanted);
   }
 
   /**
    * Checks that a name is valid and unused.
    *
-   * @throws EditRefused if the name is invalid, or another node has it
+   * @throws EditRejectedException if the name is invalid, or another node has it
    */
   public void check(String name) {
-    if (!FreeNames.allowed(name)) {
-      throw new EditRefused(
+    if (!UniqueNameGenerator.allowed(name)) {
+      throw new EditRejectedException(
           "'%s' is not a valid DEF name; use a letter first and no spaces or quotes, such as %s"
-              .formatted(name, FreeNames.identifier(name.isBlank() ? "Area" : "N" + name.strip())));
+              .formatted(
+                  name,
+                  UniqueNameGenerator.identifier(name.isBlank() ? "Area" : "N" + name.strip())));
     }
     ElementTree tree = tree();
     if (tree.named(name).isPresent()) {
-      throw new EditRefused(
+      throw new EditRejectedException(
           "%s is the name of the %s in line %d already; choose another one"
               .formatted(
                   name,
@@ -102,11 +105,12 @@ public final class NodeEdits {
     node.use()
         .ifPresent(
             other -> {
-              throw new EditRefused("this is a USE of %s; rename the original".formatted(other));
+              throw new EditRejectedException(
+                  "this is a USE of %s; rename the original".formatted(other));
             });
-    Layout layout = document.layout();
+    SourceFormatter layout = document.layout();
     NodeReferences references = NodeReferences.to(node);
-    List<TextChange> changes = new ArrayList<>();
+    List<TextEdit> changes = new ArrayList<>();
     changes.add(layout.attribute(node, "DEF", name));
     references.uses().forEach(use -> changes.add(layout.attribute(use, "USE", name)));
     for (DocumentElement route : references.routes()) {
@@ -138,19 +142,20 @@ public final class NodeEdits {
    * @param name name of the copy
    * @param more changes to be made in the copy only; offsets are those of the original
    */
-  public TextChange copied(DocumentElement node, String name, List<TextChange> more) {
+  public TextEdit copied(DocumentElement node, String name, List<TextEdit> more) {
     check(name);
     removableOnly(node);
-    Layout layout = document.layout();
+    SourceFormatter layout = document.layout();
     if (node.use().isPresent()) {
-      throw new EditRefused("this is a USE of %s; copy the original".formatted(node.use().get()));
+      throw new EditRejectedException(
+          "this is a USE of %s; copy the original".formatted(node.use().get()));
     }
-    FreeNames free = new FreeNames(tree());
+    UniqueNameGenerator free = new UniqueNameGenerator(tree());
     free.unused(name);
     Map<String, String> renamed = new HashMap<>();
     node.def().ifPresent(def -> renamed.put(def, name));
     node.visit(each -> each.def().ifPresent(def -> renamed.computeIfAbsent(def, free::unused)));
-    List<TextChange> changes = new ArrayList<>(more);
+    List<TextEdit> changes = new ArrayList<>(more);
     if (node.def().isEmpty()) {
       changes.add(layout.attribute(node, "DEF", name));
     }
@@ -163,26 +168,25 @@ public final class NodeEdits {
                 .ifPresent(written -> changes.add(replaced(written, renamed.get(written.value()))));
           }
         });
-    changes.sort(Comparator.comparingInt(TextChange::from));
-    List<TextChange> moved =
+    changes.sort(Comparator.comparingInt(TextEdit::from));
+    List<TextEdit> moved =
         changes.stream()
             .map(
                 each ->
-                    new TextChange(
-                        each.from() - node.start(), each.to() - node.start(), each.text()))
+                    new TextEdit(each.from() - node.start(), each.to() - node.start(), each.text()))
             .toList();
-    String text = TextChange.applied(moved, document.text(node)).toString();
+    String text = TextEdit.applied(moved, document.text(node)).toString();
     return layout.insertAfter(node, List.of(text));
   }
 
-  private static TextChange replaced(WrittenAttribute attribute, String value) {
-    return new TextChange(attribute.valueFrom(), attribute.valueTo(), value);
+  private static TextEdit replaced(SourceAttribute attribute, String value) {
+    return new TextEdit(attribute.valueFrom(), attribute.valueTo(), value);
   }
 
   /**
    * Removes a node, its routes, and the enclosing groups that contain nothing else.
    *
-   * @throws EditRefused if it or a node in it is referenced by USE
+   * @throws EditRejectedException if it or a node in it is referenced by USE
    */
   public Edit remove(DocumentElement node) {
     return new Edit("Delete " + called(node), removal(lonely(node)));
@@ -199,13 +203,13 @@ public final class NodeEdits {
   /**
    * Returns the changes that remove a node and the references to it.
    *
-   * @throws EditRefused if it is referenced by USE, or is mandatory
+   * @throws EditRejectedException if it is referenced by USE, or is mandatory
    */
-  public List<TextChange> removal(DocumentElement node) {
+  public List<TextEdit> removal(DocumentElement node) {
     tree();
     removableOnly(node);
-    Layout layout = document.layout();
-    List<TextChange> changes = new ArrayList<>(released(node));
+    SourceFormatter layout = document.layout();
+    List<TextEdit> changes = new ArrayList<>(released(node));
     changes.add(layout.remove(node));
     return changes;
   }
@@ -213,9 +217,9 @@ public final class NodeEdits {
   /**
    * Returns the changes that remove the routes, imports and exports of a node and its descendants.
    *
-   * @throws EditRefused if it is referenced by USE
+   * @throws EditRejectedException if it is referenced by USE
    */
-  public List<TextChange> released(DocumentElement node) {
+  public List<TextEdit> released(DocumentElement node) {
     return released(NodeReferences.into(node));
   }
 
@@ -223,18 +227,18 @@ public final class NodeEdits {
    * Returns the changes that remove the routes, imports and exports of a node itself, not of its
    * descendants.
    */
-  public List<TextChange> releasedItself(DocumentElement node) {
+  public List<TextEdit> releasedItself(DocumentElement node) {
     return released(NodeReferences.to(node));
   }
 
-  private List<TextChange> released(NodeReferences references) {
+  private List<TextEdit> released(NodeReferences references) {
     if (!references.uses().isEmpty()) {
       DocumentElement use = references.uses().get(0);
-      throw new EditRefused(
+      throw new EditRejectedException(
           "%s is used elsewhere (USE in line %d), and this reference would break; delete it first"
               .formatted(use.use().orElse(""), document.location(use.start()).line()));
     }
-    Layout layout = document.layout();
+    SourceFormatter layout = document.layout();
     Set<DocumentElement> gone = new LinkedHashSet<>(references.routes());
     gone.addAll(references.exports());
     gone.addAll(references.imports());

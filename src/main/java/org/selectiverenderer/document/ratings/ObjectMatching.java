@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
-import org.selectiverenderer.base.problem.Spelling;
+import org.selectiverenderer.base.problem.SpellingSuggester;
 import org.selectiverenderer.document.enrichment.EnrichedSwitch;
 
 /**
@@ -83,7 +83,7 @@ public final class ObjectMatching {
     if (same != null) {
       return new Match(object, Optional.of(same), How.SAME_NAME);
     }
-    Optional<String> near = Spelling.nearest(plain, byName.keySet());
+    Optional<String> near = SpellingSuggester.nearest(plain, byName.keySet());
     if (near.isEmpty() && plain.length() > 2) {
       near =
           byName.keySet().stream()

@@ -1,27 +1,33 @@
 package org.selectiverenderer.document.ratings;
 
 import java.util.ArrayList;
+import java.util.Collection;
+import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.selectiverenderer.document.Edit;
-import org.selectiverenderer.document.enrichment.ChoiceValues;
+import org.selectiverenderer.document.enrichment.ChoiceMetadata;
+import org.selectiverenderer.document.enrichment.DocumentEnrichment;
 import org.selectiverenderer.document.enrichment.EnrichedSwitch;
-import org.selectiverenderer.document.enrichment.Enrichment;
 import org.selectiverenderer.document.enrichment.EnrichmentEdits;
-import org.selectiverenderer.document.enrichment.EnrichmentEdits.SensorWish;
-import org.selectiverenderer.document.enrichment.EnrichmentEdits.SwitchWish;
+import org.selectiverenderer.document.enrichment.EnrichmentEdits.SensorMetadata;
+import org.selectiverenderer.document.enrichment.EnrichmentEdits.SwitchMetadata;
 import org.selectiverenderer.document.ratings.ObjectMatching.Match;
+import org.selectiverenderer.document.ratings.RatingPlan.Row;
 import org.selectiverenderer.document.ratings.Ratings.Mean;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
  * The metadata that ratings imply for a document, to be reviewed before it is applied. A schema
- * that a sensor activates belongs to a part of a room, all others to rooms; {@link SchemaPlaces}
+ * that a sensor activates belongs to a part of a room, all others to rooms; {@link RoomPartSchemas}
  * distinguishes them. An object that people expect is shown by its last version, with few polygons,
- * any other object by its first; {@link VersionBands} has the bands of thesis 5.1. The schema of a
- * part of a room is written only if it shows another version than the room's schema; otherwise it
- * would have no effect.
+ * any other object by its first; {@link ObjectRatingPlan.RatingBandMapping} has the bands of thesis
+ * 5.1. The schema of a part of a room is written only if it shows another version than the room's
+ * schema; otherwise it would have no effect.
  */
 public final class RatingPlan {
   /**
@@ -29,7 +35,7 @@ public final class RatingPlan {
    *
    * @param choice the version to be shown; empty where the schema is not written
    */
-  public record Implied(String schema, Mean mean, Optional<Integer> choice) {}
+  public record ImpliedSchema(String schema, Mean mean, Optional<Integer> choice) {}
 
   /**
    * The implied metadata for one Switch.
@@ -42,24 +48,24 @@ public final class RatingPlan {
   public record Row(
       EnrichedSwitch node,
       Optional<String> object,
-      List<Implied> schemas,
-      List<ChoiceValues> choices) {
+      List<ImpliedSchema> schemas,
+      List<ChoiceMetadata> choices) {
     public Row {
       schemas = List.copyOf(schemas);
       choices = List.copyOf(choices);
     }
   }
 
-  private final Enrichment enrichment;
+  private final DocumentEnrichment enrichment;
   private final List<Row> rows;
-  private final List<SensorWish> sensors;
+  private final List<SensorMetadata> sensors;
   private final List<Match> unused;
   private final List<EnrichedSwitch> unrated;
 
   private RatingPlan(
-      Enrichment enrichment,
+      DocumentEnrichment enrichment,
       List<Row> rows,
-      List<SensorWish> sensors,
+      List<SensorMetadata> sensors,
       List<Match> unused,
       List<EnrichedSwitch> unrated) {
     this.enrichment = enrichment;
@@ -76,8 +82,11 @@ public final class RatingPlan {
    *     room of the rated objects around it, if these belong to one room
    */
   public static RatingPlan of(
-      Enrichment enrichment, Ratings ratings, ObjectMatching matching, boolean unratedFollow) {
-    SchemaPlaces places = new SchemaPlaces(enrichment.sensors(), ratings);
+      DocumentEnrichment enrichment,
+      Ratings ratings,
+      ObjectMatching matching,
+      boolean unratedFollow) {
+    RoomPartSchemas places = new RoomPartSchemas(enrichment.sensors(), ratings);
     Map<String, EnrichedSwitch> switches = enrichment.switchesByName();
     Map<String, Row> rows = new LinkedHashMap<>();
     List<Match> unused = new ArrayList<>();
@@ -87,10 +96,10 @@ public final class RatingPlan {
         unused.add(match);
       } else {
         Map<String, Mean> means = ratings.means().get(match.object());
-        rows.put(node.name(), new ObjectPlan(node, places).row(match.object(), means));
+        rows.put(node.name(), new ObjectRatingPlan(node, places).row(match.object(), means));
       }
     }
-    RoomSchemas rooms = new RoomSchemas(rows.values(), places);
+    RoomSchemaInference rooms = new RoomSchemaInference(rows.values(), places);
     List<EnrichedSwitch> unrated = new ArrayList<>();
     for (EnrichedSwitch node : enrichment.switches()) {
       if (rows.containsKey(node.name()) || node.enriched() || node.choices().size() < 2) {
@@ -98,7 +107,7 @@ public final class RatingPlan {
       }
       Optional<String> room = unratedFollow ? rooms.of(node) : Optional.empty();
       if (room.isPresent()) {
-        rows.put(node.name(), ObjectPlan.expected(node, room.get()));
+        rows.put(node.name(), ObjectRatingPlan.expected(node, room.get()));
       } else {
         unrated.add(node);
       }
@@ -113,7 +122,7 @@ public final class RatingPlan {
   }
 
   /** Returns the changes of areas: those whose names correspond to a schema. */
-  public List<SensorWish> sensors() {
+  public List<SensorMetadata> sensors() {
     return sensors;
   }
 
@@ -133,6 +142,43 @@ public final class RatingPlan {
   /** Returns all changes as one edit. */
   public Edit edit(String name) {
     return new EnrichmentEdits(enrichment)
-        .all(name, rows.stream().map(r -> new SwitchWish(r.node(), r.choices())).toList(), sensors);
+        .all(
+            name,
+            rows.stream().map(r -> new SwitchMetadata(r.node(), r.choices())).toList(),
+            sensors);
+  }
+
+  /**
+   * Infers the schema of the room that contains an element: that of the rated objects in the
+   * smallest enclosing group with any, if they agree.
+   */
+  private static final class RoomSchemaInference {
+    private final Map<DocumentElement, Set<String>> rooms = new IdentityHashMap<>();
+
+    RoomSchemaInference(Collection<Row> rated, RoomPartSchemas places) {
+      for (Row row : rated) {
+        Optional<DocumentElement> around = row.node().element().parent();
+        while (around.isPresent()) {
+          Set<String> schemas = rooms.computeIfAbsent(around.get(), key -> new LinkedHashSet<>());
+          row.schemas().stream()
+              .map(RatingPlan.ImpliedSchema::schema)
+              .filter(schema -> !places.isPart(schema))
+              .forEach(schemas::add);
+          around = around.get().parent();
+        }
+      }
+    }
+
+    Optional<String> of(EnrichedSwitch node) {
+      Optional<DocumentElement> around = node.element().parent();
+      while (around.isPresent()) {
+        Set<String> schemas = rooms.getOrDefault(around.get(), Set.of());
+        if (!schemas.isEmpty()) {
+          return schemas.size() == 1 ? schemas.stream().findFirst() : Optional.empty();
+        }
+        around = around.get().parent();
+      }
+      return Optional.empty();
+    }
   }
 }

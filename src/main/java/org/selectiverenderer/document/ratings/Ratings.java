@@ -6,14 +6,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.selectiverenderer.base.csv.CsvColumns;
-import org.selectiverenderer.base.csv.CsvFaults;
-import org.selectiverenderer.base.csv.CsvNumbers;
+import org.selectiverenderer.base.csv.CsvColumnSpec;
+import org.selectiverenderer.base.csv.CsvErrorHandler;
+import org.selectiverenderer.base.csv.CsvNumberParser;
 import org.selectiverenderer.base.csv.CsvRow;
 import org.selectiverenderer.base.csv.CsvTable;
-import org.selectiverenderer.base.problem.Problems;
-import org.selectiverenderer.document.enrichment.SchemaSpelling;
-import org.selectiverenderer.schema.Band;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.document.enrichment.SchemaNameValidator;
+import org.selectiverenderer.schema.RatingBand;
 import org.selectiverenderer.x3d.source.EncodedText;
 
 /**
@@ -23,7 +23,7 @@ import org.selectiverenderer.x3d.source.EncodedText;
  */
 public record Ratings(Map<String, Map<String, Mean>> means) {
   private static final List<String> COLUMNS = List.of("object", "schema", "rating");
-  private static final CsvColumns FORM = new CsvColumns(COLUMNS, true, true);
+  private static final CsvColumnSpec FORM = new CsvColumnSpec(COLUMNS, true, true);
 
   /**
    * The mean of all ratings of one object in one place.
@@ -32,8 +32,8 @@ public record Ratings(Map<String, Map<String, Mean>> means) {
    * @param count number of ratings
    */
   public record Mean(double value, int count) {
-    public Band band() {
-      return Band.of(value);
+    public RatingBand band() {
+      return RatingBand.of(value);
     }
   }
 
@@ -44,9 +44,9 @@ public record Ratings(Map<String, Map<String, Mean>> means) {
    * @return empty if it is not such a table or a rating is not from 1 to 6, which is reported; rows
    *     without a rating are skipped
    */
-  public static Optional<Ratings> read(String name, byte[] table, Problems problems) {
-    Problems own = new Problems(problems::add);
-    CsvFaults faults = (at, message) -> own.error(at, message + "; the table is not used");
+  public static Optional<Ratings> read(String name, byte[] table, ProblemCollector problems) {
+    ProblemCollector own = new ProblemCollector(problems::add);
+    CsvErrorHandler faults = (at, message) -> own.error(at, message + "; the table is not used");
     Optional<CsvTable> read =
         CsvTable.parse(name, EncodedText.of(table).characters(), FORM, faults);
     if (read.isEmpty() || !read.get().require(COLUMNS, String.join(",", COLUMNS))) {
@@ -59,18 +59,19 @@ public record Ratings(Map<String, Map<String, Mean>> means) {
       if (row.cell("rating").isEmpty()) {
         continue;
       }
-      OptionalDouble rating = CsvNumbers.number(row, "rating", faults);
+      OptionalDouble rating = CsvNumberParser.number(row, "rating", faults);
       if (rating.isEmpty()) {
         continue;
       }
       if (rating.getAsDouble() < 1 || rating.getAsDouble() > 6) {
         faults.fault(
             row.location("rating"),
-            CsvNumbers.quoted(row.cell("rating")) + " is not a rating from 1 to 6");
+            CsvNumberParser.quoted(row.cell("rating")) + " is not a rating from 1 to 6");
       } else if (object.isEmpty() || schema.isEmpty()) {
         faults.fault(row.location(), "a rating needs an object and a schema");
       }
-      SchemaSpelling.complaint(schema).ifPresent(why -> faults.fault(row.location("schema"), why));
+      SchemaNameValidator.complaint(schema)
+          .ifPresent(why -> faults.fault(row.location("schema"), why));
       all.computeIfAbsent(object, key -> new LinkedHashMap<>())
           .computeIfAbsent(schema, key -> new ArrayList<>())
           .add(rating.getAsDouble());

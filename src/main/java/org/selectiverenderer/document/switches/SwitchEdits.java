@@ -3,25 +3,25 @@ package org.selectiverenderer.document.switches;
 import java.util.ArrayList;
 import java.util.List;
 import org.selectiverenderer.document.Edit;
-import org.selectiverenderer.document.EditRefused;
-import org.selectiverenderer.document.Layout;
+import org.selectiverenderer.document.EditRejectedException;
 import org.selectiverenderer.document.SceneDocument;
-import org.selectiverenderer.document.enrichment.ChoiceValues;
+import org.selectiverenderer.document.SourceFormatter;
+import org.selectiverenderer.document.enrichment.ChoiceMetadata;
+import org.selectiverenderer.document.enrichment.DocumentEnrichment;
 import org.selectiverenderer.document.enrichment.EnrichedSwitch;
 import org.selectiverenderer.document.enrichment.EnrichedSwitch.ChoiceNode;
-import org.selectiverenderer.document.enrichment.Enrichment;
 import org.selectiverenderer.document.enrichment.EnrichmentEdits;
-import org.selectiverenderer.document.enrichment.EnrichmentEdits.SwitchWish;
+import org.selectiverenderer.document.enrichment.EnrichmentEdits.SwitchMetadata;
 import org.selectiverenderer.document.nodes.NodeEdits;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.DocumentElement;
-import org.selectiverenderer.x3d.source.TextChange;
-import org.selectiverenderer.x3d.write.ValueText;
+import org.selectiverenderer.x3d.source.TextEdit;
+import org.selectiverenderer.x3d.write.FieldValueFormatter;
 
 /**
  * Creates edits of Switches and their choices. Each edit is for the document's present state and is
  * performed by {@link SceneDocument#perform}; an edit that would change nothing is empty. All throw
- * {@link EditRefused} with a sentence for the author where an edit cannot be made.
+ * {@link EditRejectedException} with a sentence for the author where an edit cannot be made.
  */
 public final class SwitchEdits {
   private final SceneDocument document;
@@ -29,7 +29,7 @@ public final class SwitchEdits {
   private final NodeCatalogue catalogue;
   private final NodeEdits nodes;
 
-  public SwitchEdits(Enrichment enrichment, NodeCatalogue catalogue) {
+  public SwitchEdits(DocumentEnrichment enrichment, NodeCatalogue catalogue) {
     this.document = enrichment.document();
     this.metadata = new EnrichmentEdits(enrichment);
     this.catalogue = catalogue;
@@ -40,23 +40,24 @@ public final class SwitchEdits {
   public Edit wrap(DocumentElement node, String name) {
     child(node);
     nodes.check(name);
-    Layout layout = document.layout();
+    SourceFormatter layout = document.layout();
     char quote = layout.quote(node);
     String open =
         "<Switch"
-            + Layout.written("DEF", name, quote)
-            + Layout.written("whichChoice", "0", quote)
+            + SourceFormatter.written("DEF", name, quote)
+            + SourceFormatter.written("whichChoice", "0", quote)
             + ">";
     String text;
     if (layout.onItsOwnLine(node)) {
       String outer = layout.endOfLine(node) + layout.indentation(node);
       String step = layout.step(node);
-      text = open + outer + step + Reindent.deeper(document.text(node), step) + outer + "</Switch>";
+      text =
+          open + outer + step + Reindenter.deeper(document.text(node), step) + outer + "</Switch>";
     } else {
       text = open + document.text(node) + "</Switch>";
     }
     return new Edit(
-        "Make the Switch " + name, List.of(new TextChange(node.start(), node.end(), text)));
+        "Make the Switch " + name, List.of(new TextEdit(node.start(), node.end(), text)));
   }
 
   /** Returns a name for the Switch of a node, from its DEF or USE name, else from its type. */
@@ -87,7 +88,7 @@ public final class SwitchEdits {
 
   private void child(DocumentElement node) {
     if (!wraps(node)) {
-      throw new EditRefused(
+      throw new EditRejectedException(
           "only a node that is drawn by itself can be put into a Switch; choose a Transform, Group,"
               + " Shape or Inline, not "
               + node.name());
@@ -97,13 +98,14 @@ public final class SwitchEdits {
   /** Replaces a Switch by its initially shown choice, else by its first one. */
   public Edit unwrap(EnrichedSwitch node) {
     if (node.choices().isEmpty()) {
-      throw new EditRefused(node.name() + " has no choice to replace it; delete it instead");
+      throw new EditRejectedException(
+          node.name() + " has no choice to replace it; delete it instead");
     }
     DocumentElement element = node.element();
     int shown =
         node.whichChoice() < 0 ? 0 : Math.min(node.whichChoice(), node.choices().size() - 1);
     DocumentElement kept = node.choices().get(shown).element();
-    List<TextChange> changes = new ArrayList<>();
+    List<TextEdit> changes = new ArrayList<>();
     if (element.def().isPresent()) {
       changes.addAll(ownReferences(element));
     }
@@ -113,32 +115,32 @@ public final class SwitchEdits {
         changes.addAll(nodes.released(choice.element()));
       }
     }
-    Layout layout = document.layout();
+    SourceFormatter layout = document.layout();
     String text = document.text(kept);
     boolean laid = layout.onItsOwnLine(kept);
     String step =
         laid && layout.indentation(kept).startsWith(layout.indentation(element))
             ? layout.indentation(kept).substring(layout.indentation(element).length())
             : "";
-    changes.add(new TextChange(element.start(), element.end(), Reindent.shallower(text, step)));
+    changes.add(new TextEdit(element.start(), element.end(), Reindenter.shallower(text, step)));
     return new Edit(
         "Unwrap " + node.name(),
         changes.stream().distinct().filter(change -> outside(change, element)).toList());
   }
 
-  private static boolean outside(TextChange change, DocumentElement element) {
+  private static boolean outside(TextEdit change, DocumentElement element) {
     boolean whole = change.from() == element.start() && change.to() == element.end();
     return whole || change.to() <= element.start() || change.from() >= element.end();
   }
 
   /** Removes the references to the Switch itself, not those to the remaining choice. */
-  private List<TextChange> ownReferences(DocumentElement element) {
+  private List<TextEdit> ownReferences(DocumentElement element) {
     return nodes.releasedItself(element);
   }
 
   /** Sets the initially shown choice; -1 for none. */
   public Edit show(EnrichedSwitch node, int choice) {
-    List<TextChange> changes =
+    List<TextEdit> changes =
         choice == node.whichChoice()
             ? List.of()
             : List.of(document.layout().attribute(node.element(), "whichChoice", "" + choice));
@@ -162,8 +164,9 @@ public final class SwitchEdits {
         node,
         "Add a choice to " + node.name(),
         "<Inline"
-            + Layout.written("DEF", name, quote)
-            + Layout.written("url", ValueText.strings(url), quote == '"' ? '\'' : quote)
+            + SourceFormatter.written("DEF", name, quote)
+            + SourceFormatter.written(
+                "url", FieldValueFormatter.strings(url), quote == '"' ? '\'' : quote)
             + "/>");
   }
 
@@ -171,10 +174,10 @@ public final class SwitchEdits {
   public Edit addCopy(EnrichedSwitch node, int index) {
     DocumentElement from = node.choices().get(index).element();
     DocumentElement last = last(node);
-    TextChange copy =
+    TextEdit copy =
         nodes.copied(from, nodes.free(from.def().orElse(node.object() + "_v")), List.of());
-    List<TextChange> changes = new ArrayList<>(metadata.choiceAdded(node));
-    changes.add(new TextChange(last.end(), last.end(), copy.text()));
+    List<TextEdit> changes = new ArrayList<>(metadata.choiceAdded(node));
+    changes.add(new TextEdit(last.end(), last.end(), copy.text()));
     return new Edit("Copy choice %d of %s".formatted(index, node.name()), changes);
   }
 
@@ -183,8 +186,8 @@ public final class SwitchEdits {
   }
 
   private Edit added(EnrichedSwitch node, String name, String line) {
-    Layout layout = document.layout();
-    List<TextChange> changes = new ArrayList<>();
+    SourceFormatter layout = document.layout();
+    List<TextEdit> changes = new ArrayList<>();
     if (node.choices().isEmpty()) {
       changes.add(layout.insertLast(node.element(), List.of(line)));
     } else {
@@ -196,7 +199,7 @@ public final class SwitchEdits {
 
   /** Removes a choice and its metadata. */
   public Edit remove(EnrichedSwitch node, int index) {
-    List<TextChange> changes = new ArrayList<>(nodes.removal(node.choices().get(index).element()));
+    List<TextEdit> changes = new ArrayList<>(nodes.removal(node.choices().get(index).element()));
     changes.addAll(metadata.choiceRemoved(node, index));
     int shown = node.whichChoice();
     int left = node.choices().size() - 1;
@@ -216,13 +219,14 @@ public final class SwitchEdits {
     }
     DocumentElement a = node.choices().get(first).element();
     DocumentElement b = node.choices().get(second).element();
-    List<ChoiceValues> values = new ArrayList<>(node.values());
+    List<ChoiceMetadata> values = new ArrayList<>(node.values());
     values.set(first, node.values().get(second));
     values.set(second, node.values().get(first));
-    List<TextChange> changes = new ArrayList<>();
-    changes.addAll(metadata.all("", List.of(new SwitchWish(node, values)), List.of()).changes());
-    changes.add(new TextChange(a.start(), a.end(), document.text(b)));
-    changes.add(new TextChange(b.start(), b.end(), document.text(a)));
+    List<TextEdit> changes = new ArrayList<>();
+    changes.addAll(
+        metadata.all("", List.of(new SwitchMetadata(node, values)), List.of()).changes());
+    changes.add(new TextEdit(a.start(), a.end(), document.text(b)));
+    changes.add(new TextEdit(b.start(), b.end(), document.text(a)));
     int shown = node.whichChoice();
     if (shown == first || shown == second) {
       int then = shown == first ? second : first;

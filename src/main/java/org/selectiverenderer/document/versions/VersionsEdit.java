@@ -7,20 +7,20 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.selectiverenderer.base.files.FileTransaction;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.document.DocumentSnapshot;
 import org.selectiverenderer.document.Edit;
-import org.selectiverenderer.document.EditRefused;
+import org.selectiverenderer.document.EditRejectedException;
 import org.selectiverenderer.document.SceneDocument;
-import org.selectiverenderer.document.Snapshot;
-import org.selectiverenderer.document.StepFile;
+import org.selectiverenderer.document.UndoableFileWrite;
 import org.selectiverenderer.polygon.model.ModelReader;
-import org.selectiverenderer.polygon.simplify.Goal;
+import org.selectiverenderer.polygon.simplify.SimplificationTarget;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
-import org.selectiverenderer.x3d.files.ContentAccess;
-import org.selectiverenderer.x3d.files.ContentBase;
-import org.selectiverenderer.x3d.files.ContentRoot;
-import org.selectiverenderer.x3d.read.FileLibraries;
+import org.selectiverenderer.x3d.read.PrototypeLibraryLoader;
 import org.selectiverenderer.x3d.read.X3dReader;
+import org.selectiverenderer.x3d.url.BaseUrl;
+import org.selectiverenderer.x3d.url.ContentAccessPolicy;
+import org.selectiverenderer.x3d.url.UrlResolver;
 
 /**
  * An edit that makes versions of an object in a scene (thesis 4.2): the object is replaced by a
@@ -34,7 +34,7 @@ import org.selectiverenderer.x3d.read.X3dReader;
  * made again under another name.
  */
 public final class VersionsEdit {
-  private final Snapshot snapshot;
+  private final DocumentSnapshot snapshot;
   private final String object;
   private final List<ObjectVersion> versions;
   private final List<PlannedFile> files;
@@ -42,7 +42,7 @@ public final class VersionsEdit {
   private final Edit edit;
 
   VersionsEdit(
-      Snapshot snapshot,
+      DocumentSnapshot snapshot,
       String object,
       List<ObjectVersion> versions,
       List<PlannedFile> files,
@@ -73,9 +73,9 @@ public final class VersionsEdit {
    */
   public record Request(
       Path scene,
-      ContentAccess access,
+      ContentAccessPolicy access,
       String object,
-      List<Goal> goals,
+      List<SimplificationTarget> goals,
       Path output,
       String inlineFolder,
       Set<Integer> kept,
@@ -88,26 +88,32 @@ public final class VersionsEdit {
     /** Creates a request that keeps no version. */
     public Request(
         Path scene,
-        ContentAccess access,
+        ContentAccessPolicy access,
         String object,
-        List<Goal> goals,
+        List<SimplificationTarget> goals,
         Path output,
         String inlineFolder) {
       this(scene, access, object, goals, output, inlineFolder, Set.of(), "");
     }
 
     /** Creates a request for a scene that may load only files in its own folder. */
-    public Request(Path scene, String object, List<Goal> goals, Path output, String inlineFolder) {
-      this(scene, ContentAccess.none(), object, goals, output, inlineFolder);
+    public Request(
+        Path scene,
+        String object,
+        List<SimplificationTarget> goals,
+        Path output,
+        String inlineFolder) {
+      this(scene, ContentAccessPolicy.none(), object, goals, output, inlineFolder);
     }
 
     /** Creates a request to change the scene in place. */
-    public Request(Path scene, String object, List<Goal> goals, String inlineFolder) {
+    public Request(
+        Path scene, String object, List<SimplificationTarget> goals, String inlineFolder) {
       this(scene, object, goals, scene, inlineFolder);
     }
 
     /** Returns the request with another permission to load files and URLs. */
-    public Request allowing(ContentAccess more) {
+    public Request allowing(ContentAccessPolicy more) {
       return new Request(scene, more, object, goals, output, inlineFolder, kept, name);
     }
 
@@ -127,23 +133,26 @@ public final class VersionsEdit {
    * writes nothing.
    *
    * @return empty when versions cannot be made, which is reported
-   * @throws BadSceneException if the scene's text cannot be changed
+   * @throws SceneNotEditableException if the scene's text cannot be changed
    * @throws IOException if a file cannot be read, with a one-line message that names it
    */
   public static Optional<VersionsEdit> plan(
-      Snapshot snapshot, Request request, NodeCatalogue catalogue, Problems problems)
+      DocumentSnapshot snapshot,
+      Request request,
+      NodeCatalogue catalogue,
+      ProblemCollector problems)
       throws IOException {
-    Path folder = VersionFiles.folder(request.scene());
+    Path folder = VersionFileNames.folder(request.scene());
     X3dReader plain = new X3dReader(catalogue);
-    ContentRoot root = new ContentRoot(folder, request.access());
-    X3dReader reader = plain.with(new FileLibraries(plain, root), ContentBase.folder(folder));
-    SceneSource scene = SceneSource.of(snapshot, reader, problems);
-    Optional<ObjectElement> site = new SiteFinder(scene, problems).find(request.object());
+    UrlResolver root = new UrlResolver(folder, request.access());
+    X3dReader reader = plain.with(new PrototypeLibraryLoader(plain, root), BaseUrl.folder(folder));
+    ElementNodeMapping scene = ElementNodeMapping.of(snapshot, reader, problems);
+    Optional<ObjectElements> site = new ObjectFinder(scene, problems).find(request.object());
     if (site.isEmpty()) {
       return Optional.empty();
     }
     ModelReader models = new ModelReader(catalogue, request.access());
-    return new Planning(request, scene, site.get(), models, reader, problems).plan();
+    return new VersionsPlanner(request, scene, site.get(), models, reader, problems).plan();
   }
 
   /**
@@ -152,17 +161,17 @@ public final class VersionsEdit {
    *
    * @throws IOException if a file cannot be read, with a one-line message that names it
    */
-  public static List<Path> existing(Snapshot snapshot, Request request, NodeCatalogue catalogue)
-      throws IOException {
-    Path folder = VersionFiles.folder(request.scene());
-    Problems unheard = new Problems(); // planning reports what is wrong
-    SceneSource scene = SceneSource.of(snapshot, new X3dReader(catalogue), unheard);
-    Optional<ObjectElement> site = new SiteFinder(scene, unheard).find(request.object());
-    return site.filter(ObjectElement.Versioned.class::isInstance)
-        .map(ObjectElement.Versioned.class::cast)
+  public static List<Path> existing(
+      DocumentSnapshot snapshot, Request request, NodeCatalogue catalogue) throws IOException {
+    Path folder = VersionFileNames.folder(request.scene());
+    ProblemCollector unheard = new ProblemCollector(); // planning reports what is wrong
+    ElementNodeMapping scene = ElementNodeMapping.of(snapshot, new X3dReader(catalogue), unheard);
+    Optional<ObjectElements> site = new ObjectFinder(scene, unheard).find(request.object());
+    return site.filter(ObjectElements.Versioned.class::isInstance)
+        .map(ObjectElements.Versioned.class::cast)
         .map(
             there ->
-                new VersionFiles(scene, there, folder, request.inlineFolder(), "")
+                new VersionFileNames(scene, there, folder, request.inlineFolder(), "")
                     .of(there.inlines().size(), 1))
         .orElse(List.of());
   }
@@ -194,20 +203,20 @@ public final class VersionsEdit {
   }
 
   /** Returns the changes of the scene's text; empty when it already has the Switch. */
-  public List<ShownChange> changes() {
-    return ShownChange.of(edit, snapshot.text());
+  public List<ChangePreview> changes() {
+    return ChangePreview.of(edit, snapshot.text());
   }
 
   /**
    * Writes the versions' files, all or none, and edits the document, as one undo step. A replaced
    * file that was not generated by this program is backed up.
    *
-   * @throws EditRefused if the document has changed since it was planned
+   * @throws EditRejectedException if the document has changed since it was planned
    * @throws IOException if a file cannot be written; nothing has changed then
    */
   public void apply(SceneDocument document) throws IOException {
     if (document.revision() != snapshot.revision()) {
-      throw new EditRefused(
+      throw new EditRejectedException(
           ("the scene has changed since the versions of '%s' were computed; compute "
                   + "them again")
               .formatted(object));
@@ -216,7 +225,7 @@ public final class VersionsEdit {
         edit,
         files.stream()
             .filter(file -> file.state() != PlannedFile.State.UNCHANGED)
-            .map(file -> new StepFile(file.file(), file.content(), file.byHand()))
+            .map(file -> new UndoableFileWrite(file.file(), file.content(), file.byHand()))
             .toList());
   }
 

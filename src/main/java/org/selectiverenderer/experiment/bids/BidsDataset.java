@@ -10,10 +10,10 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
-import org.selectiverenderer.base.json.JsonText;
 import org.selectiverenderer.base.json.JsonTree;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.json.JsonWriter;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.experiment.dataset.RecordedSession;
 import org.selectiverenderer.experiment.dataset.RecordedStudy;
 
@@ -48,25 +48,26 @@ public record BidsDataset(int sessions, int files) {
    * @throws IOException if the folder is not empty, or a file cannot be read or written
    */
   public static BidsDataset write(
-      RecordedStudy study, Origin origin, Path folder, Problems problems) throws IOException {
+      RecordedStudy study, Origin origin, Path folder, ProblemCollector problems)
+      throws IOException {
     requireEmpty(folder);
-    BidsFolder files = new BidsFolder();
+    BidsFileSet files = new BidsFileSet();
     files.add("dataset_description.json", description(study, origin));
     files.add("README", readme(study, origin));
-    PeopleTables.participants(study, files);
+    BidsParticipantFiles.participants(study, files);
     Map<String, List<RecordedSession>> people = new LinkedHashMap<>();
     for (RecordedSession session : study.sessions()) {
       people.computeIfAbsent(session.folder().participant(), id -> new ArrayList<>()).add(session);
     }
     for (Map.Entry<String, List<RecordedSession>> person : people.entrySet()) {
-      PeopleTables.sessions(person.getKey(), person.getValue(), files);
+      BidsParticipantFiles.sessions(person.getKey(), person.getValue(), files);
       for (RecordedSession session : person.getValue()) {
-        new SessionFiles(study.material(), session, origin, files, problems).add();
+        new BidsSessionFiles(study.material(), session, origin, files, problems).add();
       }
     }
     if (study.sessions().isEmpty()) {
       problems.warning(
-          Location.of(study.study().folder().toString()),
+          SourceLocation.of(study.study().folder().toString()),
           "the study has no sessions yet; the dataset has no data");
     }
     files.write(folder);
@@ -100,7 +101,7 @@ public record BidsDataset(int sessions, int files) {
         .put("Name", origin.program())
         .put("Version", origin.version())
         .put("Description", "experiment bids");
-    return JsonText.of(root);
+    return JsonWriter.of(root);
   }
 
   private static String readme(RecordedStudy study, Origin origin) {

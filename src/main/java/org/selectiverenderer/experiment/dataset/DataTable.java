@@ -5,8 +5,8 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.csv.CsvText;
-import org.selectiverenderer.base.decimal.DecimalText;
+import org.selectiverenderer.base.csv.CsvWriter;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
 
 /** A table with documented columns. Cells are texts; null is a missing value. */
 public final class DataTable {
@@ -68,7 +68,7 @@ public final class DataTable {
 
   private static @Nullable String text(@Nullable Object cell) {
     if (cell instanceof Double number) {
-      return Double.isFinite(number) ? DecimalText.rounded(number, DECIMALS) : null;
+      return Double.isFinite(number) ? DecimalFormatter.rounded(number, DECIMALS) : null;
     }
     String text = cell == null ? "" : cell.toString();
     return text.isEmpty() ? null : text;
@@ -76,7 +76,7 @@ public final class DataTable {
 
   /** Returns the table as CSV with a header; a missing value is an empty cell. */
   public String csv() {
-    CsvText text = CsvText.bare().row(columns.stream().map(TableColumn::name).toList());
+    CsvWriter text = CsvWriter.bare().row(columns.stream().map(TableColumn::name).toList());
     rows.forEach(row -> text.row(row.stream().map(cell -> cell == null ? "" : cell).toList()));
     return text.toString();
   }

@@ -8,11 +8,11 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.selectiverenderer.base.csv.CsvColumns;
-import org.selectiverenderer.base.csv.CsvFaults;
+import org.selectiverenderer.base.csv.CsvColumnSpec;
+import org.selectiverenderer.base.csv.CsvErrorHandler;
 import org.selectiverenderer.base.csv.CsvTable;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
 
 /**
  * The contents of a study's {@code participants.tsv}. The program documents its own columns; any
@@ -36,19 +36,19 @@ public record ParticipantsTable(List<String> columns, List<Map<String, String>> 
    *
    * @return a table without rows if the file does not exist
    */
-  static ParticipantsTable read(Path file, Problems problems) throws IOException {
+  static ParticipantsTable read(Path file, ProblemCollector problems) throws IOException {
     ParticipantsTable none = new ParticipantsTable(List.of(ID), List.of());
     if (!Files.isRegularFile(file)) {
       return none;
     }
-    CsvFaults faults =
-        new CsvFaults() {
+    CsvErrorHandler faults =
+        new CsvErrorHandler() {
           @Override
-          public void fault(Location at, String message) {
+          public void fault(SourceLocation at, String message) {
             problems.warning(at, message + "; the line is left out");
           }
         };
-    Optional<CsvTable> table = CsvTable.read(file, CsvColumns.of(List.of(ID)), faults);
+    Optional<CsvTable> table = CsvTable.read(file, CsvColumnSpec.of(List.of(ID)), faults);
     if (table.isEmpty() || !table.get().has(ID)) {
       return none;
     }
@@ -88,10 +88,11 @@ public record ParticipantsTable(List<String> columns, List<Map<String, String>> 
     for (TableColumn column :
         List.of(
             TableColumn.text(ID, "the participant, sub- and the id"),
-            Conditions.column("how objects were rendered for the participant"),
+            ConditionColumns.column("how objects were rendered for the participant"),
             TableColumn.whole("place", "the participant's place in the schedule, from 1"),
             TableColumn.category("assigned_by", assigned, "who assigned the condition"),
-            Conditions.column("instead_of", "the condition of the schedule that was replaced"),
+            ConditionColumns.column(
+                "instead_of", "the condition of the schedule that was replaced"),
             TableColumn.text("age", "age band, as the participant chose it in the form"),
             TableColumn.category("simulated", simulated, "who took part"))) {
       known.put(column.name(), column);

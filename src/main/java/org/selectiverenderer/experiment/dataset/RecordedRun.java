@@ -9,7 +9,7 @@ import java.time.OffsetDateTime;
 import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.experiment.headlog.HeadLog;
 import org.selectiverenderer.experiment.headlog.HeadLogReader;
 
@@ -27,7 +27,7 @@ public record RecordedRun(
     int number,
     String headName,
     boolean finished,
-    List<JournalLine> events) {
+    List<JournalEvent> events) {
   public RecordedRun {
     events = List.copyOf(events);
   }
@@ -43,7 +43,7 @@ public record RecordedRun(
    * @return empty if the file does not exist or has faults, which are then in {@code problems}
    * @throws IOException if the file cannot be read
    */
-  public Optional<HeadLog> head(Problems problems) throws IOException {
+  public Optional<HeadLog> head(ProblemCollector problems) throws IOException {
     return Files.isRegularFile(headLog())
         ? HeadLogReader.read(headLog(), problems)
         : Optional.empty();
@@ -63,7 +63,7 @@ public record RecordedRun(
   public double paused() {
     double seconds = 0;
     @Nullable OffsetDateTime since = null;
-    for (JournalLine line : events) {
+    for (JournalEvent line : events) {
       if (line.event().equals("paused") && since == null) {
         since = line.time();
       } else if (line.event().equals("continued") && since != null) {
@@ -80,7 +80,7 @@ public record RecordedRun(
    * @param log the head log of this run
    */
   public Optional<OffsetDateTime> started(Optional<HeadLog> log) {
-    for (JournalLine line : events) {
+    for (JournalEvent line : events) {
       double t =
           switch (line.event()) {
             case "shown" -> line.members().path("t").asDouble();

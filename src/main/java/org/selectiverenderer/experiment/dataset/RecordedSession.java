@@ -7,9 +7,9 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.base.problem.Problems;
-import org.selectiverenderer.experiment.questionnaire.GivenAnswer;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.experiment.questionnaire.TimedAnswer;
 import org.selectiverenderer.experiment.session.SessionFolder;
 import org.selectiverenderer.experiment.session.SessionHistory;
 import org.selectiverenderer.experiment.study.SessionFlag;
@@ -17,15 +17,15 @@ import org.selectiverenderer.experiment.study.SessionFlag;
 /** A session as recorded by its journal. */
 public final class RecordedSession {
   private final SessionFolder folder;
-  private final List<JournalLine> events;
+  private final List<JournalEvent> events;
   private final List<RecordedRun> runs;
   private final SessionHistory history;
 
-  private RecordedSession(SessionFolder folder, List<JournalLine> events) {
+  private RecordedSession(SessionFolder folder, List<JournalEvent> events) {
     this.folder = folder;
     this.events = List.copyOf(events);
     runs = runs(events);
-    history = SessionHistory.of(events.stream().map(JournalLine::members).toList());
+    history = SessionHistory.of(events.stream().map(JournalEvent::members).toList());
   }
 
   /**
@@ -35,22 +35,23 @@ public final class RecordedSession {
    * @return empty if the journal has no events, which is then in {@code problems}
    * @throws IOException if the journal cannot be read
    */
-  static Optional<RecordedSession> read(SessionFolder folder, Problems problems)
+  static Optional<RecordedSession> read(SessionFolder folder, ProblemCollector problems)
       throws IOException {
-    List<JournalLine> events = JournalLine.read(folder.journal(), problems);
+    List<JournalEvent> events = JournalEvent.read(folder.journal(), problems);
     if (events.isEmpty()) {
       problems.warning(
-          Location.of(folder.journal().toString()), "the session has no events; it is left out");
+          SourceLocation.of(folder.journal().toString()),
+          "the session has no events; it is left out");
       return Optional.empty();
     }
     return Optional.of(new RecordedSession(folder, events));
   }
 
-  private List<RecordedRun> runs(List<JournalLine> all) {
+  private List<RecordedRun> runs(List<JournalEvent> all) {
     List<RecordedRun> found = new ArrayList<>();
     Map<String, Integer> counted = new HashMap<>();
-    List<JournalLine> own = new ArrayList<>();
-    for (JournalLine line : all) {
+    List<JournalEvent> own = new ArrayList<>();
+    for (JournalEvent line : all) {
       if (line.event().equals("step-began")) {
         add(found, own, counted);
         own = new ArrayList<>();
@@ -65,7 +66,8 @@ public final class RecordedSession {
    * Adds the run of a step that shows a scene. Its lines go from the beginning of the step to that
    * of the next one; lines after the end of the step are not its own.
    */
-  private void add(List<RecordedRun> found, List<JournalLine> lines, Map<String, Integer> counted) {
+  private void add(
+      List<RecordedRun> found, List<JournalEvent> lines, Map<String, Integer> counted) {
     if (lines.isEmpty() || !lines.get(0).members().has("head_log")) {
       return;
     }
@@ -90,7 +92,7 @@ public final class RecordedSession {
   }
 
   /** Returns all events in order. */
-  public List<JournalLine> events() {
+  public List<JournalEvent> events() {
     return events;
   }
 
@@ -121,7 +123,7 @@ public final class RecordedSession {
   /** Returns how the session ended, in the spelling of the {@code sessions} tables. */
   public String outcome() {
     String outcome = "unfinished";
-    for (JournalLine line : events) {
+    for (JournalEvent line : events) {
       switch (line.event()) {
         case "session-finished" -> outcome = "finished";
         case "refused" -> outcome = "refused";
@@ -150,7 +152,7 @@ public final class RecordedSession {
   /**
    * Returns the answers by step, personal ones included; none if the participant refused consent.
    */
-  Map<String, Map<String, GivenAnswer>> given() {
+  Map<String, Map<String, TimedAnswer>> given() {
     return history.refused() ? Map.of() : history.given();
   }
 

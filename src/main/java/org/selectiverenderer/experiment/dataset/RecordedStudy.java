@@ -3,7 +3,7 @@ package org.selectiverenderer.experiment.dataset;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.experiment.session.SessionFolder;
 import org.selectiverenderer.experiment.session.StudyMaterial;
 import org.selectiverenderer.experiment.study.Study;
@@ -29,7 +29,8 @@ public record RecordedStudy(
    * @param problems receives a warning for each damaged part, which is left out
    * @throws IOException if a file cannot be read
    */
-  public static RecordedStudy read(StudyMaterial material, Problems problems) throws IOException {
+  public static RecordedStudy read(StudyMaterial material, ProblemCollector problems)
+      throws IOException {
     List<RecordedSession> sessions = new ArrayList<>();
     for (SessionFolder folder : SessionFolder.all(material.study())) {
       RecordedSession.read(folder, problems).ifPresent(sessions::add);

@@ -3,7 +3,7 @@ package org.selectiverenderer.experiment.dataset;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.selectiverenderer.base.decimal.Rounded;
+import org.selectiverenderer.base.decimal.DecimalRounding;
 
 /** The {@code sessions} table, with a row for each session. */
 public final class SessionsTable {
@@ -21,7 +21,7 @@ public final class SessionsTable {
         TableColumn.whole("session", "number of the participant's session, from 1"),
         TableColumn.time("began", "when it began"),
         TableColumn.number("duration", "s", "from the first event to the last, breaks included"),
-        Conditions.column("how objects were rendered"),
+        ConditionColumns.column("how objects were rendered"),
         TableColumn.category("outcome", outcomes, "how it ended"),
         TableColumn.yesNo(
             "simulated", "the program took part, for tests", "a person", "who took part"),
@@ -35,7 +35,7 @@ public final class SessionsTable {
         session.folder().participant(),
         session.folder().number(),
         session.began().toString(),
-        Rounded.to(3, RecordedRun.seconds(session.began(), session.ended())),
+        DecimalRounding.to(3, RecordedRun.seconds(session.began(), session.ended())),
         session.condition(),
         session.outcome(),
         session.simulated() ? "yes" : "no",

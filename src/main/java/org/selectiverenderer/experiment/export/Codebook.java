@@ -3,8 +3,8 @@ package org.selectiverenderer.experiment.export;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.List;
 import java.util.stream.Collectors;
-import org.selectiverenderer.base.json.JsonText;
 import org.selectiverenderer.base.json.JsonTree;
+import org.selectiverenderer.base.json.JsonWriter;
 import org.selectiverenderer.experiment.dataset.DataTable;
 import org.selectiverenderer.experiment.dataset.TableColumn;
 
@@ -67,6 +67,6 @@ final class Codebook {
         }
       }
     }
-    return JsonText.of(root);
+    return JsonWriter.of(root);
   }
 }

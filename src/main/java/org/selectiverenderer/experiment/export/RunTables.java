@@ -9,17 +9,17 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.decimal.Rounded;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.decimal.DecimalRounding;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.experiment.dataset.DataTable;
 import org.selectiverenderer.experiment.dataset.RecordedRun;
 import org.selectiverenderer.experiment.dataset.RecordedSession;
-import org.selectiverenderer.experiment.dataset.RunEvents;
+import org.selectiverenderer.experiment.dataset.RunEventsTable;
 import org.selectiverenderer.experiment.dataset.TableColumn;
-import org.selectiverenderer.experiment.headlog.EyeFindings;
+import org.selectiverenderer.experiment.headlog.DwellSummary;
+import org.selectiverenderer.experiment.headlog.EyeTrackingAnalysis;
 import org.selectiverenderer.experiment.headlog.HeadLog;
 import org.selectiverenderer.experiment.headlog.HeadLogAnalysis;
-import org.selectiverenderer.experiment.headlog.LookSummary;
 import org.selectiverenderer.experiment.headlog.SceneMap;
 
 /** The tables of all runs: exposures, dwell times of head and eyes by object, and events. */
@@ -41,12 +41,12 @@ final class RunTables {
   private final DataTable events =
       new DataTable("events", "something that happened while a scene was shown", eventColumns());
   private final double fade;
-  private final Problems problems;
+  private final ProblemCollector problems;
 
   /**
    * @param fade seconds in which pictures fade in and out
    */
-  RunTables(double fade, Problems problems) {
+  RunTables(double fade, ProblemCollector problems) {
     this.fade = fade;
     this.problems = problems;
   }
@@ -122,7 +122,7 @@ final class RunTables {
   }
 
   private static List<TableColumn> eventColumns() {
-    return keys(RunEvents.columns());
+    return keys(RunEventsTable.columns());
   }
 
   List<DataTable> tables() {
@@ -134,7 +134,7 @@ final class RunTables {
     Optional<HeadLogAnalysis> seen = log.map(HeadLogAnalysis::of);
     exposure(run, log, seen);
     seen.ifPresent(analysis -> gaze(run, analysis));
-    for (List<@Nullable Object> event : RunEvents.rows(run, log, fade)) {
+    for (List<@Nullable Object> event : RunEventsTable.rows(run, log, fade)) {
       List<@Nullable Object> row = new ArrayList<>(keys(run));
       row.addAll(event);
       events.add(row);
@@ -159,10 +159,10 @@ final class RunTables {
     row.add(run.started(log).map(Object::toString).orElse(null));
     row.add(run.shown().orElse(null));
     row.add(log.map(HeadLog::duration).orElse(null));
-    row.add(Rounded.to(3, run.paused()));
+    row.add(DecimalRounding.to(3, run.paused()));
     row.add(log.map(read -> read.samples().size()).orElse(null));
     row.add(seen.map(HeadLogAnalysis::idle).orElse(null));
-    row.add(seen.flatMap(HeadLogAnalysis::eyes).map(EyeFindings::tracked).orElse(null));
+    row.add(seen.flatMap(HeadLogAnalysis::eyes).map(EyeTrackingAnalysis::tracked).orElse(null));
     row.add(number(figures.path("fps")));
     row.add(number(figures.path("frame_ms").path("p50")));
     row.add(number(figures.path("frame_ms").path("p99")));
@@ -200,18 +200,18 @@ final class RunTables {
   private void looks(
       RecordedRun run,
       HeadLogAnalysis analysis,
-      LookSummary looks,
+      DwellSummary looks,
       DataTable table,
       Function<String, List<Object>> more) {
     Set<String> seen = new HashSet<>();
-    List<LookSummary.ObjectView> all = new ArrayList<>(looks.objects());
+    List<DwellSummary.ObjectView> all = new ArrayList<>(looks.objects());
     all.forEach(view -> seen.add(view.object()));
     for (SceneMap.Box object : analysis.log().description().map().objects()) {
       if (seen.add(object.name())) {
-        all.add(new LookSummary.ObjectView(object.name(), 0, 0, Double.NaN, 0));
+        all.add(new DwellSummary.ObjectView(object.name(), 0, 0, Double.NaN, 0));
       }
     }
-    for (LookSummary.ObjectView view : all) {
+    for (DwellSummary.ObjectView view : all) {
       List<@Nullable Object> row = new ArrayList<>(keys(run));
       row.addAll(
           List.of(view.object(), view.seconds(), view.looks(), view.first(), view.longest()));

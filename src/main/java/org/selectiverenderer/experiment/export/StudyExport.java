@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import org.selectiverenderer.base.files.FileTransaction;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.experiment.dataset.DataTable;
 import org.selectiverenderer.experiment.dataset.RecordedRun;
 import org.selectiverenderer.experiment.dataset.RecordedSession;
@@ -54,7 +54,7 @@ public record StudyExport(List<String> files) {
       Answers answers,
       Map<String, String> more,
       Path folder,
-      Problems problems)
+      ProblemCollector problems)
       throws IOException {
     List<DataTable> tables = tables(study, answers, problems);
     Map<String, String> files = new LinkedHashMap<>();
@@ -72,8 +72,8 @@ public record StudyExport(List<String> files) {
     return new StudyExport(List.copyOf(files.keySet()));
   }
 
-  private static List<DataTable> tables(RecordedStudy study, Answers answers, Problems problems)
-      throws IOException {
+  private static List<DataTable> tables(
+      RecordedStudy study, Answers answers, ProblemCollector problems) throws IOException {
     DataTable sessions =
         new DataTable("sessions", "a session of a participant", SessionsTable.columns());
     RunTables runs = new RunTables(study.study().fade(), problems);
@@ -83,7 +83,7 @@ public record StudyExport(List<String> files) {
         runs.add(run);
       }
     }
-    AnswerTables asked = new AnswerTables(problems);
+    AnswerTableParser asked = new AnswerTableParser(problems);
     List<DataTable> tables = new ArrayList<>();
     tables.add(study.participants().table());
     tables.add(sessions);

@@ -7,7 +7,7 @@ package org.selectiverenderer.experiment.headlog;
  * @param tracked whether the eye tracker sees the eyes; if not, as in a blink, the rest is unknown
  * @param yaw degrees from straight ahead of the head, positive to the left; NaN when unknown
  * @param pitch degrees above straight ahead of the head; NaN when unknown
- * @param object name of the object that the gaze hits ({@link SceneObjects}); empty for none
+ * @param object name of the object that the gaze hits ({@link SceneObjectResolver}); empty for none
  * @param distance from the eyes to the object's surface along the gaze, in the scene's unit; NaN
  *     for none
  * @param version whichChoice of the object's Switch; -1 if no Switch holds it

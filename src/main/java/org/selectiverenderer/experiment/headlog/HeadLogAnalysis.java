@@ -18,9 +18,9 @@ public record HeadLogAnalysis(
     double seconds,
     Unshown unshown,
     double idle,
-    LookSummary head,
-    Optional<EyeFindings> eyes,
-    List<RoomView> rooms) {
+    DwellSummary head,
+    Optional<EyeTrackingAnalysis> eyes,
+    List<RoomCoverage> rooms) {
 
   /**
    * Time of a log that does not count: without a visible picture, or paused.
@@ -47,9 +47,9 @@ public record HeadLogAnalysis(
         all,
         unshown(log),
         all > 0 ? idle / all : 0,
-        LookSummary.ofHead(log),
-        EyeFindings.of(log),
-        log.description().map().rooms().stream().map(room -> RoomView.of(room, log)).toList());
+        DwellSummary.ofHead(log),
+        EyeTrackingAnalysis.of(log),
+        log.description().map().rooms().stream().map(room -> RoomCoverage.of(room, log)).toList());
   }
 
   private static Unshown unshown(HeadLog log) {

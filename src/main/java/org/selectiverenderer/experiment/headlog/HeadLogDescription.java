@@ -6,8 +6,8 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import org.selectiverenderer.base.json.JsonText;
 import org.selectiverenderer.base.json.JsonTree;
+import org.selectiverenderer.base.json.JsonWriter;
 import org.selectiverenderer.experiment.headlog.SceneMap.Area;
 import org.selectiverenderer.experiment.headlog.SceneMap.Box;
 
@@ -75,7 +75,7 @@ public record HeadLogDescription(
       root.put("eyes", true);
     }
     ObjectNode columns = root.putObject("columns");
-    for (Column column : Column.of(eyes)) {
+    for (HeadLogColumn column : HeadLogColumn.of(eyes)) {
       ObjectNode node = columns.putObject(column.header()).put("description", column.meaning);
       if (!column.units.isEmpty()) {
         node.put("units", column.units).put("decimals", column.decimals);
@@ -90,7 +90,7 @@ public record HeadLogDescription(
     boxes(drawn.putArray("rooms"), map.rooms());
     boxes(drawn.putArray("objects"), map.objects());
     boxes(drawn.putArray("surroundings"), map.surroundings());
-    return JsonText.of(root);
+    return JsonWriter.of(root);
   }
 
   private static double degrees(double tangent) {

@@ -10,8 +10,8 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.List;
 import java.util.stream.Stream;
-import org.selectiverenderer.base.csv.CsvText;
-import org.selectiverenderer.base.files.Disk;
+import org.selectiverenderer.base.csv.CsvWriter;
+import org.selectiverenderer.base.files.DiskSync;
 
 /**
  * The two files of a head log, its CSV and the description beside it. They are opened before
@@ -50,7 +50,7 @@ public final class HeadLogFiles implements HeadLogWriter.Lines, AutoCloseable {
     }
 
     void write(String text) throws IOException {
-      Disk.write(channel, text.getBytes(StandardCharsets.UTF_8));
+      DiskSync.write(channel, text.getBytes(StandardCharsets.UTF_8));
     }
 
     void close(boolean keep) throws IOException {
@@ -68,7 +68,7 @@ public final class HeadLogFiles implements HeadLogWriter.Lines, AutoCloseable {
    */
   public static List<Path> of(Path csv) {
     return Stream.concat(
-            Stream.of(csv, HeadLogDescription.beside(csv)), TrackerLog.beside(csv).stream())
+            Stream.of(csv, HeadLogDescription.beside(csv)), TrackerLogWriter.beside(csv).stream())
         .toList();
   }
 
@@ -107,16 +107,16 @@ public final class HeadLogFiles implements HeadLogWriter.Lines, AutoCloseable {
     csv.channel().truncate(0);
     json.channel().truncate(0);
     begun = true;
-    csv.write(CsvText.bare().row(headers(description)).toString());
+    csv.write(CsvWriter.bare().row(headers(description)).toString());
     json.write(description.json());
     json.channel().force(true);
     csv.channel().force(true);
-    Disk.forceFolder(csv.file().toAbsolutePath().getParent());
+    DiskSync.forceFolder(csv.file().toAbsolutePath().getParent());
     return this;
   }
 
   private static List<String> headers(HeadLogDescription description) {
-    return Column.of(description.eyes()).stream().map(Column::header).toList();
+    return HeadLogColumn.of(description.eyes()).stream().map(HeadLogColumn::header).toList();
   }
 
   @Override

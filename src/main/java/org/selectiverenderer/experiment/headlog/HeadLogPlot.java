@@ -7,8 +7,8 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
-import org.selectiverenderer.base.picture.SvgDrawing;
-import org.selectiverenderer.base.picture.SvgPrecision;
+import org.selectiverenderer.base.image.SvgPrecision;
+import org.selectiverenderer.base.image.SvgWriter;
 
 /**
  * A plot of a head log: above, a floor plan with the viewer's path and lines of sight; below it,
@@ -44,7 +44,7 @@ public final class HeadLogPlot {
     Stream.concat(
             analysis.head().objects().stream(),
             analysis.eyes().stream().flatMap(eyes -> eyes.looks().objects().stream()))
-        .map(LookSummary.ObjectView::object)
+        .map(DwellSummary.ObjectView::object)
         .forEach(
             object ->
                 colours.computeIfAbsent(
@@ -57,8 +57,8 @@ public final class HeadLogPlot {
   }
 
   private String draw() {
-    List<LookTimeline> timelines = timelines();
-    double below = timelines.stream().mapToDouble(LookTimeline::height).sum();
+    List<DwellTimeline> timelines = timelines();
+    double below = timelines.stream().mapToDouble(DwellTimeline::height).sum();
     int height = (int) (MARGIN + plan + MARGIN + below + MARGIN / 2);
     HeadLogDescription shown = analysis.log().description();
     String title =
@@ -68,12 +68,12 @@ public final class HeadLogPlot {
                 shown.condition(),
                 String.format(Locale.ROOT, "%.1f", analysis.seconds()));
     String fonts = "DejaVu Sans, Arial, sans-serif";
-    SvgDrawing svg = new SvgDrawing(WIDTH, height, fonts, title, SvgPrecision.TENTHS);
+    SvgWriter svg = new SvgWriter(WIDTH, height, fonts, title, SvgPrecision.TENTHS);
     svg.rectangle(0, 0, WIDTH, height, "#ffffff");
     text(svg, title, MARGIN, 28, 18, INK, "start");
     plan(svg);
     double top = MARGIN + plan + MARGIN;
-    for (LookTimeline timeline : timelines) {
+    for (DwellTimeline timeline : timelines) {
       timeline.draw(svg, top);
       top += timeline.height();
     }
@@ -81,11 +81,11 @@ public final class HeadLogPlot {
   }
 
   /** Returns the timeline of the head, and that of the eyes if they were tracked. */
-  private List<LookTimeline> timelines() {
+  private List<DwellTimeline> timelines() {
     String left = analysis.unshown().samples() > 0 ? "grey: no picture" : "";
-    List<LookTimeline> timelines = new ArrayList<>();
+    List<DwellTimeline> timelines = new ArrayList<>();
     timelines.add(
-        new LookTimeline(
+        new DwellTimeline(
             "In the middle of the view" + (left.isEmpty() ? "" : " (" + left + ")"),
             analysis.log(),
             analysis.head(),
@@ -95,7 +95,7 @@ public final class HeadLogPlot {
         .ifPresent(
             eyes ->
                 timelines.add(
-                    new LookTimeline(
+                    new DwellTimeline(
                         "Looked at by the eyes (rings above"
                             + (left.isEmpty() ? "" : "; " + left)
                             + ")",
@@ -147,7 +147,7 @@ public final class HeadLogPlot {
     box[3] = Math.max(box[3], z1);
   }
 
-  private void plan(SvgDrawing svg) {
+  private void plan(SvgWriter svg) {
     Scale scale = scale();
     SceneMap map = analysis.log().description().map();
     for (SceneMap.Area area : map.areas()) {
@@ -174,7 +174,7 @@ public final class HeadLogPlot {
   }
 
   /** Draws the names of areas and rooms, above everything else. */
-  private void names(SvgDrawing svg, Scale scale) {
+  private void names(SvgWriter svg, Scale scale) {
     SceneMap map = analysis.log().description().map();
     for (SceneMap.Area area : map.areas()) {
       double[] corner = scale.at(area.outline().get(0)[0], area.outline().get(0)[1]);
@@ -190,8 +190,7 @@ public final class HeadLogPlot {
   }
 
   /** Draws a name with a white outline, so that it can be read over lines of any colour. */
-  private static void name(
-      SvgDrawing svg, String words, double x, double y, int size, String fill) {
+  private static void name(SvgWriter svg, String words, double x, double y, int size, String fill) {
     String white = "#ffffff";
     svg.text(
         words,
@@ -213,10 +212,10 @@ public final class HeadLogPlot {
   }
 
   /** Draws the point that the eyes looked at, as a ring. */
-  private void eyes(SvgDrawing svg, Scale scale, HeadSample sample) {
+  private void eyes(SvgWriter svg, Scale scale, HeadSample sample) {
     EyeSample eyes = sample.eyes();
     if (eyes != null && eyes.tracked() && !Double.isNaN(eyes.distance())) {
-      Vector3d way = Fixations.direction(sample, eyes).mul(eyes.distance());
+      Vector3d way = FixationDetector.direction(sample, eyes).mul(eyes.distance());
       double[] seen = scale.at(sample.x() + way.x, sample.z() + way.z);
       String colour = colours.getOrDefault(eyes.object(), UNKNOWN);
       circle(svg, seen, 5, "fill", "none", "stroke", colour, "stroke-width", "1.5");
@@ -233,7 +232,7 @@ public final class HeadLogPlot {
    * Draws the viewer's path and, at regular intervals, the line of sight in the colour of the
    * object looked at.
    */
-  private void way(SvgDrawing svg, Scale scale) {
+  private void way(SvgWriter svg, Scale scale) {
     List<double[]> way = new ArrayList<>();
     double next = Double.NEGATIVE_INFINITY;
     for (HeadSample sample : analysis.log().samples()) {
@@ -268,13 +267,13 @@ public final class HeadLogPlot {
     circle(svg, end, 5, "fill", INK);
   }
 
-  private static void path(SvgDrawing svg, List<double[]> points, boolean closed, Object... style) {
+  private static void path(SvgWriter svg, List<double[]> points, boolean closed, Object... style) {
     if (!points.isEmpty()) {
       svg.path(svg.line(points) + (closed ? "Z" : ""), style);
     }
   }
 
-  private static void circle(SvgDrawing svg, double[] middle, double radius, Object... style) {
+  private static void circle(SvgWriter svg, double[] middle, double radius, Object... style) {
     svg.circle(middle[0], middle[1], radius, style);
   }
 
@@ -284,7 +283,7 @@ public final class HeadLogPlot {
    * @param anchor which end of it is at x: start, middle or end
    */
   static void text(
-      SvgDrawing svg, String words, double x, double y, int size, String fill, String anchor) {
+      SvgWriter svg, String words, double x, double y, int size, String fill, String anchor) {
     svg.text(words, x, y, "font-size", size, "fill", fill, "text-anchor", anchor);
   }
 }

@@ -16,14 +16,14 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.csv.CsvColumns;
-import org.selectiverenderer.base.csv.CsvFaults;
-import org.selectiverenderer.base.csv.CsvNumbers;
+import org.selectiverenderer.base.csv.CsvColumnSpec;
+import org.selectiverenderer.base.csv.CsvErrorHandler;
+import org.selectiverenderer.base.csv.CsvNumberParser;
 import org.selectiverenderer.base.csv.CsvRow;
 import org.selectiverenderer.base.csv.CsvTable;
 import org.selectiverenderer.base.json.JsonTree;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
 
 /**
  * Reads a head log and the description beside it. A last line that a crash cut off is left out and
@@ -31,10 +31,10 @@ import org.selectiverenderer.base.problem.Problems;
  */
 public final class HeadLogReader {
   private final String file;
-  private final Problems problems;
+  private final ProblemCollector problems;
 
   /** The columns of the log; one of an older format lacks some. */
-  private final Set<Column> there = EnumSet.noneOf(Column.class);
+  private final Set<HeadLogColumn> there = EnumSet.noneOf(HeadLogColumn.class);
 
   /** Interned names of objects. */
   private final Map<String, String> names = new HashMap<>();
@@ -42,20 +42,20 @@ public final class HeadLogReader {
   /** Interned lists of names by their text; the same ones occur in thousands of rows. */
   private final Map<String, List<String>> lists = new HashMap<>();
 
-  private final CsvFaults faults =
-      new CsvFaults() {
+  private final CsvErrorHandler faults =
+      new CsvErrorHandler() {
         @Override
-        public void fault(Location location, String message) {
+        public void fault(SourceLocation location, String message) {
           problems.error(location, message + "; the head log is not read");
         }
 
         @Override
-        public void misfit(Location location, String message) {
+        public void misfit(SourceLocation location, String message) {
           problems.error(location, message + "; the row is left out");
         }
       };
 
-  private HeadLogReader(String file, Problems problems) {
+  private HeadLogReader(String file, ProblemCollector problems) {
     this.file = file;
     this.problems = problems;
   }
@@ -67,12 +67,12 @@ public final class HeadLogReader {
    * @return empty if the log has faults, which are then in {@code problems}
    * @throws IOException if the file cannot be read
    */
-  public static Optional<HeadLog> read(Path csv, Problems problems) throws IOException {
+  public static Optional<HeadLog> read(Path csv, ProblemCollector problems) throws IOException {
     HeadLogReader reader = new HeadLogReader(csv.toString(), problems);
     List<HeadSample> samples = reader.samples(Files.readAllBytes(csv));
     if (samples.isEmpty()) {
       if (!problems.any()) {
-        problems.error(Location.of(csv.toString()), "the head log has no samples");
+        problems.error(SourceLocation.of(csv.toString()), "the head log has no samples");
       }
       return Optional.empty();
     }
@@ -82,7 +82,7 @@ public final class HeadLogReader {
   private HeadLogDescription description(Path json) throws IOException {
     if (!Files.isRegularFile(json)) {
       problems.warning(
-          Location.of(json.toString()),
+          SourceLocation.of(json.toString()),
           "the head log's description is missing; rooms and areas are unknown");
       return HeadLogDescription.UNKNOWN;
     }
@@ -90,7 +90,7 @@ public final class HeadLogReader {
       return HeadLogDescription.of(JsonTree.parse(Files.readString(json, StandardCharsets.UTF_8)));
     } catch (JsonProcessingException e) {
       problems.warning(
-          Location.of(json.toString()),
+          SourceLocation.of(json.toString()),
           "the head log's description is not valid JSON; rooms and areas are unknown");
       return HeadLogDescription.UNKNOWN;
     }
@@ -103,16 +103,16 @@ public final class HeadLogReader {
     }
     if (end < bytes.length) {
       problems.info(
-          Location.of(file), "the last line is cut off, perhaps by a crash; it is left out");
+          SourceLocation.of(file), "the last line is cut off, perhaps by a crash; it is left out");
     }
     List<HeadSample> samples = new ArrayList<>();
     byte[] whole = end < bytes.length ? Arrays.copyOf(bytes, end) : bytes;
-    List<String> needed = Column.OLDEST.stream().map(Column::header).toList();
-    CsvTable.parse(file, whole, new CsvColumns(needed, false, true), faults)
+    List<String> needed = HeadLogColumn.OLDEST.stream().map(HeadLogColumn::header).toList();
+    CsvTable.parse(file, whole, new CsvColumnSpec(needed, false, true), faults)
         .filter(table -> table.require(needed, String.join(",", needed)))
         .ifPresent(
             table -> {
-              for (Column column : Column.values()) {
+              for (HeadLogColumn column : HeadLogColumn.values()) {
                 if (table.has(column.header())) {
                   there.add(column);
                 }
@@ -126,20 +126,20 @@ public final class HeadLogReader {
     Row cells = new Row(row);
     HeadSample sample =
         new HeadSample(
-            cells.number(Column.T),
-            cells.number(Column.X),
-            cells.number(Column.Y),
-            cells.number(Column.Z),
-            cells.number(Column.YAW),
-            cells.number(Column.PITCH),
-            cells.number(Column.ROLL),
-            cells.text(Column.MOTION).equals("moved"),
-            cells.name(Column.OBJECT),
-            cells.number(Column.DISTANCE, Double.NaN),
-            cells.choice(Column.VERSION),
-            cells.names(Column.CONE),
-            cells.names(Column.SCHEMAS),
-            cells.number(Column.FRAME_MS),
+            cells.number(HeadLogColumn.T),
+            cells.number(HeadLogColumn.X),
+            cells.number(HeadLogColumn.Y),
+            cells.number(HeadLogColumn.Z),
+            cells.number(HeadLogColumn.YAW),
+            cells.number(HeadLogColumn.PITCH),
+            cells.number(HeadLogColumn.ROLL),
+            cells.text(HeadLogColumn.MOTION).equals("moved"),
+            cells.name(HeadLogColumn.OBJECT),
+            cells.number(HeadLogColumn.DISTANCE, Double.NaN),
+            cells.choice(HeadLogColumn.VERSION),
+            cells.names(HeadLogColumn.CONE),
+            cells.names(HeadLogColumn.SCHEMAS),
+            cells.number(HeadLogColumn.FRAME_MS),
             cells.moment(),
             cells.eyes());
     if (cells.whole) {
@@ -156,50 +156,50 @@ public final class HeadLogReader {
       this.row = row;
     }
 
-    String text(Column column) {
+    String text(HeadLogColumn column) {
       return there.contains(column) ? row.cell(column.header()) : "";
     }
 
-    String name(Column column) {
+    String name(HeadLogColumn column) {
       return names.computeIfAbsent(text(column), name -> name);
     }
 
-    double number(Column column) {
-      return whole ? CsvNumbers.number(row, column.header(), this::fault).orElse(0) : 0;
+    double number(HeadLogColumn column) {
+      return whole ? CsvNumberParser.number(row, column.header(), this::fault).orElse(0) : 0;
     }
 
-    double number(Column column, double empty) {
+    double number(HeadLogColumn column, double empty) {
       return text(column).isEmpty() ? empty : number(column);
     }
 
-    int choice(Column column) {
+    int choice(HeadLogColumn column) {
       double value = number(column, -1);
       if (value != Math.rint(value)) {
         fault(
             row.location(column.header()),
-            CsvNumbers.quoted(text(column)) + " is not a whole number");
+            CsvNumberParser.quoted(text(column)) + " is not a whole number");
       }
       return (int) value;
     }
 
-    List<String> names(Column column) {
+    List<String> names(HeadLogColumn column) {
       return lists.computeIfAbsent(
           text(column), text -> text.isEmpty() ? List.of() : List.of(text.split(" ")));
     }
 
     HeadSample.Moment moment() {
-      double visible = there.contains(Column.VISIBLE) ? number(Column.VISIBLE) : 1;
+      double visible = there.contains(HeadLogColumn.VISIBLE) ? number(HeadLogColumn.VISIBLE) : 1;
       if (whole && visible != 0 && visible != 1) {
         fault(
-            row.location(Column.VISIBLE.header()),
-            CsvNumbers.quoted(text(Column.VISIBLE)) + " is neither 0 nor 1");
+            row.location(HeadLogColumn.VISIBLE.header()),
+            CsvNumberParser.quoted(text(HeadLogColumn.VISIBLE)) + " is neither 0 nor 1");
       }
-      return new HeadSample.Moment(visible != 0, wall(), number(Column.MONO, Double.NaN));
+      return new HeadSample.Moment(visible != 0, wall(), number(HeadLogColumn.MONO, Double.NaN));
     }
 
     /** Returns the gaze sample of the row; null if the log has no gaze data. */
     @Nullable EyeSample eyes() {
-      String state = text(Column.EYES);
+      String state = text(HeadLogColumn.EYES);
       if (state.isEmpty()) {
         return null;
       }
@@ -208,31 +208,32 @@ public final class HeadLogReader {
       }
       if (!state.equals("tracked")) {
         fault(
-            row.location(Column.EYES.header()),
-            CsvNumbers.quoted(state) + " is neither tracked nor lost");
+            row.location(HeadLogColumn.EYES.header()),
+            CsvNumberParser.quoted(state) + " is neither tracked nor lost");
       }
       return new EyeSample(
           true,
-          number(Column.GAZE_YAW),
-          number(Column.GAZE_PITCH),
-          name(Column.GAZE_OBJECT),
-          number(Column.GAZE_DISTANCE, Double.NaN),
-          choice(Column.GAZE_VERSION));
+          number(HeadLogColumn.GAZE_YAW),
+          number(HeadLogColumn.GAZE_PITCH),
+          name(HeadLogColumn.GAZE_OBJECT),
+          number(HeadLogColumn.GAZE_DISTANCE, Double.NaN),
+          choice(HeadLogColumn.GAZE_VERSION));
     }
 
     private @Nullable Instant wall() {
-      String text = text(Column.WALL);
+      String text = text(HeadLogColumn.WALL);
       try {
         return text.isEmpty() ? null : Instant.parse(text);
       } catch (DateTimeParseException e) {
         fault(
-            row.location(Column.WALL.header()),
-            CsvNumbers.quoted(text) + " is not a date and time such as 2026-01-31T12:00:00.000Z");
+            row.location(HeadLogColumn.WALL.header()),
+            CsvNumberParser.quoted(text)
+                + " is not a date and time such as 2026-01-31T12:00:00.000Z");
         return null;
       }
     }
 
-    private void fault(Location location, String message) {
+    private void fault(SourceLocation location, String message) {
       whole = false;
       faults.misfit(location, message);
     }

@@ -4,19 +4,20 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Consumer;
-import org.selectiverenderer.base.files.NotWritten;
+import org.selectiverenderer.base.files.FileWriteException;
 import org.selectiverenderer.base.problem.Problem;
 
 /**
- * Writes a head log while a session runs, on the thread {@code head-log} of a {@link RowWriter}.
+ * Writes a head log while a session runs, on the thread {@code head-log} of a {@link
+ * AsyncCsvWriter}.
  */
 public final class HeadLogWriter implements AutoCloseable {
   /** Capacity of the queue in samples: nine minutes at 60 frames per second, about 8 MB. */
   static final int MOST_WAITING = 1 << 15;
 
-  private static RowWriter.Form<HeadSample> form(boolean eyes) {
-    List<Column> columns = Column.of(eyes);
-    return new RowWriter.Form<>(
+  private static AsyncCsvWriter.Form<HeadSample> form(boolean eyes) {
+    List<HeadLogColumn> columns = HeadLogColumn.of(eyes);
+    return new AsyncCsvWriter.Form<>(
         "head-log",
         "the head log",
         "frames",
@@ -35,9 +36,9 @@ public final class HeadLogWriter implements AutoCloseable {
     void close() throws IOException;
   }
 
-  private final RowWriter<HeadSample> rows;
+  private final AsyncCsvWriter<HeadSample> rows;
 
-  private HeadLogWriter(RowWriter<HeadSample> rows) {
+  private HeadLogWriter(AsyncCsvWriter<HeadSample> rows) {
     this.rows = rows;
   }
 
@@ -56,7 +57,7 @@ public final class HeadLogWriter implements AutoCloseable {
           files.csv(), files.begin(description), description.eyes(), MOST_WAITING, problem);
     } catch (IOException e) {
       files.close();
-      throw NotWritten.named(files.csv(), e);
+      throw FileWriteException.named(files.csv(), e);
     }
   }
 
@@ -69,7 +70,7 @@ public final class HeadLogWriter implements AutoCloseable {
    */
   static HeadLogWriter start(
       Path file, Lines lines, boolean eyes, int mostWaiting, Consumer<Problem> problem) {
-    return new HeadLogWriter(RowWriter.start(file, lines, form(eyes), mostWaiting, problem));
+    return new HeadLogWriter(AsyncCsvWriter.start(file, lines, form(eyes), mostWaiting, problem));
   }
 
   /** Queues a sample; called by one thread; never blocks. */

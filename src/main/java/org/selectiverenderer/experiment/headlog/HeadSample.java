@@ -16,7 +16,8 @@ import org.jspecify.annotations.Nullable;
  * @param pitch degrees about X, positive up
  * @param roll degrees about Z, positive to the left shoulder
  * @param moved whether head or viewer moved since the previous frame
- * @param object name of the object in the middle of the view ({@link SceneObjects}); empty for none
+ * @param object name of the object in the middle of the view ({@link SceneObjectResolver}); empty
+ *     for none
  * @param distance to the object's surface along the line of sight, in the scene's unit; NaN for
  *     none
  * @param version whichChoice of the object's Switch; -1 if no Switch holds it

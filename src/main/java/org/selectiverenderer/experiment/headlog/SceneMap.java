@@ -9,7 +9,7 @@ import java.util.List;
  * @param areas outlines of the ProximitySensors' boxes
  * @param rooms boxes of the named groups at the top level of the scene that hold objects; if there
  *     is none, one box of the whole scene
- * @param objects boxes of all named objects, with versions or without ({@link SceneObjects})
+ * @param objects boxes of all named objects, with versions or without ({@link SceneObjectResolver})
  * @param surroundings boxes of named walls, floors and ceilings
  */
 public record SceneMap(

@@ -4,7 +4,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
-import org.selectiverenderer.base.decimal.DecimalText;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
 
 /**
  * A record of the head tracker as it arrived.
@@ -42,7 +42,7 @@ public record TrackerRecord(
     private static final int DECIMALS = 5;
 
     private List<String> cells() {
-      return Stream.of(right, up, back).map(way -> DecimalText.fixed(way, DECIMALS)).toList();
+      return Stream.of(right, up, back).map(way -> DecimalFormatter.fixed(way, DECIMALS)).toList();
     }
   }
 
@@ -65,13 +65,13 @@ public record TrackerRecord(
   List<String> cells(double begun, boolean placed) {
     List<String> turned =
         List.of(
-            DecimalText.fixed(mono - begun, 6),
-            DecimalText.fixed(yaw, 4),
-            DecimalText.fixed(pitch, 4),
-            DecimalText.fixed(roll, 4),
+            DecimalFormatter.fixed(mono - begun, 6),
+            DecimalFormatter.fixed(yaw, 4),
+            DecimalFormatter.fixed(pitch, 4),
+            DecimalFormatter.fixed(roll, 4),
             Long.toString(number),
-            Column.wall(wall),
-            DecimalText.fixed(mono, 6));
+            HeadLogColumn.wall(wall),
+            DecimalFormatter.fixed(mono, 6));
     return placed
         ? Stream.of(turned, place.map(Place::cells).orElse(List.of("", "", "")))
             .flatMap(List::stream)

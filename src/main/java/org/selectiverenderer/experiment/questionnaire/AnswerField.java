@@ -38,7 +38,7 @@ public sealed interface AnswerField {
    * @param least label before the first option (the scale's lower anchor); may be empty
    * @param most label after the last option (the upper anchor); may be empty
    */
-  record Choice(List<Option> options, boolean several, String least, String most)
+  record Choice(List<ChoiceOption> options, boolean several, String least, String most)
       implements AnswerField {
     /** Characters of labels that fit side by side. */
     private static final int ONE_LINE = 56;
@@ -48,17 +48,17 @@ public sealed interface AnswerField {
     }
 
     /** Returns a choice of one option. */
-    public static Choice of(List<Option> options) {
+    public static Choice of(List<ChoiceOption> options) {
       return new Choice(options, false, "", "");
     }
 
     /** Returns a choice of one number of a range, with labels at its ends; digits are the keys. */
     public static Choice numbers(int from, int to, String least, String most, List<String> notes) {
-      List<Option> options =
+      List<ChoiceOption> options =
           IntStream.rangeClosed(from, to)
               .mapToObj(
                   number ->
-                      new Option(
+                      new ChoiceOption(
                           Integer.toString(number),
                           Integer.toString(number),
                           notes.isEmpty() ? "" : notes.get(number - from),
@@ -80,7 +80,7 @@ public sealed interface AnswerField {
     /** Joins values to an answer, in the options' order. */
     public String joined(Collection<String> chosen) {
       return options.stream()
-          .map(Option::value)
+          .map(ChoiceOption::value)
           .filter(chosen::contains)
           .collect(Collectors.joining(SEPARATOR));
     }
@@ -89,7 +89,7 @@ public sealed interface AnswerField {
     public Optional<String> typed(String text) {
       List<String> found = new ArrayList<>();
       for (String part : several ? parts(text) : List.of(text)) {
-        Optional<Option> option = option(part.strip());
+        Optional<ChoiceOption> option = option(part.strip());
         if (option.isEmpty()) {
           return Optional.empty();
         }
@@ -98,7 +98,7 @@ public sealed interface AnswerField {
       return Optional.of(joined(found));
     }
 
-    private Optional<Option> option(String text) {
+    private Optional<ChoiceOption> option(String text) {
       return options.stream()
           .filter(each -> each.value().equalsIgnoreCase(text))
           .findFirst()
@@ -109,7 +109,7 @@ public sealed interface AnswerField {
 
     @Override
     public String allowed() {
-      List<String> values = options.stream().map(Option::value).toList();
+      List<String> values = options.stream().map(ChoiceOption::value).toList();
       boolean numbers = values.size() > 2 && values.stream().allMatch(v -> v.matches("-?\\d+"));
       if (numbers) {
         return values.get(0) + " to " + values.get(values.size() - 1);

@@ -1,19 +1,19 @@
 package org.selectiverenderer.experiment.questionnaire;
 
 import java.util.List;
-import org.selectiverenderer.base.csv.CsvText;
-import org.selectiverenderer.statistics.data.ResponsesCsv;
+import org.selectiverenderer.base.csv.CsvWriter;
+import org.selectiverenderer.statistics.data.ResponsesCsvWriter;
 
 /** The tables of answers: each is a file of a session, and of the collected study. */
 public enum AnswerTable {
   /** Answers to recognition lists, in the form that {@code experiment analyse} reads. */
-  RESPONSES("responses.csv", ResponsesCsv.of(List.of()).strip() + ",response_ms,place\n"),
+  RESPONSES("responses.csv", ResponsesCsvWriter.of(List.of()).strip() + ",response_ms,place\n"),
   /** Ratings of expectancy, in the form that {@code enrich --ratings} reads. */
   RATINGS("ratings.csv", "participant,area,object,schema,rating,response_ms,place\n"),
   /** All other answers, with a row for each question that was asked. */
   ANSWERS(
       "answers.csv",
-      CsvText.line(
+      CsvWriter.line(
           "participant",
           "session",
           "condition",

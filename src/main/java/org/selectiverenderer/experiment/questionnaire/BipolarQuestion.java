@@ -2,7 +2,7 @@ package org.selectiverenderer.experiment.questionnaire;
 
 import java.util.List;
 import java.util.stream.IntStream;
-import org.selectiverenderer.base.json.JsonMembers;
+import org.selectiverenderer.base.json.JsonObjectReader;
 
 /**
  * A bipolar scale (semantic differential): a rating between two opposites, such as dark and bright,
@@ -13,7 +13,7 @@ public record BipolarQuestion(int to, String left, String right) implements Ques
   static final String SPELLING = "bipolar";
 
   /** Reads {@code left}, {@code right} and {@code to} (default 7). */
-  static BipolarQuestion read(JsonMembers keys, Texts texts) {
+  static BipolarQuestion read(JsonObjectReader keys, Texts texts) {
     return new BipolarQuestion(
         (int) keys.whole("to", 2, 11, 7), texts.text(keys, "left"), texts.text(keys, "right"));
   }
@@ -29,7 +29,7 @@ public record BipolarQuestion(int to, String left, String right) implements Ques
   }
 
   @Override
-  public List<AnswerField> fields(Wording wording) {
+  public List<AnswerField> fields(ParticipantMessages wording) {
     return List.of(AnswerField.Choice.numbers(1, to, left, right, List.of()));
   }
 }

@@ -2,7 +2,7 @@ package org.selectiverenderer.experiment.questionnaire;
 
 import java.util.List;
 import java.util.Optional;
-import org.selectiverenderer.base.json.JsonMembers;
+import org.selectiverenderer.base.json.JsonObjectReader;
 
 /**
  * A question whose answer is a number in a range.
@@ -16,7 +16,7 @@ record NumberQuestion(AnswerField.Line.Range range, String unit) implements Ques
   private static final double FARTHEST = 1e9;
 
   /** Reads {@code min}, {@code max}, {@code whole}, {@code unit}. */
-  static NumberQuestion read(JsonMembers keys, Texts texts) {
+  static NumberQuestion read(JsonObjectReader keys, Texts texts) {
     double least = keys.number("min", -FARTHEST, FARTHEST, 0);
     double most = keys.number("max", -FARTHEST, FARTHEST, FARTHEST);
     if (most <= least) {
@@ -38,7 +38,7 @@ record NumberQuestion(AnswerField.Line.Range range, String unit) implements Ques
   }
 
   @Override
-  public List<AnswerField> fields(Wording wording) {
+  public List<AnswerField> fields(ParticipantMessages wording) {
     return List.of(new AnswerField.Line(1, Optional.of(range), unit));
   }
 }

@@ -19,7 +19,7 @@ public record Question(
     String text,
     QuestionKind kind,
     boolean optional,
-    Optional<AskedIf> when,
+    Optional<BranchingRule> when,
     Optional<String> must,
     Optional<Sets> sets,
     boolean personal) {
@@ -49,7 +49,7 @@ public record Question(
   }
 
   /** Returns whether an answer is complete; an optional question needs none. */
-  public boolean complete(Answer answer, Wording wording) {
+  public boolean complete(Answer answer, ParticipantMessages wording) {
     boolean confident = kind.fields(wording).size() > 1;
     return answer.complete(confident) || optional && answer.equals(Answer.NONE);
   }

@@ -3,21 +3,21 @@ package org.selectiverenderer.experiment.questionnaire;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
-import org.selectiverenderer.base.json.JsonMembers;
-import org.selectiverenderer.base.problem.Spelling;
+import org.selectiverenderer.base.json.JsonObjectReader;
+import org.selectiverenderer.base.problem.SpellingSuggester;
 
 /**
  * A kind of question. Each kind is one class with everything specific to it: keys in files, fields,
  * simulated answers and table.
  */
 public sealed interface QuestionKind
-    permits Recognition,
-        Expectancy,
+    permits RecognitionQuestion,
+        ExpectancyQuestion,
         ScaleQuestion,
         BipolarQuestion,
         YesNoQuestion,
-        SingleQuestion,
-        MultipleQuestion,
+        SingleChoiceQuestion,
+        MultipleChoiceQuestion,
         TextQuestion,
         NumberQuestion {
 
@@ -25,17 +25,17 @@ public sealed interface QuestionKind
   String spelling();
 
   /** Returns the input fields: the value, then the confidence if it is asked for. */
-  List<AnswerField> fields(Wording wording);
+  List<AnswerField> fields(ParticipantMessages wording);
 
   /**
    * Returns the headings over the fields on a page with questions of this kind alone; may be empty.
    */
-  default List<String> headings(Wording wording) {
+  default List<String> headings(ParticipantMessages wording) {
     return List.of();
   }
 
   /** Returns a random valid answer, for a simulated participant. */
-  default Answer simulated(Wording wording, Random random) {
+  default Answer simulated(ParticipantMessages wording, Random random) {
     List<AnswerField> fields = fields(wording);
     return new Answer(
         fields.get(0).simulated(random),
@@ -58,7 +58,7 @@ public sealed interface QuestionKind
   }
 
   /** Returns the item that the question is about; empty for kinds that are not about an object. */
-  default Optional<QuestionItem> about() {
+  default Optional<StimulusItem> about() {
     return Optional.empty();
   }
 
@@ -68,7 +68,7 @@ public sealed interface QuestionKind
   }
 
   /** Returns the cells of a row of that table. */
-  default List<Object> row(AskedBy by, String page, Question question, GivenAnswer given) {
+  default List<Object> row(Respondent by, String page, Question question, TimedAnswer given) {
     return List.of(
         by.participant(),
         by.session(),
@@ -85,13 +85,13 @@ public sealed interface QuestionKind
   /** Reads texts in the study's language from a questionnaire's file. */
   interface Texts {
     /** Reads a mandatory text. */
-    String text(JsonMembers keys, String key);
+    String text(JsonObjectReader keys, String key);
 
     /** Reads an optional text; empty if missing. */
-    String optional(JsonMembers keys, String key);
+    String optional(JsonObjectReader keys, String key);
 
     /** Reads an optional list of texts; empty if missing. */
-    List<String> list(JsonMembers keys, String key);
+    List<String> list(JsonObjectReader keys, String key);
   }
 
   /** Spellings of the kinds that a questionnaire's file may use. */
@@ -100,8 +100,8 @@ public sealed interface QuestionKind
           ScaleQuestion.SPELLING,
           BipolarQuestion.SPELLING,
           YesNoQuestion.SPELLING,
-          SingleQuestion.SPELLING,
-          MultipleQuestion.SPELLING,
+          SingleChoiceQuestion.SPELLING,
+          MultipleChoiceQuestion.SPELLING,
           TextQuestion.SPELLING,
           NumberQuestion.SPELLING);
 
@@ -110,14 +110,14 @@ public sealed interface QuestionKind
    *
    * @return empty if there is no such kind, which is then reported
    */
-  static Optional<QuestionKind> read(JsonMembers keys, Texts texts) {
+  static Optional<QuestionKind> read(JsonObjectReader keys, Texts texts) {
     String kind = keys.text("kind");
     return switch (kind) {
       case ScaleQuestion.SPELLING -> Optional.of(ScaleQuestion.read(keys, texts));
       case BipolarQuestion.SPELLING -> Optional.of(BipolarQuestion.read(keys, texts));
       case YesNoQuestion.SPELLING -> Optional.of(new YesNoQuestion());
-      case SingleQuestion.SPELLING -> Optional.of(SingleQuestion.read(keys, texts));
-      case MultipleQuestion.SPELLING -> Optional.of(MultipleQuestion.read(keys, texts));
+      case SingleChoiceQuestion.SPELLING -> Optional.of(SingleChoiceQuestion.read(keys, texts));
+      case MultipleChoiceQuestion.SPELLING -> Optional.of(MultipleChoiceQuestion.read(keys, texts));
       case TextQuestion.SPELLING -> Optional.of(TextQuestion.read(keys));
       case NumberQuestion.SPELLING -> Optional.of(NumberQuestion.read(keys, texts));
       default -> {
@@ -127,7 +127,7 @@ public sealed interface QuestionKind
               "there is no kind of question '%s'%s"
                   .formatted(
                       kind,
-                      Spelling.nearest(kind, IN_FILES)
+                      SpellingSuggester.nearest(kind, IN_FILES)
                           .map(near -> "; did you mean '%s'?".formatted(near))
                           .orElse(" (known kinds: %s)".formatted(String.join(", ", IN_FILES)))));
         }

@@ -17,7 +17,11 @@ import java.util.Optional;
  * @param scores definitions of the scores; may be empty
  */
 public record Questionnaire(
-    String id, String name, String area, List<Page> pages, List<ScaleScore> scores) {
+    String id,
+    String name,
+    String area,
+    List<QuestionnairePage> pages,
+    List<ScoreDefinition> scores) {
   public Questionnaire {
     pages = List.copyOf(pages);
     scores = List.copyOf(scores);
@@ -64,10 +68,10 @@ public record Questionnaire(
   }
 
   /** Returns the pages that are shown after these answers, in order. */
-  public List<Page> shown(Map<String, Answer> answers) {
-    List<Page> shown = new ArrayList<>();
+  public List<QuestionnairePage> shown(Map<String, Answer> answers) {
+    List<QuestionnairePage> shown = new ArrayList<>();
     Map<String, Answer> counting = new HashMap<>(answers);
-    for (Page page : pages) {
+    for (QuestionnairePage page : pages) {
       boolean open = page.when().map(when -> when.holds(counting)).orElse(true);
       List<Question> asked = open ? page.asked(counting) : List.of();
       if (open) {
@@ -83,7 +87,7 @@ public record Questionnaire(
   /** Returns the answers that count: those to questions that the branching rules do not skip. */
   public Map<String, Answer> counting(Map<String, Answer> answers) {
     Map<String, Answer> counting = new HashMap<>();
-    for (Page page : shown(answers)) {
+    for (QuestionnairePage page : shown(answers)) {
       for (Question question : page.asked(answers)) {
         boolean open = question.when().map(when -> when.holds(counting)).orElse(true);
         Answer answer = answers.getOrDefault(question.id(), Answer.NONE);
@@ -99,16 +103,16 @@ public record Questionnaire(
    * Returns the rows for tables, in order: one for each question that was asked, without examples
    * and personal questions.
    */
-  public List<TabledAnswer> tabled(Map<String, GivenAnswer> given) {
+  public List<AnswerRow> tabled(Map<String, TimedAnswer> given) {
     Map<String, Answer> answers = new HashMap<>();
     given.forEach((question, one) -> answers.put(question, one.answer()));
     Map<String, Answer> counting = counting(answers);
-    List<TabledAnswer> tabled = new ArrayList<>();
-    for (Page page : shown(counting)) {
+    List<AnswerRow> tabled = new ArrayList<>();
+    for (QuestionnairePage page : shown(counting)) {
       for (Question question : page.asked(counting)) {
-        GivenAnswer own = given.getOrDefault(question.id(), GivenAnswer.NONE);
+        TimedAnswer own = given.getOrDefault(question.id(), TimedAnswer.NONE);
         if (!question.personal() && !own.personal() && !question.kind().example()) {
-          tabled.add(new TabledAnswer(page, question, own));
+          tabled.add(new AnswerRow(page, question, own));
         }
       }
     }

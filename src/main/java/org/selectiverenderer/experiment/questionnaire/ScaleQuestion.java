@@ -2,7 +2,7 @@ package org.selectiverenderer.experiment.questionnaire;
 
 import java.util.List;
 import java.util.stream.IntStream;
-import org.selectiverenderer.base.json.JsonMembers;
+import org.selectiverenderer.base.json.JsonObjectReader;
 
 /**
  * A rating scale (Likert) between two labelled ends.
@@ -22,7 +22,7 @@ public record ScaleQuestion(int from, int to, String least, String most, List<St
   }
 
   /** Reads {@code from}, {@code to}, {@code least}, {@code most}, {@code steps}. */
-  static ScaleQuestion read(JsonMembers keys, Texts texts) {
+  static ScaleQuestion read(JsonObjectReader keys, Texts texts) {
     int from = (int) keys.whole("from", -10, 10, 1);
     int to = (int) keys.whole("to", -10, 20, 5);
     if (to <= from || to - from >= MOST_STEPS) {
@@ -55,7 +55,7 @@ public record ScaleQuestion(int from, int to, String least, String most, List<St
   }
 
   @Override
-  public List<AnswerField> fields(Wording wording) {
+  public List<AnswerField> fields(ParticipantMessages wording) {
     return List.of(AnswerField.Choice.numbers(from, to, least, most, notes));
   }
 }

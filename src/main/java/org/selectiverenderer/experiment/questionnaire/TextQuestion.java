@@ -2,7 +2,7 @@ package org.selectiverenderer.experiment.questionnaire;
 
 import java.util.List;
 import java.util.Optional;
-import org.selectiverenderer.base.json.JsonMembers;
+import org.selectiverenderer.base.json.JsonObjectReader;
 
 /** A question whose answer is a free text of one or more lines. */
 record TextQuestion(int lines) implements QuestionKind {
@@ -10,7 +10,7 @@ record TextQuestion(int lines) implements QuestionKind {
   static final String SPELLING = "text";
 
   /** Reads {@code lines} (default 1). */
-  static TextQuestion read(JsonMembers keys) {
+  static TextQuestion read(JsonObjectReader keys) {
     return new TextQuestion((int) keys.whole("lines", 1, 20, 1));
   }
 
@@ -20,7 +20,7 @@ record TextQuestion(int lines) implements QuestionKind {
   }
 
   @Override
-  public List<AnswerField> fields(Wording wording) {
+  public List<AnswerField> fields(ParticipantMessages wording) {
     return List.of(new AnswerField.Line(lines, Optional.empty(), ""));
   }
 }

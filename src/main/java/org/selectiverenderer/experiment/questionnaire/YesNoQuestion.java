@@ -8,12 +8,12 @@ record YesNoQuestion() implements QuestionKind {
   static final String SPELLING = "yes-no";
 
   /** Returns the choice between yes and no. */
-  static AnswerField field(Wording wording) {
+  static AnswerField field(ParticipantMessages wording) {
     // The Greek letters are on the same keys.
     return AnswerField.Choice.of(
         List.of(
-            Option.of("yes", wording.of("yes"), "y\u03C5"),
-            Option.of("no", wording.of("no"), "n\u03BD")));
+            ChoiceOption.of("yes", wording.of("yes"), "y\u03C5"),
+            ChoiceOption.of("no", wording.of("no"), "n\u03BD")));
   }
 
   @Override
@@ -27,7 +27,7 @@ record YesNoQuestion() implements QuestionKind {
   }
 
   @Override
-  public List<AnswerField> fields(Wording wording) {
+  public List<AnswerField> fields(ParticipantMessages wording) {
     return List.of(field(wording));
   }
 }

@@ -14,18 +14,18 @@
  * choice of options, and a line to write on. Windows, paper forms and data entry depend on fields
  * only, so that a new kind changes none of them.
  *
- * <p>{@link org.selectiverenderer.experiment.questionnaire.QuestionnaireCourse} is the
+ * <p>{@link org.selectiverenderer.experiment.questionnaire.QuestionnaireProgress} is the
  * participant's progress in a questionnaire, in a window or in a headset; {@link
- * org.selectiverenderer.experiment.questionnaire.ButtonCourse} lets the participant answer with two
- * buttons and a stick.
+ * org.selectiverenderer.experiment.questionnaire.ButtonQuestionnaireController} lets the
+ * participant answer with two buttons and a stick.
  *
  * <p>{@code questionnaire.read} reads questionnaires from files; {@code questionnaire.paper} prints
  * them and reads the tables into which answers on paper were typed.
  *
  * <p>In: texts in the study's language, the program's own messages ({@link
- * org.selectiverenderer.experiment.questionnaire.Wording}), answers. Out: the questions to ask
- * next, and the rows of {@code responses.csv}, {@code ratings.csv}, {@code answers.csv} and {@code
- * scores.csv}. Only the two classes of a participant's progress are mutable.
+ * org.selectiverenderer.experiment.questionnaire.ParticipantMessages}), answers. Out: the questions
+ * to ask next, and the rows of {@code responses.csv}, {@code ratings.csv}, {@code answers.csv} and
+ * {@code scores.csv}. Only the two classes of a participant's progress are mutable.
  *
  * <p>Uses {@code statistics.data} and {@code statistics.detection} for the columns of answers to
  * recognition lists, and {@code base}. No GL, no AWT.

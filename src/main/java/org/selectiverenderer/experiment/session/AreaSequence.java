@@ -69,7 +69,7 @@ final class AreaSequence {
    * @param place from 1
    */
   static int turn(Study study, int place) {
-    Schedule schedule = new Schedule(study);
+    RandomizationSchedule schedule = new RandomizationSchedule(study);
     return (int)
         IntStream.range(1, place)
             .filter(before -> schedule.condition(before) == schedule.condition(place))

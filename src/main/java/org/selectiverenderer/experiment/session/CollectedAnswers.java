@@ -10,20 +10,20 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
-import org.selectiverenderer.base.csv.CsvText;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.csv.CsvWriter;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.control.Condition;
 import org.selectiverenderer.experiment.questionnaire.Answer;
 import org.selectiverenderer.experiment.questionnaire.AnswerTable;
-import org.selectiverenderer.experiment.questionnaire.AnswersCsv;
-import org.selectiverenderer.experiment.questionnaire.AskedBy;
-import org.selectiverenderer.experiment.questionnaire.Expectancy;
-import org.selectiverenderer.experiment.questionnaire.GivenAnswer;
+import org.selectiverenderer.experiment.questionnaire.AnswersCsvBuilder;
+import org.selectiverenderer.experiment.questionnaire.ExpectancyQuestion;
 import org.selectiverenderer.experiment.questionnaire.Question;
-import org.selectiverenderer.experiment.questionnaire.QuestionItem;
 import org.selectiverenderer.experiment.questionnaire.Questionnaire;
-import org.selectiverenderer.schema.Band;
+import org.selectiverenderer.experiment.questionnaire.Respondent;
+import org.selectiverenderer.experiment.questionnaire.StimulusItem;
+import org.selectiverenderer.experiment.questionnaire.TimedAnswer;
+import org.selectiverenderer.schema.RatingBand;
 
 /**
  * The collected answers of a study: those of one session of each participant, from its journal, and
@@ -54,13 +54,13 @@ public record CollectedAnswers(
   private static final class Gathering {
     private final StudyMaterial material;
     private final PaperAnswers paper;
-    private final Problems problems;
-    private final AnswersCsv tables = new AnswersCsv();
+    private final ProblemCollector problems;
+    private final AnswersCsvBuilder tables = new AnswersCsvBuilder();
     private final Map<Rated, List<Integer>> all = new LinkedHashMap<>();
     private int participants;
     private int answers;
 
-    Gathering(StudyMaterial material, PaperAnswers paper, Problems problems) {
+    Gathering(StudyMaterial material, PaperAnswers paper, ProblemCollector problems) {
       this.material = material;
       this.paper = paper;
       this.problems = problems;
@@ -68,7 +68,7 @@ public record CollectedAnswers(
 
     /** Adds a participant with a session. */
     void session(SessionFolder folder, SessionHistory history) {
-      Location place = Location.of(folder.journal().toString());
+      SourceLocation place = SourceLocation.of(folder.journal().toString());
       if (history.refused()) {
         problems.info(place, "the participant refused consent");
         paper
@@ -82,7 +82,7 @@ public record CollectedAnswers(
                             .formatted(folder.participant())));
         return;
       }
-      SessionFlags.tell(history, place, problems);
+      SessionFlagMessages.tell(history, place, problems);
       int before = answers;
       List<String> known = new ArrayList<>();
       for (SessionStep step : material.steps()) {
@@ -162,9 +162,9 @@ public record CollectedAnswers(
       return paper.condition(participant).map(Condition::spelling).orElse("");
     }
 
-    private static Map<String, GivenAnswer> given(PaperAnswers.Sheet sheet) {
-      Map<String, GivenAnswer> given = new LinkedHashMap<>();
-      sheet.answers().forEach((question, answer) -> given.put(question, GivenAnswer.of(answer)));
+    private static Map<String, TimedAnswer> given(PaperAnswers.Sheet sheet) {
+      Map<String, TimedAnswer> given = new LinkedHashMap<>();
+      sheet.answers().forEach((question, answer) -> given.put(question, TimedAnswer.of(answer)));
       return given;
     }
 
@@ -176,13 +176,16 @@ public record CollectedAnswers(
       return history.condition().map(Condition::spelling).orElse("");
     }
 
-    private static AskedBy by(
+    private static Respondent by(
         String participant, String session, String condition, SessionStep step) {
-      return new AskedBy(participant, session, condition, step.id());
+      return new Respondent(participant, session, condition, step.id());
     }
 
     private void screen(
-        SessionFolder folder, SessionHistory history, SessionStep.Questions step, Location place) {
+        SessionFolder folder,
+        SessionHistory history,
+        SessionStep.Questions step,
+        SourceLocation place) {
       Map<String, Answer> given = history.answers(step);
       Optional<PaperAnswers.Sheet> sheet = paper.sheet(folder.participant(), step.id());
       if (history.finished(step)) {
@@ -217,18 +220,21 @@ public record CollectedAnswers(
 
     /** Adds the answers to a questionnaire to the tables. */
     private void take(
-        SessionStep.Questions step, AskedBy by, Map<String, GivenAnswer> given, Location place) {
+        SessionStep.Questions step,
+        Respondent by,
+        Map<String, TimedAnswer> given,
+        SourceLocation place) {
       Questionnaire questionnaire = material.questionnaire(step, by.participant());
       tables.add(by, questionnaire, given);
-      Map<String, GivenAnswer> left = new LinkedHashMap<>(given);
+      Map<String, TimedAnswer> left = new LinkedHashMap<>(given);
       for (Question question : questionnaire.questions()) {
         Optional<Answer> answer =
             Optional.ofNullable(left.remove(question.id()))
-                .map(GivenAnswer::answer)
+                .map(TimedAnswer::answer)
                 .filter(one -> !one.equals(Answer.NONE) && !question.kind().example());
         answers += answer.isPresent() ? 1 : 0;
-        if (question.kind() instanceof Expectancy expectancy) {
-          QuestionItem item = expectancy.item();
+        if (question.kind() instanceof ExpectancyQuestion expectancy) {
+          StimulusItem item = expectancy.item();
           answer.ifPresent(
               rating ->
                   all.computeIfAbsent(
@@ -255,7 +261,7 @@ public record CollectedAnswers(
    * @throws IOException if a journal cannot be read
    */
   public static CollectedAnswers of(
-      StudyMaterial material, OptionalInt session, PaperAnswers paper, Problems problems)
+      StudyMaterial material, OptionalInt session, PaperAnswers paper, ProblemCollector problems)
       throws IOException {
     Gathering gathering = new Gathering(material, paper, problems);
     Set<String> onPaper = paper.participants();
@@ -266,7 +272,7 @@ public record CollectedAnswers(
         sessions.tellOthers(chosen, session, problems);
       }
       if (chosen.isPresent() && !sessions.excluding(chosen.get()).isEmpty()) {
-        SessionFlags.tellExcluded(sessions, chosen.get(), paper, problems);
+        SessionFlagMessages.tellExcluded(sessions, chosen.get(), paper, problems);
         onPaper.remove(sessions.participant());
       } else if (chosen.isPresent()) {
         gathering.session(chosen.get(), sessions.history(chosen.get()));
@@ -285,7 +291,7 @@ public record CollectedAnswers(
   }
 
   private static String bands(Map<Rated, List<Integer>> all) {
-    CsvText table = CsvText.bare();
+    CsvWriter table = CsvWriter.bare();
     table.row("area", "schema", "object", "mean", "count", "band", "consistency");
     all.entrySet().stream()
         .sorted(
@@ -295,7 +301,7 @@ public record CollectedAnswers(
             entry -> {
               double mean =
                   entry.getValue().stream().mapToInt(Integer::intValue).average().orElseThrow();
-              Band band = Band.of(mean);
+              RatingBand band = RatingBand.of(mean);
               table.row(
                   entry.getKey().area(),
                   entry.getKey().schema(),

@@ -9,12 +9,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.control.Condition;
 import org.selectiverenderer.experiment.questionnaire.Answer;
-import org.selectiverenderer.experiment.questionnaire.paper.TypedTable;
-import org.selectiverenderer.experiment.questionnaire.paper.TypedTable.Filled;
+import org.selectiverenderer.experiment.questionnaire.paper.DataEntryTable;
+import org.selectiverenderer.experiment.questionnaire.paper.DataEntryTable.Filled;
 
 /**
  * The answers that were given on paper, by participant and screen. A participant's condition is the
@@ -22,7 +22,7 @@ import org.selectiverenderer.experiment.questionnaire.paper.TypedTable.Filled;
  */
 public final class PaperAnswers {
   /** The answers to one screen by question, and the location of the first one in its file. */
-  record Sheet(Map<String, Answer> answers, Location place) {}
+  record Sheet(Map<String, Answer> answers, SourceLocation place) {}
 
   private record Key(String participant, String step) {}
 
@@ -44,16 +44,16 @@ public final class PaperAnswers {
    * @param problems receives every answer that cannot be used
    * @throws IOException if a file cannot be read
    */
-  public static PaperAnswers read(StudyMaterial material, List<Path> files, Problems problems)
-      throws IOException {
+  public static PaperAnswers read(
+      StudyMaterial material, List<Path> files, ProblemCollector problems) throws IOException {
     PaperAnswers paper = new PaperAnswers();
-    for (Participants.Assigned assigned : new Participants(material.study()).all()) {
+    for (ParticipantsFile.Assigned assigned : new ParticipantsFile(material.study()).all()) {
       paper.conditions.put(assigned.participant(), assigned.condition());
     }
     paper.known.addAll(paper.conditions.keySet());
     for (Path file : files) {
-      Optional<TypedTable> table =
-          TypedTable.read(
+      Optional<DataEntryTable> table =
+          DataEntryTable.read(
               file,
               (participant, step) -> material.questionnaire(step, participant),
               material.wording(),
@@ -65,7 +65,7 @@ public final class PaperAnswers {
     return paper;
   }
 
-  private void add(StudyMaterial material, TypedTable table, Problems problems) {
+  private void add(StudyMaterial material, DataEntryTable table, ProblemCollector problems) {
     Set<Key> others = Set.copyOf(sheets.keySet());
     Set<Key> told = new HashSet<>();
     for (Filled row : table.rows()) {
@@ -94,7 +94,7 @@ public final class PaperAnswers {
    * Returns whether a row belongs to a participant whose condition is known; reports each other
    * participant once.
    */
-  private boolean belongs(StudyMaterial material, Filled row, Problems problems) {
+  private boolean belongs(StudyMaterial material, Filled row, ProblemCollector problems) {
     String id = row.participant();
     if (refused.contains(id)) {
       return false;

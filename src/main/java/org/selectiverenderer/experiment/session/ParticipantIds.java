@@ -28,7 +28,7 @@ public final class ParticipantIds {
   /** Returns the ids of all participants of a study who have a folder or a condition. */
   public static ParticipantIds of(Study study) throws IOException {
     Set<String> known = new LinkedHashSet<>(SessionFolder.participants(study));
-    new Participants(study).all().forEach(assigned -> known.add(assigned.participant()));
+    new ParticipantsFile(study).all().forEach(assigned -> known.add(assigned.participant()));
     return new ParticipantIds(known);
   }
 

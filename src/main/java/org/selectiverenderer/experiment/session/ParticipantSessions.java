@@ -9,8 +9,8 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
 
 /** All sessions of one participant, with the choice of the one that counts. */
 final class ParticipantSessions {
@@ -31,7 +31,7 @@ final class ParticipantSessions {
           .sessions
           .put(folder, SessionHistory.read(folder.journal()));
     }
-    for (Participants.Assigned assigned : new Participants(material.study()).all()) {
+    for (ParticipantsFile.Assigned assigned : new ParticipantsFile(material.study()).all()) {
       all.computeIfAbsent(assigned.participant(), id -> new ParticipantSessions(material, id));
     }
     return new ArrayList<>(all.values());
@@ -68,7 +68,7 @@ final class ParticipantSessions {
   }
 
   /** Reports the damaged lines of the sessions' journals. */
-  void tellDamage(Problems problems) {
+  void tellDamage(ProblemCollector problems) {
     sessions.forEach((folder, history) -> history.tellDamage(folder.journal(), problems));
   }
 
@@ -83,10 +83,10 @@ final class ParticipantSessions {
   }
 
   /** Reports the answers that are left out because their session does not count. */
-  void tellOthers(Optional<SessionFolder> chosen, OptionalInt number, Problems problems) {
+  void tellOthers(Optional<SessionFolder> chosen, OptionalInt number, ProblemCollector problems) {
     if (chosen.isEmpty()) {
       problems.warning(
-          Location.of(material.study().folder().resolve("participants.tsv").toString()),
+          SourceLocation.of(material.study().folder().resolve("participants.tsv").toString()),
           "the participant %s has no session%s; no answers of theirs are in the tables"
               .formatted(participant, number.isPresent() ? " " + number.getAsInt() : ""));
     }
@@ -97,7 +97,7 @@ final class ParticipantSessions {
             return;
           }
           problems.warning(
-              Location.of(folder.journal().toString()),
+              SourceLocation.of(folder.journal().toString()),
               ("%s of session %d of the participant %s left out, because %s; "
                       + "--session %d uses them")
                   .formatted(

@@ -9,12 +9,15 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.control.Condition;
 import org.selectiverenderer.experiment.questionnaire.Answer;
-import org.selectiverenderer.experiment.questionnaire.Page;
+import org.selectiverenderer.experiment.questionnaire.AnswerTable;
+import org.selectiverenderer.experiment.questionnaire.AnswersCsvBuilder;
 import org.selectiverenderer.experiment.questionnaire.Question;
 import org.selectiverenderer.experiment.questionnaire.Questionnaire;
+import org.selectiverenderer.experiment.questionnaire.QuestionnairePage;
+import org.selectiverenderer.experiment.questionnaire.Respondent;
 import org.selectiverenderer.experiment.study.SessionFlag;
 import org.selectiverenderer.experiment.study.Study;
 import org.selectiverenderer.tracker.TrackerSpec;
@@ -31,10 +34,10 @@ public final class Session implements AutoCloseable {
   private final SessionLock lock;
   private final SessionJournal journal;
   private final SessionHistory history;
-  private final MotionFiles motion;
+  private final BidsMotionConverter motion;
   private boolean closed;
 
-  /** Makes a session that {@link SessionOpening} begins or resumes. */
+  /** Makes a session that {@link SessionStarter} begins or resumes. */
   Session(
       StudyMaterial material,
       SessionFolder folder,
@@ -47,7 +50,7 @@ public final class Session implements AutoCloseable {
     this.lock = lock;
     this.journal = journal;
     history = journal.history();
-    motion = new MotionFiles(folder, journal);
+    motion = new BidsMotionConverter(folder, journal);
   }
 
   /**
@@ -74,9 +77,9 @@ public final class Session implements AutoCloseable {
       String participant,
       int number,
       SessionOptions options,
-      Problems problems)
+      ProblemCollector problems)
       throws IOException {
-    return SessionOpening.begin(material, participant, number, options, problems);
+    return SessionStarter.begin(material, participant, number, options, problems);
   }
 
   /**
@@ -90,9 +93,9 @@ public final class Session implements AutoCloseable {
       String participant,
       int number,
       SessionOptions options,
-      Problems problems)
+      ProblemCollector problems)
       throws IOException {
-    return SessionOpening.resume(material, participant, number, options, problems);
+    return SessionStarter.resume(material, participant, number, options, problems);
   }
 
   /** Returns the steps that are not finished, in order. */
@@ -196,8 +199,8 @@ public final class Session implements AutoCloseable {
 
   /** Assigns a condition after the form, first in {@code participants.tsv}, then in the journal. */
   public void assign(String age) throws IOException {
-    Participants.Assigned assigned =
-        new Participants(material.study())
+    ParticipantsFile.Assigned assigned =
+        new ParticipantsFile(material.study())
             .assign(folder.participant(), options.condition(), age, options.unattended());
     Map<String, Object> event = new LinkedHashMap<>();
     event.put("condition", assigned.condition().spelling());
@@ -210,7 +213,7 @@ public final class Session implements AutoCloseable {
   }
 
   /** Records the order of the areas, which later changes of the study's file do not alter. */
-  private void order(Participants.Assigned assigned) throws IOException {
+  private void order(ParticipantsFile.Assigned assigned) throws IOException {
     Study study = material.study();
     if (study.areas().isEmpty()) {
       return;
@@ -265,7 +268,7 @@ public final class Session implements AutoCloseable {
    *
    * @param questions the questions on the page, in order
    */
-  public void shown(SessionStep step, Page page, List<Question> questions) {
+  public void shown(SessionStep step, QuestionnairePage page, List<Question> questions) {
     Map<String, Object> event = new LinkedHashMap<>();
     event.put("step", step.id());
     event.put("page", page.id());
@@ -315,7 +318,7 @@ public final class Session implements AutoCloseable {
    */
   public void end() throws IOException {
     motion.close();
-    new SessionTables(material, folder).write(history);
+    new AnswerTablesWriter(material, folder).write(history);
     journal.keep("session-finished", Map.of());
   }
 
@@ -333,6 +336,38 @@ public final class Session implements AutoCloseable {
     try (lock;
         journal) {
       motion.close();
+    }
+  }
+
+  /** Writes the tables of a session's answers into its folder. */
+  private record AnswerTablesWriter(StudyMaterial material, SessionFolder folder) {
+    /** Writes the tables that have rows. */
+    void write(SessionHistory history) throws IOException {
+      AnswersCsvBuilder tables = new AnswersCsvBuilder();
+      for (SessionStep step : material.steps()) {
+        if (StudyMaterial.asks(step)) {
+          tables.add(
+              by(step, history),
+              material.questionnaire(step, folder.participant()),
+              history.given(step));
+        }
+      }
+      for (AnswerTable table : AnswerTable.values()) {
+        if (tables.has(table)) {
+          folder.writeOnce(table.file(), tables.text(table));
+        }
+      }
+      if (tables.hasScores()) {
+        folder.writeOnce("scores.csv", tables.scores());
+      }
+    }
+
+    private Respondent by(SessionStep step, SessionHistory history) {
+      return new Respondent(
+          folder.participant(),
+          Integer.toString(folder.number()),
+          history.condition().map(Condition::spelling).orElse(""),
+          step.id());
     }
   }
 }

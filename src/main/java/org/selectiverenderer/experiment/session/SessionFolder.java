@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
-import org.selectiverenderer.base.files.WholeFile;
+import org.selectiverenderer.base.files.AtomicFileWriter;
 import org.selectiverenderer.experiment.study.Study;
 
 /**
@@ -118,6 +118,6 @@ public record SessionFolder(Path study, String participant, int number) {
    * @throws IOException if the file exists with another text, or cannot be written
    */
   void writeOnce(String name, String text) throws IOException {
-    WholeFile.writeOnce(path().resolve(name), text);
+    AtomicFileWriter.writeOnce(path().resolve(name), text);
   }
 }

@@ -13,13 +13,13 @@ import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.control.Condition;
 import org.selectiverenderer.experiment.questionnaire.Answer;
-import org.selectiverenderer.experiment.questionnaire.GivenAnswer;
+import org.selectiverenderer.experiment.questionnaire.TimedAnswer;
+import org.selectiverenderer.experiment.study.QualityCriteria;
 import org.selectiverenderer.experiment.study.SessionFlag;
-import org.selectiverenderer.experiment.study.StudyQuality;
 
 /**
  * The state of a session, derived from the events of its journal. Damaged and truncated lines are
@@ -31,7 +31,7 @@ public final class SessionHistory {
 
   private final Set<String> finished = new LinkedHashSet<>();
   private final Map<String, Integer> runs = new HashMap<>();
-  private final Map<String, Map<String, GivenAnswer>> answers = new LinkedHashMap<>();
+  private final Map<String, Map<String, TimedAnswer>> answers = new LinkedHashMap<>();
   private final Map<String, String> pages = new HashMap<>();
   private final List<String> headLogs = new ArrayList<>();
   private final Set<RaisedFlag> flags = new LinkedHashSet<>();
@@ -41,7 +41,7 @@ public final class SessionHistory {
   private boolean aborted;
   private boolean over;
   private boolean refused;
-  private JournalText text = JournalText.of(new byte[0]);
+  private JournalContent text = JournalContent.of(new byte[0]);
 
   private SessionHistory() {}
 
@@ -63,18 +63,18 @@ public final class SessionHistory {
    * @throws IOException if the file cannot be read
    */
   public static SessionHistory read(Path journal) throws IOException {
-    JournalText text = JournalText.read(journal);
+    JournalContent text = JournalContent.read(journal);
     SessionHistory history = of(text.events());
     history.text = text;
     return history;
   }
 
   /** Reports the damaged lines of the journal that was read. */
-  void tellDamage(Path journal, Problems problems) {
-    JournalMending.tellDamaged(journal, text, problems);
+  void tellDamage(Path journal, ProblemCollector problems) {
+    JournalRecovery.tellDamaged(journal, text, problems);
     if (text.tail() > 0) {
       problems.info(
-          new Location(journal.toString(), text.lines() + 1, 1),
+          new SourceLocation(journal.toString(), text.lines() + 1, 1),
           "the last line is cut off, by a crash or because it is being written now; it is"
               + " ignored, and --resume repairs the file");
     }
@@ -125,9 +125,9 @@ public final class SessionHistory {
     }
   }
 
-  private static GivenAnswer given(JsonNode event, @Nullable GivenAnswer earlier) {
-    GivenAnswer given =
-        (earlier == null ? GivenAnswer.NONE : earlier)
+  private static TimedAnswer given(JsonNode event, @Nullable TimedAnswer earlier) {
+    TimedAnswer given =
+        (earlier == null ? TimedAnswer.NONE : earlier)
             .then(
                 new Answer(event.path("value").asText(), event.path("confidence").asInt()),
                 event.has("ms") ? OptionalLong.of(event.path("ms").asLong()) : OptionalLong.empty(),
@@ -162,7 +162,7 @@ public final class SessionHistory {
   }
 
   /** Returns the flags by which a study excludes the session. */
-  List<RaisedFlag> excluding(StudyQuality quality) {
+  List<RaisedFlag> excluding(QualityCriteria quality) {
     return refused()
         ? List.of()
         : flags().stream().filter(raised -> quality.exclude().contains(raised.flag())).toList();
@@ -191,7 +191,7 @@ public final class SessionHistory {
   }
 
   /** Returns the answers of a step so far with their response times, by the questions' ids. */
-  public synchronized Map<String, GivenAnswer> given(SessionStep step) {
+  public synchronized Map<String, TimedAnswer> given(SessionStep step) {
     return Map.copyOf(answers.getOrDefault(step.id(), Map.of()));
   }
 
@@ -199,8 +199,8 @@ public final class SessionHistory {
    * Returns the answers of all steps with their response times, by the steps' ids, in the order of
    * the first answers.
    */
-  public synchronized Map<String, Map<String, GivenAnswer>> given() {
-    Map<String, Map<String, GivenAnswer>> all = new LinkedHashMap<>();
+  public synchronized Map<String, Map<String, TimedAnswer>> given() {
+    Map<String, Map<String, TimedAnswer>> all = new LinkedHashMap<>();
     answers.forEach((step, given) -> all.put(step, Map.copyOf(given)));
     return all;
   }

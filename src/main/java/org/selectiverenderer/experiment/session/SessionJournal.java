@@ -18,7 +18,7 @@ import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.files.Disk;
+import org.selectiverenderer.base.files.DiskSync;
 import org.selectiverenderer.base.json.JsonTree;
 import org.selectiverenderer.experiment.study.SessionFlag;
 
@@ -61,7 +61,7 @@ public final class SessionJournal implements AutoCloseable {
   }
 
   /**
-   * Resumes a journal that ends with a whole line ({@link JournalMending}).
+   * Resumes a journal that ends with a whole line ({@link JournalRecovery}).
    *
    * @throws IOException if the file does not exist or cannot be opened
    */
@@ -148,7 +148,7 @@ public final class SessionJournal implements AutoCloseable {
     try {
       long before = channel.size();
       try {
-        Disk.write(channel, (line + "\n").getBytes(StandardCharsets.UTF_8));
+        DiskSync.write(channel, (line + "\n").getBytes(StandardCharsets.UTF_8));
         channel.force(false);
       } catch (IOException e) {
         takeBack(before, e);

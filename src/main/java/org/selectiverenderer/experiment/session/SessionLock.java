@@ -17,9 +17,9 @@ import java.time.OffsetDateTime;
 import java.time.temporal.ChronoUnit;
 import java.util.Optional;
 import java.util.stream.Stream;
-import org.selectiverenderer.base.files.WholeFile;
-import org.selectiverenderer.base.json.JsonText;
+import org.selectiverenderer.base.files.AtomicFileWriter;
 import org.selectiverenderer.base.json.JsonTree;
+import org.selectiverenderer.base.json.JsonWriter;
 
 /**
  * The lock by which one program at a time runs a session, or a participant's threshold pilot. It is
@@ -82,7 +82,7 @@ public final class SessionLock implements AutoCloseable {
         FileChannel.open(folder.resolve(LOCK), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
     try {
       FileLock lock = lock(folder, channel, locking);
-      WholeFile.replace(holder, JsonText.of(self).getBytes(StandardCharsets.UTF_8));
+      AtomicFileWriter.replace(holder, JsonWriter.of(self).getBytes(StandardCharsets.UTF_8));
       return new SessionLock(channel, lock, holder);
     } catch (IOException e) {
       channel.close();

@@ -4,10 +4,10 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.Random;
 import org.selectiverenderer.experiment.questionnaire.Answer;
-import org.selectiverenderer.experiment.questionnaire.Page;
+import org.selectiverenderer.experiment.questionnaire.ParticipantMessages;
 import org.selectiverenderer.experiment.questionnaire.Question;
 import org.selectiverenderer.experiment.questionnaire.Questionnaire;
-import org.selectiverenderer.experiment.questionnaire.Wording;
+import org.selectiverenderer.experiment.questionnaire.QuestionnairePage;
 
 /**
  * A simulated participant for unattended sessions. The answers are random, but depend on the truth,
@@ -21,9 +21,9 @@ public final class SimulatedParticipant {
   private static final int SPREAD = 4000;
 
   private final Random random;
-  private final Wording wording;
+  private final ParticipantMessages wording;
 
-  public SimulatedParticipant(long seed, String participant, Wording wording) {
+  public SimulatedParticipant(long seed, String participant, ParticipantMessages wording) {
     random = new Random((seed ^ participant.hashCode()) * 0x9E3779B97F4A7C15L);
     this.wording = wording;
   }
@@ -31,7 +31,7 @@ public final class SimulatedParticipant {
   /** Receives the answers. */
   public interface Listener {
     /** A page was reached. */
-    void page(Page page, Map<String, Answer> answers) throws java.io.IOException;
+    void page(QuestionnairePage page, Map<String, Answer> answers) throws java.io.IOException;
 
     /**
      * A question was answered.
@@ -52,7 +52,7 @@ public final class SimulatedParticipant {
   public void answer(Questionnaire questionnaire, Map<String, Answer> known, Listener listener)
       throws java.io.IOException {
     Map<String, Answer> answers = new HashMap<>(known);
-    for (Page page : questionnaire.pages()) {
+    for (QuestionnairePage page : questionnaire.pages()) {
       if (!questionnaire.shown(answers).contains(page)) {
         continue;
       }

@@ -7,10 +7,10 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.experiment.questionnaire.ParticipantMessages;
 import org.selectiverenderer.experiment.questionnaire.Questionnaire;
-import org.selectiverenderer.experiment.questionnaire.Wording;
 import org.selectiverenderer.experiment.study.Study;
 import org.selectiverenderer.experiment.study.StudyQuestionnaires.Moment;
 import org.selectiverenderer.experiment.study.StudyReader;
@@ -21,7 +21,8 @@ import org.selectiverenderer.experiment.study.StudyReader;
  * @param form consent and questions about the person; the questionnaire of the step {@code form}
  * @param asked all other questionnaires, in the study's order
  */
-public record StudyMaterial(Study study, Questionnaire form, List<Asked> asked, Wording wording) {
+public record StudyMaterial(
+    Study study, Questionnaire form, List<Asked> asked, ParticipantMessages wording) {
 
   /** A questionnaire with the moment at which it is asked. */
   public record Asked(Questionnaire questionnaire, Moment moment) {
@@ -40,16 +41,19 @@ public record StudyMaterial(Study study, Questionnaire form, List<Asked> asked, 
    * @return empty if there are faults, which are then in {@code problems}
    * @throws IOException if a file cannot be read
    */
-  public static Optional<StudyMaterial> read(Path file, Problems problems) throws IOException {
+  public static Optional<StudyMaterial> read(Path file, ProblemCollector problems)
+      throws IOException {
     Optional<Study> study = StudyReader.read(file, problems);
     if (study.isEmpty()) {
       return Optional.empty();
     }
-    Optional<Wording> wording = Wording.of(study.get().language(), study.get().folder(), problems);
+    Optional<ParticipantMessages> wording =
+        ParticipantMessages.of(study.get().language(), study.get().folder(), problems);
     if (wording.isEmpty()) {
       return Optional.empty();
     }
-    QuestionnairesOfStudy all = new QuestionnairesOfStudy(study.get(), wording.get(), problems);
+    StudyQuestionnaireLoader all =
+        new StudyQuestionnaireLoader(study.get(), wording.get(), problems);
     Optional<Questionnaire> form = all.form();
     Optional<List<Asked>> asked = all.asked();
     if (form.isEmpty() || asked.isEmpty()) {
@@ -76,23 +80,23 @@ public record StudyMaterial(Study study, Questionnaire form, List<Asked> asked, 
   }
 
   /** Warns if the study wants questions inside the headset but has no scene to show them in. */
-  private void tellDesk(Problems problems) {
+  private void tellDesk(ProblemCollector problems) {
     if (study.display().worn().asked() && scenery().isEmpty()) {
       problems.warning(
-          Location.of(study.file().toString()),
+          SourceLocation.of(study.file().toString()),
           "questions in the headset need the study's \"scene\" or \"practice\" as background, and"
               + " there is neither; all questions are asked at the desk");
     }
   }
 
   /** Checks that the ids of the steps, and their BIDS labels, are unique. */
-  private boolean distinct(Problems problems) {
+  private boolean distinct(ProblemCollector problems) {
     Map<String, String> ids = new HashMap<>();
     for (SessionStep step : steps()) {
       String other = ids.put(SessionFolder.label(step.id()), step.id());
       if (other != null) {
         problems.error(
-            Location.of(study.file().toString()),
+            SourceLocation.of(study.file().toString()),
             (other.equals(step.id())
                     ? "two steps of a session would have the id %s; give one of the questionnaires"
                         + " another \"name\". The study is not used"

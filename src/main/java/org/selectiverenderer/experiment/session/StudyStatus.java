@@ -8,10 +8,10 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
-import org.selectiverenderer.base.decimal.Counted;
-import org.selectiverenderer.base.json.JsonText;
+import org.selectiverenderer.base.decimal.Pluralizer;
 import org.selectiverenderer.base.json.JsonTree;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.json.JsonWriter;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.control.Condition;
 
 /**
@@ -72,7 +72,8 @@ public record StudyStatus(String study, int planned, List<Row> sessions, List<Gr
    * @param problems receives the damage of journals
    * @throws IOException if a file cannot be read
    */
-  public static StudyStatus of(StudyMaterial material, Problems problems) throws IOException {
+  public static StudyStatus of(StudyMaterial material, ProblemCollector problems)
+      throws IOException {
     List<Row> rows = new ArrayList<>();
     Set<String> finished = new HashSet<>();
     Set<String> counting = new HashSet<>();
@@ -88,11 +89,11 @@ public record StudyStatus(String study, int planned, List<Row> sessions, List<Gr
         }
       }
     }
-    List<Participants.Assigned> assigned = new Participants(material.study()).all();
+    List<ParticipantsFile.Assigned> assigned = new ParticipantsFile(material.study()).all();
     List<Group> groups = new ArrayList<>();
     int count = material.study().conditions().size();
     for (Condition condition : material.study().conditions()) {
-      List<Participants.Assigned> members =
+      List<ParticipantsFile.Assigned> members =
           assigned.stream().filter(member -> member.condition() == condition).toList();
       groups.add(
           new Group(
@@ -105,7 +106,7 @@ public record StudyStatus(String study, int planned, List<Row> sessions, List<Gr
     return new StudyStatus(material.study().name(), material.study().participants(), rows, groups);
   }
 
-  private static int among(List<Participants.Assigned> members, Set<String> participants) {
+  private static int among(List<ParticipantsFile.Assigned> members, Set<String> participants) {
     return (int)
         members.stream().filter(member -> participants.contains(member.participant())).count();
   }
@@ -158,7 +159,7 @@ public record StudyStatus(String study, int planned, List<Row> sessions, List<Gr
           String.format(
               Locale.ROOT,
               "%n%s, %d finished%n%-14s %-10s %-10s %s%n",
-              Counted.of(sessions.size(), "session"),
+              Pluralizer.of(sessions.size(), "session"),
               finished,
               "session",
               "condition",
@@ -222,6 +223,6 @@ public record StudyStatus(String study, int planned, List<Row> sessions, List<Gr
               flags.addObject().put("flag", raised.flag().spelling()).put("step", raised.step()));
       node.put("excluded", row.excluded);
     }
-    return JsonText.of(root);
+    return JsonWriter.of(root);
   }
 }

@@ -5,9 +5,9 @@ import java.util.List;
 import java.util.Optional;
 import org.selectiverenderer.control.Condition;
 import org.selectiverenderer.hmd.DisplayMode;
-import org.selectiverenderer.runtime.walk.MouseMapping;
+import org.selectiverenderer.runtime.navigation.MouseMapping;
 import org.selectiverenderer.tracker.TrackerSpec;
-import org.selectiverenderer.x3d.files.ContentAccess;
+import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 
 /**
  * A study as the study file defines it. Paths of files are resolved against the study file's
@@ -35,7 +35,7 @@ public record Study(
     Optional<Path> scene,
     List<Condition> conditions,
     int participants,
-    Assignment assignment,
+    ConditionAssignment assignment,
     int block,
     long seed,
     Optional<Practice> practice,
@@ -46,10 +46,10 @@ public record Study(
     MouseMapping mouse,
     String language,
     StudyQuestionnaires questionnaires,
-    StudyQuality quality,
-    StudyCourse course,
+    QualityCriteria quality,
+    StudyProcedure course,
     StudyStreams streams,
-    ContentAccess access,
+    ContentAccessPolicy access,
     boolean mute) {
 
   public Study {
@@ -73,11 +73,11 @@ public record Study(
       String name,
       String viewpoint,
       double seconds,
-      Optional<Stay> stay,
+      Optional<MovementConstraint> stay,
       Optional<String> within) {}
 
   /** Returns the movement constraint of an area. */
-  public Stay stay(Area area) {
+  public MovementConstraint stay(Area area) {
     return area.stay().orElse(course.stay());
   }
 
@@ -100,7 +100,7 @@ public record Study(
       int width,
       int height,
       Optional<String> operator,
-      PointerPlace pointer,
+      PointerConfinement pointer,
       Worn worn) {}
 
   /**

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import org.selectiverenderer.experiment.questionnaire.ItemsKind;
+import org.selectiverenderer.experiment.questionnaire.ItemQuestionnaireKind;
 
 /**
  * The questionnaires that a study refers to.
@@ -23,7 +23,7 @@ public record StudyQuestionnaires(Optional<Path> form, List<Source> list) {
   /** The source of a questionnaire's questions. */
   public sealed interface Content {
     /** A table of items, with one question about each object, by area. */
-    record Items(ItemsKind kind, Path file) implements Content {}
+    record Items(ItemQuestionnaireKind kind, Path file) implements Content {}
 
     /** A JSON file of the study's author. */
     record Own(Path file) implements Content {}

@@ -5,9 +5,9 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import org.selectiverenderer.base.json.JsonMembers;
-import org.selectiverenderer.base.problem.Spelling;
-import org.selectiverenderer.experiment.questionnaire.ItemsKind;
+import org.selectiverenderer.base.json.JsonObjectReader;
+import org.selectiverenderer.base.problem.SpellingSuggester;
+import org.selectiverenderer.experiment.questionnaire.ItemQuestionnaireKind;
 import org.selectiverenderer.experiment.questionnaire.read.StandardScales;
 import org.selectiverenderer.experiment.study.StudyQuestionnaires.Content;
 import org.selectiverenderer.experiment.study.StudyQuestionnaires.Moment;
@@ -28,7 +28,7 @@ final class StudyQuestionnairesReader {
   /** Resolves the files that a study refers to. */
   interface FileOfKey {
     /** Returns the file with a name that is the value of a key; reports a missing file. */
-    Path find(JsonMembers keys, String key, String name);
+    Path find(JsonObjectReader keys, String key, String name);
   }
 
   /**
@@ -37,13 +37,13 @@ final class StudyQuestionnairesReader {
    * @param areas whether the study has areas
    * @param practice whether it has a practice
    */
-  StudyQuestionnaires read(JsonMembers keys, boolean areas, boolean practice) {
+  StudyQuestionnaires read(JsonObjectReader keys, boolean areas, boolean practice) {
     return new StudyQuestionnaires(
         keys.text("form", false).map(name -> files.find(keys, "form", name)),
         keys.objects("questionnaires", "a questionnaire", each -> source(each, areas, practice)));
   }
 
-  private Source source(JsonMembers keys, boolean areas, boolean practice) {
+  private Source source(JsonObjectReader keys, boolean areas, boolean practice) {
     Moment moment = keys.choice("when", List.of(Moment.values()), Moment::spelling, Moment.END);
     if (moment == Moment.AFTER_AREA && !areas) {
       keys.fault("when", "the study has no areas to ask after");
@@ -76,7 +76,7 @@ final class StudyQuestionnairesReader {
             : Optional.empty();
   }
 
-  private Content content(JsonMembers keys) {
+  private Content content(JsonObjectReader keys) {
     boolean own = keys.has("file");
     boolean standard = keys.has("template");
     if ((own ? 1 : 0) + (standard ? 1 : 0) + (keys.has("kind") ? 1 : 0) > 1) {
@@ -93,12 +93,15 @@ final class StudyQuestionnairesReader {
       return new Content.Standard(template);
     }
     String kind = keys.text("kind");
-    List<String> kinds = List.of(ItemsKind.values()).stream().map(ItemsKind::spelling).toList();
+    List<String> kinds =
+        List.of(ItemQuestionnaireKind.values()).stream()
+            .map(ItemQuestionnaireKind::spelling)
+            .toList();
     if (!kind.isEmpty() && !kinds.contains(kind)) {
       keys.fault("kind", unknown("kind of questionnaire", kind, kinds));
     }
     return new Content.Items(
-        ItemsKind.values()[Math.max(0, kinds.indexOf(kind))],
+        ItemQuestionnaireKind.values()[Math.max(0, kinds.indexOf(kind))],
         files.find(keys, "items", keys.text("items")));
   }
 
@@ -107,7 +110,7 @@ final class StudyQuestionnairesReader {
         .formatted(
             what,
             name,
-            Spelling.nearest(name, known)
+            SpellingSuggester.nearest(name, known)
                 .map(near -> "; did you mean '%s'?".formatted(near))
                 .orElse(" (known: %s)".formatted(String.join(", ", known))));
   }

@@ -11,18 +11,18 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
-import org.selectiverenderer.base.decimal.Counted;
-import org.selectiverenderer.base.json.JsonMembers;
-import org.selectiverenderer.base.json.JsonSettings;
-import org.selectiverenderer.base.json.JsonValue;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.decimal.Pluralizer;
+import org.selectiverenderer.base.json.JsonObjectReader;
+import org.selectiverenderer.base.json.JsonSettingsReader;
+import org.selectiverenderer.base.json.LocatedJsonValue;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.control.Condition;
 import org.selectiverenderer.hmd.DisplayMode;
-import org.selectiverenderer.hmd.DisplayProfiles;
+import org.selectiverenderer.hmd.DisplayProfileLoader;
 import org.selectiverenderer.hmd.EyeGeometry;
-import org.selectiverenderer.runtime.walk.MouseMapping;
+import org.selectiverenderer.runtime.navigation.MouseMapping;
 import org.selectiverenderer.tracker.TrackerSpec;
-import org.selectiverenderer.x3d.files.AllowedKeys;
+import org.selectiverenderer.x3d.url.ContentAccessKeys;
 
 /**
  * Reads a study file. Every fault (an unknown key, an invalid value, a missing file) is an error
@@ -34,7 +34,8 @@ public final class StudyReader {
   private static final int MOST_PARTICIPANTS = 100_000;
 
   private static final double LONGEST = 36_000;
-  private static final JsonSettings JSON = new JsonSettings("a study", "the study is not used");
+  private static final JsonSettingsReader JSON =
+      new JsonSettingsReader("a study", "the study is not used");
   private static final String LABEL = "[0-9A-Za-z]+";
 
   private final Path file;
@@ -51,11 +52,11 @@ public final class StudyReader {
    * @return empty if the file has faults, which are then in {@code problems}
    * @throws IOException if the file cannot be read
    */
-  public static Optional<Study> read(Path file, Problems problems) throws IOException {
+  public static Optional<Study> read(Path file, ProblemCollector problems) throws IOException {
     return JSON.read(file, problems, new StudyReader(file)::study);
   }
 
-  private Study study(JsonMembers keys) {
+  private Study study(JsonObjectReader keys) {
     List<Study.Area> areas = areas(keys);
     Optional<Path> scene =
         keys.text("scene", !areas.isEmpty()).map(name -> file(keys, "scene", name));
@@ -66,7 +67,7 @@ public final class StudyReader {
           "participants",
           "%s %s fewer than the %d groups"
               .formatted(
-                  Counted.of(participants, "participant"),
+                  Pluralizer.of(participants, "participant"),
                   participants == 1 ? "is" : "are",
                   conditions.size()));
     }
@@ -78,10 +79,13 @@ public final class StudyReader {
           "a block of %d participants cannot contain %d conditions equally often"
               .formatted(block, groups));
     }
-    Assignment assignment =
+    ConditionAssignment assignment =
         keys.choice(
-            "assignment", List.of(Assignment.values()), Assignment::spelling, Assignment.BLOCKED);
-    if (assignment == Assignment.LATIN_SQUARE && block != groups) {
+            "assignment",
+            List.of(ConditionAssignment.values()),
+            ConditionAssignment::spelling,
+            ConditionAssignment.BLOCKED);
+    if (assignment == ConditionAssignment.LATIN_SQUARE && block != groups) {
       keys.fault(
           "block",
           "a Latin square of %d conditions needs blocks of %d, not of %d"
@@ -110,10 +114,10 @@ public final class StudyReader {
             keys.text("language", false).orElse("en"),
             new StudyQuestionnairesReader(this::file)
                 .read(keys, !areas.isEmpty(), keys.has("practice")),
-            QualityReader.read(keys),
-            CourseReader.read(keys),
+            QualityCriteriaReader.read(keys),
+            StudyProcedureReader.read(keys),
             StudyStreamsReader.read(keys),
-            AllowedKeys.of(keys, file.toAbsolutePath()),
+            ContentAccessKeys.of(keys, file.toAbsolutePath()),
             keys.truth("mute", false));
     viewpoints(keys, study);
     if (areas.isEmpty() && study.questionnaires().list().isEmpty()) {
@@ -126,7 +130,7 @@ public final class StudyReader {
    * Checks that the text of the scene contains the DEFs of viewpoints and areas, so that a missing
    * one is found before the session.
    */
-  private void viewpoints(JsonMembers keys, Study study) {
+  private void viewpoints(JsonObjectReader keys, Study study) {
     study
         .scene()
         .ifPresent(
@@ -179,7 +183,7 @@ public final class StudyReader {
     }
   }
 
-  private Path file(JsonMembers keys, String key, String name) {
+  private Path file(JsonObjectReader keys, String key, String name) {
     Path found = folder.resolve(name).normalize();
     if (!Files.isRegularFile(found)) {
       keys.fault(key, "there is no file '" + name + "' relative to the study file");
@@ -187,9 +191,9 @@ public final class StudyReader {
     return found;
   }
 
-  private List<Condition> conditions(JsonMembers keys) {
+  private List<Condition> conditions(JsonObjectReader keys) {
     List<Condition> conditions = new ArrayList<>();
-    for (JsonValue value : keys.list("conditions", true)) {
+    for (LocatedJsonValue value : keys.list("conditions", true)) {
       Optional<Condition> found = Condition.of(value.toString());
       if (found.isEmpty()) {
         keys.fault(
@@ -207,7 +211,7 @@ public final class StudyReader {
     return conditions;
   }
 
-  private Optional<Study.Practice> practice(JsonMembers keys) {
+  private Optional<Study.Practice> practice(JsonObjectReader keys) {
     return keys.object(
         "practice",
         "practice",
@@ -217,7 +221,7 @@ public final class StudyReader {
                 practice.text("viewpoint", false).orElse("")));
   }
 
-  private List<Study.Area> areas(JsonMembers keys) {
+  private List<Study.Area> areas(JsonObjectReader keys) {
     Set<String> names = new HashSet<>();
     return keys.objects(
         "areas",
@@ -232,11 +236,15 @@ public final class StudyReader {
           String viewpoint = area.text("viewpoint");
           double seconds = area.number("seconds", 0.1, LONGEST, Double.NaN);
           return new Study.Area(
-              name, viewpoint, seconds, CourseReader.stay(area), area.text("within", false));
+              name,
+              viewpoint,
+              seconds,
+              StudyProcedureReader.stay(area),
+              area.text("within", false));
         });
   }
 
-  private Study.Display display(JsonMembers keys) {
+  private Study.Display display(JsonObjectReader keys) {
     return keys.object("display", "the display", this::shown)
         .orElse(
             new Study.Display(
@@ -246,11 +254,11 @@ public final class StudyReader {
                 0,
                 0,
                 Optional.empty(),
-                PointerPlace.AUTO,
+                PointerConfinement.AUTO,
                 Study.Worn.STANDING));
   }
 
-  private Study.Display shown(JsonMembers display) {
+  private Study.Display shown(JsonObjectReader display) {
     DisplayMode mode =
         display.choice(
             "mode",
@@ -262,7 +270,7 @@ public final class StudyReader {
             .text("hmd", false)
             .map(
                 name ->
-                    DisplayProfiles.builtIn(name).isPresent()
+                    DisplayProfileLoader.builtIn(name).isPresent()
                         ? name
                         : file(display, "hmd", name).toString())
             .orElse(mode == DisplayMode.WINDOW ? "desk" : "proview50");
@@ -275,12 +283,12 @@ public final class StudyReader {
         ipd,
         width,
         height,
-        CourseReader.operator(display),
-        CourseReader.pointer(display),
+        StudyProcedureReader.operator(display),
+        StudyProcedureReader.pointer(display),
         worn(display, mode));
   }
 
-  private static Study.Worn worn(JsonMembers display, DisplayMode mode) {
+  private static Study.Worn worn(JsonObjectReader display, DisplayMode mode) {
     for (String key : List.of("posture", "user_scale", "turn", "questions")) {
       if (display.has(key) && mode != DisplayMode.OPENXR) {
         display.fault(key, "\"%s\" needs \"mode\": \"openxr\"".formatted(key));
@@ -297,7 +305,7 @@ public final class StudyReader {
             "questions", List.of(false, true), each -> each ? "headset" : "desk", false));
   }
 
-  private TrackerSpec tracker(JsonMembers keys) {
+  private TrackerSpec tracker(JsonObjectReader keys) {
     String spec = keys.text("tracker", false).orElse("none");
     try {
       TrackerSpec tracker = TrackerSpec.parse(spec);
@@ -309,6 +317,26 @@ public final class StudyReader {
     } catch (IllegalArgumentException e) {
       keys.fault("tracker", String.valueOf(e.getMessage()));
       return new TrackerSpec.None();
+    }
+  }
+
+  /** Reads the key {@code streams} of a study. */
+  private static final class StudyStreamsReader {
+    private StudyStreamsReader() {}
+
+    static StudyStreams read(JsonObjectReader study) {
+      return study
+          .object("streams", "the streams", StudyStreamsReader::streams)
+          .orElse(StudyStreams.NONE);
+    }
+
+    private static StudyStreams streams(JsonObjectReader keys) {
+      for (LocatedJsonValue condition : keys.list("record", false)) {
+        if (condition.text().isPresent() && condition.text().get().isBlank()) {
+          keys.fault(condition, "a condition such as \"type='EEG'\" is needed, not an empty text");
+        }
+      }
+      return new StudyStreams(keys.truth("lsl", false), keys.texts("record"));
     }
   }
 }

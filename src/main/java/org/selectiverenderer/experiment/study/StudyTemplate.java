@@ -7,7 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
-import org.selectiverenderer.base.files.FileActions;
+import org.selectiverenderer.base.files.FileOperations;
 import org.selectiverenderer.base.files.FileTransaction;
 
 /**
@@ -48,11 +48,11 @@ public final class StudyTemplate {
    *     be written
    */
   public static Path write(Path folder, Path scene) throws IOException {
-    return write(folder, scene, FileActions.REAL);
+    return write(folder, scene, FileOperations.REAL);
   }
 
   /** Writes the folder with other file actions, for tests. */
-  static Path write(Path folder, Path scene, FileActions actions) throws IOException {
+  static Path write(Path folder, Path scene, FileOperations actions) throws IOException {
     Files.createDirectories(folder.resolve("pilot"));
     for (String name : FILES) {
       if (Files.exists(folder.resolve(name))) {

@@ -7,7 +7,7 @@ package org.selectiverenderer.experiment.threshold;
  * Snodgrass and Vanderwart picture set. Perceptual and Motor Skills 67, 3-36). The right name may
  * be a guess, so the next version must be named too; the threshold is the first of the two.
  */
-final class AscendingSeries implements PilotTrack {
+final class AscendingSeries implements AdaptiveTrack {
   private final PolygonLadder ladder;
   private int rung;
   private boolean named;

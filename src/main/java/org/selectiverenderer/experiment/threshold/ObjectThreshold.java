@@ -3,7 +3,7 @@ package org.selectiverenderer.experiment.threshold;
 import java.util.List;
 import java.util.Optional;
 import org.selectiverenderer.experiment.threshold.ThresholdEstimate.Kind;
-import org.selectiverenderer.statistics.distribution.Tails;
+import org.selectiverenderer.statistics.distribution.TailProbabilities;
 
 /**
  * The threshold of an object over participants. Means are those of logarithms, as the effect of
@@ -61,7 +61,8 @@ record ObjectThreshold(String object, int original, List<ThresholdEstimate> esti
     int n = logs.length;
     return n < 2
         ? Double.NaN
-        : Math.exp(Tails.tQuantile(CONFIDENCE, n - 1) * Math.sqrt(squares / (n - 1) / n));
+        : Math.exp(
+            TailProbabilities.tQuantile(CONFIDENCE, n - 1) * Math.sqrt(squares / (n - 1) / n));
   }
 
   /** Returns the lower end of the 95 % confidence interval. */

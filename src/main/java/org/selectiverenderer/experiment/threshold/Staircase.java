@@ -9,7 +9,7 @@ import java.util.List;
  * until they are one rung. The threshold is the geometric mean of the polygons at the last
  * reversals.
  */
-final class Staircase implements PilotTrack {
+final class Staircase implements AdaptiveTrack {
   /**
    * Number of consecutive steps beyond an end of the ladder that end the staircase: an observer who
    * only guesses passes the ten trials of a two-down rule once in a thousand times.

@@ -11,8 +11,8 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.experiment.threshold.ThresholdEstimate.Kind;
 
 /**
@@ -34,7 +34,8 @@ public record ThresholdResults(
    *     not over
    * @throws IOException if a log cannot be read
    */
-  public static ThresholdResults read(ThresholdStudy study, Problems problems) throws IOException {
+  public static ThresholdResults read(ThresholdStudy study, ProblemCollector problems)
+      throws IOException {
     List<JsonNode> counting = new ArrayList<>();
     Map<String, List<String>> shown = new LinkedHashMap<>();
     int participants = 0;
@@ -55,7 +56,7 @@ public record ThresholdResults(
     }
     if (shown.size() > 1) {
       problems.warning(
-          Location.of(study.file().toString()),
+          SourceLocation.of(study.file().toString()),
           ("the settings or the pictures were changed between participants (%s); their results"
                   + " are not comparable, and should not be averaged")
               .formatted(
@@ -84,13 +85,13 @@ public record ThresholdResults(
   }
 
   private static boolean attends(
-      ThresholdStudy study, Path folder, List<JsonNode> events, Problems problems) {
+      ThresholdStudy study, Path folder, List<JsonNode> events, ProblemCollector problems) {
     List<JsonNode> catches =
         events.stream().filter(event -> is(event, "trial") && event.has("catch")).toList();
     long right = catches.stream().filter(event -> event.path("correct").asBoolean()).count();
     if (right < study.attention() * catches.size()) {
       problems.warning(
-          Location.of(TrialLog.of(folder).toString()),
+          SourceLocation.of(TrialLog.of(folder).toString()),
           ("%s is left out: of %d catch trials %d were answered right, but \"attention\" requires"
                   + " a share of %s")
               .formatted(folder.getFileName(), catches.size(), right, study.attention()));
@@ -98,7 +99,7 @@ public record ThresholdResults(
     }
     if (events.stream().noneMatch(event -> is(event, "pilot-finished"))) {
       problems.warning(
-          Location.of(TrialLog.of(folder).toString()),
+          SourceLocation.of(TrialLog.of(folder).toString()),
           "the trials of %s are not finished; objects with a threshold count; --resume continues"
               .formatted(folder.getFileName()));
     }

@@ -8,7 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 
 /**
  * A running session of a participant in a threshold pilot, logged in {@code threshold/sub-ID}
@@ -18,13 +18,13 @@ import org.selectiverenderer.base.problem.Problems;
 public final class ThresholdSession implements AutoCloseable {
   private final ThresholdStudy study;
   private final Map<String, PolygonLadder> ladders;
-  private final ThresholdPilot pilot;
+  private final InterleavedTracks pilot;
   private final TrialLog log;
 
   private ThresholdSession(
       ThresholdStudy study,
       Map<String, PolygonLadder> ladders,
-      ThresholdPilot pilot,
+      InterleavedTracks pilot,
       TrialLog log) {
     this.study = study;
     this.ladders = ladders;
@@ -53,7 +53,10 @@ public final class ThresholdSession implements AutoCloseable {
    *     or a file cannot be written
    */
   public static ThresholdSession open(
-      ThresholdStudy study, Map<String, PolygonLadder> ladders, Opening opening, Problems problems)
+      ThresholdStudy study,
+      Map<String, PolygonLadder> ladders,
+      Opening opening,
+      ProblemCollector problems)
       throws IOException {
     Path folder = folder(study, opening.participant());
     boolean there = Files.isRegularFile(TrialLog.of(folder));
@@ -63,7 +66,7 @@ public final class ThresholdSession implements AutoCloseable {
     if (!there && opening.resume()) {
       throw new IOException(folder + " has no pilot to continue; leave --resume out");
     }
-    ThresholdPilot pilot = new ThresholdPilot(study, ladders, opening.participant());
+    InterleavedTracks pilot = new InterleavedTracks(study, ladders, opening.participant());
     TrialLog log = TrialLog.open(folder, opening.software(), problems);
     try {
       List<JsonNode> events = log.events();
@@ -119,7 +122,8 @@ public final class ThresholdSession implements AutoCloseable {
     }
   }
 
-  private static void replay(Path folder, ThresholdPilot pilot, JsonNode event) throws IOException {
+  private static void replay(Path folder, InterleavedTracks pilot, JsonNode event)
+      throws IOException {
     Optional<ThresholdTrial> next = pilot.next();
     if (next.isEmpty()
         || next.get().number() != event.path("number").asInt()
@@ -159,7 +163,7 @@ public final class ThresholdSession implements AutoCloseable {
   }
 
   /** Returns the trials so far. */
-  public ThresholdPilot pilot() {
+  public InterleavedTracks pilot() {
     return pilot;
   }
 

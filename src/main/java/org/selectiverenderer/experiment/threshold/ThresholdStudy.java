@@ -2,7 +2,7 @@ package org.selectiverenderer.experiment.threshold;
 
 import java.nio.file.Path;
 import java.util.List;
-import org.selectiverenderer.x3d.files.ContentAccess;
+import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 
 /**
  * The settings of a threshold pilot.
@@ -34,7 +34,7 @@ public record ThresholdStudy(
     double attention,
     long seed,
     String language,
-    ContentAccess access) {
+    ContentAccessPolicy access) {
 
   /**
    * An object that is judged.

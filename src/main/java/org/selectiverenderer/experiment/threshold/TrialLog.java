@@ -13,12 +13,12 @@ import java.time.temporal.ChronoUnit;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.selectiverenderer.base.files.Disk;
+import org.selectiverenderer.base.files.DiskSync;
 import org.selectiverenderer.base.json.JsonTree;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.base.problem.Problems;
-import org.selectiverenderer.experiment.session.JournalMending;
-import org.selectiverenderer.experiment.session.JournalText;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.experiment.session.JournalContent;
+import org.selectiverenderer.experiment.session.JournalRecovery;
 import org.selectiverenderer.experiment.session.SessionLock;
 
 /**
@@ -52,19 +52,19 @@ final class TrialLog implements AutoCloseable {
    * @param problems receives damaged lines; a truncated last line is moved to a separate file
    * @throws IOException if another program has the lock, or a file cannot be written
    */
-  static TrialLog open(Path folder, String software, Problems problems) throws IOException {
+  static TrialLog open(Path folder, String software, ProblemCollector problems) throws IOException {
     Files.createDirectories(folder);
     Path file = of(folder);
     SessionLock lock = SessionLock.take(folder, software);
     try {
       Optional<Map<String, Object>> mended =
-          Files.isRegularFile(file) ? JournalMending.mend(file, problems) : Optional.empty();
+          Files.isRegularFile(file) ? JournalRecovery.mend(file, problems) : Optional.empty();
       TrialLog log =
           new TrialLog(
               file,
               lock,
               FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.APPEND));
-      Disk.forceFolder(folder);
+      DiskSync.forceFolder(folder);
       if (mended.isPresent()) {
         log.keep("journal-mended", mended.get());
       }
@@ -82,7 +82,7 @@ final class TrialLog implements AutoCloseable {
     line.put("event", event);
     more.forEach((key, value) -> line.set(key, JsonTree.of(value)));
     try {
-      Disk.write(channel, (line + "\n").getBytes(StandardCharsets.UTF_8));
+      DiskSync.write(channel, (line + "\n").getBytes(StandardCharsets.UTF_8));
       channel.force(false);
     } catch (IOException e) {
       throw new IOException(file + ": an answer could not be written: " + e.getMessage(), e);
@@ -91,7 +91,7 @@ final class TrialLog implements AutoCloseable {
 
   /** Returns the events so far, in order. */
   List<JsonNode> events() throws IOException {
-    return List.copyOf(JournalText.read(file).events());
+    return List.copyOf(JournalContent.read(file).events());
   }
 
   /**
@@ -100,13 +100,13 @@ final class TrialLog implements AutoCloseable {
    * @param problems receives damaged lines, which are skipped
    * @throws IOException if the log cannot be read
    */
-  static List<JsonNode> read(Path folder, Problems problems) throws IOException {
+  static List<JsonNode> read(Path folder, ProblemCollector problems) throws IOException {
     Path file = of(folder);
-    JournalText text = JournalText.read(file);
-    JournalMending.tellDamaged(file, text, problems);
+    JournalContent text = JournalContent.read(file);
+    JournalRecovery.tellDamaged(file, text, problems);
     if (text.tail() > 0) {
       problems.warning(
-          new Location(file.toString(), text.lines() + 1, 1),
+          new SourceLocation(file.toString(), text.lines() + 1, 1),
           "the last line is cut off and is ignored; --resume repairs the file");
     }
     return List.copyOf(text.events());

@@ -15,10 +15,10 @@
  * <p>The data flow:
  *
  * <pre>
- *  threshold.json, read by {@code ThresholdReader}: ThresholdStudy
+ *  threshold.json, read by {@code ThresholdStudyReader}: ThresholdStudy
  *  + versions of each object: {@code PolygonLadder}
  *  + answers so far in sub-ID/trials.jsonl: TrialLog
- *    --> {@code ThresholdPilot} --next--> ThresholdTrial
+ *    --> {@code InterleavedTracks} --next--> ThresholdTrial
  *    --> response by window or SimulatedObserver --> TrialLog
  *  TrialLog of all participants --> ThresholdResults --> table, versions commands
  * </pre>

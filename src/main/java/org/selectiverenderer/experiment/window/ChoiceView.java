@@ -18,7 +18,7 @@ import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 import javax.swing.SwingConstants;
 import org.selectiverenderer.experiment.questionnaire.AnswerField;
-import org.selectiverenderer.experiment.questionnaire.Option;
+import org.selectiverenderer.experiment.questionnaire.ChoiceOption;
 
 /**
  * Shows a choice: as toggle buttons side by side between the labels of the ends, or as a vertical
@@ -41,7 +41,8 @@ final class ChoiceView implements FieldView {
    * @param id id of the question, for the names of the buttons
    * @param asked the question's text, for the accessible names of the buttons
    */
-  ChoiceView(AnswerField.Choice field, String id, String asked, RowShape shape, Listener listener) {
+  ChoiceView(
+      AnswerField.Choice field, String id, String asked, RowMetrics shape, Listener listener) {
     this.field = field;
     this.listener = listener;
     panel.setOpaque(false);
@@ -49,7 +50,7 @@ final class ChoiceView implements FieldView {
       panel.setLayout(new BoxLayout(panel, BoxLayout.Y_AXIS));
       field.options().forEach(option -> panel.add(named(listed(option), option, id, asked)));
     } else {
-      panel.setLayout(new FlowLayout(FlowLayout.LEFT, RowShape.GAP, 0));
+      panel.setLayout(new FlowLayout(FlowLayout.LEFT, RowMetrics.GAP, 0));
       boolean ends = shape.beside() || !field.least().isEmpty() || !field.most().isEmpty();
       end(field.least(), ends ? shape.least() : 0, SwingConstants.RIGHT);
       field.options().forEach(option -> panel.add(inLine(option, id, asked, shape)));
@@ -65,8 +66,8 @@ final class ChoiceView implements FieldView {
 
   private void end(String text, int width, int side) {
     if (width > 0) {
-      JLabel label = new ScreenText.Label();
-      label.setText(RowShape.wrapped(text, width, side));
+      JLabel label = new HiDpiComponents.Label();
+      label.setText(RowMetrics.wrapped(text, width, side));
       label.setHorizontalAlignment(side);
       Dimension size = label.getPreferredSize();
       label.setPreferredSize(new Dimension(width, size.height));
@@ -74,10 +75,11 @@ final class ChoiceView implements FieldView {
     }
   }
 
-  private JComponent inLine(Option option, String id, String asked, RowShape shape) {
-    JToggleButton button = named(new ScreenText.Button(option.label()), option, id, asked);
+  private JComponent inLine(ChoiceOption option, String id, String asked, RowMetrics shape) {
+    JToggleButton button = named(new HiDpiComponents.Button(option.label()), option, id, asked);
     button.putClientProperty(FlatClientProperties.STYLE, CHOSEN);
-    button.setPreferredSize(new Dimension(RowShape.width(field, button), RowShape.BUTTON_HEIGHT));
+    button.setPreferredSize(
+        new Dimension(RowMetrics.width(field, button), RowMetrics.BUTTON_HEIGHT));
     if (option.note().isEmpty()) {
       return button;
     }
@@ -88,15 +90,15 @@ final class ChoiceView implements FieldView {
     JPanel noted = new JPanel(new BorderLayout());
     noted.setOpaque(false);
     noted.add(button, BorderLayout.NORTH);
-    noted.add(RowShape.note(option.note(), RowShape.width(field, button)), BorderLayout.CENTER);
+    noted.add(RowMetrics.note(option.note(), RowMetrics.width(field, button)), BorderLayout.CENTER);
     return noted;
   }
 
-  private JToggleButton listed(Option option) {
+  private JToggleButton listed(ChoiceOption option) {
     JToggleButton button =
         field.several()
-            ? new ScreenText.CheckBox(option.label())
-            : new ScreenText.RadioButton(option.label());
+            ? new HiDpiComponents.CheckBox(option.label())
+            : new HiDpiComponents.RadioButton(option.label());
     button.setFont(button.getFont().deriveFont(Font.PLAIN, 15f));
     button.setBorder(BorderFactory.createEmptyBorder(4, 4, 4, 4));
     button.setIconTextGap(10);
@@ -105,7 +107,8 @@ final class ChoiceView implements FieldView {
     return button;
   }
 
-  private <T extends JToggleButton> T named(T button, Option option, String id, String asked) {
+  private <T extends JToggleButton> T named(
+      T button, ChoiceOption option, String id, String asked) {
     button.getAccessibleContext().setAccessibleName(asked + ": " + option.label());
     button.setName(id + ":" + option.value());
     button.setActionCommand(option.value());
@@ -172,6 +175,6 @@ final class ChoiceView implements FieldView {
 
   /** Returns the space between two fields of a row. */
   static JComponent gap() {
-    return (JComponent) Box.createHorizontalStrut(RowShape.FIELD_GAP);
+    return (JComponent) Box.createHorizontalStrut(RowMetrics.FIELD_GAP);
   }
 }

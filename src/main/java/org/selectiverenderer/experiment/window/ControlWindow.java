@@ -24,7 +24,7 @@ import javax.swing.JToggleButton;
 import javax.swing.KeyStroke;
 import javax.swing.Timer;
 import javax.swing.WindowConstants;
-import org.selectiverenderer.experiment.session.OperatorControls;
+import org.selectiverenderer.experiment.session.ExperimenterControls;
 
 /**
  * The experimenter's control window: state of the session, go on, pause, reset of the heading,
@@ -32,7 +32,7 @@ import org.selectiverenderer.experiment.session.OperatorControls;
  * windows.
  */
 public final class ControlWindow implements AutoCloseable {
-  private final OperatorControls controls;
+  private final ExperimenterControls controls;
   private final JFrame frame;
   private final JLabel status = new JLabel(" ");
   private final JTextArea notes = new JTextArea(8, 40);
@@ -41,7 +41,7 @@ public final class ControlWindow implements AutoCloseable {
   private final Timer refresh;
   private boolean asking;
 
-  private ControlWindow(OperatorControls controls, DesktopPlace desk) {
+  private ControlWindow(ExperimenterControls controls, MonitorBounds desk) {
     this.controls = controls;
     frame = new JFrame("Session", desk.configuration());
     status.setName("status");
@@ -50,7 +50,7 @@ public final class ControlWindow implements AutoCloseable {
     notes.setEditable(false);
     frame.setName("controls");
     frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
-    frame.addWindowListener(new ClosingAsks(this::abort));
+    frame.addWindowListener(new CloseInterceptor(this::abort));
     controls.questioner(() -> EventQueue.invokeLater(this::abort));
     frame.add(status, BorderLayout.NORTH);
     frame.add(new JScrollPane(notes), BorderLayout.CENTER);
@@ -58,7 +58,7 @@ public final class ControlWindow implements AutoCloseable {
     below.add(writing(), BorderLayout.NORTH);
     below.add(buttons(), BorderLayout.SOUTH);
     frame.add(below, BorderLayout.SOUTH);
-    PackedWindow.pack(frame);
+    WindowPacker.pack(frame);
     // In a corner, so that a single monitor shows it beside the participant's window.
     Rectangle most = desk.area();
     frame.setLocation(
@@ -146,8 +146,8 @@ public final class ControlWindow implements AutoCloseable {
    *
    * @param desk the operator's monitor
    */
-  public static ControlWindow open(OperatorControls controls, DesktopPlace desk) {
-    return Waiting.onSwing(
+  public static ControlWindow open(ExperimenterControls controls, MonitorBounds desk) {
+    return BlockingWindow.onSwing(
         () -> {
           ControlWindow window = new ControlWindow(controls, desk);
           window.frame.setVisible(true);
@@ -195,7 +195,7 @@ public final class ControlWindow implements AutoCloseable {
 
   @Override
   public void close() {
-    Waiting.onSwing(
+    BlockingWindow.onSwing(
         () -> {
           refresh.stop();
           frame.dispose();

@@ -17,18 +17,18 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.SwingUtilities;
 import org.selectiverenderer.experiment.questionnaire.Answer;
-import org.selectiverenderer.experiment.questionnaire.Page;
+import org.selectiverenderer.experiment.questionnaire.ParticipantMessages;
 import org.selectiverenderer.experiment.questionnaire.Question;
-import org.selectiverenderer.experiment.questionnaire.QuestionnaireCourse;
-import org.selectiverenderer.experiment.questionnaire.Wording;
+import org.selectiverenderer.experiment.questionnaire.QuestionnairePage;
+import org.selectiverenderer.experiment.questionnaire.QuestionnaireProgress;
 
 /**
  * Shows the questions of a page as rows. Keys answer the current row; when it is complete, the next
  * open row becomes current. Records when each question comes into view.
  */
 final class PagePanel implements QuestionRow.Listener {
-  private final Page page;
-  private final QuestionnaireCourse course;
+  private final QuestionnairePage page;
+  private final QuestionnaireProgress course;
   private final Runnable answered;
   private final List<QuestionRow> rows = new ArrayList<>();
   private final Map<QuestionRow, Long> typed = new HashMap<>();
@@ -40,14 +40,19 @@ final class PagePanel implements QuestionRow.Listener {
    * @param width available width in pixels
    * @param answered runs after each change of an answer
    */
-  PagePanel(Page page, QuestionnaireCourse course, Wording wording, int width, Runnable answered) {
+  PagePanel(
+      QuestionnairePage page,
+      QuestionnaireProgress course,
+      ParticipantMessages wording,
+      int width,
+      Runnable answered) {
     this.page = page;
     this.course = course;
     this.answered = answered;
     JPanel list = new JPanel();
     list.setOpaque(false);
     list.setLayout(new BoxLayout(list, BoxLayout.Y_AXIS));
-    RowShape shape = RowShape.of(page, wording);
+    RowMetrics shape = RowMetrics.of(page, wording);
     for (Question question : page.questions()) {
       int number = rows.size();
       QuestionRow row =

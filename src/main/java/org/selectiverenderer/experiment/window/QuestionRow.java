@@ -13,8 +13,8 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import org.selectiverenderer.experiment.questionnaire.Answer;
 import org.selectiverenderer.experiment.questionnaire.AnswerField;
+import org.selectiverenderer.experiment.questionnaire.ParticipantMessages;
 import org.selectiverenderer.experiment.questionnaire.Question;
-import org.selectiverenderer.experiment.questionnaire.Wording;
 
 /** The row of a question with its fields. Depends on fields, not on kinds of questions. */
 final class QuestionRow {
@@ -35,7 +35,7 @@ final class QuestionRow {
   }
 
   private final Question question;
-  private final Wording wording;
+  private final ParticipantMessages wording;
   private final Listener listener;
   private final JPanel panel = new JPanel();
   private final List<FieldView> views = new ArrayList<>();
@@ -47,8 +47,8 @@ final class QuestionRow {
   QuestionRow(
       Question question,
       Answer known,
-      Wording wording,
-      RowShape shape,
+      ParticipantMessages wording,
+      RowMetrics shape,
       int width,
       Listener listener) {
     this.question = question;
@@ -69,7 +69,7 @@ final class QuestionRow {
     current(false);
   }
 
-  private FieldView view(AnswerField field, RowShape shape, boolean first) {
+  private FieldView view(AnswerField field, RowMetrics shape, boolean first) {
     FieldView.Listener told =
         (value, settled) ->
             change(
@@ -78,7 +78,7 @@ final class QuestionRow {
                     : answer.confidence(value.isEmpty() ? 0 : Integer.parseInt(value)),
                 settled);
     if (field instanceof AnswerField.Line line) {
-      return new LineView(line, question.id(), spoken(), told, () -> listener.touched(this));
+      return new TextFieldView(line, question.id(), spoken(), told, () -> listener.touched(this));
     }
     return new ChoiceView((AnswerField.Choice) field, question.id(), spoken(), shape, told);
   }
@@ -91,24 +91,24 @@ final class QuestionRow {
         : question.text();
   }
 
-  private void layBeside(RowShape shape) {
+  private void layBeside(RowMetrics shape) {
     panel.setLayout(new BoxLayout(panel, BoxLayout.X_AXIS));
     panel.setBorder(BorderFactory.createEmptyBorder(5, 12, 5, 12));
-    panel.add(Box.createRigidArea(new Dimension(0, RowShape.BUTTON_HEIGHT)));
+    panel.add(Box.createRigidArea(new Dimension(0, RowMetrics.BUTTON_HEIGHT)));
     if (shape.name() == 0) {
       panel.add(Box.createHorizontalGlue()); // Without a question text, centre the scale.
     } else {
-      JLabel name = new ScreenText.Label();
+      JLabel name = new HiDpiComponents.Label();
       name.setFont(name.getFont().deriveFont(16f));
       boolean fits =
           name.getFontMetrics(name.getFont()).stringWidth(question.text()) <= shape.name() - 8;
       name.setText(
           fits
               ? question.text()
-              : RowShape.wrapped(question.text(), shape.name() - 8, JLabel.LEFT));
+              : RowMetrics.wrapped(question.text(), shape.name() - 8, JLabel.LEFT));
       Dimension size =
           new Dimension(
-              shape.name(), Math.max(RowShape.BUTTON_HEIGHT, name.getPreferredSize().height));
+              shape.name(), Math.max(RowMetrics.BUTTON_HEIGHT, name.getPreferredSize().height));
       name.setPreferredSize(size);
       name.setMinimumSize(size);
       name.setMaximumSize(size);
@@ -129,7 +129,7 @@ final class QuestionRow {
     panel.setLayout(new BoxLayout(panel, BoxLayout.Y_AXIS));
     panel.setBorder(BorderFactory.createEmptyBorder(10, 12, 10, 12));
     if (!question.text().isEmpty()) {
-      JComponent text = WrappedText.of(question.text(), 16f, width);
+      JComponent text = WrappedTextArea.of(question.text(), 16f, width);
       text.setAlignmentX(0);
       panel.add(text);
       panel.add(Box.createVerticalStrut(6));

@@ -23,10 +23,10 @@ import javax.swing.WindowConstants;
 import javax.swing.text.JTextComponent;
 import org.selectiverenderer.experiment.questionnaire.Answer;
 import org.selectiverenderer.experiment.questionnaire.AnswerField;
-import org.selectiverenderer.experiment.questionnaire.Page;
+import org.selectiverenderer.experiment.questionnaire.ParticipantMessages;
 import org.selectiverenderer.experiment.questionnaire.Questionnaire;
-import org.selectiverenderer.experiment.questionnaire.QuestionnaireCourse;
-import org.selectiverenderer.experiment.questionnaire.Wording;
+import org.selectiverenderer.experiment.questionnaire.QuestionnairePage;
+import org.selectiverenderer.experiment.questionnaire.QuestionnaireProgress;
 
 /**
  * The window of a questionnaire, which shows a page at a time with a way back. It closes when all
@@ -47,7 +47,7 @@ public final class QuestionnaireWindow {
    */
   public record Asking(
       Questionnaire questionnaire,
-      Wording wording,
+      ParticipantMessages wording,
       String participant,
       Map<String, Answer> known,
       Optional<String> from,
@@ -59,28 +59,28 @@ public final class QuestionnaireWindow {
 
   private final Asking asking;
   private final Consumer<Boolean> done;
-  private final QuestionnaireCourse course;
-  private final DesktopPlace desk;
+  private final QuestionnaireProgress course;
+  private final MonitorBounds desk;
   private final JFrame frame;
   private final JPanel middle = new JPanel(new BorderLayout());
-  private final PageFoot foot;
+  private final PageFooter foot;
   private final KeyEventDispatcher keys = this::key;
   private PagePanel panel;
 
   private QuestionnaireWindow(
       Asking asking,
-      QuestionnaireCourse.Listener listener,
-      SessionEnd sessionEnd,
-      DesktopPlace desk,
+      QuestionnaireProgress.Listener listener,
+      SessionEndWatcher sessionEnd,
+      MonitorBounds desk,
       Consumer<Boolean> done) {
     this.asking = asking;
     this.desk = desk;
     frame = new JFrame(desk.configuration());
     this.done = done;
     course =
-        new QuestionnaireCourse(
+        new QuestionnaireProgress(
             asking.questionnaire(), asking.wording(), asking.known(), asking.from(), listener);
-    foot = new PageFoot(asking.wording(), this::back, this::goOn);
+    foot = new PageFooter(asking.wording(), this::back, this::goOn);
     panel = make(course.page());
     JPanel south = new JPanel(new BorderLayout());
     south.add(foot.component(), BorderLayout.CENTER);
@@ -110,7 +110,7 @@ public final class QuestionnaireWindow {
     refuse.setFocusable(false);
     refuse.addActionListener(event -> end(false));
     JPanel line = new JPanel(new FlowLayout(FlowLayout.LEFT, 16, 14));
-    line.setBorder(PageFoot.rule());
+    line.setBorder(PageFooter.rule());
     line.add(refuse);
     return line;
   }
@@ -124,11 +124,11 @@ public final class QuestionnaireWindow {
    */
   public static boolean ask(
       Asking asking,
-      QuestionnaireCourse.Listener listener,
-      SessionEnd sessionEnd,
-      DesktopPlace desk) {
+      QuestionnaireProgress.Listener listener,
+      SessionEndWatcher sessionEnd,
+      MonitorBounds desk) {
     AtomicBoolean through = new AtomicBoolean();
-    Waiting.on(
+    BlockingWindow.on(
         finished ->
             new QuestionnaireWindow(
                     asking,
@@ -151,7 +151,7 @@ public final class QuestionnaireWindow {
         asking.questionnaire().pages().stream()
             .mapToInt(
                 each ->
-                    PageHead.of(
+                    PageHeader.of(
                                 each,
                                 asking.wording(),
                                 asking.participant(),
@@ -169,16 +169,16 @@ public final class QuestionnaireWindow {
     desk.center(frame);
   }
 
-  private PagePanel make(Page which) {
+  private PagePanel make(QuestionnairePage which) {
     return new PagePanel(which, course, asking.wording(), WIDTH - 80, this::count);
   }
 
   private void lay() {
-    Page page = course.page();
+    QuestionnairePage page = course.page();
     middle.removeAll();
     int width = frame.getWidth();
     middle.add(
-        PageHead.of(page, asking.wording(), asking.participant(), asking.mayRefuse(), width),
+        PageHeader.of(page, asking.wording(), asking.participant(), asking.mayRefuse(), width),
         page.questions().isEmpty() ? BorderLayout.CENTER : BorderLayout.NORTH);
     if (!page.questions().isEmpty()) {
       middle.add(panel.component(), BorderLayout.CENTER);
@@ -203,7 +203,7 @@ public final class QuestionnaireWindow {
   }
 
   private String hint() {
-    Wording wording = asking.wording();
+    ParticipantMessages wording = asking.wording();
     List<String> kinds =
         course.page().questions().stream()
             .map(question -> question.kind().spelling())

@@ -6,7 +6,7 @@ import javax.swing.JButton;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.WindowConstants;
-import org.selectiverenderer.experiment.questionnaire.Wording;
+import org.selectiverenderer.experiment.questionnaire.ParticipantMessages;
 
 /** The window that tells the participant that the session is over. */
 public final class ThanksWindow {
@@ -17,15 +17,15 @@ public final class ThanksWindow {
    *
    * @param desk the participant's monitor
    */
-  public static void show(Wording wording, DesktopPlace desk) {
-    Waiting.on(done -> frame(wording, desk, done));
+  public static void show(ParticipantMessages wording, MonitorBounds desk) {
+    BlockingWindow.on(done -> frame(wording, desk, done));
   }
 
-  private static JFrame frame(Wording wording, DesktopPlace desk, Runnable done) {
+  private static JFrame frame(ParticipantMessages wording, MonitorBounds desk, Runnable done) {
     JFrame frame = new JFrame(wording.of("thanks.title"), desk.configuration());
     frame.setName("thanks");
     frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
-    frame.addWindowListener(new ClosingAsks(done));
+    frame.addWindowListener(new CloseInterceptor(done));
     JLabel text = new JLabel(wording.of("thanks.text"));
     text.setFont(text.getFont().deriveFont(18f));
     text.setBorder(BorderFactory.createEmptyBorder(32, 32, 32, 32));
@@ -35,7 +35,7 @@ public final class ThanksWindow {
     frame.add(text, BorderLayout.CENTER);
     frame.add(close, BorderLayout.SOUTH);
     frame.getRootPane().setDefaultButton(close);
-    PackedWindow.pack(frame);
+    WindowPacker.pack(frame);
     desk.center(frame);
     return frame;
   }

@@ -34,7 +34,7 @@ import javax.swing.SwingConstants;
 import javax.swing.Timer;
 import javax.swing.WindowConstants;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.experiment.questionnaire.Wording;
+import org.selectiverenderer.experiment.questionnaire.ParticipantMessages;
 
 /**
  * Shows the trials of a threshold pilot one after the other, each after a short blank interval, so
@@ -50,7 +50,7 @@ public final class TrialWindow implements AutoCloseable {
   private static final int GAP = 24;
   private static final int MARGIN = 260;
 
-  private final Wording wording;
+  private final ParticipantMessages wording;
   private final JFrame frame = new JFrame();
   private final LinkedBlockingQueue<Optional<Reply>> replies = new LinkedBlockingQueue<>();
   private final KeyEventDispatcher keys = this::key;
@@ -65,13 +65,13 @@ public final class TrialWindow implements AutoCloseable {
    */
   public record Reply(int choice, long ms) {}
 
-  private TrialWindow(Wording wording, String title) {
+  private TrialWindow(ParticipantMessages wording, String title) {
     this.wording = wording;
     frame.setTitle(title);
     frame.setName("trial");
     frame.getContentPane().setBackground(GREY);
     frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
-    frame.addWindowListener(new ClosingAsks(this::askEnd));
+    frame.addWindowListener(new CloseInterceptor(this::askEnd));
     frame.setBounds(screen());
     KeyboardFocusManager.getCurrentKeyboardFocusManager().addKeyEventDispatcher(keys);
   }
@@ -90,8 +90,8 @@ public final class TrialWindow implements AutoCloseable {
   }
 
   /** Opens the window. */
-  public static TrialWindow open(Wording wording, String title) {
-    TrialWindow window = Waiting.onSwing(() -> new TrialWindow(wording, title));
+  public static TrialWindow open(ParticipantMessages wording, String title) {
+    TrialWindow window = BlockingWindow.onSwing(() -> new TrialWindow(wording, title));
     EventQueue.invokeLater(() -> window.frame.setVisible(true));
     return window;
   }

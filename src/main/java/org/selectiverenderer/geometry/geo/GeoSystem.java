@@ -18,14 +18,14 @@ public final class GeoSystem {
   }
 
   private final Kind kind;
-  private final Ellipsoid ellipsoid;
+  private final ReferenceEllipsoid ellipsoid;
   private final boolean secondFirst;
   private final @Nullable TransverseMercator projection;
   private final @Nullable String problem;
 
   private GeoSystem(
       Kind kind,
-      Ellipsoid ellipsoid,
+      ReferenceEllipsoid ellipsoid,
       boolean secondFirst,
       @Nullable TransverseMercator projection,
       @Nullable String problem) {
@@ -43,13 +43,13 @@ public final class GeoSystem {
    */
   public static GeoSystem of(String[] words) {
     Kind kind = Kind.GEODETIC;
-    Ellipsoid ellipsoid = Ellipsoid.WE;
+    ReferenceEllipsoid ellipsoid = ReferenceEllipsoid.WE;
     int zone = 0;
     boolean southern = false;
     boolean secondFirst = false;
     String problem = null;
     for (String word : words) {
-      Optional<Ellipsoid> named = Ellipsoid.of(word);
+      Optional<ReferenceEllipsoid> named = ReferenceEllipsoid.of(word);
       if (named.isPresent()) {
         ellipsoid = named.get();
         continue;

@@ -20,7 +20,7 @@ final class TransverseMercator {
   private final double[] alpha;
   private final double[] beta;
 
-  TransverseMercator(Ellipsoid ellipsoid, int zone, boolean southern) {
+  TransverseMercator(ReferenceEllipsoid ellipsoid, int zone, boolean southern) {
     centralMeridian = Math.toRadians(6 * zone - 183.0);
     falseNorthing = southern ? FALSE_NORTHING_SOUTH : 0;
     double f = ellipsoid.flattening();

@@ -5,8 +5,8 @@ import java.util.Collection;
 import java.util.List;
 import java.util.function.UnaryOperator;
 import org.joml.Vector3d;
-import org.selectiverenderer.geometry.Bounds;
-import org.selectiverenderer.geometry.Degrees;
+import org.selectiverenderer.geometry.BoundingBox;
+import org.selectiverenderer.geometry.DegreeMath;
 
 /**
  * An immutable triangle mesh: operations return new meshes, and the arrays must not be modified.
@@ -35,8 +35,8 @@ public record TriangleMesh(float[] positions, int[] triangles) {
   }
 
   /** Returns the bounding box of the points. */
-  public Bounds bounds() {
-    return Bounds.around(positions);
+  public BoundingBox bounds() {
+    return BoundingBox.around(positions);
   }
 
   /** Concatenates meshes without welding their points. */
@@ -95,22 +95,22 @@ public record TriangleMesh(float[] positions, int[] triangles) {
 
   /** Returns the mesh rotated about the x axis; positive turns +y towards +z. */
   public TriangleMesh turnX(double degrees) {
-    double s = Degrees.sin(degrees);
-    double c = Degrees.cos(degrees);
+    double s = DegreeMath.sin(degrees);
+    double c = DegreeMath.cos(degrees);
     return deform(p -> p.set(p.x, c * p.y - s * p.z, s * p.y + c * p.z));
   }
 
   /** Returns the mesh rotated about the y axis; positive turns +z towards +x. */
   public TriangleMesh turnY(double degrees) {
-    double s = Degrees.sin(degrees);
-    double c = Degrees.cos(degrees);
+    double s = DegreeMath.sin(degrees);
+    double c = DegreeMath.cos(degrees);
     return deform(p -> p.set(c * p.x + s * p.z, p.y, c * p.z - s * p.x));
   }
 
   /** Returns the mesh rotated about the z axis; positive turns +x towards +y. */
   public TriangleMesh turnZ(double degrees) {
-    double s = Degrees.sin(degrees);
-    double c = Degrees.cos(degrees);
+    double s = DegreeMath.sin(degrees);
+    double c = DegreeMath.cos(degrees);
     return deform(p -> p.set(c * p.x - s * p.y, s * p.x + c * p.y, p.z));
   }
 

@@ -42,13 +42,13 @@ record TextLayout(
     return name.equals("FontStyle") || name.equals(ON_SCREEN);
   }
 
-  private static double em(TessellationJob job, NodeView fontStyle) {
+  private static double em(TessellationContext job, NodeView fontStyle) {
     return fontStyle.type().name().equals(ON_SCREEN)
         ? PIXELS_PER_POINT * positive(job, fontStyle, "pointSize")
         : positive(job, fontStyle, "size");
   }
 
-  static TextLayout of(TessellationJob job, NodeView fontStyle) {
+  static TextLayout of(TessellationContext job, NodeView fontStyle) {
     String[] justify = fontStyle.strings("justify");
     return new TextLayout(
         em(job, fontStyle),
@@ -60,7 +60,7 @@ record TextLayout(
         justify(job, justify, 1, Justify.FIRST));
   }
 
-  private static double positive(TessellationJob job, NodeView fontStyle, String field) {
+  private static double positive(TessellationContext job, NodeView fontStyle, String field) {
     float value = fontStyle.number(field);
     if (value > 0 && value < Float.POSITIVE_INFINITY || value == 0 && field.equals("spacing")) {
       return value;
@@ -71,7 +71,7 @@ record TextLayout(
   }
 
   private static Justify justify(
-      TessellationJob job, String[] values, int place, Justify otherwise) {
+      TessellationContext job, String[] values, int place, Justify otherwise) {
     String value = place < values.length ? values[place] : "";
     if (value.isEmpty()) {
       return otherwise;

@@ -1,7 +1,7 @@
 package org.selectiverenderer.geometry.tessellate;
 
 import java.util.Arrays;
-import org.selectiverenderer.geometry.font.Font;
+import org.selectiverenderer.geometry.font.FontFace;
 import org.selectiverenderer.geometry.font.FontFamily;
 import org.selectiverenderer.geometry.font.FontLibrary;
 import org.selectiverenderer.geometry.font.FontStyle;
@@ -22,7 +22,7 @@ public final class TextMesher {
    * @param size the size of an em; capitals are about 0.73 of it high
    */
   public Mesh mesh(String line, FontFamily family, FontStyle style, float size) {
-    Font font = font(family, style);
+    FontFace font = font(family, style);
     Sheet sheet = new Sheet();
     double x = 0;
     for (int codePoint : line.codePoints().toArray()) {
@@ -35,7 +35,7 @@ public final class TextMesher {
 
   /** Returns the extent of the line that {@link #mesh} returns. */
   public TextMetrics metrics(String line, FontFamily family, FontStyle style, float size) {
-    Font font = font(family, style);
+    FontFace font = font(family, style);
     double width = 0;
     for (int codePoint : line.codePoints().toArray()) {
       width += font.glyph(codePoint).advance();
@@ -43,7 +43,7 @@ public final class TextMesher {
     return new TextMetrics((float) (width * size), font.ascent() * size, font.descent() * size);
   }
 
-  Font font(FontFamily family, FontStyle style) {
+  FontFace font(FontFamily family, FontStyle style) {
     return library.font(family, style);
   }
 
@@ -107,4 +107,13 @@ public final class TextMesher {
           Mesh.boundsOf(xyz, triangles));
     }
   }
+
+  /**
+   * The extent of a line of text, in the unit of its size.
+   *
+   * @param width the advance width of the line
+   * @param ascent the ascent above the baseline
+   * @param descent the descent below the baseline, positive
+   */
+  public record TextMetrics(float width, float ascent, float descent) {}
 }

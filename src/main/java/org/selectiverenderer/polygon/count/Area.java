@@ -8,7 +8,7 @@ import org.selectiverenderer.schema.SensorSchemas;
  * its box. Compared by identity.
  */
 final class Area {
-  final CountedItem sensor;
+  final CountGraphNode sensor;
   final SensorSchemas schemas;
   final List<SensorBox> boxes;
 
@@ -16,7 +16,7 @@ final class Area {
    * @param boxes boxes of the sensor in world coordinates, at least one; a sensor that is USEd
    *     senses the union of its boxes
    */
-  Area(CountedItem sensor, SensorSchemas schemas, List<SensorBox> boxes) {
+  Area(CountGraphNode sensor, SensorSchemas schemas, List<SensorBox> boxes) {
     this.sensor = sensor;
     this.schemas = schemas;
     this.boxes = List.copyOf(boxes);

@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.Stream;
 import org.joml.Matrix4dc;
-import org.selectiverenderer.geometry.Bounds;
+import org.selectiverenderer.geometry.BoundingBox;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
 /**
@@ -25,15 +25,15 @@ import org.selectiverenderer.x3d.read.ParsedNode;
  */
 final class AreaFinder {
   private final List<Area> areas = new ArrayList<>();
-  private final ItemInstances places;
+  private final InstanceTransforms places;
 
-  AreaFinder(CountedItem root, Collection<CountScope> scopes) {
+  AreaFinder(CountGraphNode root, Collection<CountScope> scopes) {
     CountScope all = CountScope.of(SceneStatistics.WHOLE_SCENE, root);
-    Set<CountedItem> sensors = new LinkedHashSet<>(all.sensors());
-    Set<CountedItem> wanted = new LinkedHashSet<>(sensors);
+    Set<CountGraphNode> sensors = new LinkedHashSet<>(all.sensors());
+    Set<CountGraphNode> wanted = new LinkedHashSet<>(sensors);
     scopes.forEach(scope -> wanted.add(scope.item()));
-    places = new ItemInstances(root, wanted);
-    for (CountedItem sensor : sensors) {
+    places = new InstanceTransforms(root, wanted);
+    for (CountGraphNode sensor : sensors) {
       List<SensorBox> boxes = boxes(sensor);
       if (!boxes.isEmpty()) {
         areas.add(new Area(sensor, sensor.area.orElseThrow(), boxes));
@@ -76,14 +76,14 @@ final class AreaFinder {
   }
 
   private double volume(CountScope scope) {
-    return bounds(scope).mapToDouble(Bounds::volume).max().orElse(0);
+    return bounds(scope).mapToDouble(BoundingBox::volume).max().orElse(0);
   }
 
-  private Stream<Bounds> bounds(CountScope scope) {
+  private Stream<BoundingBox> bounds(CountScope scope) {
     return places.of(scope.item()).stream().map(scope.item().bounds::transformed);
   }
 
-  private List<SensorBox> boxes(CountedItem sensor) {
+  private List<SensorBox> boxes(CountGraphNode sensor) {
     ParsedNode node = sensor.node;
     List<SensorBox> boxes = new ArrayList<>();
     if (node != null && node.bool("enabled")) {

@@ -13,19 +13,19 @@ import java.util.Set;
  * @param sensors the graph nodes of all area sensors in the scope, in document order
  */
 record CountScope(
-    String name, CountedItem item, List<CountedItem> objects, Set<CountedItem> sensors) {
-  static CountScope of(String name, CountedItem item) {
-    List<CountedItem> objects = new ArrayList<>();
-    Set<CountedItem> sensors = new LinkedHashSet<>();
+    String name, CountGraphNode item, List<CountGraphNode> objects, Set<CountGraphNode> sensors) {
+  static CountScope of(String name, CountGraphNode item) {
+    List<CountGraphNode> objects = new ArrayList<>();
+    Set<CountGraphNode> sensors = new LinkedHashSet<>();
     collect(item, objects, sensors, new HashSet<>());
     return new CountScope(name, item, List.copyOf(objects), sensors);
   }
 
   private static void collect(
-      CountedItem item,
-      List<CountedItem> objects,
-      Set<CountedItem> sensors,
-      Set<CountedItem> seen) {
+      CountGraphNode item,
+      List<CountGraphNode> objects,
+      Set<CountGraphNode> sensors,
+      Set<CountGraphNode> seen) {
     if (!seen.add(item)) {
       return;
     }

@@ -8,18 +8,18 @@ import java.util.Map;
  * once, however many instances it has.
  */
 final class PolygonCounter {
-  private final Map<CountedItem, Integer> choices;
-  private final Map<CountedItem, Long> known = new IdentityHashMap<>();
+  private final Map<CountGraphNode, Integer> choices;
+  private final Map<CountGraphNode, Long> known = new IdentityHashMap<>();
 
   /**
    * @param choices the shown version of each versioned object
    */
-  PolygonCounter(Map<CountedItem, Integer> choices) {
+  PolygonCounter(Map<CountGraphNode, Integer> choices) {
     this.choices = choices;
   }
 
   /** Returns the polygons of one instance of a graph node. */
-  long of(CountedItem item) {
+  long of(CountGraphNode item) {
     if (!item.varies) {
       return item.polygons;
     }
@@ -27,8 +27,8 @@ final class PolygonCounter {
     if (counted == null) {
       Integer choice = choices.get(item);
       counted = 0L;
-      for (CountedItem child : item.shown(choice == null ? item.whichChoice() : choice)) {
-        counted = CountedItem.plus(counted, of(child));
+      for (CountGraphNode child : item.shown(choice == null ? item.whichChoice() : choice)) {
+        counted = CountGraphNode.plus(counted, of(child));
       }
       known.put(item, counted);
     }

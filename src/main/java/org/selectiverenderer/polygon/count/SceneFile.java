@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.X3dFile;
 
@@ -20,12 +20,12 @@ import org.selectiverenderer.x3d.read.X3dFile;
  */
 record SceneFile(
     X3dFile file,
-    Problems problems,
-    Map<ParsedNode, Size> sizes,
+    ProblemCollector problems,
+    Map<ParsedNode, GeometrySize> sizes,
     Map<ParsedNode, CompletableFuture<Optional<SceneFile>>> inlines)
-    implements CountedFile {
+    implements MeasuredFile {
 
-  SceneFile(X3dFile file, Problems problems) {
+  SceneFile(X3dFile file, ProblemCollector problems) {
     this(file, problems, new ConcurrentHashMap<>(), new ConcurrentHashMap<>());
   }
 
@@ -35,8 +35,8 @@ record SceneFile(
   }
 
   @Override
-  public Size size(ParsedNode geometry) {
-    return sizes.getOrDefault(geometry, Size.NOTHING);
+  public GeometrySize size(ParsedNode geometry) {
+    return sizes.getOrDefault(geometry, GeometrySize.NOTHING);
   }
 
   @Override

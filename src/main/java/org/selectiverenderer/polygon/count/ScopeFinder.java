@@ -5,18 +5,18 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import org.selectiverenderer.base.problem.Spelling;
+import org.selectiverenderer.base.problem.SpellingSuggester;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
 /** Finds the parts of a scene that are counted, such as its rooms. */
 final class ScopeFinder {
-  private final ItemBuilder items;
+  private final CountGraphBuilder items;
   private final Map<String, ParsedNode> named;
 
   /**
    * @param named the nodes of the scene's own file by DEF name
    */
-  ScopeFinder(ItemBuilder items, Map<String, ParsedNode> named) {
+  ScopeFinder(CountGraphBuilder items, Map<String, ParsedNode> named) {
     this.items = items;
     this.named = named;
   }
@@ -24,7 +24,7 @@ final class ScopeFinder {
   /**
    * Returns the groups of these names, each once.
    *
-   * @throws ScopeException if the scene has no group of a given name
+   * @throws UnknownScopeException if the scene has no group of a given name
    */
   List<CountScope> named(List<String> names) {
     return names.stream()
@@ -40,7 +40,7 @@ final class ScopeFinder {
    * a group only places one object and is not a part of the scene.
    */
   List<CountScope> outermost() {
-    List<CountedItem> groups = new ArrayList<>();
+    List<CountGraphNode> groups = new ArrayList<>();
     outermost(items.root(), groups, new HashSet<>());
     List<CountScope> scopes =
         groups.stream().map(group -> CountScope.of(group.name, group)).toList();
@@ -51,7 +51,8 @@ final class ScopeFinder {
         : scopes;
   }
 
-  private static void outermost(CountedItem item, List<CountedItem> found, Set<CountedItem> seen) {
+  private static void outermost(
+      CountGraphNode item, List<CountGraphNode> found, Set<CountGraphNode> seen) {
     if (!item.varies || item.versions.isPresent() || !seen.add(item)) {
       return;
     }
@@ -62,20 +63,21 @@ final class ScopeFinder {
     }
   }
 
-  private CountedItem group(String name) {
+  private CountGraphNode group(String name) {
     ParsedNode node = named.get(name);
     if (node == null) {
-      throw new ScopeException("the scene has no group '%s'%s".formatted(name, suggestion(name)));
+      throw new UnknownScopeException(
+          "the scene has no group '%s'%s".formatted(name, suggestion(name)));
     }
-    if (!Structure.isGroup(node.type())) {
-      throw new ScopeException(
+    if (!DrawableNodes.isGroup(node.type())) {
+      throw new UnknownScopeException(
           "%s: %s is a %s, not a group".formatted(node.location(), name, node.type().name()));
     }
     return items
         .of(node)
         .orElseThrow(
             () ->
-                new ScopeException(
+                new UnknownScopeException(
                     "%s: group %s is not in a part of the scene that is drawn"
                         .formatted(node.location(), name)));
   }
@@ -83,10 +85,10 @@ final class ScopeFinder {
   private String suggestion(String name) {
     List<String> groups =
         named.entrySet().stream()
-            .filter(entry -> Structure.isGroup(entry.getValue().type()))
+            .filter(entry -> DrawableNodes.isGroup(entry.getValue().type()))
             .map(Map.Entry::getKey)
             .toList();
-    return Spelling.nearest(name, groups)
+    return SpellingSuggester.nearest(name, groups)
         .map("; did you mean %s?"::formatted)
         .orElseGet(() -> some(groups));
   }
@@ -105,7 +107,7 @@ final class ScopeFinder {
     return first.isEmpty() ? "" : "; there are " + String.join(", ", first);
   }
 
-  private static boolean holdsSeveral(CountedItem item) {
+  private static boolean holdsSeveral(CountGraphNode item) {
     return item.varies && CountScope.of(item.name, item).objects().size() > 1;
   }
 }

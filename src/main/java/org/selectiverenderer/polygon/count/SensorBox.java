@@ -7,7 +7,7 @@ import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
-import org.selectiverenderer.geometry.Bounds;
+import org.selectiverenderer.geometry.BoundingBox;
 
 /**
  * The box of a ProximitySensor in world coordinates. Under rotated and non-uniformly scaled
@@ -18,7 +18,7 @@ import org.selectiverenderer.geometry.Bounds;
  * @param corners all eight corners
  */
 public record SensorBox(
-    Vector3dc centre, List<Side> sides, List<Vector3dc> corners, Bounds bounds) {
+    Vector3dc centre, List<Side> sides, List<Vector3dc> corners, BoundingBox bounds) {
   /**
    * Boxes whose overlap is thinner than this, in metres perpendicular to a side, only touch: the
    * viewer is never in both. The value is far above the rounding error of single-precision
@@ -60,13 +60,13 @@ public record SensorBox(
     Vector3d min =
         new Vector3d(
             centre[0] - size[0] / 2.0, centre[1] - size[1] / 2.0, centre[2] - size[2] / 2.0);
-    Bounds local = Bounds.of(min, new Vector3d(size[0], size[1], size[2]).add(min));
+    BoundingBox local = BoundingBox.of(min, new Vector3d(size[0], size[1], size[2]).add(min));
     Vector3d middle = world.transformPosition(new Vector3d(centre[0], centre[1], centre[2]));
     return Optional.of(
         new SensorBox(middle, List.copyOf(sides), corners(local, world), local.transformed(world)));
   }
 
-  private static List<Vector3dc> corners(Bounds local, Matrix4dc world) {
+  private static List<Vector3dc> corners(BoundingBox local, Matrix4dc world) {
     List<Vector3dc> corners = new ArrayList<>(8);
     for (int i = 0; i < 8; i++) {
       corners.add(world.transformPosition(local.corner(i)));

@@ -4,10 +4,11 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.decimal.DecimalText;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
+import org.selectiverenderer.geometry.TriangleMath;
 import org.selectiverenderer.geometry.mesh.Mesh;
-import org.selectiverenderer.x3d.write.FaceSetWriter;
-import org.selectiverenderer.x3d.write.TupleLines;
+import org.selectiverenderer.x3d.write.IndexedFaceSetWriter;
+import org.selectiverenderer.x3d.write.TupleListBuilder;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
 /**
@@ -22,7 +23,7 @@ final class MeshWriter {
   private static final int PER_LINE = 16;
 
   /** Distinct tuples in order of first use, and which of them each corner takes. */
-  private record Stream(TupleLines values, int[] ids) {}
+  private record Stream(TupleListBuilder values, int[] ids) {}
 
   private final X3dWriter out;
   private final Mesh mesh;
@@ -45,7 +46,7 @@ final class MeshWriter {
             : stream(translucent ? mesh.colors() : opaque(), translucent ? 4 : 3, COLOR_DECIMALS);
     Stream texCoords =
         mesh.texCoords() == null ? null : stream(mesh.texCoords(), 2, TEXTURE_DECIMALS);
-    FaceSetWriter set = new FaceSetWriter(out, 0, mesh.solid());
+    IndexedFaceSetWriter set = new IndexedFaceSetWriter(out, 0, mesh.solid());
     index(set, "coordIndex", points);
     index(set, "normalIndex", normals);
     index(set, "colorIndex", colors);
@@ -102,14 +103,14 @@ final class MeshWriter {
     int[] idOfVertex = new int[mesh.vertexCount()];
     Arrays.fill(idOfVertex, -1);
     int[] ids = new int[mesh.indices().length];
-    TupleLines all = TupleLines.perLine(PER_LINE);
+    TupleListBuilder all = TupleListBuilder.perLine(PER_LINE);
     StringBuilder tuple = new StringBuilder();
     for (int i = 0; i < ids.length; i++) {
       int vertex = mesh.indices()[i];
       if (idOfVertex[vertex] < 0) {
         tuple.setLength(0);
         for (int k = 0; k < size; k++) {
-          DecimalText.appendRounded(tuple, values[size * vertex + k], places);
+          DecimalFormatter.appendRounded(tuple, values[size * vertex + k], places);
           tuple.append(k < size - 1 ? " " : "");
         }
         int next = known.size();
@@ -124,16 +125,36 @@ final class MeshWriter {
     return new Stream(all, ids);
   }
 
-  private static void index(FaceSetWriter set, String field, @Nullable Stream stream) {
+  private static void index(IndexedFaceSetWriter set, String field, @Nullable Stream stream) {
     if (stream != null) {
-      set.index(field, TupleLines.perLine(PER_LINE).triangles(stream.ids()));
+      set.index(field, TupleListBuilder.perLine(PER_LINE).triangles(stream.ids()));
     }
   }
 
   private static void values(
-      FaceSetWriter set, String node, String field, @Nullable Stream stream) {
+      IndexedFaceSetWriter set, String node, String field, @Nullable Stream stream) {
     if (stream != null) {
       set.values(node, field, stream.values());
+    }
+  }
+
+  /** Computes the normal of a triangle. */
+  static final class FaceNormal {
+    private FaceNormal() {}
+
+    /**
+     * Returns the unit normal; NaN for a triangle without area.
+     *
+     * @param at position of the triangle's first corner in the indices
+     */
+    static double[] of(float[] positions, int[] indices, int at) {
+      int a = 3 * indices[at];
+      int b = 3 * indices[at + 1];
+      int c = 3 * indices[at + 2];
+      double[] normal = new double[3];
+      TriangleMath.normal(positions, a, b, c, normal);
+      double length = TriangleMath.length(normal);
+      return new double[] {normal[0] / length, normal[1] / length, normal[2] / length};
     }
   }
 }

@@ -8,17 +8,17 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.geometry.tessellate.Tessellator;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.catalogue.NodeView;
-import org.selectiverenderer.x3d.files.ContentAccess;
-import org.selectiverenderer.x3d.files.ContentBase;
-import org.selectiverenderer.x3d.files.ContentRoot;
-import org.selectiverenderer.x3d.read.FileLibraries;
+import org.selectiverenderer.x3d.read.PrototypeLibraryLoader;
 import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.read.X3dReader;
+import org.selectiverenderer.x3d.url.BaseUrl;
+import org.selectiverenderer.x3d.url.ContentAccessPolicy;
+import org.selectiverenderer.x3d.url.UrlResolver;
 
 /**
  * Reads models in X3D, OBJ, PLY, STL and glTF; file name extensions select the format.
@@ -30,22 +30,23 @@ public final class ModelReader {
 
   private final NodeCatalogue catalogue;
   private final X3dReader reader;
-  private final ContentAccess access;
+  private final ContentAccessPolicy access;
   private final Optional<Path> rootFolder;
   private final Tessellator tessellator = new Tessellator();
 
   public ModelReader(NodeCatalogue catalogue) {
-    this(catalogue, ContentAccess.none());
+    this(catalogue, ContentAccessPolicy.none());
   }
 
   /**
    * @param access further folders and hosts that models may refer to
    */
-  public ModelReader(NodeCatalogue catalogue, ContentAccess access) {
+  public ModelReader(NodeCatalogue catalogue, ContentAccessPolicy access) {
     this(catalogue, access, Optional.empty());
   }
 
-  private ModelReader(NodeCatalogue catalogue, ContentAccess access, Optional<Path> rootFolder) {
+  private ModelReader(
+      NodeCatalogue catalogue, ContentAccessPolicy access, Optional<Path> rootFolder) {
     this.access = access;
     this.rootFolder = rootFolder;
     this.catalogue = catalogue;
@@ -66,18 +67,18 @@ public final class ModelReader {
    * @return empty when it has no faces or is damaged, which is reported as a problem
    * @throws IOException if it cannot be read, with one line that names it
    */
-  public Optional<Model> read(Path file, Problems problems) throws IOException {
-    Location location = Location.of(file.toString());
+  public Optional<Model> read(Path file, ProblemCollector problems) throws IOException {
+    SourceLocation location = SourceLocation.of(file.toString());
     if (FOREIGN.contains(ending(file))) {
       check(file);
-      return new ForeignReader(catalogue, problems)
+      return new AssimpReader(catalogue, problems)
           .read(file)
           .flatMap(model -> withFaces(model, location, "the file", problems));
     }
-    ContentRoot root = new ContentRoot(folder(file), access);
+    UrlResolver root = new UrlResolver(folder(file), access);
     X3dFile scene =
         reader
-            .with(new FileLibraries(reader, root), ContentBase.folder(folder(file)))
+            .with(new PrototypeLibraryLoader(reader, root), BaseUrl.folder(folder(file)))
             .read(file, problems);
     return withFaces(
         gather(scene.nodes(), folder(file), scene, problems), location, "the file", problems);
@@ -93,22 +94,22 @@ public final class ModelReader {
       List<? extends NodeView> nodes,
       X3dFile scene,
       Path folder,
-      Location location,
+      SourceLocation location,
       String subject,
-      Problems problems) {
+      ProblemCollector problems) {
     return withFaces(gather(nodes, folder, scene, problems), location, subject, problems);
   }
 
   private Model gather(
-      List<? extends NodeView> nodes, Path folder, X3dFile scene, Problems problems) {
-    ContentRoot root = new ContentRoot(rootFolder.orElse(folder).toAbsolutePath(), access);
-    ShapeGatherer gatherer = new ShapeGatherer(reader, tessellator, root, problems);
-    gatherer.gather(nodes, folder, ShapeGatherer.metres(scene));
+      List<? extends NodeView> nodes, Path folder, X3dFile scene, ProblemCollector problems) {
+    UrlResolver root = new UrlResolver(rootFolder.orElse(folder).toAbsolutePath(), access);
+    ShapeCollector gatherer = new ShapeCollector(reader, tessellator, root, problems);
+    gatherer.gather(nodes, folder, ShapeCollector.metres(scene));
     return new Model(gatherer.parts(), scene.units());
   }
 
   private static Optional<Model> withFaces(
-      Model model, Location location, String subject, Problems problems) {
+      Model model, SourceLocation location, String subject, ProblemCollector problems) {
     if (model.polygons() == 0) {
       problems.error(location, subject + " has no faces, so there is nothing to reduce");
       return Optional.empty();

@@ -9,7 +9,7 @@ import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.read.X3dFile;
-import org.selectiverenderer.x3d.write.NodeText;
+import org.selectiverenderer.x3d.write.X3dNodeWriter;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
 /**
@@ -45,7 +45,7 @@ public final class ModelWriter {
     boolean recent = !model.parts().stream().allMatch(part -> noneOf(NEW_IN_4, part.appearance()));
     out.file(plain ? "Interchange" : "Full", recent ? "4.0" : "3.3");
     head(out, model.units(), title, description);
-    NodeText nodes = new NodeText(out, NodeText.Written.GIVEN);
+    X3dNodeWriter nodes = new X3dNodeWriter(out, X3dNodeWriter.Written.GIVEN);
     int decimals = decimals(model.meshes());
     for (ModelPart part : model.parts()) {
       out.open("Shape");
@@ -76,13 +76,13 @@ public final class ModelWriter {
         scene.profile().isEmpty() ? "Immersive" : scene.profile(),
         scene.version().isEmpty() ? "3.3" : scene.version());
     head(out, scene.units(), title, description);
-    NodeText writer = new NodeText(out, NodeText.Written.GIVEN);
+    X3dNodeWriter writer = new X3dNodeWriter(out, X3dNodeWriter.Written.GIVEN);
     nodes.forEach(node -> writer.append(node, "", urls(folder, target)));
     return out.finish();
   }
 
-  private static NodeText.UrlRule urls(Path folder, Path target) {
-    return (node, url) -> Urls.turned(url, folder, target);
+  private static X3dNodeWriter.UrlRule urls(Path folder, Path target) {
+    return (node, url) -> UrlRelativizer.turned(url, folder, target);
   }
 
   private static void head(

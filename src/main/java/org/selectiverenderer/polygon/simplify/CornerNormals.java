@@ -20,13 +20,13 @@ final class CornerNormals {
    */
   private static final double FLAT = 0.999_999;
 
-  private final JoinedMesh original;
+  private final MergedMesh original;
   private final int[] next;
   private final boolean[] flat;
 
-  CornerNormals(JoinedMesh original) {
+  CornerNormals(MergedMesh original) {
     this.original = original;
-    this.next = rings(Seams.first(original, true));
+    this.next = rings(PositionRemap.first(original, true));
     this.flat = flat(original);
   }
 
@@ -46,12 +46,12 @@ final class CornerNormals {
   /**
    * Returns which vertices have the normal of all their triangles, that is, belong to flat facets.
    */
-  private static boolean[] flat(JoinedMesh mesh) {
+  private static boolean[] flat(MergedMesh mesh) {
     boolean[] flat = new boolean[mesh.vertexCount()];
     Arrays.fill(flat, true);
     double[] face = new double[3];
     for (int t = 0; t < mesh.polygons(); t++) {
-      Areas.normal(mesh.vertices(), mesh.indices(), t, face);
+      TriangleAreas.normal(mesh.vertices(), mesh.indices(), t, face);
       for (int i = 3 * t; i < 3 * t + 3; i++) {
         int vertex = mesh.indices()[i];
         flat[vertex] &= fit(mesh, vertex, face) > FLAT;
@@ -66,7 +66,7 @@ final class CornerNormals {
    *
    * @param face the unit normal of the corner's triangle
    */
-  int source(JoinedMesh reduced, int vertex, double[] face) {
+  int source(MergedMesh reduced, int vertex, double[] face) {
     int own = reduced.origins()[vertex];
     double best = fit(reduced, vertex, face);
     int source = own;
@@ -82,9 +82,9 @@ final class CornerNormals {
   }
 
   /** Returns the cosine of the angle between a vertex's normal and a triangle's normal. */
-  private static double fit(JoinedMesh mesh, int vertex, double[] face) {
+  private static double fit(MergedMesh mesh, int vertex, double[] face) {
     float[] v = mesh.vertices();
-    int at = JoinedMesh.STRIDE * vertex + JoinedMesh.NORMAL;
+    int at = MergedMesh.STRIDE * vertex + MergedMesh.NORMAL;
     double x = v[at];
     double y = v[at + 1];
     double z = v[at + 2];

@@ -24,7 +24,7 @@ final class EdgeCollapse {
   /** Stands for no error limit; the largest float would overflow when squared. */
   static final float ANY_ERROR = 1e9f;
 
-  private static final int VERTEX_BYTES = Float.BYTES * JoinedMesh.STRIDE;
+  private static final int VERTEX_BYTES = Float.BYTES * MergedMesh.STRIDE;
 
   private EdgeCollapse() {}
 
@@ -34,18 +34,22 @@ final class EdgeCollapse {
    *
    * @param largestError largest error allowed, as a share of the mesh's largest extent
    */
-  static JoinedMesh run(
-      JoinedMesh mesh, int polygons, float largestError, Freedom freedom, Style style) {
-    boolean keepSeams = freedom == Freedom.KEEP_SEAMS;
+  static MergedMesh run(
+      MergedMesh mesh,
+      int polygons,
+      float largestError,
+      TopologyConstraint freedom,
+      SimplificationPreset style) {
+    boolean keepSeams = freedom == TopologyConstraint.KEEP_SEAMS;
     int options =
         meshopt_SimplifyPermissive
-            | (freedom == Freedom.ANY_PIECE ? meshopt_SimplifyPrune : 0)
+            | (freedom == TopologyConstraint.ANY_PIECE ? meshopt_SimplifyPrune : 0)
             | (style.regular ? meshopt_SimplifyRegularizeLight : 0);
     float[] weighed = weights(mesh, style.normalWeight);
     int count = mesh.vertexCount();
     // The attribute array begins after the first position, so the buffer needs padding behind the
     // last vertex.
-    FloatBuffer vertices = MemoryUtil.memAllocFloat(mesh.vertices().length + JoinedMesh.NORMAL);
+    FloatBuffer vertices = MemoryUtil.memAllocFloat(mesh.vertices().length + MergedMesh.NORMAL);
     IntBuffer indices = MemoryUtil.memAllocInt(mesh.indices().length);
     ByteBuffer locks = MemoryUtil.memCalloc(count);
     FloatBuffer weights = MemoryUtil.memAllocFloat(weighed.length);
@@ -54,7 +58,7 @@ final class EdgeCollapse {
       indices.put(0, mesh.indices());
       weights.put(0, weighed);
       if (keepSeams) {
-        protect(Seams.visible(mesh), locks);
+        protect(PositionRemap.visible(mesh), locks);
       }
       int left =
           (int)
@@ -63,7 +67,7 @@ final class EdgeCollapse {
                   vertices,
                   count,
                   VERTEX_BYTES,
-                  vertices.slice(JoinedMesh.NORMAL, mesh.vertices().length),
+                  vertices.slice(MergedMesh.NORMAL, mesh.vertices().length),
                   VERTEX_BYTES,
                   weights,
                   locks,
@@ -88,9 +92,9 @@ final class EdgeCollapse {
    * Returns the attribute weights; 0 for attributes that no vertex has, since every weighted
    * attribute costs time.
    */
-  private static float[] weights(JoinedMesh mesh, float normal) {
-    float color = mesh.has(JoinedMesh.COLOR, JoinedMesh.TEX_COORD) ? COLOR : 0;
-    float texCoord = mesh.has(JoinedMesh.TEX_COORD, JoinedMesh.PART) ? TEX_COORD : 0;
+  private static float[] weights(MergedMesh mesh, float normal) {
+    float color = mesh.has(MergedMesh.COLOR, MergedMesh.TEX_COORD) ? COLOR : 0;
+    float texCoord = mesh.has(MergedMesh.TEX_COORD, MergedMesh.PART) ? TEX_COORD : 0;
     return new float[] {normal, normal, normal, color, color, color, color, texCoord, texCoord};
   }
 
@@ -106,7 +110,7 @@ final class EdgeCollapse {
    * Simplifies by vertex clustering on a grid: merges vertices that are near each other, regardless
    * of connectivity and parts.
    */
-  static JoinedMesh cluster(JoinedMesh mesh, int polygons) {
+  static MergedMesh cluster(MergedMesh mesh, int polygons) {
     FloatBuffer vertices = MemoryUtil.memAllocFloat(mesh.vertices().length);
     IntBuffer indices = MemoryUtil.memAllocInt(mesh.indices().length);
     IntBuffer joined = MemoryUtil.memAllocInt(mesh.indices().length);

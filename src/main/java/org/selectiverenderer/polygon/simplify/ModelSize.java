@@ -14,7 +14,7 @@ public record ModelSize(int vertices, int polygons) {
    * @throws IllegalArgumentException if a part is not a triangle mesh
    */
   public static ModelSize of(List<Mesh> parts) {
-    JoinedMesh joined = JoinedMesh.of(parts);
-    return new ModelSize(Seams.positions(joined), joined.polygons());
+    MergedMesh joined = MergedMesh.of(parts);
+    return new ModelSize(PositionRemap.positions(joined), joined.polygons());
   }
 }

@@ -12,31 +12,36 @@ final class ReductionAttempt {
   private final int polygons;
   private final double scale;
   private final float[] bounds;
-  private final Freedom freedom;
-  private final Style style;
+  private final TopologyConstraint freedom;
+  private final SimplificationPreset style;
 
-  private JoinedMesh nearest;
+  private MergedMesh nearest;
 
   /**
    * @param polygons the number of polygons wanted
    * @param scale steps per unit of length of the grid that positions are rounded to
    * @param bounds the bounding box that no vertex may leave
    */
-  ReductionAttempt(int polygons, double scale, float[] bounds, Freedom freedom, Style style) {
+  ReductionAttempt(
+      int polygons,
+      double scale,
+      float[] bounds,
+      TopologyConstraint freedom,
+      SimplificationPreset style) {
     this.polygons = polygons;
     this.scale = scale;
     this.bounds = bounds;
     this.freedom = freedom;
     this.style = style;
-    this.nearest = new JoinedMesh(new float[0], new int[0], new int[0]);
+    this.nearest = new MergedMesh(new float[0], new int[0], new int[0]);
   }
 
   /**
    * Returns the mesh with the nearest number of polygons found from a start mesh; empty when all
    * results are empty.
    */
-  JoinedMesh from(JoinedMesh start) {
-    JoinedMesh direct = collapse(start, polygons);
+  MergedMesh from(MergedMesh start) {
+    MergedMesh direct = collapse(start, polygons);
     if (direct.polygons() < polygons && !met()) {
       between(start, direct.polygons());
     }
@@ -47,7 +52,7 @@ final class ReductionAttempt {
   }
 
   /** Requests increasing numbers, then bisects between too few and enough. */
-  private void between(JoinedMesh start, int count) {
+  private void between(MergedMesh start, int count) {
     int tooFew = polygons;
     int enough = start.polygons();
     boolean bounded = false;
@@ -65,8 +70,8 @@ final class ReductionAttempt {
     }
   }
 
-  private void inSteps(JoinedMesh start) {
-    JoinedMesh mesh = start;
+  private void inSteps(MergedMesh start) {
+    MergedMesh mesh = start;
     while (!met() && mesh.polygons() > polygons) {
       int before = mesh.polygons();
       mesh = collapse(mesh, Math.max(polygons, (int) (before * STEP)));
@@ -77,11 +82,11 @@ final class ReductionAttempt {
   }
 
   private boolean met() {
-    return nearest.polygons() > 0 && Simplified.near(nearest.polygons(), polygons);
+    return nearest.polygons() > 0 && SimplificationResult.near(nearest.polygons(), polygons);
   }
 
-  private JoinedMesh collapse(JoinedMesh start, int count) {
-    JoinedMesh mesh =
+  private MergedMesh collapse(MergedMesh start, int count) {
+    MergedMesh mesh =
         EdgeCollapse.run(start, count, EdgeCollapse.ANY_ERROR, freedom, style)
             .rounded(scale, bounds);
     nearest = nearer(nearest, mesh, polygons);
@@ -92,7 +97,7 @@ final class ReductionAttempt {
    * Returns the mesh whose number of polygons is nearer to the one wanted; an empty one only if
    * both are empty.
    */
-  static JoinedMesh nearer(JoinedMesh a, JoinedMesh b, int polygons) {
+  static MergedMesh nearer(MergedMesh a, MergedMesh b, int polygons) {
     int ofA = Math.abs(a.polygons() - polygons);
     int ofB = Math.abs(b.polygons() - polygons);
     return a.polygons() == 0 || (b.polygons() > 0 && ofB < ofA) ? b : a;

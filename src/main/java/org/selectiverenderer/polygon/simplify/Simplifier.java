@@ -28,42 +28,51 @@ public final class Simplifier {
    * Reduces a model.
    *
    * @param parts triangle meshes of the parts, all in one coordinate frame
-   * @throws NoPolygons if every triangle is degenerate or tiny relative to the model's extent
+   * @throws EmptyModelException if every triangle is degenerate or tiny relative to the model's
+   *     extent
    * @throws IllegalArgumentException if a part is not made of triangles, an index is out of range
    *     or a number not finite, or the target is not less than what the model has
    */
-  public Simplified simplify(List<Mesh> parts, Goal goal) {
-    JoinedMesh joined = JoinedMesh.of(parts);
-    JoinedMesh original = joined.welded(Reduction.scale(joined.extent())).compact().asOriginal();
+  public SimplificationResult simplify(List<Mesh> parts, SimplificationTarget goal) {
+    MergedMesh joined = MergedMesh.of(parts);
+    MergedMesh original =
+        joined.welded(ReductionSearch.scale(joined.extent())).compact().asOriginal();
     if (original.polygons() == 0) {
-      throw new NoPolygons();
+      throw new EmptyModelException();
     }
-    Reduction reduction = new Reduction(original);
-    if (goal instanceof Goal.Polygons polygons) {
+    ReductionSearch reduction = new ReductionSearch(original);
+    if (goal instanceof SimplificationTarget.Polygons polygons) {
       check(polygons.count(), original.polygons(), "polygons");
-      JoinedMesh reduced = reduction.to(polygons.count());
-      if (!Simplified.near(reduced.polygons(), polygons.count())) {
+      MergedMesh reduced = reduction.to(polygons.count());
+      if (!SimplificationResult.near(reduced.polygons(), polygons.count())) {
         reduced = reduction.exactly(polygons.count());
       }
       return result(
-          parts, reduction, reduced, Simplified.near(reduced.polygons(), polygons.count()));
+          parts,
+          reduction,
+          reduced,
+          SimplificationResult.near(reduced.polygons(), polygons.count()));
     }
-    if (goal instanceof Goal.Exactly exactly) {
+    if (goal instanceof SimplificationTarget.Exactly exactly) {
       check(exactly.count(), original.polygons(), "polygons");
-      JoinedMesh reduced = reduction.exactly(exactly.count());
+      MergedMesh reduced = reduction.exactly(exactly.count());
       return result(parts, reduction, reduced, reduced.polygons() == exactly.count());
     }
-    if (goal instanceof Goal.LargestError largest) {
+    if (goal instanceof SimplificationTarget.LargestError largest) {
       return within(parts, reduction, largest.error());
     }
-    int has = Seams.positions(original);
+    int has = PositionRemap.positions(original);
     int wanted =
-        goal instanceof Goal.Vertices vertices
+        goal instanceof SimplificationTarget.Vertices vertices
             ? vertices.count()
-            : (int) Math.round(has * ((Goal.VertexPercent) goal).percent() / 100);
+            : (int) Math.round(has * ((SimplificationTarget.VertexPercent) goal).percent() / 100);
     check(wanted, has, "vertices");
-    JoinedMesh reduced = has <= wanted ? original : reduction.toPositions(Math.max(1, wanted), has);
-    return result(parts, reduction, reduced, Simplified.near(Seams.positions(reduced), wanted));
+    MergedMesh reduced = has <= wanted ? original : reduction.toPositions(Math.max(1, wanted), has);
+    return result(
+        parts,
+        reduction,
+        reduced,
+        SimplificationResult.near(PositionRemap.positions(reduced), wanted));
   }
 
   private static void check(int wanted, int has, String what) {
@@ -78,16 +87,17 @@ public final class Simplifier {
    * deviation of each result is measured. It tries one style only, whereas a target number of
    * polygons tries several, so that a smaller number may have as small an error.
    */
-  private static Simplified within(List<Mesh> parts, Reduction reduction, double largest) {
-    Simplified best = result(parts, reduction, reduction.original(), true);
+  private static SimplificationResult within(
+      List<Mesh> parts, ReductionSearch reduction, double largest) {
+    SimplificationResult best = result(parts, reduction, reduction.original(), true);
     double allowed = largest;
     for (int i = 0; i < ERROR_TRIES; i++) {
-      JoinedMesh reduced = reduction.within(allowed);
+      MergedMesh reduced = reduction.within(allowed);
       if (reduced.polygons() == 0) {
         allowed *= ALL_GONE;
         continue;
       }
-      Simplified result = result(parts, reduction, reduced, true);
+      SimplificationResult result = result(parts, reduction, reduced, true);
       if (result.error() <= largest && result.polygons() < best.polygons()) {
         best = result;
       }
@@ -104,13 +114,13 @@ public final class Simplifier {
    * Returns the result with the fewest polygons within an error, searched between no polygons and a
    * known result.
    */
-  private static Simplified fewer(
-      List<Mesh> parts, Reduction reduction, double largest, Simplified enough) {
-    Simplified best = enough;
+  private static SimplificationResult fewer(
+      List<Mesh> parts, ReductionSearch reduction, double largest, SimplificationResult enough) {
+    SimplificationResult best = enough;
     int tooFew = 1;
     for (int i = 0; i < COUNT_TRIES && best.polygons() > CLOSE_COUNT * tooFew; i++) {
       int ask = (int) Math.sqrt((double) tooFew * best.polygons());
-      Simplified result = result(parts, reduction, reduction.to(ask), true);
+      SimplificationResult result = result(parts, reduction, reduction.to(ask), true);
       if (result.error() <= largest && result.polygons() < best.polygons()) {
         best = result;
       } else {
@@ -120,28 +130,29 @@ public final class Simplifier {
     return best;
   }
 
-  private static Simplified result(
-      List<Mesh> parts, Reduction reduction, JoinedMesh found, boolean met) {
-    JoinedMesh original = reduction.original();
-    JoinedMesh reduced = reduction.fitted(found);
+  private static SimplificationResult result(
+      List<Mesh> parts, ReductionSearch reduction, MergedMesh found, boolean met) {
+    MergedMesh original = reduction.original();
+    MergedMesh reduced = reduction.fitted(found);
     int[][] triangles = byPart(reduced, parts.size());
     CornerNormals corners = new CornerNormals(original);
     int[] own = new int[reduced.vertexCount()];
     Arrays.fill(own, -1);
     List<Mesh> meshes = new ArrayList<>();
     for (int p = 0; p < triangles.length; p++) {
-      meshes.add(new PartMaker(parts.get(p), original, reduced, corners, own).mesh(triangles[p]));
+      meshes.add(
+          new PartMeshBuilder(parts.get(p), original, reduced, corners, own).mesh(triangles[p]));
     }
-    return new Simplified(
+    return new SimplificationResult(
         List.copyOf(meshes),
-        Seams.positions(reduced),
+        PositionRemap.positions(reduced),
         reduced.polygons(),
-        reduced == original ? 0 : new Likeness(original).error(reduced),
+        reduced == original ? 0 : new MeshDeviation(original).error(reduced),
         met);
   }
 
   /** Returns the triangles of each part; a triangle belongs to the part of most of its vertices. */
-  private static int[][] byPart(JoinedMesh mesh, int parts) {
+  private static int[][] byPart(MergedMesh mesh, int parts) {
     int[] counts = new int[parts];
     int[] partOf = new int[mesh.polygons()];
     for (int t = 0; t < partOf.length; t++) {

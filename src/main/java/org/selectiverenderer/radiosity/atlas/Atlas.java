@@ -9,12 +9,12 @@ import java.util.List;
  * @param pages the pages, in the order of the files
  * @param layouts the layout of each body, in the order of the scene's bodies
  */
-public record Atlas(List<TexelMap> pages, List<Layout> layouts) {
+public record Atlas(List<AtlasPage> pages, List<Layout> layouts) {
 
   /**
    * The page of a body and its texture coordinates there.
    *
-   * @param page number of the page, {@link TexelMap#NONE} for none
+   * @param page number of the page, {@link AtlasPage#NONE} for none
    * @param st texture coordinates, 0 .. 1 of the page: s and t of the three corners of each
    *     triangle of the body in the order of {@link
    *     org.selectiverenderer.radiosity.scene.Body#vertex}, six numbers per triangle
@@ -44,6 +44,6 @@ public record Atlas(List<TexelMap> pages, List<Layout> layouts) {
 
   /** Returns the number of texels of all pages, gutters included. */
   public long texels() {
-    return pages.stream().mapToLong(TexelMap::texels).sum();
+    return pages.stream().mapToLong(AtlasPage::texels).sum();
   }
 }

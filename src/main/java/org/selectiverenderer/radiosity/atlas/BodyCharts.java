@@ -32,7 +32,7 @@ record BodyCharts(int[] chartOf, float[] flat, float[] width, float[] height) {
     return sum;
   }
 
-  static BodyCharts of(WeldedBody body) {
+  static BodyCharts of(TriangleAdjacency body) {
     ChartGrower grower = new ChartGrower(body);
     grower.grow();
     int[] chartOf = grower.chartOf();
@@ -52,7 +52,7 @@ record BodyCharts(int[] chartOf, float[] flat, float[] width, float[] height) {
     for (int i = 0; i < chartOf.length; i++) {
       members[at[chartOf[i]]++] = i;
     }
-    ChartPlane plane = new ChartPlane(body);
+    ChartProjection plane = new ChartProjection(body);
     double[] xy = new double[6 * chartOf.length];
     for (int chart = 0; chart < charts; chart++) {
       plane.face(grower.axes(), 3 * chart);
@@ -71,7 +71,7 @@ record BodyCharts(int[] chartOf, float[] flat, float[] width, float[] height) {
    * Rotates a chart so that its bounding box is the smallest of those along its longest border
    * edges.
    */
-  private void lay(WeldedBody body, int chart, int[] members, double[] xy) {
+  private void lay(TriangleAdjacency body, int chart, int[] members, double[] xy) {
     double[] directions = borders(body, chart, members, xy);
     double[] best = {1, 0};
     double[] box = new double[4];
@@ -105,7 +105,7 @@ record BodyCharts(int[] chartOf, float[] flat, float[] width, float[] height) {
   }
 
   /** Returns unit vectors along the longest border edges, and along the x axis. */
-  private double[] borders(WeldedBody body, int chart, int[] members, double[] xy) {
+  private double[] borders(TriangleAdjacency body, int chart, int[] members, double[] xy) {
     double[] lengths = new double[TRIES];
     double[] directions = new double[2 * TRIES];
     int found = 0;

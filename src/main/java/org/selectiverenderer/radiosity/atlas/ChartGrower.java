@@ -25,20 +25,20 @@ final class ChartGrower {
    */
   private static final int ROUNDS = 6;
 
-  private final WeldedBody body;
+  private final TriangleAdjacency body;
   private final int[] chartOf;
   private final int[] queue;
   private final int[] regionOf;
   private double[] axes = new double[48];
   private int charts;
 
-  ChartGrower(WeldedBody body) {
+  ChartGrower(TriangleAdjacency body) {
     this.body = body;
     int count = body.triangles();
     chartOf = new int[count];
     queue = new int[count];
     regionOf = new int[count];
-    Arrays.fill(chartOf, WeldedBody.NONE);
+    Arrays.fill(chartOf, TriangleAdjacency.NONE);
   }
 
   /** Grows all charts; the other methods may be called afterwards only. */
@@ -58,9 +58,9 @@ final class ChartGrower {
         }
       }
       if (round == 0) {
-        new ChartJoiner(body, chartOf, charts, axes, CREASE, WIDE).join();
+        new ChartMerger(body, chartOf, charts, axes, CREASE, WIDE).join();
       }
-      int evicted = new Overlaps(body, chartOf, axes).evict(before, charts);
+      int evicted = new ChartOverlapRemover(body, chartOf, axes).evict(before, charts);
       if (evicted == 0) {
         break;
       }
@@ -90,7 +90,7 @@ final class ChartGrower {
    */
   private long[] regions() {
     int count = body.triangles();
-    Arrays.fill(regionOf, WeldedBody.NONE);
+    Arrays.fill(regionOf, TriangleAdjacency.NONE);
     double[] areas = new double[16];
     int[] seeds = new int[16];
     int regions = 0;
@@ -195,7 +195,7 @@ final class ChartGrower {
    */
   private void renumber() {
     int[] renamed = new int[charts];
-    Arrays.fill(renamed, WeldedBody.NONE);
+    Arrays.fill(renamed, TriangleAdjacency.NONE);
     double[] kept = new double[3 * charts];
     int next = 0;
     for (int i = 0; i < chartOf.length; i++) {

@@ -20,7 +20,7 @@ final class Rasterizer {
   /** Per texel: the squared distance from its centre to the triangle that it shows. */
   private final float[] away;
 
-  private final TriangleRows rows = new TriangleRows();
+  private final TriangleScanConverter rows = new TriangleScanConverter();
   private final double[] place = new double[2];
 
   Rasterizer(int width, int height) {
@@ -32,13 +32,13 @@ final class Rasterizer {
     u = new float[texels];
     v = new float[texels];
     away = new float[texels];
-    Arrays.fill(triangle, TexelMap.NONE);
-    Arrays.fill(chart, TexelMap.NONE);
+    Arrays.fill(triangle, AtlasPage.NONE);
+    Arrays.fill(chart, AtlasPage.NONE);
     Arrays.fill(away, Float.POSITIVE_INFINITY);
   }
 
-  TexelMap map() {
-    return new TexelMap(width, height, triangle, u, v, chart);
+  AtlasPage map() {
+    return new AtlasPage(width, height, triangle, u, v, chart);
   }
 
   /**
@@ -48,7 +48,7 @@ final class Rasterizer {
    * @param box number of the chart's box; also the chart's number
    * @param p x, y of the triangle's corners, texels
    */
-  void draw(int id, int box, TexelBoxes boxes, double[] p) {
+  void draw(int id, int box, ChartRectangles boxes, double[] p) {
     rows.set(p[0], p[1], p[2], p[3], p[4], p[5]);
     int bottom = boxes.y[box];
     int top = bottom + boxes.height[box] - 1;
@@ -66,7 +66,8 @@ final class Rasterizer {
       for (int column = left; column <= right; column++) {
         int texel = row * width + column;
         if (away[texel] > 0) {
-          float distance = (float) FlatTriangle.nearest(p, column + 0.5, row + 0.5, place);
+          float distance =
+              (float) ClosestPointOnTriangle2d.nearest(p, column + 0.5, row + 0.5, place);
           if (distance < away[texel]) {
             away[texel] = distance;
             triangle[texel] = id;

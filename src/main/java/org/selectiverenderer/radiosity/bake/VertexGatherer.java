@@ -2,14 +2,14 @@ package org.selectiverenderer.radiosity.bake;
 
 import java.util.BitSet;
 import java.util.concurrent.atomic.LongAdder;
-import org.selectiverenderer.radiosity.mesh.Facets;
-import org.selectiverenderer.radiosity.sampling.Directions;
-import org.selectiverenderer.radiosity.sampling.PointSet;
-import org.selectiverenderer.radiosity.scene.LightScene;
-import org.selectiverenderer.radiosity.solve.Solution;
-import org.selectiverenderer.radiosity.texel.SeenSides;
-import org.selectiverenderer.radiosity.work.ParallelWork;
-import org.selectiverenderer.radiosity.work.WorkProgress;
+import org.selectiverenderer.radiosity.mesh.RadiosityMesh;
+import org.selectiverenderer.radiosity.parallel.ParallelFor;
+import org.selectiverenderer.radiosity.parallel.RadiosityProgress;
+import org.selectiverenderer.radiosity.sampling.CosineHemisphereSampler;
+import org.selectiverenderer.radiosity.sampling.SobolPointSet;
+import org.selectiverenderer.radiosity.scene.RadiosityScene;
+import org.selectiverenderer.radiosity.solve.RadiositySolution;
+import org.selectiverenderer.radiosity.texel.LitSideSelection;
 
 /**
  * Gathers irradiance at vertices. A vertex stands for the facets around it: rays start all over
@@ -33,11 +33,11 @@ public final class VertexGatherer {
   /** Number of start points of rays around a vertex. */
   private static final int STARTS = 16;
 
-  private final LightScene scene;
-  private final Solution solution;
-  private final SeenSides sides;
-  private final Facets facets;
-  private final Facets.Corners corners;
+  private final RadiosityScene scene;
+  private final RadiositySolution solution;
+  private final LitSideSelection sides;
+  private final RadiosityMesh facets;
+  private final RadiosityMesh.Corners corners;
   private final BitSet divided;
   private final Samples samples;
   private final Samples dividedSamples;
@@ -59,17 +59,17 @@ public final class VertexGatherer {
    * @param perStart number of rays from one start point
    */
   record Samples(
-      Directions directions,
-      PointSet starts,
-      PointSet lamps,
+      CosineHemisphereSampler directions,
+      SobolPointSet starts,
+      SobolPointSet lamps,
       int perStart,
       int lampEvery,
       boolean regather) {
     static Samples of(int rays, Effort effort) {
       return new Samples(
-          new Directions(new PointSet(rays, effort.seed(), 10)),
-          new PointSet(rays, effort.seed(), 11),
-          new PointSet(rays, effort.seed(), 12),
+          new CosineHemisphereSampler(new SobolPointSet(rays, effort.seed(), 10)),
+          new SobolPointSet(rays, effort.seed(), 11),
+          new SobolPointSet(rays, effort.seed(), 12),
           Math.max(1, rays / STARTS),
           effort.lampEvery(),
           effort.regather());
@@ -84,7 +84,11 @@ public final class VertexGatherer {
    * @param sides which side of two-sided surfaces is lit
    */
   public VertexGatherer(
-      LightScene scene, Solution solution, SeenSides sides, Facets facets, Effort effort) {
+      RadiosityScene scene,
+      RadiositySolution solution,
+      LitSideSelection sides,
+      RadiosityMesh facets,
+      Effort effort) {
     this.scene = scene;
     this.solution = solution;
     this.sides = sides;
@@ -99,12 +103,12 @@ public final class VertexGatherer {
    * Gathers the irradiance at all vertices. If the work is cancelled, the irradiance of the
    * solution's patches is taken instead.
    */
-  public VertexLight gather(WorkProgress progress, WorkProgress.Stage stage) {
+  public VertexLight gather(RadiosityProgress progress, RadiosityProgress.Stage stage) {
     float[] irradiance = new float[3 * facets.vertices()];
     boolean[] valid = new boolean[facets.vertices()];
     LongAdder rays = new LongAdder();
     boolean complete =
-        ParallelWork.run(
+        ParallelFor.run(
             facets.vertices(),
             CHUNK,
             progress,
@@ -124,7 +128,7 @@ public final class VertexGatherer {
         valid[vertex] = around(vertex, sampler, irradiance, true);
       }
     }
-    Filling.fill(facets, irradiance, valid);
+    VertexHoleFilling.fill(facets, irradiance, valid);
     if (complete) {
       rays.add(rest(irradiance, valid));
     }
@@ -145,7 +149,7 @@ public final class VertexGatherer {
         valid[vertex] = around(vertex, sampler, irradiance, false);
       }
     }
-    Filling.fill(facets, irradiance, valid);
+    VertexHoleFilling.fill(facets, irradiance, valid);
     return sampler.rays();
   }
 

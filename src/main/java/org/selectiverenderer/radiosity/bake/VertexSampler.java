@@ -3,11 +3,11 @@ package org.selectiverenderer.radiosity.bake;
 import java.util.Arrays;
 import java.util.BitSet;
 import org.selectiverenderer.geometry.TriangleMath;
-import org.selectiverenderer.radiosity.mesh.Facets;
-import org.selectiverenderer.radiosity.scene.LightScene;
-import org.selectiverenderer.radiosity.solve.DirectLight;
-import org.selectiverenderer.radiosity.solve.Solution;
-import org.selectiverenderer.radiosity.texel.SeenSides;
+import org.selectiverenderer.radiosity.mesh.RadiosityMesh;
+import org.selectiverenderer.radiosity.scene.RadiosityScene;
+import org.selectiverenderer.radiosity.solve.DirectLightEstimator;
+import org.selectiverenderer.radiosity.solve.RadiositySolution;
+import org.selectiverenderer.radiosity.texel.LitSideSelection;
 import org.selectiverenderer.radiosity.trace.Ray;
 import org.selectiverenderer.radiosity.trace.SceneTriangles;
 
@@ -35,15 +35,15 @@ final class VertexSampler {
    */
   private static final double SMALL = 2e-6;
 
-  private final LightScene scene;
-  private final Solution solution;
-  private final SeenSides sides;
-  private final Facets facets;
+  private final RadiosityScene scene;
+  private final RadiositySolution solution;
+  private final LitSideSelection sides;
+  private final RadiosityMesh facets;
   private final BitSet divided;
   private final VertexGatherer.Samples samples;
   private final SceneTriangles triangles;
   private final Ray ray = new Ray();
-  private final DirectLight shadows;
+  private final DirectLightEstimator shadows;
   private final double[] normal = new double[3];
   private final double[] start = new double[3];
   private final double[] place = new double[3];
@@ -66,10 +66,10 @@ final class VertexSampler {
    * @param divided the facets of divided surfaces
    */
   VertexSampler(
-      LightScene scene,
-      Solution solution,
-      SeenSides sides,
-      Facets facets,
+      RadiosityScene scene,
+      RadiositySolution solution,
+      LitSideSelection sides,
+      RadiosityMesh facets,
       BitSet divided,
       VertexGatherer.Samples samples) {
     this.divided = divided;
@@ -79,7 +79,7 @@ final class VertexSampler {
     this.facets = facets;
     this.samples = samples;
     this.triangles = scene.triangles();
-    this.shadows = new DirectLight(scene, ray);
+    this.shadows = new DirectLightEstimator(scene, ray);
   }
 
   long rays() {

@@ -3,7 +3,7 @@
  * adaptive subdivision (thesis Figs 60 and 61).
  *
  * <p>In: the bodies of a scene and light at vertices. Out: {@link
- * org.selectiverenderer.radiosity.mesh.Facets}. Uses {@code radiosity.scene}, {@code
+ * org.selectiverenderer.radiosity.mesh.RadiosityMesh}. Uses {@code radiosity.scene}, {@code
  * radiosity.trace}, {@code geometry} and {@code geometry.mesh}.
  */
 @NullMarked

@@ -3,10 +3,10 @@ package org.selectiverenderer.radiosity.output;
 import java.nio.file.Path;
 import java.util.IdentityHashMap;
 import java.util.Map;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.base.problem.Problems;
-import org.selectiverenderer.polygon.model.Urls;
-import org.selectiverenderer.radiosity.scene.LightScene;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.polygon.model.UrlRelativizer;
+import org.selectiverenderer.radiosity.scene.RadiosityScene;
 import org.selectiverenderer.runtime.instance.GroupInstance;
 import org.selectiverenderer.runtime.instance.Instance;
 import org.selectiverenderer.runtime.instance.InstanceTree;
@@ -16,8 +16,8 @@ import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Route;
 import org.selectiverenderer.runtime.scene.Scene;
-import org.selectiverenderer.x3d.write.NodeText;
-import org.selectiverenderer.x3d.write.ValueText;
+import org.selectiverenderer.x3d.write.FieldValueFormatter;
+import org.selectiverenderer.x3d.write.X3dNodeWriter;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
 /**
@@ -26,9 +26,9 @@ import org.selectiverenderer.x3d.write.X3dWriter;
  * light differs from place to place. The same scene gives the same bytes.
  */
 public final class LitSceneWriter {
-  private final LitForm form;
-  private final LitFiles files;
-  private final Problems problems;
+  private final LitSceneFormat form;
+  private final LitFileSet files;
+  private final ProblemCollector problems;
   private final Map<ShapeInstance, Integer> bodies = new IdentityHashMap<>();
 
   /**
@@ -37,9 +37,14 @@ public final class LitSceneWriter {
    * @param folder the folder for the files that it inlines
    * @param problems receives notes on nodes that could not be kept
    */
-  public LitSceneWriter(LightScene scene, LitForm form, Path file, Path folder, Problems problems) {
+  public LitSceneWriter(
+      RadiosityScene scene,
+      LitSceneFormat form,
+      Path file,
+      Path folder,
+      ProblemCollector problems) {
     this.form = form;
-    this.files = new LitFiles(file, folder);
+    this.files = new LitFileSet(file, folder);
     this.problems = problems;
     for (int i = 0; i < scene.bodies().size(); i++) {
       bodies.put(scene.bodies().get(i).shape(), i);
@@ -55,7 +60,7 @@ public final class LitSceneWriter {
   private void file(Path file, Scene scene, GroupInstance root, int place, String description) {
     X3dWriter out = new X3dWriter();
     head(out, file, scene, place, description);
-    LitFile into = new LitFile(out, file, place, prefix(scene));
+    LitFileWriter into = new LitFileWriter(out, file, place, prefix(scene));
     for (Instance child : root.children()) {
       write(child, into, "");
     }
@@ -65,7 +70,7 @@ public final class LitSceneWriter {
     }
     if (left > 0 || !scene.imported().isEmpty()) {
       problems.info(
-          Location.of(scene.url()),
+          SourceLocation.of(scene.url()),
           "ROUTEs and IMPORTs of nodes without a DEF name of their own are not in the lit"
               + " scene");
     }
@@ -86,7 +91,7 @@ public final class LitSceneWriter {
     return scene.named().keySet().stream().anyMatch(name -> name.startsWith(prefix));
   }
 
-  private static boolean route(Route route, LitFile into) {
+  private static boolean route(Route route, LitFileWriter into) {
     String from = into.nodes().name(route.from());
     String to = into.nodes().name(route.to());
     if (from.isEmpty() || to.isEmpty()) {
@@ -116,9 +121,9 @@ public final class LitSceneWriter {
     out.close().open("Scene");
   }
 
-  private void write(Instance instance, LitFile into, String container) {
+  private void write(Instance instance, LitFileWriter into, String container) {
     Node node = instance.node();
-    NodeText nodes = into.nodes();
+    X3dNodeWriter nodes = into.nodes();
     if (instance instanceof ShapeInstance shape && bodies.containsKey(shape)) {
       form.shape(into, bodies.get(shape), shape);
     } else if (instance instanceof GroupInstance group && !used(group, nodes)) {
@@ -134,7 +139,7 @@ public final class LitSceneWriter {
    * Returns whether a group can be written as a USE of an earlier one: it is named already and
    * holds no lit shape.
    */
-  private boolean used(GroupInstance group, NodeText nodes) {
+  private boolean used(GroupInstance group, X3dNodeWriter nodes) {
     return !nodes.name(group.node()).isEmpty() && !holdsLit(group);
   }
 
@@ -144,9 +149,9 @@ public final class LitSceneWriter {
             && group.children().stream().anyMatch(this::holdsLit);
   }
 
-  private void group(GroupInstance group, LitFile into, String container) {
+  private void group(GroupInstance group, LitFileWriter into, String container) {
     Node node = group.node();
-    NodeText nodes = into.nodes();
+    X3dNodeWriter nodes = into.nodes();
     nodes.open(node, container);
     if (node instanceof InlineNode inline && holdsLit(group)) {
       inline(inline, group, into);
@@ -160,11 +165,12 @@ public final class LitSceneWriter {
     into.out().close();
   }
 
-  private void inline(InlineNode inline, GroupInstance group, LitFile into) {
+  private void inline(InlineNode inline, GroupInstance group, LitFileWriter into) {
     Scene content = inline.content().orElseThrow();
     Path file = files.next(inline.strings("url")[0]);
     into.nodes().values(inline, "url", into);
-    into.out().attribute("url", ValueText.strings(Urls.between(into.folder(), file)));
+    into.out()
+        .attribute("url", FieldValueFormatter.strings(UrlRelativizer.between(into.folder(), file)));
     file(
         file,
         content,

@@ -1,8 +1,8 @@
 /**
  * Lit scenes as X3D files: the original scene graph, every instance of an Inline with a file of its
- * own, and its shapes as a {@link org.selectiverenderer.radiosity.output.LitForm} writes them: with
- * lightmaps, and with highlights by lights that stay on, or with colours at their vertices and
- * lights off.
+ * own, and its shapes as a {@link org.selectiverenderer.radiosity.output.LitSceneFormat} writes
+ * them: with lightmaps, and with highlights by lights that stay on, or with colours at their
+ * vertices and lights off.
  *
  * <p>In: a scene's instance tree and its light. Out: X3D texts and images by file. Uses {@code
  * radiosity.atlas}, {@code radiosity.bake}, {@code radiosity.light}, {@code radiosity.mesh}, {@code

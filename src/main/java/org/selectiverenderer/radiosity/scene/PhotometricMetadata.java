@@ -3,8 +3,8 @@ package org.selectiverenderer.radiosity.scene;
 import java.util.Optional;
 import java.util.SortedSet;
 import java.util.stream.Stream;
-import org.selectiverenderer.base.problem.Problems;
-import org.selectiverenderer.schema.nodes.NodeMetadata;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.schema.nodes.NodeViewMetadata;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /**
@@ -13,9 +13,9 @@ import org.selectiverenderer.x3d.catalogue.NodeView;
  * MetadataSet.
  */
 final class PhotometricMetadata {
-  private final NodeMetadata set;
+  private final NodeViewMetadata set;
 
-  private PhotometricMetadata(NodeMetadata set) {
+  private PhotometricMetadata(NodeViewMetadata set) {
     this.set = set;
   }
 
@@ -26,11 +26,11 @@ final class PhotometricMetadata {
    *     reported to {@code problems} and ignored
    */
   static Optional<PhotometricMetadata> of(
-      NodeView node, String name, SortedSet<String> members, Problems problems) {
+      NodeView node, String name, SortedSet<String> members, ProblemCollector problems) {
     if (node.type().field("metadata").isEmpty()) {
       return Optional.empty();
     }
-    return NodeMetadata.of(node).stream()
+    return NodeViewMetadata.of(node).stream()
         .flatMap(own -> Stream.concat(Stream.of(own), own.children().stream()))
         .filter(data -> data.isSet() && data.name().equals(name))
         .findFirst()
@@ -42,8 +42,8 @@ final class PhotometricMetadata {
             });
   }
 
-  private void check(SortedSet<String> members, Problems problems) {
-    for (NodeMetadata child : set.children()) {
+  private void check(SortedSet<String> members, ProblemCollector problems) {
+    for (NodeViewMetadata child : set.children()) {
       String member = child.name();
       if (!members.contains(member)) {
         problems.warning(
@@ -68,7 +68,7 @@ final class PhotometricMetadata {
 
   /** Returns all numbers of a member; empty unless each is finite and above 0. */
   Optional<double[]> numbers(String member) {
-    for (NodeMetadata child : set.children()) {
+    for (NodeViewMetadata child : set.children()) {
       if (child.name().equals(member)) {
         try {
           double[] values = child.values().stream().mapToDouble(Double::parseDouble).toArray();

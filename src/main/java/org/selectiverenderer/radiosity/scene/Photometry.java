@@ -1,6 +1,6 @@
 package org.selectiverenderer.radiosity.scene;
 
-import org.selectiverenderer.base.picture.Srgb;
+import org.selectiverenderer.base.image.Srgb;
 
 /**
  * Conversions between X3D's colours and photometric quantities.

@@ -3,7 +3,7 @@
  * them are sampled by rays, and the radiosity equation is iterated until the requested share of the
  * energy is distributed.
  *
- * <p>In: a {@link org.selectiverenderer.radiosity.scene.LightScene}. Out: the radiance of each
+ * <p>In: a {@link org.selectiverenderer.radiosity.scene.RadiosityScene}. Out: the radiance of each
  * patch, with an {@link org.selectiverenderer.radiosity.solve.EnergyBalance} per iteration. Uses
  * {@code radiosity.light}, {@code radiosity.sampling}, {@code radiosity.scene}, {@code
  * radiosity.trace} and {@code radiosity.work}.

@@ -1,7 +1,7 @@
 package org.selectiverenderer.radiosity.texel;
 
-import org.selectiverenderer.geometry.tree.BoxTree;
-import org.selectiverenderer.geometry.tree.BoxTreeBuilder;
+import org.selectiverenderer.geometry.bvh.Bvh;
+import org.selectiverenderer.geometry.bvh.BvhBuilder;
 import org.selectiverenderer.radiosity.trace.SceneTriangles;
 
 /**
@@ -37,8 +37,8 @@ final class ReferenceSurface {
   ReferenceSurface(SceneTriangles triangles, int[] members) {
     this.triangles = triangles;
     float[] corners = triangles.corners();
-    BoxTree tree =
-        BoxTreeBuilder.build(
+    Bvh tree =
+        BvhBuilder.build(
             members.length,
             (item, box) -> {
               int at = 9 * members[item];
@@ -73,8 +73,8 @@ final class ReferenceSurface {
 
   /** A closest-point search; one per thread. */
   final class Search {
-    private final int[] stack = new int[BoxTree.MAX_DEPTH];
-    private final TrianglePlace place = new TrianglePlace(triangles.corners());
+    private final int[] stack = new int[Bvh.MAX_DEPTH];
+    private final ClosestPointOnTriangle place = new ClosestPointOnTriangle(triangles.corners());
     private int item = -1;
     private int triangle;
     private double u;

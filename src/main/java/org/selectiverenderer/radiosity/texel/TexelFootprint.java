@@ -1,16 +1,16 @@
 package org.selectiverenderer.radiosity.texel;
 
 import org.selectiverenderer.radiosity.atlas.Atlas;
-import org.selectiverenderer.radiosity.atlas.TexelMap;
+import org.selectiverenderer.radiosity.atlas.AtlasPage;
 import org.selectiverenderer.radiosity.scene.Body;
-import org.selectiverenderer.radiosity.scene.LightScene;
+import org.selectiverenderer.radiosity.scene.RadiosityScene;
 
 /** The affine map from texel coordinates of a page to barycentric weights of one triangle. */
 final class TexelFootprint {
-  private final LightScene scene;
+  private final RadiosityScene scene;
   private final Atlas atlas;
   private final double[] normal = new double[3];
-  private int triangle = TexelMap.NONE;
+  private int triangle = AtlasPage.NONE;
   private double u0;
   private double ux;
   private double uy;
@@ -25,7 +25,7 @@ final class TexelFootprint {
 
   double v;
 
-  TexelFootprint(LightScene scene, Atlas atlas) {
+  TexelFootprint(RadiosityScene scene, Atlas atlas) {
     this.scene = scene;
     this.atlas = atlas;
   }
@@ -51,7 +51,7 @@ final class TexelFootprint {
     triangle = wanted;
     Body body = scene.body(wanted);
     Atlas.Layout layout = atlas.layouts().get(scene.bodyOf()[wanted]);
-    TexelMap map = atlas.pages().get(layout.page());
+    AtlasPage map = atlas.pages().get(layout.page());
     float[] st = layout.st();
     int at = 6 * (wanted - body.firstTriangle());
     double ax = (double) st[at] * map.width() - 0.5;

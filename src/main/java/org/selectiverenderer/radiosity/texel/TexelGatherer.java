@@ -3,9 +3,9 @@ package org.selectiverenderer.radiosity.texel;
 import java.util.List;
 import java.util.function.Consumer;
 import org.selectiverenderer.radiosity.atlas.Atlas;
-import org.selectiverenderer.radiosity.scene.LightScene;
-import org.selectiverenderer.radiosity.solve.Solution;
-import org.selectiverenderer.radiosity.work.WorkProgress;
+import org.selectiverenderer.radiosity.parallel.RadiosityProgress;
+import org.selectiverenderer.radiosity.scene.RadiosityScene;
+import org.selectiverenderer.radiosity.solve.RadiositySolution;
 
 /**
  * Gathers irradiance at texels: direct light at every texel, indirect light at irradiance records
@@ -17,8 +17,8 @@ public final class TexelGatherer {
 
   private static final double SURFACES = 0.95;
 
-  private final LightScene scene;
-  private final Solution solution;
+  private final RadiosityScene scene;
+  private final RadiositySolution solution;
   private final Atlas atlas;
   private final Effort effort;
 
@@ -37,7 +37,8 @@ public final class TexelGatherer {
     }
   }
 
-  public TexelGatherer(LightScene scene, Solution solution, Atlas atlas, Effort effort) {
+  public TexelGatherer(
+      RadiosityScene scene, RadiositySolution solution, Atlas atlas, Effort effort) {
     this.scene = scene;
     this.solution = solution;
     this.atlas = atlas;
@@ -48,7 +49,7 @@ public final class TexelGatherer {
    * Gathers the irradiance at all texels. If the work is cancelled, the rest is taken from the
    * solution's patches.
    */
-  public LightPages gather(TexelChoice choice, WorkProgress progress) {
+  public IrradianceAtlas gather(TexelSelection choice, RadiosityProgress progress) {
     return gather(choice, progress, null);
   }
 
@@ -57,62 +58,67 @@ public final class TexelGatherer {
    *
    * @param each receives the intermediate light, for previews; it must not keep it
    */
-  public LightPages gather(
-      TexelChoice choice,
-      WorkProgress progress,
-      @org.jspecify.annotations.Nullable Consumer<LightPages> each) {
-    Texels texels = new Texels(atlas, choice, SeenSides.of(scene, solution, effort.seed()));
-    PatchLight patches = new PatchLight(scene, solution, texels);
-    DirectPass lamps = new DirectPass(scene, solution, texels, effort.lampRays(), effort.seed());
+  public IrradianceAtlas gather(
+      TexelSelection choice,
+      RadiosityProgress progress,
+      @org.jspecify.annotations.Nullable Consumer<IrradianceAtlas> each) {
+    TexelIndex texels =
+        new TexelIndex(atlas, choice, LitSideSelection.of(scene, solution, effort.seed()));
+    PatchLightLookup patches = new PatchLightLookup(scene, solution, texels);
+    DirectLightPass lamps =
+        new DirectLightPass(scene, solution, texels, effort.lampRays(), effort.seed());
     float[] direct =
-        lamps.gather(progress, done -> progress.at(WorkProgress.Stage.TEXELS, LAMPS * done));
+        lamps.gather(progress, done -> progress.at(RadiosityProgress.Stage.TEXELS, LAMPS * done));
     long rays = lamps.rays();
     if (direct == null) {
-      return pages(texels, choice, patches.all(), false, rays, TexelNoise.NONE);
+      return pages(texels, choice, patches.all(), false, rays, TexelNoiseStatistics.NONE);
     }
-    TexelRays.Sets sets = TexelRays.Sets.of(effort.rays(), effort.seed());
-    NearbyPass nearby = NearbyPass.look(scene, solution, texels, direct, sets, progress);
+    TexelRayCaster.Sets sets = TexelRayCaster.Sets.of(effort.rays(), effort.seed());
+    TexelProximityPass nearby =
+        TexelProximityPass.look(scene, solution, texels, direct, sets, progress);
     rays += nearby.rays();
     if (each != null) {
       float[] rough = direct.clone();
       patches.addIndirect(rough);
-      each.accept(pages(texels, choice, rough, false, rays, TexelNoise.NONE));
+      each.accept(pages(texels, choice, rough, false, rays, TexelNoiseStatistics.NONE));
     }
     if (!effort.regather()) {
       patches.addIndirect(direct);
-      return pages(texels, choice, direct, true, rays, TexelNoise.NONE);
+      return pages(texels, choice, direct, true, rays, TexelNoiseStatistics.NONE);
     }
-    IndirectPass surfaces =
-        new IndirectPass(scene, solution, texels, nearby, direct, sets, effort.noise());
+    IrradianceCachePass surfaces =
+        new IrradianceCachePass(scene, solution, texels, nearby, direct, sets, effort.noise());
     boolean whole =
         surfaces.gather(
             progress,
-            done -> progress.at(WorkProgress.Stage.TEXELS, LAMPS + (SURFACES - LAMPS) * done));
+            done -> progress.at(RadiosityProgress.Stage.TEXELS, LAMPS + (SURFACES - LAMPS) * done));
     rays += surfaces.rays();
     if (!whole) {
       patches.addIndirect(direct);
-      return pages(texels, choice, direct, false, rays, TexelNoise.NONE);
+      return pages(texels, choice, direct, false, rays, TexelNoiseStatistics.NONE);
     }
-    TexelNoise noise = new IndirectBetween(scene, solution, texels, surfaces).addTo(direct);
-    progress.at(WorkProgress.Stage.TEXELS, 1);
+    TexelNoiseStatistics noise =
+        new IrradianceInterpolationPass(scene, solution, texels, surfaces).addTo(direct);
+    progress.at(RadiosityProgress.Stage.TEXELS, 1);
     return pages(texels, choice, direct, true, rays, noise);
   }
 
-  private LightPages pages(
-      Texels texels,
-      TexelChoice choice,
+  private IrradianceAtlas pages(
+      TexelIndex texels,
+      TexelSelection choice,
       float[] light,
       boolean complete,
       long rays,
-      TexelNoise noise) {
+      TexelNoiseStatistics noise) {
     List<float[]> pages = texels.pages(light);
     java.util.stream.IntStream.range(0, pages.size())
         .parallel()
-        .forEach(page -> ChartFilling.inCharts(texels.map(page), pages.get(page), texels, page));
+        .forEach(
+            page -> TexelHoleFilling.inCharts(texels.map(page), pages.get(page), texels, page));
     choice.rest(pages);
     java.util.stream.IntStream.range(0, pages.size())
         .parallel()
-        .forEach(page -> ChartFilling.gutters(texels.map(page), pages.get(page)));
-    return new LightPages(atlas, pages, complete, rays, noise);
+        .forEach(page -> TexelHoleFilling.gutters(texels.map(page), pages.get(page)));
+    return new IrradianceAtlas(atlas, pages, complete, rays, noise);
   }
 }

@@ -2,7 +2,7 @@ package org.selectiverenderer.radiosity.trace;
 
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.geometry.tree.BoxTree;
+import org.selectiverenderer.geometry.bvh.Bvh;
 
 /** A ray with its hit. Reused by one thread, so that nothing is allocated per ray. */
 public final class Ray {
@@ -37,17 +37,17 @@ public final class Ray {
   public boolean behind;
 
   /** Traversal stack: links of a tree. */
-  final int[] stack = new int[BoxTree.MAX_DEPTH];
+  final int[] stack = new int[Bvh.MAX_DEPTH];
 
   /**
    * Per entry of the stack: the distance at which the ray enters the box, as the bits of a float.
    */
-  final int[] entered = new int[BoxTree.MAX_DEPTH];
+  final int[] entered = new int[Bvh.MAX_DEPTH];
 
   /** The item of a tree that stopped the last shadow ray, which often stops the next one, too. */
   int blocker;
 
-  @Nullable TriangleTree blockerTree;
+  @Nullable TriangleBvh blockerTree;
 
   /** Number of rays cast with this object, for statistics. */
   long cast;

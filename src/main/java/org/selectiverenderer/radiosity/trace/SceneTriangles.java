@@ -9,8 +9,8 @@ import org.selectiverenderer.geometry.TriangleMath;
  *     seen from its front; all finite
  * @param twoSided per triangle: whether it is visible from behind, too
  * @param transmittance per triangle: the share of light that passes straight through
- * @param version per triangle: the version of an object that it belongs to, {@link Versions#FIXED}
- *     for none
+ * @param version per triangle: the version of an object that it belongs to, {@link
+ *     ObjectVersions#FIXED} for none
  */
 public record SceneTriangles(
     float[] corners, boolean[] twoSided, float[] transmittance, int[] version) {

@@ -7,10 +7,10 @@ package org.selectiverenderer.runtime.camera;
  * @param channel the buffer and colour channels that the view is drawn into
  * @param hidden the area of the view that the display hides
  */
-public record EyeView(Camera camera, Channel channel, HiddenPart hidden) {
+public record EyeView(Camera camera, Channel channel, HiddenAreaMesh hidden) {
   /** Makes a view without a hidden area. */
   public EyeView(Camera camera, Channel channel) {
-    this(camera, channel, HiddenPart.NONE);
+    this(camera, channel, HiddenAreaMesh.NONE);
   }
 
   /** The buffer and colour channels that a view is drawn into. */

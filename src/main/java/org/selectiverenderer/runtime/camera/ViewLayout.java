@@ -41,7 +41,7 @@ public interface ViewLayout {
    * @param width the view's width in pixels
    * @param height the view's height in pixels
    */
-  default List<Mark> marks(int view, int width, int height) {
+  default List<Primitive2D> marks(int view, int width, int height) {
     return List.of();
   }
 }

@@ -9,7 +9,8 @@ import org.jspecify.annotations.Nullable;
  * @param faces the faces front (-Z), back (+Z), left (-X), right (+X), top (+Y), bottom (-Y), each
  *     as seen from the centre and upright as the images of a Background
  */
-public record CubeTexture(List<Face> faces, @Nullable Sampling sampling) implements TextureSource {
+public record CubeTexture(List<Face> faces, @Nullable TextureSampler sampling)
+    implements TextureSource {
   /** The number of faces. */
   public static final int FACES = 6;
 

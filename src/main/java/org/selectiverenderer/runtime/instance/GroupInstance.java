@@ -7,10 +7,10 @@ import java.util.List;
 import java.util.Optional;
 import org.joml.Matrix4dc;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.runtime.nodes.group.Deforming;
+import org.selectiverenderer.runtime.nodes.group.Deformer;
 import org.selectiverenderer.runtime.nodes.group.GroupingNode;
-import org.selectiverenderer.runtime.nodes.layout.Region;
-import org.selectiverenderer.runtime.nodes.layout.Seen;
+import org.selectiverenderer.runtime.nodes.layout.LayoutRectangle;
+import org.selectiverenderer.runtime.nodes.layout.ViewDependentLayout;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.NodeObserver;
 
@@ -25,7 +25,7 @@ public final class GroupInstance extends Instance implements NodeObserver {
   boolean disposed;
 
   /** The layout rectangle for the groups below; null if it is the one of the group above. */
-  private @Nullable Region region;
+  private @Nullable LayoutRectangle region;
 
   private GroupingNode.Effect[] pending = NOTHING;
 
@@ -81,8 +81,8 @@ public final class GroupInstance extends Instance implements NodeObserver {
   }
 
   private void place() {
-    if (group instanceof Seen seen) {
-      Seen.Spot spot = spot(seen);
+    if (group instanceof ViewDependentLayout seen) {
+      ViewDependentLayout.Spot spot = spot(seen);
       content = spot.content();
       region = spot.region().orElse(null);
     } else {
@@ -92,13 +92,13 @@ public final class GroupInstance extends Instance implements NodeObserver {
 
   /** Adapts the group to the size of the picture; returns whether that moved its content. */
   boolean see() {
-    Seen.Spot spot = spot((Seen) group);
+    ViewDependentLayout.Spot spot = spot((ViewDependentLayout) group);
     region = spot.region().orElse(null);
     return !content.equals(spot.content());
   }
 
-  private Seen.Spot spot(Seen seen) {
-    Optional<Region> above = Optional.empty();
+  private ViewDependentLayout.Spot spot(ViewDependentLayout seen) {
+    Optional<LayoutRectangle> above = Optional.empty();
     for (GroupInstance at = parent(); at != null && above.isEmpty(); at = at.parent()) {
       above = Optional.ofNullable(at.region);
     }
@@ -106,7 +106,7 @@ public final class GroupInstance extends Instance implements NodeObserver {
   }
 
   private Matrix4dc placed() {
-    if (group instanceof Seen seen) {
+    if (group instanceof ViewDependentLayout seen) {
       return spot(seen).content();
     }
     return group.placement().map(local -> (Matrix4dc) world().mul(local, local)).orElse(world());
@@ -157,7 +157,7 @@ public final class GroupInstance extends Instance implements NodeObserver {
           choose();
           tree.chosen();
         }
-        case FORM -> ((Deforming) group).deform();
+        case FORM -> ((Deformer) group).deform();
         case NONE -> {}
       }
     }

@@ -2,6 +2,7 @@ package org.selectiverenderer.runtime.instance;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.Deque;
 import java.util.IdentityHashMap;
 import java.util.LinkedHashSet;
@@ -14,14 +15,14 @@ import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.runtime.nodes.group.Deforming;
+import org.selectiverenderer.runtime.nodes.group.Deformer;
 import org.selectiverenderer.runtime.nodes.group.GroupingNode;
 import org.selectiverenderer.runtime.nodes.group.ViewerDependent;
-import org.selectiverenderer.runtime.nodes.layout.Sight;
+import org.selectiverenderer.runtime.nodes.layout.ViewParameters;
 import org.selectiverenderer.runtime.nodes.shader.ShaderNode;
-import org.selectiverenderer.runtime.scene.Cascade;
-import org.selectiverenderer.runtime.scene.Formed;
+import org.selectiverenderer.runtime.scene.EventCascade;
 import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.runtime.scene.ProceduralShape;
 
 /**
  * The tree of all instances of a scene: one instance for every path from the root to a node,
@@ -49,12 +50,12 @@ public final class InstanceTree {
 
   private final long maxInstances =
       Math.min(MAX_INSTANCES, Runtime.getRuntime().maxMemory() / BYTES_PER_INSTANCE);
-  private final Assets assets;
+  private final AssetProvider assets;
   private final GroupInstance root;
-  private final Map<Node, ShapeLook> looks = new IdentityHashMap<>();
-  private final InstanceLists lists = new InstanceLists();
+  private final Map<Node, SharedShapeState> looks = new IdentityHashMap<>();
+  private final InstanceIndex lists = new InstanceIndex();
   private final List<GroupInstance> pendingGroups = new ArrayList<>();
-  private final List<ShapeLook> pendingLooks = new ArrayList<>();
+  private final List<SharedShapeState> pendingLooks = new ArrayList<>();
   private final Set<ShaderNode> judged = new LinkedHashSet<>();
   private final Matrix4d inverse = new Matrix4d();
   private final Vector3d localEye = new Vector3d();
@@ -65,14 +66,14 @@ public final class InstanceTree {
   private boolean structureChanged = true;
   private Consumer<? super Node> onMoved = node -> {};
   private boolean cutOff;
-  private Sight sight = Sight.NONE;
+  private ViewParameters sight = ViewParameters.NONE;
   private int instances;
   private long shownPolygons;
 
   /**
    * @param rootNode the scene's root group
    */
-  public InstanceTree(GroupingNode rootNode, Assets assets) {
+  public InstanceTree(GroupingNode rootNode, AssetProvider assets) {
     this.assets = assets;
     root = (GroupInstance) build(rootNode, null, 0);
     root.show(true, this);
@@ -182,7 +183,7 @@ public final class InstanceTree {
     pendingGroups.add(group);
   }
 
-  void pending(ShapeLook look) {
+  void pending(SharedShapeState look) {
     pendingLooks.add(look);
   }
 
@@ -214,7 +215,7 @@ public final class InstanceTree {
    * @param eye the viewer in world coordinates
    * @param up the viewer's up in world coordinates
    */
-  public void view(Vector3dc eye, Vector3dc up, Cascade cascade) {
+  public void view(Vector3dc eye, Vector3dc up, EventCascade cascade) {
     if (!judged.isEmpty()) {
       judged.forEach(shader -> shader.tell(cascade));
       judged.clear();
@@ -247,7 +248,7 @@ public final class InstanceTree {
    * Places the nodes whose layout depends on the picture, each instance separately (X3D 4.0, clause
    * 36). To be called after the viewer has moved, and again for a picture of another size.
    */
-  public void see(Sight now) {
+  public void see(ViewParameters now) {
     sight = now;
     for (GroupInstance group : lists.seenGroups) {
       if (group.see()) {
@@ -263,7 +264,7 @@ public final class InstanceTree {
   }
 
   /** Returns the view parameters of the last {@link #see}. */
-  Sight sight() {
+  ViewParameters sight() {
     return sight;
   }
 
@@ -273,13 +274,14 @@ public final class InstanceTree {
       GroupInstance instance = new GroupInstance(group, parent, this);
       group.addObserver(instance);
       instance.children = children(instance, depth, Map.of());
-      if (group instanceof Deforming) {
+      if (group instanceof Deformer) {
         instance.affected(GroupingNode.Effect.FORM);
       }
       return instance;
     }
-    if (node.type().name().equals("Shape") || node instanceof Formed) {
-      ShapeLook look = looks.computeIfAbsent(node, shape -> new ShapeLook(shape, assets, this));
+    if (node.type().name().equals("Shape") || node instanceof ProceduralShape) {
+      SharedShapeState look =
+          looks.computeIfAbsent(node, shape -> new SharedShapeState(shape, assets, this));
       ShapeInstance instance = new ShapeInstance(node, parent, look);
       look.instances.add(instance);
       instance.see(sight);
@@ -290,8 +292,8 @@ public final class InstanceTree {
       node.addObserver(instance);
       return instance;
     }
-    if (EffectInstance.isEffect(node)) {
-      return new EffectInstance(node, parent, assets);
+    if (ScopedEffectInstance.isEffect(node)) {
+      return new ScopedEffectInstance(node, parent, assets);
     }
     plainMoved(node); // The node may have been elsewhere before.
     return new PlainInstance(node, parent);
@@ -366,8 +368,46 @@ public final class InstanceTree {
 
   private void collect() {
     lists.collect(root);
-    LightScopes.tell(root, lists);
+    LightScopeResolver.tell(root, lists);
     structureVersion++;
     structureChanged = false;
+  }
+
+  /**
+   * Assigns to every shape the lights that reach it, in document order, and the effects (fog, clip
+   * planes, environment lights) whose scope it is in; siblings share both.
+   */
+  private static final class LightScopeResolver {
+    private final Comparator<LightInstance> order;
+
+    private LightScopeResolver(List<LightInstance> lights) {
+      Map<LightInstance, Integer> numbers = new IdentityHashMap<>();
+      lights.forEach(light -> numbers.put(light, numbers.size()));
+      order = Comparator.comparing(numbers::get);
+    }
+
+    /**
+     * Assigns lights and effects to all shapes of a tree.
+     *
+     * @param lists the instances of the tree by kind
+     */
+    static void tell(GroupInstance root, InstanceIndex lists) {
+      List<LightInstance> global =
+          lists.lights.stream().filter(light -> light.light().global()).toList();
+      new LightScopeResolver(lists.lights).tell(root, global, ScopedEffects.of(lists.environments));
+    }
+
+    private void tell(GroupInstance group, List<LightInstance> above, ScopedEffects around) {
+      List<LightInstance> reaching = group.lit(above, order);
+      ScopedEffects within = around.within(group.children);
+      for (Instance child : group.children) {
+        if (child instanceof GroupInstance below) {
+          tell(below, reaching, within);
+        } else if (child instanceof ShapeInstance shape) {
+          shape.light(reaching);
+          shape.surround(within);
+        }
+      }
+    }
   }
 }

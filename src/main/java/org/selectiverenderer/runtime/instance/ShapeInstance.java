@@ -10,24 +10,24 @@ import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.geometry.mesh.Mesh;
-import org.selectiverenderer.runtime.nodes.layout.Sight;
+import org.selectiverenderer.runtime.nodes.layout.ViewParameters;
 import org.selectiverenderer.runtime.nodes.shader.ShaderNode;
-import org.selectiverenderer.runtime.nodes.shape.GeneratedCubeNode;
-import org.selectiverenderer.runtime.nodes.sound.PlayedNode;
+import org.selectiverenderer.runtime.nodes.shape.GeneratedCubeMapTextureNode;
+import org.selectiverenderer.runtime.nodes.sound.SoundSourceNode;
 import org.selectiverenderer.runtime.scene.Node;
 
 /** An instance of a Shape, which a renderer draws and a ray may hit. */
 public final class ShapeInstance extends Instance {
-  private final ShapeLook look;
+  private final SharedShapeState look;
   private double @Nullable [] bounds;
   private @Nullable Matrix4dc placed;
   private List<LightInstance> lights = List.of();
-  private Surroundings surroundings = Surroundings.NONE;
+  private ScopedEffects surroundings = ScopedEffects.NONE;
 
   /** The view parameters, for a shape whose text is measured in pixels. */
-  private @Nullable Sight sight;
+  private @Nullable ViewParameters sight;
 
-  ShapeInstance(Node node, @Nullable GroupInstance parent, ShapeLook look) {
+  ShapeInstance(Node node, @Nullable GroupInstance parent, SharedShapeState look) {
     super(node, parent);
     this.look = look;
   }
@@ -38,7 +38,7 @@ public final class ShapeInstance extends Instance {
   }
 
   /** Returns the surface's material; the same object until it changes. */
-  public Surface surface() {
+  public SurfaceMaterial surface() {
     return look.surface();
   }
 
@@ -64,17 +64,17 @@ public final class ShapeInstance extends Instance {
   }
 
   /** Returns the movie textures on the shape. */
-  public List<PlayedNode> films() {
+  public List<SoundSourceNode> films() {
     return look.films();
   }
 
   /** Returns the generated cube maps on the shape. */
-  public List<GeneratedCubeNode> cubes() {
+  public List<GeneratedCubeMapTextureNode> cubes() {
     return look.cubes();
   }
 
   /** Returns how lines, points and areas are drawn; the same object until that changes. */
-  public Stroke stroke() {
+  public DrawProperties stroke() {
     return look.stroke();
   }
 
@@ -82,7 +82,7 @@ public final class ShapeInstance extends Instance {
    * Returns the shader programs that the author wrote, of which the first that compiles draws the
    * shape; mostly none.
    */
-  public List<SurfaceProgram> programs() {
+  public List<ShaderProgramSource> programs() {
     return look.programs();
   }
 
@@ -97,7 +97,7 @@ public final class ShapeInstance extends Instance {
     look.judged(shader, valid, selected, problems);
   }
 
-  ShapeLook look() {
+  SharedShapeState look() {
     return look;
   }
 
@@ -107,11 +107,11 @@ public final class ShapeInstance extends Instance {
   }
 
   /** Returns the fog, clip planes and environment lights whose scope contains the shape. */
-  public Surroundings surroundings() {
+  public ScopedEffects surroundings() {
     return surroundings;
   }
 
-  void surround(Surroundings with) {
+  void surround(ScopedEffects with) {
     surroundings = with;
   }
 
@@ -135,8 +135,8 @@ public final class ShapeInstance extends Instance {
    * Adapts text that is measured in pixels to the size of the picture; returns whether that changed
    * the shape's place.
    */
-  boolean see(Sight now) {
-    Sight wanted = look.onScreen() ? now : null;
+  boolean see(ViewParameters now) {
+    ViewParameters wanted = look.onScreen() ? now : null;
     if (Objects.equals(wanted, sight)) {
       return false;
     }

@@ -1,7 +1,7 @@
 package org.selectiverenderer.runtime.instance;
 
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.runtime.movie.Film;
+import org.selectiverenderer.runtime.movie.MoviePlayback;
 
 /**
  * A texture image with its sampler settings.
@@ -11,7 +11,8 @@ import org.selectiverenderer.runtime.movie.Film;
  * @param sampling the TextureProperties, which override {@code repeatS} and {@code repeatT}; or
  *     null
  */
-public record Texture(Image image, boolean repeatS, boolean repeatT, @Nullable Sampling sampling)
+public record Texture(
+    Image image, boolean repeatS, boolean repeatT, @Nullable TextureSampler sampling)
     implements TextureSource {
 
   /** A texture without TextureProperties. */
@@ -37,7 +38,12 @@ public record Texture(Image image, boolean repeatS, boolean repeatT, @Nullable S
    * @param film the movie whose frames replace this image, which is its first frame; or null
    */
   public record Image(
-      int width, int height, int layers, int components, byte[] rgba, @Nullable Film film) {
+      int width,
+      int height,
+      int layers,
+      int components,
+      byte[] rgba,
+      @Nullable MoviePlayback film) {
     /** Makes a still image. */
     public Image(int width, int height, int layers, int components, byte[] rgba) {
       this(width, height, layers, components, rgba, null);
@@ -49,7 +55,7 @@ public record Texture(Image image, boolean repeatS, boolean repeatT, @Nullable S
     }
 
     /** Returns the same image with another movie. */
-    public Image with(@Nullable Film other) {
+    public Image with(@Nullable MoviePlayback other) {
       return new Image(width, height, layers, components, rgba, other);
     }
 

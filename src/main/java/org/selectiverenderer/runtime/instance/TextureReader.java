@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.runtime.nodes.shape.GeneratedCubeNode;
+import org.selectiverenderer.runtime.nodes.shape.GeneratedCubeMapTextureNode;
 import org.selectiverenderer.runtime.scene.Node;
 
 /** Reads texture nodes that are not MultiTextures (X3D 4.0, 18.4, 33.4, 34.4). */
@@ -25,7 +25,7 @@ final class TextureReader {
    * Reads a texture node; empty for null, for a texture without an image and for an unknown node
    * type.
    */
-  static Optional<TextureSource> read(@Nullable Node node, Assets assets) {
+  static Optional<TextureSource> read(@Nullable Node node, AssetProvider assets) {
     if (node == null) {
       return Optional.empty();
     }
@@ -39,16 +39,16 @@ final class TextureReader {
                           image,
                           node.bool("repeatS"),
                           node.bool("repeatT"),
-                          SamplingReader.of(node)));
+                          TextureSamplerReader.of(node)));
       case "ComposedCubeMapTexture" -> composedCube(node, assets);
       case "ImageCubeMapTexture" ->
           assets
               .image(node)
               .filter(image -> image.layers() == CubeTexture.FACES)
-              .map(image -> cube(image, SamplingReader.of(node)));
+              .map(image -> cube(image, TextureSamplerReader.of(node)));
       case "GeneratedCubeMapTexture" ->
-          node instanceof GeneratedCubeNode cube
-              ? Optional.of(GeneratedCube.of(cube))
+          node instanceof GeneratedCubeMapTextureNode cube
+              ? Optional.of(GeneratedCubeTexture.of(cube))
               : Optional.empty();
       case "PixelTexture3D", "ImageTexture3D" ->
           assets.image(node).map(image -> volume(image, node));
@@ -57,7 +57,7 @@ final class TextureReader {
     };
   }
 
-  private static TextureSource cube(Texture.Image image, @Nullable Sampling sampling) {
+  private static TextureSource cube(Texture.Image image, @Nullable TextureSampler sampling) {
     List<CubeTexture.Face> faces = new ArrayList<>();
     for (int i = 0; i < CubeTexture.FACES; i++) {
       faces.add(new CubeTexture.Face(image, i));
@@ -65,7 +65,7 @@ final class TextureReader {
     return new CubeTexture(List.copyOf(faces), sampling);
   }
 
-  private static Optional<TextureSource> composedCube(Node node, Assets assets) {
+  private static Optional<TextureSource> composedCube(Node node, AssetProvider assets) {
     List<CubeTexture.Face> faces = new ArrayList<>();
     for (String field : FACES) {
       Node face = node.node(field);
@@ -74,7 +74,7 @@ final class TextureReader {
       }
     }
     return faces.size() == CubeTexture.FACES
-        ? Optional.of(new CubeTexture(List.copyOf(faces), SamplingReader.of(node)))
+        ? Optional.of(new CubeTexture(List.copyOf(faces), TextureSamplerReader.of(node)))
         : Optional.empty();
   }
 
@@ -84,14 +84,14 @@ final class TextureReader {
         node.bool("repeatS"),
         node.bool("repeatT"),
         node.bool("repeatR"),
-        SamplingReader.of(node));
+        TextureSamplerReader.of(node));
   }
 
   /**
    * Reads a ComposedTexture3D: its slices are the images of its textures; those of another size
    * than the first are left out.
    */
-  private static Optional<TextureSource> composedVolume(Node node, Assets assets) {
+  private static Optional<TextureSource> composedVolume(Node node, AssetProvider assets) {
     List<Texture.Image> slices = new ArrayList<>();
     for (Node texture : node.nodes("texture")) {
       assets

@@ -8,31 +8,31 @@ import java.util.Locale;
 import java.util.Set;
 import org.joml.Matrix4f;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.geometry.tessellate.TexCoordSource;
+import org.selectiverenderer.geometry.tessellate.TextureCoordinateSource;
 import org.selectiverenderer.runtime.instance.TextureUnit.Role;
 import org.selectiverenderer.runtime.scene.Node;
 
 /** Collects the textures of an Appearance and its material, each with its texture coordinates. */
 final class TextureUnits {
-  /** The roles in which a surface's only image needs no {@link SurfaceDetail}. */
+  /** The roles in which a surface's only image needs no {@link ExtendedMaterial}. */
   private static final Set<Role> PLAIN = EnumSet.of(Role.MAIN, Role.DIFFUSE, Role.EMISSIVE);
 
-  private final Assets assets;
+  private final AssetProvider assets;
   private final TextureTransforms transforms;
-  private final List<TexCoordSource> coordinates;
+  private final List<TextureCoordinateSource> coordinates;
   private final List<TextureUnit> units = new ArrayList<>(1);
   private final List<TextureStage> stages = new ArrayList<>(0);
   private boolean ownMain;
   private boolean uncommon;
   private boolean mainTints;
 
-  private TextureUnits(Node appearance, @Nullable Node geometry, Assets assets) {
+  private TextureUnits(Node appearance, @Nullable Node geometry, AssetProvider assets) {
     this.assets = assets;
     transforms = TextureTransforms.of(appearance);
-    coordinates = geometry == null ? List.of() : TexCoordSource.of(geometry);
+    coordinates = geometry == null ? List.of() : TextureCoordinateSource.of(geometry);
   }
 
-  static TextureUnits of(Node appearance, @Nullable Node geometry, Assets assets) {
+  static TextureUnits of(Node appearance, @Nullable Node geometry, AssetProvider assets) {
     TextureUnits all = new TextureUnits(appearance, geometry, assets);
     Node material = appearance.node("material");
     all.ofMaterial(material);
@@ -182,10 +182,10 @@ final class TextureUnits {
 
   private boolean add(Role role, @Nullable Node texture, String mapping, int channel) {
     TextureSource source = TextureReader.read(texture, assets).orElse(null);
-    if (source == null || units.size() == SurfaceDetail.MOST_UNITS) {
+    if (source == null || units.size() == ExtendedMaterial.MOST_UNITS) {
       return false;
     }
-    TexCoordSource chosen = coordinates(mapping, channel);
+    TextureCoordinateSource chosen = coordinates(mapping, channel);
     boolean plane = source instanceof Texture;
     int set = chosen == null ? plane ? 0 : TextureUnit.BOUNDS : chosen.set();
     String mode = "";
@@ -208,9 +208,9 @@ final class TextureUnits {
     return true;
   }
 
-  private @Nullable TexCoordSource coordinates(String mapping, int channel) {
+  private @Nullable TextureCoordinateSource coordinates(String mapping, int channel) {
     if (!mapping.isEmpty()) {
-      for (TexCoordSource source : coordinates) {
+      for (TextureCoordinateSource source : coordinates) {
         if (source.mapping().equals(mapping)) {
           return source;
         }

@@ -12,7 +12,7 @@ public record VolumeTexture(
     boolean repeatS,
     boolean repeatT,
     boolean repeatR,
-    @Nullable Sampling sampling)
+    @Nullable TextureSampler sampling)
     implements TextureSource {
   @Override
   public int components() {

@@ -11,17 +11,18 @@
  * and counting all read this one tree.
  *
  * <p>A LocalFog, ClipPlane or EnvironmentLight is an {@link
- * org.selectiverenderer.runtime.instance.EffectInstance}; the {@link
- * org.selectiverenderer.runtime.instance.Surroundings} of a shape are those whose scope it is in.
+ * org.selectiverenderer.runtime.instance.ScopedEffectInstance}; the {@link
+ * org.selectiverenderer.runtime.instance.ScopedEffects} of a shape are those whose scope it is in.
  * How its lines, points and areas are drawn is its {@link
- * org.selectiverenderer.runtime.instance.Stroke}.
+ * org.selectiverenderer.runtime.instance.DrawProperties}.
  *
- * <p>A {@link Surface} is the material of a shape. Most have one material node and at most one
- * image; all further properties are its {@link SurfaceDetail}, with a {@link TextureUnit} for every
- * texture, whose coordinates are numbered as {@code geometry.tessellate} numbers those of the mesh.
+ * <p>A {@link SurfaceMaterial} is the material of a shape. Most have one material node and at most
+ * one image; all further properties are its {@link ExtendedMaterial}, with a {@link TextureUnit}
+ * for every texture, whose coordinates are numbered as {@code geometry.tessellate} numbers those of
+ * the mesh.
  *
- * <p>The shaders of an Appearance are {@link SurfaceProgram}s. The renderer uses the first that
- * compiles and reports the result for each.
+ * <p>The shaders of an Appearance are {@link ShaderProgramSource}s. The renderer uses the first
+ * that compiles and reports the result for each.
  *
  * <p>In: changes of nodes. Out: the tree, updated at the cost of what has changed. Uses {@code
  * runtime.nodes.group}, {@code runtime.nodes.sensor}, {@code runtime.nodes.shader}, {@code

@@ -7,32 +7,32 @@ import java.util.Set;
 import java.util.WeakHashMap;
 import java.util.function.Function;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.geometry.mesh.Mesh;
-import org.selectiverenderer.runtime.instance.Assets;
+import org.selectiverenderer.runtime.instance.AssetProvider;
 import org.selectiverenderer.runtime.instance.Texture;
-import org.selectiverenderer.runtime.movie.Film;
+import org.selectiverenderer.runtime.movie.MoviePlayback;
 import org.selectiverenderer.runtime.nodes.sound.MovieTextureNode;
 import org.selectiverenderer.runtime.scene.Node;
-import org.selectiverenderer.x3d.shader.ShaderText;
+import org.selectiverenderer.x3d.shader.ShaderSource;
 
 /**
  * A store of meshes, images and shader sources by node: those made while loading, and those made
  * later for new or changed nodes. It holds nodes weakly. Thread-safe.
  */
-final class AssetStore implements Assets {
+final class AssetStore implements AssetProvider {
   // Nodes are compared by identity; no value refers back to its node, so that the weak keys can be
   // cleared.
   private final Map<Node, Optional<Mesh>> meshes = new WeakHashMap<>();
   private final Map<Node, Optional<Texture.Image>> images = new WeakHashMap<>();
-  private final Map<Node, Optional<ShaderText>> shaders = new WeakHashMap<>();
+  private final Map<Node, Optional<ShaderSource>> shaders = new WeakHashMap<>();
   private final Map<Node, Integer> changes = new WeakHashMap<>();
   private final Function<Node, Optional<Mesh>> tessellate;
   private final Function<Node, Optional<Texture.Image>> decode;
 
   private final Set<Node> multiplying = Collections.newSetFromMap(new WeakHashMap<>());
 
-  private final Problems problems;
+  private final ProblemCollector problems;
 
   /**
    * @param problems receives the errors of shader programs that do not compile
@@ -40,13 +40,13 @@ final class AssetStore implements Assets {
   AssetStore(
       Function<Node, Optional<Mesh>> tessellate,
       Function<Node, Optional<Texture.Image>> decode,
-      Problems problems) {
+      ProblemCollector problems) {
     this.tessellate = tessellate;
     this.decode = decode;
     this.problems = problems;
   }
 
-  synchronized void putShader(Node part, Optional<ShaderText> text) {
+  synchronized void putShader(Node part, Optional<ShaderSource> text) {
     shaders.put(part, text);
   }
 
@@ -56,7 +56,7 @@ final class AssetStore implements Assets {
   }
 
   @Override
-  public synchronized Optional<ShaderText> shader(Node part) {
+  public synchronized Optional<ShaderSource> shader(Node part) {
     return shaders.getOrDefault(part, Optional.empty());
   }
 
@@ -83,7 +83,7 @@ final class AssetStore implements Assets {
   synchronized void putImage(Node texture, Optional<Texture.Image> image) {
     Optional<Texture.Image> own = image;
     if (texture instanceof MovieTextureNode movie) {
-      Film film = image.map(Texture.Image::film).map(Film::anew).orElse(null);
+      MoviePlayback film = image.map(Texture.Image::film).map(MoviePlayback::anew).orElse(null);
       own = image.map(first -> first.with(film));
       movie.film(film);
     }

@@ -1,26 +1,30 @@
 package org.selectiverenderer.runtime.loading;
 
 import java.util.ArrayDeque;
+import java.util.Collection;
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.Deque;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
-import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.geometry.mesh.Mesh;
-import org.selectiverenderer.runtime.instance.Backdrop;
+import org.selectiverenderer.runtime.instance.Background;
 import org.selectiverenderer.runtime.instance.Texture;
-import org.selectiverenderer.runtime.sound.Recording;
-import org.selectiverenderer.x3d.files.ContentBase;
+import org.selectiverenderer.runtime.sound.AudioBuffer;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.script.ScriptProgram;
-import org.selectiverenderer.x3d.shader.ShaderText;
+import org.selectiverenderer.x3d.shader.ShaderSource;
+import org.selectiverenderer.x3d.url.BaseUrl;
 
 /**
  * A parsed file with the meshes and images of its nodes and the files that its Inlines name. A file
@@ -40,16 +44,16 @@ import org.selectiverenderer.x3d.shader.ShaderText;
  */
 record FileContent(
     String key,
-    ContentBase base,
+    BaseUrl base,
     X3dFile file,
-    FileProblems problems,
+    OrderedProblems problems,
     Set<String> types,
     Map<ParsedNode, Optional<Mesh>> meshes,
     Map<ParsedNode, Optional<Texture.Image>> images,
     Map<ParsedNode, ScriptProgram> programs,
-    Map<ParsedNode, Optional<ShaderText>> shaders,
-    Map<ParsedNode, Recording> sounds,
-    Map<ParsedNode, Map<Backdrop.Side, ParsedNode>> pictures,
+    Map<ParsedNode, Optional<ShaderSource>> shaders,
+    Map<ParsedNode, AudioBuffer> sounds,
+    Map<ParsedNode, Map<Background.Side, ParsedNode>> pictures,
     Map<ParsedNode, CompletableFuture<Outcome>> inlines) {
 
   private static final long LEAST_OF_ONE = 40;
@@ -70,12 +74,12 @@ record FileContent(
     record Failed(String sentence) implements Outcome {}
   }
 
-  FileContent(String key, ContentBase base, X3dFile file) {
+  FileContent(String key, BaseUrl base, X3dFile file) {
     this(
         key,
         base,
         file,
-        new FileProblems(),
+        new OrderedProblems(),
         ConcurrentHashMap.newKeySet(),
         new ConcurrentHashMap<>(),
         new ConcurrentHashMap<>(),
@@ -116,15 +120,48 @@ record FileContent(
     return work;
   }
 
-  void error(Location location, String message) {
+  void error(SourceLocation location, String message) {
     problems.addAll(List.of(new Problem(Problem.Severity.ERROR, location, message)));
   }
 
-  void warning(Location location, String message) {
+  void warning(SourceLocation location, String message) {
     problems.addAll(List.of(new Problem(Problem.Severity.WARNING, location, message)));
   }
 
-  void info(Location location, String message) {
+  void info(SourceLocation location, String message) {
     problems.addAll(List.of(new Problem(Problem.Severity.INFO, location, message)));
+  }
+
+  /**
+   * The problems of one file in document order, regardless of the thread that finds them. It keeps
+   * only as many as will be listed, the first ones in that order. Thread-safe.
+   */
+  static final class OrderedProblems {
+    /** Order by location; problems of the file as a whole come last. */
+    private static final Comparator<Problem> DOCUMENT_ORDER =
+        Comparator.comparingInt(OrderedProblems::line)
+            .thenComparingInt(problem -> problem.location().column())
+            .thenComparing(Problem::severity)
+            .thenComparing(Problem::message);
+
+    private final TreeSet<Problem> first = new TreeSet<>(DOCUMENT_ORDER);
+
+    private static int line(Problem problem) {
+      int line = problem.location().line();
+      return line == 0 ? Integer.MAX_VALUE : line;
+    }
+
+    synchronized void addAll(Collection<Problem> problems) {
+      for (Problem problem : problems) {
+        first.add(problem);
+        if (first.size() > ProblemCollector.LIMIT + 1) {
+          first.pollLast();
+        }
+      }
+    }
+
+    synchronized List<Problem> list() {
+      return List.copyOf(first);
+    }
   }
 }

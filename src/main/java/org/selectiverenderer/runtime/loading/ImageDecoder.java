@@ -15,7 +15,7 @@ import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 import javax.imageio.stream.MemoryCacheImageInputStream;
 import org.selectiverenderer.runtime.instance.Texture;
-import org.selectiverenderer.x3d.files.Content;
+import org.selectiverenderer.x3d.url.UrlContent;
 
 /**
  * Decodes image files (PNG, JPEG, GIF, BMP, TGA, DDS) and the pixels in fields of texture nodes.
@@ -43,28 +43,28 @@ final class ImageDecoder {
    * @param budget the bytes left for images; reduced by this image
    * @throws IOException if the image cannot be read; {@link Failure#clause} gives the reason
    */
-  static Texture.Image read(Content file, AtomicLong budget) throws IOException {
-    if (TgaImage.is(file.name())) {
-      return TgaImage.read(whole(file), budget);
+  static Texture.Image read(UrlContent file, AtomicLong budget) throws IOException {
+    if (TgaDecoder.is(file.name())) {
+      return TgaDecoder.read(whole(file), budget);
     }
     // Most files are small and read at once; of a large one the beginning suffices to recognise the
     // format.
     boolean small = file.size() <= SMALL;
     byte[] bytes = small ? whole(file) : beginning(file);
-    if (DdsImage.is(bytes)) {
-      return DdsImage.read(small ? bytes : whole(file), budget);
+    if (DdsDecoder.is(bytes)) {
+      return DdsDecoder.read(small ? bytes : whole(file), budget);
     }
     Optional<Texture.Image> png = small ? png(bytes, budget) : Optional.empty();
     return png.isPresent() ? png.get() : byLibrary(small ? known(file, bytes) : file, budget);
   }
 
   /** Wraps the bytes of a file that has been read, since several decoders open it in turn. */
-  private static Content known(Content file, byte[] bytes) {
-    return new Content.OfBytes(file.key(), file.name(), file.base(), bytes);
+  private static UrlContent known(UrlContent file, byte[] bytes) {
+    return new UrlContent.OfBytes(file.key(), file.name(), file.base(), bytes);
   }
 
   private static Optional<Texture.Image> png(byte[] whole, AtomicLong budget) throws IOException {
-    Optional<PngImage> png = PngImage.of(whole);
+    Optional<PngDecoder> png = PngDecoder.of(whole);
     if (png.isEmpty()) {
       return Optional.empty();
     }
@@ -76,7 +76,7 @@ final class ImageDecoder {
     return image;
   }
 
-  private static Texture.Image byLibrary(Content file, AtomicLong budget) throws IOException {
+  private static Texture.Image byLibrary(UrlContent file, AtomicLong budget) throws IOException {
     try (InputStream in = file.open();
         ImageInputStream stream = new MemoryCacheImageInputStream(in)) {
       Iterator<ImageReader> readers = ImageIO.getImageReaders(stream);
@@ -88,8 +88,8 @@ final class ImageDecoder {
       try {
         reader.setInput(stream, true, true);
         spend((long) reader.getWidth(0) * reader.getHeight(0), budget);
-        return CmykJpeg.is(reader, file)
-            ? CmykJpeg.read(reader.readRaster(0, null), file)
+        return CmykJpegDecoder.is(reader, file)
+            ? CmykJpegDecoder.read(reader.readRaster(0, null), file)
             : convert(reader.read(0));
       } catch (IIOException | EOFException | RuntimeException e) {
         // ImageIO's readers throw various runtime exceptions for damaged files.
@@ -101,8 +101,8 @@ final class ImageDecoder {
   }
 
   /** Returns whether a file is an image of a supported format, judged by its first bytes. */
-  static boolean knows(Content file) throws IOException {
-    if (TgaImage.is(file.name()) || DdsImage.is(beginning(file))) {
+  static boolean knows(UrlContent file) throws IOException {
+    if (TgaDecoder.is(file.name()) || DdsDecoder.is(beginning(file))) {
       return true;
     }
     try (InputStream in = file.open();
@@ -111,13 +111,13 @@ final class ImageDecoder {
     }
   }
 
-  private static byte[] beginning(Content file) throws IOException {
+  private static byte[] beginning(UrlContent file) throws IOException {
     try (InputStream in = file.open()) {
-      return in.readNBytes(DdsImage.HEADER);
+      return in.readNBytes(DdsDecoder.HEADER);
     }
   }
 
-  private static byte[] whole(Content file) throws IOException {
+  private static byte[] whole(UrlContent file) throws IOException {
     return file.bytes((int) (4 * MAX_PIXELS));
   }
 

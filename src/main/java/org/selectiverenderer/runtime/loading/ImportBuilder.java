@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
-import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
 import org.selectiverenderer.runtime.scene.SceneImports;
@@ -31,7 +31,7 @@ record ImportBuilder(Scene scene, Function<ParsedNode, Optional<Node>> nodes) {
     for (X3dFile.ImportedRoute route : file.importedRoutes()) {
       Optional<SceneImports.End> from = end(route.from());
       Optional<SceneImports.End> to = end(route.to());
-      Location location = route.location();
+      SourceLocation location = route.location();
       if (from.isPresent() && to.isPresent()) {
         scene.imports().add(new SceneImports.Link(from.get(), to.get(), location));
       }

@@ -1,6 +1,6 @@
 package org.selectiverenderer.runtime.loading;
 
-import org.selectiverenderer.runtime.instance.Assets;
+import org.selectiverenderer.runtime.instance.AssetProvider;
 import org.selectiverenderer.runtime.scene.Scene;
 
 /**
@@ -11,7 +11,7 @@ import org.selectiverenderer.runtime.scene.Scene;
  */
 public record LoadedScene(Scene scene, SceneLoader loader) {
   /** Returns the assets of the scene's nodes. */
-  public Assets assets() {
+  public AssetProvider assets() {
     return loader.assets();
   }
 }

@@ -7,12 +7,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.geometry.geo.GeoSystem;
 import org.selectiverenderer.runtime.loading.FileContent.Outcome;
 import org.selectiverenderer.runtime.nodes.NodeFactory;
-import org.selectiverenderer.runtime.nodes.geo.GeoLodNode;
+import org.selectiverenderer.runtime.nodes.geospatial.GeoLodNode;
 import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.nodes.script.ScriptNode;
 import org.selectiverenderer.runtime.nodes.sound.AudioClipNode;
@@ -20,15 +20,15 @@ import org.selectiverenderer.runtime.nodes.sound.MovieTextureNode;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Route;
 import org.selectiverenderer.runtime.scene.Scene;
-import org.selectiverenderer.runtime.sound.Recording;
+import org.selectiverenderer.runtime.sound.AudioBuffer;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.field.FieldType;
-import org.selectiverenderer.x3d.files.ContentRoot;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.script.ScriptProgram;
+import org.selectiverenderer.x3d.url.UrlResolver;
 
 /**
  * Makes running scenes from parsed files and fills Inlines with scenes of their own. A builder
@@ -47,8 +47,8 @@ final class SceneBuilder {
   private final NodeFactory factory;
   private final NodeType groupType;
   private final NodeType inlineType;
-  private final SceneStore store;
-  private final ContentRoot root;
+  private final NodeRegistry store;
+  private final UrlResolver root;
   private final int maxNodes;
   private final List<FileContent> files = new ArrayList<>();
   private final Set<FileContent> known = Collections.newSetFromMap(new IdentityHashMap<>());
@@ -64,8 +64,8 @@ final class SceneBuilder {
       NodeFactory factory,
       NodeType groupType,
       NodeType inlineType,
-      SceneStore store,
-      ContentRoot root,
+      NodeRegistry store,
+      UrlResolver root,
       int maxNodes) {
     this.factory = factory;
     this.groupType = groupType;
@@ -86,14 +86,14 @@ final class SceneBuilder {
   }
 
   /** Reports the problems of all files built, in the order of their first use. */
-  void report(Problems to) {
+  void report(ProblemCollector to) {
     files.forEach(content -> content.problems().list().forEach(to::add));
   }
 
   /** Builds the scene of one file, with its own DEF names and routes. */
   private final class FileBuilder {
     private final FileContent content;
-    private final UrlBase origin;
+    private final UrlContext origin;
     private final boolean modern;
     private final Scene scene;
     private final Map<ParsedNode, Node> made;
@@ -106,8 +106,8 @@ final class SceneBuilder {
       made = new IdentityHashMap<>(4 * file.named().size() + 32);
       List<String> including = new ArrayList<>(above);
       including.add(content.key());
-      origin = new UrlBase(root, content.base(), List.copyOf(including), file.unitLength());
-      Node top = factory.make(groupType, null, Location.of(file.source()));
+      origin = new UrlContext(root, content.base(), List.copyOf(including), file.unitLength());
+      Node top = factory.make(groupType, null, SourceLocation.of(file.source()));
       store.origin(top, origin);
       scene =
           new Scene(
@@ -144,9 +144,9 @@ final class SceneBuilder {
           scene.addRoute(new Route(from.get(), route.fromField(), to.get(), route.toField()));
         }
       }
-      FaceBuilder.build(file.instances(), made);
+      PrototypeInstanceBuilder.build(file.instances(), made);
       new ImportBuilder(scene, this::end).build(file);
-      scene.imports().refresh(scene, LiveImports::content, content::error);
+      scene.imports().refresh(scene, ImportUpdater::content, content::error);
       return scene;
     }
 
@@ -245,7 +245,7 @@ final class SceneBuilder {
         }
         Optional.ofNullable(content.shaders().get(parsed))
             .ifPresent(text -> store.assets().putShader(node, text));
-        Recording recording = content.sounds().get(parsed);
+        AudioBuffer recording = content.sounds().get(parsed);
         if (node instanceof AudioClipNode clip && recording != null) {
           clip.recording(recording);
         }
@@ -258,7 +258,7 @@ final class SceneBuilder {
             movie.location(),
             "the soundtrack of a MovieTexture is not played; the Sound stays silent");
       }
-      if (BackgroundPictures.names(node.type())) {
+      if (BackgroundTextures.names(node.type())) {
         store.origin(node, origin.of(parsed));
         content
             .pictures()
@@ -271,7 +271,7 @@ final class SceneBuilder {
       store.kept(node.type()).ifPresent(text -> content.info(node.location(), text));
     }
 
-    private void geospatial(Node node, UrlBase base) {
+    private void geospatial(Node node, UrlContext base) {
       if (node instanceof GeoLodNode level) {
         level.files(
             level.nodes("rootNode").isEmpty() ? inlines(level, base, "rootUrl") : List.of(),
@@ -287,7 +287,7 @@ final class SceneBuilder {
     }
 
     /** Makes an unloaded Inline for each url field that is not empty. */
-    private List<InlineNode> inlines(Node node, UrlBase base, String... urls) {
+    private List<InlineNode> inlines(Node node, UrlContext base, String... urls) {
       List<InlineNode> made = new ArrayList<>();
       for (String url : urls) {
         if (node.strings(url).length > 0) {

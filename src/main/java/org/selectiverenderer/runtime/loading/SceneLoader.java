@@ -11,26 +11,27 @@ import java.util.concurrent.ForkJoinWorkerThread;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Function;
 import java.util.function.Supplier;
+import java.util.regex.Pattern;
 import org.joml.FrustumIntersection;
 import org.joml.Matrix4d;
 import org.joml.Matrix4f;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.geometry.tessellate.Tessellator;
-import org.selectiverenderer.runtime.instance.Assets;
-import org.selectiverenderer.runtime.movie.ProjectionRoom;
+import org.selectiverenderer.runtime.instance.AssetProvider;
+import org.selectiverenderer.runtime.movie.MovieDecoderPool;
 import org.selectiverenderer.runtime.nodes.NodeFactory;
 import org.selectiverenderer.runtime.scene.Scene;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
-import org.selectiverenderer.x3d.files.Content;
-import org.selectiverenderer.x3d.files.ContentAccess;
-import org.selectiverenderer.x3d.files.ContentBase;
-import org.selectiverenderer.x3d.files.ContentRoot;
-import org.selectiverenderer.x3d.files.UrlChoice;
 import org.selectiverenderer.x3d.read.PrototypeLibrary;
 import org.selectiverenderer.x3d.read.X3dReader;
 import org.selectiverenderer.x3d.source.ReadLimits;
+import org.selectiverenderer.x3d.url.BaseUrl;
+import org.selectiverenderer.x3d.url.ContentAccessPolicy;
+import org.selectiverenderer.x3d.url.UrlContent;
+import org.selectiverenderer.x3d.url.UrlResolver;
+import org.selectiverenderer.x3d.url.UrlSelection;
 
 /**
  * Loads scenes. Until it is closed it owns as many threads as there are processors, named {@code
@@ -42,18 +43,18 @@ public final class SceneLoader implements AutoCloseable {
   private final NodeFactory factory;
   private final X3dReader reader;
   private final Tessellator tessellator = new Tessellator();
-  private final ContentAccess access;
-  private final Problems problems;
-  private final SceneStore store;
-  private final ProjectionRoom room = new ProjectionRoom();
+  private final ContentAccessPolicy access;
+  private final ProblemCollector problems;
+  private final NodeRegistry store;
+  private final MovieDecoderPool room = new MovieDecoderPool();
   private final int maxNodes;
   private final ForkJoinPool threads;
-  private final LateReading late = new LateReading(this);
+  private final AsyncResourceLoader late = new AsyncResourceLoader(this);
 
   /** Makes a loader of scenes that may only name files in their own folder and their project. */
   public SceneLoader(
-      NodeCatalogue catalogue, NodeFactory factory, ReadLimits limits, Problems problems) {
-    this(catalogue, factory, limits, ContentAccess.none(), problems);
+      NodeCatalogue catalogue, NodeFactory factory, ReadLimits limits, ProblemCollector problems) {
+    this(catalogue, factory, limits, ContentAccessPolicy.none(), problems);
   }
 
   /**
@@ -66,8 +67,8 @@ public final class SceneLoader implements AutoCloseable {
       NodeCatalogue catalogue,
       NodeFactory factory,
       ReadLimits limits,
-      ContentAccess access,
-      Problems problems) {
+      ContentAccessPolicy access,
+      ProblemCollector problems) {
     this.access = access;
     this.catalogue = catalogue;
     this.factory = factory;
@@ -77,9 +78,9 @@ public final class SceneLoader implements AutoCloseable {
     AssetStore assets =
         new AssetStore(
             node -> tessellator.tessellate(node, problems),
-            node -> ImageFiles.pixels(node, problems),
+            node -> ImageLoader.pixels(node, problems),
             problems);
-    store = new SceneStore(assets, factory::actsOn);
+    store = new NodeRegistry(assets, factory::actsOn);
     threads = threads();
     threads.execute(SceneLoader::loadMatrices);
   }
@@ -114,7 +115,7 @@ public final class SceneLoader implements AutoCloseable {
   }
 
   /** Returns the assets of all scenes of this loader. */
-  public Assets assets() {
+  public AssetProvider assets() {
     return store.assets();
   }
 
@@ -140,7 +141,7 @@ public final class SceneLoader implements AutoCloseable {
    *
    * @param hears receives the problems of this scene, in place of the loader's own
    */
-  public LoadedScene load(Path file, Problems hears) throws IOException {
+  public LoadedScene load(Path file, ProblemCollector hears) throws IOException {
     if (Files.isDirectory(file)) {
       throw new IOException(file + " is a folder, not a scene");
     }
@@ -153,7 +154,7 @@ public final class SceneLoader implements AutoCloseable {
           Files.size(file),
           file.toRealPath().toString(),
           folder,
-          ContentBase.folder(folder),
+          BaseUrl.folder(folder),
           hears);
     }
   }
@@ -173,9 +174,9 @@ public final class SceneLoader implements AutoCloseable {
    *
    * @param hears receives the problems of this scene, in place of the loader's own
    */
-  public LoadedScene load(String name, InputStream in, Path folder, Problems hears)
+  public LoadedScene load(String name, InputStream in, Path folder, ProblemCollector hears)
       throws IOException {
-    return load(name, in, 0, folder.toString(), folder, ContentBase.folder(folder), hears);
+    return load(name, in, 0, folder.toString(), folder, BaseUrl.folder(folder), hears);
   }
 
   /**
@@ -184,9 +185,9 @@ public final class SceneLoader implements AutoCloseable {
    * @param base the folder or network address against which its urls are resolved
    * @param hears receives the problems of this scene, in place of the loader's own
    */
-  public LoadedScene load(String name, InputStream in, ContentBase base, Problems hears)
+  public LoadedScene load(String name, InputStream in, BaseUrl base, ProblemCollector hears)
       throws IOException {
-    Path folder = base instanceof ContentBase.Folder of ? of.path() : Path.of("");
+    Path folder = base instanceof BaseUrl.Folder of ? of.path() : Path.of("");
     return load(name, in, 0, base.toString(), folder, base, hears);
   }
 
@@ -196,13 +197,13 @@ public final class SceneLoader implements AutoCloseable {
    * @param hears receives the problems of this scene, in place of the loader's own
    * @throws IOException with a one-line message if the scene may not or cannot be read
    */
-  public LoadedScene load(String url, Problems hears) throws IOException {
+  public LoadedScene load(String url, ProblemCollector hears) throws IOException {
     Path here = Path.of("");
-    ContentRoot.Target target = new ContentRoot(here, access).resolve(url, here);
-    if (target instanceof ContentRoot.Target.Refused refused) {
-      throw new IOException("url '%s' %s".formatted(UrlChoice.shown(url), refused.reason()));
+    UrlResolver.Target target = new UrlResolver(here, access).resolve(url, here);
+    if (target instanceof UrlResolver.Target.Refused refused) {
+      throw new IOException("url '%s' %s".formatted(UrlSelection.shown(url), refused.reason()));
     }
-    Content content = ((ContentRoot.Target.Found) target).content();
+    UrlContent content = ((UrlResolver.Target.Found) target).content();
     try (InputStream in = content.open()) {
       return load(content.name(), in, content.size(), content.key(), here, content.base(), hears);
     }
@@ -214,10 +215,10 @@ public final class SceneLoader implements AutoCloseable {
       long size,
       String key,
       Path folder,
-      ContentBase base,
-      Problems hears)
+      BaseUrl base,
+      ProblemCollector hears)
       throws IOException {
-    ContentRoot root = new ContentRoot(folder, access);
+    UrlResolver root = new UrlResolver(folder, access);
     TaskGroup tasks = tasks();
     FileContent content = reading(tasks, root).first(name, in, size, key, base);
     TaskGroup.await(tasks.end());
@@ -229,8 +230,8 @@ public final class SceneLoader implements AutoCloseable {
    *
    * @param name the scene's name, for messages
    */
-  Scene text(String name, String text, UrlBase origin, Problems hears) {
-    String whole = SceneText.whole(text);
+  Scene text(String name, String text, UrlContext origin, ProblemCollector hears) {
+    String whole = HeaderlessText.whole(text);
     return made(loader -> loader.parts(name, whole, origin.file(), origin.base()), origin, hears);
   }
 
@@ -241,14 +242,19 @@ public final class SceneLoader implements AutoCloseable {
    * @param origin where the urls of the scene start that declares the prototype
    */
   Scene instance(
-      String name, PrototypeLibrary library, String prototype, UrlBase origin, Problems hears) {
+      String name,
+      PrototypeLibrary library,
+      String prototype,
+      UrlContext origin,
+      ProblemCollector hears) {
     return made(
         loader -> loader.instance(name, library, prototype, origin.file(), origin.base()),
         origin,
         hears);
   }
 
-  private Scene made(Function<FileLoader, FileContent> reading, UrlBase origin, Problems hears) {
+  private Scene made(
+      Function<SceneFileLoader, FileContent> reading, UrlContext origin, ProblemCollector hears) {
     TaskGroup tasks = tasks();
     FileContent content = reading.apply(reading(tasks, origin.root()));
     TaskGroup.await(tasks.end());
@@ -260,7 +266,7 @@ public final class SceneLoader implements AutoCloseable {
    *
    * @param above the keys of the files that inline it, outermost first
    */
-  Scene build(FileContent content, ContentRoot root, List<String> above, Problems hears) {
+  Scene build(FileContent content, UrlResolver root, List<String> above, ProblemCollector hears) {
     SceneBuilder builder =
         new SceneBuilder(
             factory, catalogue.get("Group"), catalogue.get("Inline"), store, root, maxNodes);
@@ -270,8 +276,8 @@ public final class SceneLoader implements AutoCloseable {
   }
 
   /** Makes a loader of a file and everything it names, as one group of tasks. */
-  FileLoader reading(TaskGroup tasks, ContentRoot root) {
-    return new FileLoader(reader, tessellator, tasks, root, room);
+  SceneFileLoader reading(TaskGroup tasks, UrlResolver root) {
+    return new SceneFileLoader(reader, tessellator, tasks, root, room);
   }
 
   /** Makes a group of tasks on the loader's threads. */
@@ -285,21 +291,21 @@ public final class SceneLoader implements AutoCloseable {
   }
 
   /** Returns the loader of files that running scenes name. */
-  LateReading late() {
+  AsyncResourceLoader late() {
     return late;
   }
 
   /** Returns the files and addresses that scenes may name besides their own files. */
-  public ContentAccess access() {
+  public ContentAccessPolicy access() {
     return access;
   }
 
   /** Returns the threads that decode the movies of this loader's scenes. */
-  public ProjectionRoom room() {
+  public MovieDecoderPool room() {
     return room;
   }
 
-  SceneStore store() {
+  NodeRegistry store() {
     return store;
   }
 
@@ -307,5 +313,27 @@ public final class SceneLoader implements AutoCloseable {
   public void close() {
     room.close();
     threads.shutdown();
+  }
+
+  /**
+   * Completes scene texts that lack a file header: createVrmlFromString takes nodes without the
+   * header (VRML97, 4.12.10.7), and many applications leave it out of XML, too.
+   */
+  private static final class HeaderlessText {
+    private static final Pattern WHOLE =
+        Pattern.compile("\\A\\s*(?:#|\\{|<\\?|<!|<X3D\\b)", Pattern.CASE_INSENSITIVE);
+    private static final Pattern ELEMENT = Pattern.compile("\\A\\s*<");
+
+    private HeaderlessText() {}
+
+    /** Returns the text, with a header added if it has none. */
+    static String whole(String text) {
+      if (WHOLE.matcher(text).lookingAt()) {
+        return text;
+      }
+      return ELEMENT.matcher(text).lookingAt()
+          ? "<X3D version='4.0' profile='Full'><Scene>" + text + "</Scene></X3D>"
+          : "#VRML V2.0 utf8\n" + text;
+    }
   }
 }

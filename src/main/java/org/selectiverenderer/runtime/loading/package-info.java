@@ -4,8 +4,8 @@
  * decides which files may be read.
  *
  * <p>Files that a running scene names later are read in the background; {@link
- * org.selectiverenderer.runtime.loading.Arrivals} puts them into the scene, a limited amount per
- * frame.
+ * org.selectiverenderer.runtime.loading.FrameBudgetQueue} puts them into the scene, a limited
+ * amount per frame.
  *
  * <p>In: a path. Out: a {@link org.selectiverenderer.runtime.loading.LoadedScene} and problems.
  * Uses {@code runtime.scene}, {@code runtime.nodes}, the asset interface of {@code

@@ -83,6 +83,6 @@ final class GifMovie implements Movie {
 
   @Override
   public Pictures open() {
-    return new GifPictures(this);
+    return new GifFrameDecoder(this);
   }
 }

@@ -5,7 +5,7 @@ import java.io.InputStream;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
 import org.selectiverenderer.runtime.movie.mpeg.MpegVideo;
-import org.selectiverenderer.x3d.files.Content;
+import org.selectiverenderer.x3d.url.UrlContent;
 
 /** Reads movie files: MPEG-1 video and animated GIF. */
 public final class MovieReader {
@@ -26,7 +26,7 @@ public final class MovieReader {
    * @return the movie; empty if the file is no movie
    * @throws IOException with a clause as message that follows the file's name
    */
-  public static Optional<Movie> read(Content file, AtomicLong budget) throws IOException {
+  public static Optional<Movie> read(UrlContent file, AtomicLong budget) throws IOException {
     byte[] beginning;
     try (InputStream in = file.open()) {
       beginning = in.readNBytes(BEGINNING);

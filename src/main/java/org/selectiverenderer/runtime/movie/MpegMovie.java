@@ -1,6 +1,6 @@
 package org.selectiverenderer.runtime.movie;
 
-import org.selectiverenderer.base.decimal.DecimalText;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.runtime.movie.mpeg.MpegVideo;
 
 /** A movie of MPEG-1 video, in which all frames have the same duration. */
@@ -39,7 +39,7 @@ record MpegMovie(MpegVideo video) implements Movie {
   public String flaw() {
     return video.cutOff()
         ? "is cut off or damaged at its end, after %s pictures (%s s)"
-            .formatted(pictures(), DecimalText.rounded(seconds(), 2))
+            .formatted(pictures(), DecimalFormatter.rounded(seconds(), 2))
         : "";
   }
 

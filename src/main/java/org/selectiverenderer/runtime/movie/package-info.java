@@ -2,10 +2,10 @@
  * Movies of MovieTextures (X3D 4.0, 18.4.2). {@link
  * org.selectiverenderer.runtime.movie.MovieReader} makes a {@link
  * org.selectiverenderer.runtime.movie.Movie} of a file, which knows its duration and its first
- * frame. A {@link org.selectiverenderer.runtime.movie.Film} is the playback of a movie by a
- * texture: the scene sets its time, the renderer gets the frame of that time. Frames are decoded
+ * frame. A {@link org.selectiverenderer.runtime.movie.MoviePlayback} is the playback of a movie by
+ * a texture: the scene sets its time, the renderer gets the frame of that time. Frames are decoded
  * only on request, a few ahead, by the threads of a {@link
- * org.selectiverenderer.runtime.movie.ProjectionRoom}: a run that draws nothing decodes only the
+ * org.selectiverenderer.runtime.movie.MovieDecoderPool}: a run that draws nothing decodes only the
  * first frame.
  *
  * <p>In: files, times. Out: frames. Uses {@code runtime.movie.mpeg} and {@code x3d.files}; ImageIO

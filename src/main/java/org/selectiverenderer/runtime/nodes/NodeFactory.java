@@ -3,17 +3,17 @@ package org.selectiverenderer.runtime.nodes;
 import java.util.Map;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.runtime.nodes.bind.BindableNode;
-import org.selectiverenderer.runtime.nodes.bind.ViewpointNode;
-import org.selectiverenderer.runtime.nodes.drag.DragSensors;
-import org.selectiverenderer.runtime.nodes.event.Blend;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.runtime.nodes.bindable.BindableNode;
+import org.selectiverenderer.runtime.nodes.bindable.ViewpointNode;
+import org.selectiverenderer.runtime.nodes.drag.DragSensorConstructors;
 import org.selectiverenderer.runtime.nodes.event.EaseInEaseOutNode;
 import org.selectiverenderer.runtime.nodes.event.EventUtilities;
 import org.selectiverenderer.runtime.nodes.event.InterpolatorNode;
+import org.selectiverenderer.runtime.nodes.event.KeyValueInterpolation;
 import org.selectiverenderer.runtime.nodes.event.SequencerNode;
-import org.selectiverenderer.runtime.nodes.follow.Followers;
-import org.selectiverenderer.runtime.nodes.geo.Geospatial;
+import org.selectiverenderer.runtime.nodes.follow.FollowerNodes;
+import org.selectiverenderer.runtime.nodes.geospatial.GeospatialNodeConstructors;
 import org.selectiverenderer.runtime.nodes.group.BillboardNode;
 import org.selectiverenderer.runtime.nodes.group.CadFaceNode;
 import org.selectiverenderer.runtime.nodes.group.CollidableNode;
@@ -23,27 +23,27 @@ import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.nodes.group.LodNode;
 import org.selectiverenderer.runtime.nodes.group.SwitchNode;
 import org.selectiverenderer.runtime.nodes.group.TransformNode;
-import org.selectiverenderer.runtime.nodes.hanim.HumanoidNode;
-import org.selectiverenderer.runtime.nodes.hanim.MotionNode;
-import org.selectiverenderer.runtime.nodes.hanim.SegmentNode;
-import org.selectiverenderer.runtime.nodes.key.KeyDevice;
-import org.selectiverenderer.runtime.nodes.layout.Layouts;
+import org.selectiverenderer.runtime.nodes.hanim.HAnimHumanoidNode;
+import org.selectiverenderer.runtime.nodes.hanim.HAnimMotionNode;
+import org.selectiverenderer.runtime.nodes.hanim.HAnimSegmentNode;
+import org.selectiverenderer.runtime.nodes.keyboard.KeyDevice;
+import org.selectiverenderer.runtime.nodes.layout.LayoutNodeConstructors;
 import org.selectiverenderer.runtime.nodes.network.LoadSensorNode;
 import org.selectiverenderer.runtime.nodes.particle.ParticleSystemNode;
-import org.selectiverenderer.runtime.nodes.pick.PickSensorNode;
+import org.selectiverenderer.runtime.nodes.picking.PickSensorNode;
 import org.selectiverenderer.runtime.nodes.script.ScriptNode;
 import org.selectiverenderer.runtime.nodes.sensor.ProximitySensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.TimeSensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.TouchSensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.TransformSensorNode;
 import org.selectiverenderer.runtime.nodes.sensor.VisibilitySensorNode;
-import org.selectiverenderer.runtime.nodes.shader.Shaders;
-import org.selectiverenderer.runtime.nodes.shape.GeneratedCubeNode;
+import org.selectiverenderer.runtime.nodes.shader.ShaderNodeConstructors;
+import org.selectiverenderer.runtime.nodes.shape.GeneratedCubeMapTextureNode;
 import org.selectiverenderer.runtime.nodes.shape.InstancedShapeNode;
-import org.selectiverenderer.runtime.nodes.sound.Sounds;
+import org.selectiverenderer.runtime.nodes.sound.SoundNodeConstructors;
 import org.selectiverenderer.runtime.nodes.spline.SplineInterpolators;
 import org.selectiverenderer.runtime.scene.Node;
-import org.selectiverenderer.runtime.scene.NodeMaker;
+import org.selectiverenderer.runtime.scene.NodeConstructor;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
@@ -52,7 +52,7 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
  * start of the program.
  */
 public final class NodeFactory {
-  private static @Nullable NodeMaker maker(NodeType type) {
+  private static @Nullable NodeConstructor maker(NodeType type) {
     return switch (type.name()) {
       case "Group",
           "StaticGroup",
@@ -66,13 +66,13 @@ public final class NodeFactory {
           GroupingNode::new;
       case "Transform", "CADPart", "EspduTransform", "HAnimJoint", "HAnimSite" ->
           TransformNode::new;
-      case "HAnimHumanoid" -> HumanoidNode::new;
-      case "HAnimMotion" -> MotionNode::new;
-      case "HAnimSegment" -> SegmentNode::new;
+      case "HAnimHumanoid" -> HAnimHumanoidNode::new;
+      case "HAnimMotion" -> HAnimMotionNode::new;
+      case "HAnimSegment" -> HAnimSegmentNode::new;
       case "ParticleSystem" -> ParticleSystemNode::new;
       case "CollidableShape", "CollidableOffset" -> CollidableNode::new;
       case "InstancedShape" -> InstancedShapeNode::new;
-      case "GeneratedCubeMapTexture" -> GeneratedCubeNode::new;
+      case "GeneratedCubeMapTexture" -> GeneratedCubeMapTextureNode::new;
       case "CADFace" -> CadFaceNode::new;
       case "Switch" -> SwitchNode::new;
       case "LOD" -> LodNode::new;
@@ -93,42 +93,43 @@ public final class NodeFactory {
 
       case "BooleanSequencer", "IntegerSequencer" -> SequencerNode::new;
       case "EaseInEaseOut" -> EaseInEaseOutNode::new;
-      case "ScalarInterpolator" -> interpolating(() -> Blend.linear(1));
+      case "ScalarInterpolator" -> interpolating(() -> KeyValueInterpolation.linear(1));
       case "PositionInterpolator2D", "CoordinateInterpolator2D" ->
-          interpolating(() -> Blend.linear(2));
-      case "PositionInterpolator", "CoordinateInterpolator" -> interpolating(() -> Blend.linear(3));
-      case "OrientationInterpolator" -> interpolating(Blend::rotation);
-      case "NormalInterpolator" -> interpolating(Blend::normal);
-      case "ColorInterpolator" -> interpolating(Blend::hsv);
+          interpolating(() -> KeyValueInterpolation.linear(2));
+      case "PositionInterpolator", "CoordinateInterpolator" ->
+          interpolating(() -> KeyValueInterpolation.linear(3));
+      case "OrientationInterpolator" -> interpolating(KeyValueInterpolation::rotation);
+      case "NormalInterpolator" -> interpolating(KeyValueInterpolation::normal);
+      case "ColorInterpolator" -> interpolating(KeyValueInterpolation::hsv);
       default -> makers(type.component()).get(type.name());
     };
   }
 
   /** Returns the constructors of a component that has a package of its own. */
-  private static Map<String, NodeMaker> makers(String component) {
+  private static Map<String, NodeConstructor> makers(String component) {
     return switch (component) {
       case "EventUtilities" -> EventUtilities.MAKERS;
-      case "Followers" -> Followers.MAKERS;
-      case "Geospatial" -> Geospatial.MAKERS;
+      case "Followers" -> FollowerNodes.MAKERS;
+      case "Geospatial" -> GeospatialNodeConstructors.MAKERS;
       case "Interpolation", "NURBS" -> SplineInterpolators.MAKERS;
       case "KeyDeviceSensor" -> KeyDevice.MAKERS;
-      case "Layout" -> Layouts.MAKERS;
+      case "Layout" -> LayoutNodeConstructors.MAKERS;
       case "Picking" -> PickSensorNode.MAKERS;
-      case "PointingDeviceSensor" -> DragSensors.MAKERS;
-      case "Shaders" -> Shaders.MAKERS;
-      case "Sound", "Texturing" -> Sounds.MAKERS;
+      case "PointingDeviceSensor" -> DragSensorConstructors.MAKERS;
+      case "Shaders" -> ShaderNodeConstructors.MAKERS;
+      case "Sound", "Texturing" -> SoundNodeConstructors.MAKERS;
       default -> Map.of();
     };
   }
 
   /** Each node gets its own interpolation object, which holds scratch variables. */
-  private static NodeMaker interpolating(Supplier<Blend> blend) {
+  private static NodeConstructor interpolating(Supplier<KeyValueInterpolation> blend) {
     return (type, name, location) -> new InterpolatorNode(type, name, location, blend.get());
   }
 
   /** Makes a node with all fields at their defaults. */
-  public Node make(NodeType type, @Nullable String name, Location location) {
-    NodeMaker maker = maker(type);
+  public Node make(NodeType type, @Nullable String name, SourceLocation location) {
+    NodeConstructor maker = maker(type);
     return maker == null ? new Node(type, name, location) : maker.make(type, name, location);
   }
 
@@ -137,6 +138,6 @@ public final class NodeFactory {
    * hold data that is read. Nodes of other types only keep their fields.
    */
   public boolean actsOn(NodeType type) {
-    return maker(type) != null || PassiveNodes.isRead(type.name());
+    return maker(type) != null || PassiveNodeTypes.isRead(type.name());
   }
 }

@@ -2,19 +2,24 @@ package org.selectiverenderer.runtime.sai;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
+import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.loading.LoadedScene;
 import org.selectiverenderer.runtime.loading.SceneLoader;
 import org.selectiverenderer.runtime.nodes.group.InlineNode;
+import org.selectiverenderer.runtime.scene.ListenerInvoker;
+import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
-import org.selectiverenderer.sai.InlinedScenes;
-import org.selectiverenderer.sai.InstanceBodies;
+import org.selectiverenderer.sai.InlineSceneAccess;
+import org.selectiverenderer.sai.ProtoBodyAccess;
 import org.web3d.x3d.sai.BrowserEvent;
 import org.web3d.x3d.sai.BrowserListener;
 import org.web3d.x3d.sai.ComponentInfo;
@@ -28,7 +33,7 @@ import org.web3d.x3d.sai.X3DNode;
 import org.web3d.x3d.sai.X3DScene;
 
 /** The embedded browser behind the SAI. Its owner steps its world. Thread-safe. */
-public final class EmbeddedBrowser implements ExternalBrowser, InlinedScenes, InstanceBodies {
+public final class EmbeddedBrowser implements ExternalBrowser, InlineSceneAccess, ProtoBodyAccess {
   /**
    * An event of this browser's own: nodes were added or removed at the top of the scene it shows.
    */
@@ -38,14 +43,14 @@ public final class EmbeddedBrowser implements ExternalBrowser, InlinedScenes, In
   private final SceneLoader loader;
   private final Consumer<String> console;
   private final Map<String, Object> renderingProperties;
-  private final Binding binding;
-  private final Infos infos;
-  private final SceneMaker scenes;
-  private final BoundViewpoints viewpoints;
-  private final BrowserListeners listeners;
-  private final FrameMeter meter;
+  private final SaiContext binding;
+  private final BrowserCapabilities infos;
+  private final SceneFactory scenes;
+  private final ViewpointNavigator viewpoints;
+  private final BrowserListenerList listeners;
+  private final FrameRateMeter meter;
   private volatile EmbeddedScene current;
-  private RootWatch roots;
+  private RootNodeWatcher roots;
   private volatile String description = "";
 
   /**
@@ -61,19 +66,19 @@ public final class EmbeddedBrowser implements ExternalBrowser, InlinedScenes, In
     this.loader = loader;
     this.console = console;
     this.renderingProperties = Map.copyOf(renderingProperties);
-    binding = new Binding(world);
-    infos = new Infos(loader.catalogue());
-    scenes = new SceneMaker(binding, loader, infos);
-    viewpoints = new BoundViewpoints(world, binding);
-    listeners = new BrowserListeners(world);
-    meter = new FrameMeter(world);
+    binding = new SaiContext(world);
+    infos = new BrowserCapabilities(loader.catalogue());
+    scenes = new SceneFactory(binding, loader, infos);
+    viewpoints = new ViewpointNavigator(world, binding);
+    listeners = new BrowserListenerList(world);
+    meter = new FrameRateMeter(world);
     current = shown(world.scene());
-    roots = new RootWatch(world.scene(), time -> tell(ROOTS_CHANGED));
+    roots = new RootNodeWatcher(world.scene(), time -> tell(ROOTS_CHANGED));
     world.onReplace(this::replaced);
   }
 
   private EmbeddedScene shown(Scene scene) {
-    EmbeddedScene shown = new EmbeddedScene(binding, scenes, scene, Addresses.urlOf(scene.url()));
+    EmbeddedScene shown = new EmbeddedScene(binding, scenes, scene, SaiUrls.urlOf(scene.url()));
     shown.show();
     return shown;
   }
@@ -83,7 +88,7 @@ public final class EmbeddedBrowser implements ExternalBrowser, InlinedScenes, In
       current = shown(shownBy.scene());
     }
     roots.close();
-    roots = new RootWatch(shownBy.scene(), time -> tell(ROOTS_CHANGED));
+    roots = new RootNodeWatcher(shownBy.scene(), time -> tell(ROOTS_CHANGED));
     tell(BrowserEvent.INITIALIZED);
   }
 
@@ -92,7 +97,7 @@ public final class EmbeddedBrowser implements ExternalBrowser, InlinedScenes, In
   }
 
   /** Returns where in a file a node was read, for messages. */
-  public Location locationOf(X3DNode node) {
+  public SourceLocation locationOf(X3DNode node) {
     return binding.peek(node).location();
   }
 
@@ -115,7 +120,7 @@ public final class EmbeddedBrowser implements ExternalBrowser, InlinedScenes, In
 
   @Override
   public Registration watchInline(X3DNode inline, Listener listener) {
-    return new InlineWatch(world, binding.proxyOf(inline), inlineOf(inline), listener);
+    return new InlineWatcher(world, binding.proxyOf(inline), inlineOf(inline), listener);
   }
 
   private InlineNode inlineOf(X3DNode node) {
@@ -341,7 +346,7 @@ public final class EmbeddedBrowser implements ExternalBrowser, InlinedScenes, In
   @Override
   public Map<String, Object> getBrowserProperties() {
     binding.check();
-    return Infos.browserProperties();
+    return BrowserCapabilities.browserProperties();
   }
 
   @Override
@@ -360,5 +365,121 @@ public final class EmbeddedBrowser implements ExternalBrowser, InlinedScenes, In
   public void stopRender() {
     binding.check();
     world.running(false);
+  }
+
+  /**
+   * Binds the next, previous, first or last viewpoint of the scene that is shown. Layer numbers are
+   * ignored.
+   */
+  private static final class ViewpointNavigator {
+    private final World world;
+    private final SaiContext binding;
+
+    ViewpointNavigator(World world, SaiContext binding) {
+      this.world = world;
+      this.binding = binding;
+    }
+
+    /**
+     * Binds a viewpoint relative to the bound one, cyclically.
+     *
+     * @param steps +1 for the next, -1 for the previous one
+     */
+    void go(int steps) {
+      binding.execute(() -> world.views().goToViewpoint(steps));
+    }
+
+    void first() {
+      to(0);
+    }
+
+    void last() {
+      to(-1);
+    }
+
+    private void to(int index) {
+      binding.execute(
+          () -> {
+            List<Node> all = world.views().viewpoints();
+            if (!all.isEmpty()) {
+              world.views().goTo(all.get(Math.floorMod(index, all.size())));
+            }
+          });
+    }
+  }
+
+  /** The listeners of a browser's events, in the order of their registration. Thread-safe. */
+  private static final class BrowserListenerList {
+    private final World world;
+    private final CopyOnWriteArrayList<BrowserListener> listeners = new CopyOnWriteArrayList<>();
+
+    BrowserListenerList(World world) {
+      this.world = world;
+    }
+
+    void add(BrowserListener listener) {
+      listeners.addIfAbsent(listener);
+    }
+
+    void remove(BrowserListener listener) {
+      listeners.remove(listener);
+    }
+
+    void clear() {
+      listeners.clear();
+    }
+
+    void tell(BrowserEvent event) {
+      for (BrowserListener listener : listeners) {
+        ListenerInvoker.call(
+            world.problems(),
+            SourceLocation.of(world.scene().url()),
+            "a browser listener",
+            () -> listener.browserChanged(event));
+      }
+    }
+  }
+
+  /** Measures the frame rate and the viewer's speed. Read from any thread. */
+  private static final class FrameRateMeter {
+    private static final double SMOOTHING = 0.1;
+
+    private final World world;
+    private final Vector3d last = new Vector3d();
+    private long lastNanos;
+    private double lastTime = Double.NaN;
+    private volatile double interval;
+    private volatile double speed;
+
+    FrameRateMeter(World world) {
+      this.world = world;
+      world.onStep(this::frame);
+    }
+
+    private void frame() {
+      long now = System.nanoTime();
+      if (!Double.isNaN(lastTime)) {
+        double seconds = (now - lastNanos) * 1e-9;
+        interval = interval == 0 ? seconds : interval + SMOOTHING * (seconds - interval);
+        double dt = world.time() - lastTime;
+        speed = dt > 0 ? last.distance(world.viewer().position()) / dt : 0;
+      }
+      lastNanos = now;
+      lastTime = world.time();
+      last.set(world.viewer().position());
+    }
+
+    /** Returns the frames per second of wall-clock time, smoothed over about ten frames. */
+    double framesPerSecond() {
+      return interval == 0 ? 0 : 1 / interval;
+    }
+
+    /**
+     * Returns the viewer's speed over the last frame, in units of length per second of the scene's
+     * time.
+     */
+    double speed() {
+      return speed;
+    }
   }
 }

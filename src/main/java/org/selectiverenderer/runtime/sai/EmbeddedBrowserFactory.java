@@ -3,9 +3,9 @@ package org.selectiverenderer.runtime.sai;
 import java.net.InetAddress;
 import java.util.Map;
 import java.util.function.Consumer;
-import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.loading.LoadedScene;
 import org.selectiverenderer.runtime.loading.SceneLoader;
@@ -28,13 +28,13 @@ public final class EmbeddedBrowserFactory implements BrowserFactoryImpl {
 
   @Override
   public X3DComponent createComponent(Map<String, Object> parameters) {
-    Problems problems = new Problems(consumer(parameters, PROBLEMS, Problem.class));
+    ProblemCollector problems = new ProblemCollector(consumer(parameters, PROBLEMS, Problem.class));
     NodeCatalogue catalogue = NodeCatalogue.load();
     NodeFactory factory = new NodeFactory();
     SceneLoader loader = new SceneLoader(catalogue, factory, ReadLimits.standard(), problems);
     Scene empty =
         new Scene(
-            factory.make(catalogue.get("Group"), null, Location.of("(empty)")),
+            factory.make(catalogue.get("Group"), null, SourceLocation.of("(empty)")),
             "",
             "4.0",
             "Full",

@@ -1,10 +1,10 @@
 package org.selectiverenderer.runtime.sai;
 
 import java.util.concurrent.locks.LockSupport;
-import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.loading.SceneLoader;
-import org.selectiverenderer.runtime.scene.ApplicationCode;
+import org.selectiverenderer.runtime.scene.ListenerInvoker;
 import org.web3d.x3d.sai.ExternalBrowser;
 import org.web3d.x3d.sai.X3DComponent;
 
@@ -35,9 +35,9 @@ final class EmbeddedComponent implements X3DComponent {
     long start = System.nanoTime();
     for (long frame = 0; open; frame++) {
       double now = (System.nanoTime() - start) * 1e-9;
-      ApplicationCode.call(
+      ListenerInvoker.call(
           world.problems(),
-          Location.of(world.scene().url()),
+          SourceLocation.of(world.scene().url()),
           "a frame",
           () -> world.step(now, (viewer, time, dt) -> {}));
       LockSupport.parkNanos(start + (frame + 1) * FRAME_NANOS - System.nanoTime());

@@ -5,7 +5,7 @@ import org.web3d.x3d.sai.X3DNode;
 import org.web3d.x3d.sai.X3DRoute;
 
 /** The SAI's route object. Two are equal when they connect the same fields. */
-record EmbeddedRoute(Binding binding, Route route) implements X3DRoute {
+record EmbeddedRoute(SaiContext binding, Route route) implements X3DRoute {
   @Override
   public X3DNode getSourceNode() {
     return binding.exactly(route.from());

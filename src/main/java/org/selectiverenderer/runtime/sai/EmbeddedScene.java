@@ -12,10 +12,13 @@ import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Route;
 import org.selectiverenderer.runtime.scene.Scene;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.web3d.x3d.sai.ComponentInfo;
 import org.web3d.x3d.sai.ImportedNodeException;
 import org.web3d.x3d.sai.InvalidExecutionContextException;
 import org.web3d.x3d.sai.InvalidNodeException;
+import org.web3d.x3d.sai.InvalidReadableFieldException;
+import org.web3d.x3d.sai.InvalidWritableFieldException;
 import org.web3d.x3d.sai.ProfileInfo;
 import org.web3d.x3d.sai.X3DNode;
 import org.web3d.x3d.sai.X3DRoute;
@@ -25,8 +28,8 @@ import org.web3d.x3d.sai.X3DRoute;
  * then on changes of nodes and routes go through the world as writes of fields do.
  */
 final class EmbeddedScene extends SceneWithoutPrototypes {
-  private final Binding binding;
-  private final SceneMaker maker;
+  private final SaiContext binding;
+  private final SceneFactory maker;
   private final Scene scene;
   private final String worldUrl;
   private final int children;
@@ -37,7 +40,7 @@ final class EmbeddedScene extends SceneWithoutPrototypes {
    * @param scene the scene, whose lock is held while its lists of names are read or written
    * @param worldUrl the scene's full URL, or empty
    */
-  EmbeddedScene(Binding binding, SceneMaker maker, Scene scene, String worldUrl) {
+  EmbeddedScene(SaiContext binding, SceneFactory maker, Scene scene, String worldUrl) {
     this.binding = binding;
     this.maker = maker;
     this.scene = scene;
@@ -45,7 +48,7 @@ final class EmbeddedScene extends SceneWithoutPrototypes {
     children = scene.root().type().indexOf("children");
   }
 
-  Binding binding() {
+  SaiContext binding() {
     return binding;
   }
 
@@ -119,7 +122,7 @@ final class EmbeddedScene extends SceneWithoutPrototypes {
   @Override
   public ComponentInfo[] getComponents() {
     check();
-    return Infos.components(scene.components());
+    return BrowserCapabilities.components(scene.components());
   }
 
   @Override
@@ -142,7 +145,7 @@ final class EmbeddedScene extends SceneWithoutPrototypes {
       X3DNode fromNode, String readableField, X3DNode toNode, String writableField) {
     check();
     Route route =
-        Routes.between(
+        RouteValidator.between(
             binding.unwrapped(fromNode), readableField, binding.unwrapped(toNode), writableField);
     change(() -> scene.addRoute(route));
     return new EmbeddedRoute(binding, route);
@@ -326,5 +329,39 @@ final class EmbeddedScene extends SceneWithoutPrototypes {
   @Override
   public int hashCode() {
     return System.identityHashCode(scene);
+  }
+
+  /** Checks and makes the routes that an application adds (X3D 4.0, 4.4.8.2). */
+  private static final class RouteValidator {
+    private RouteValidator() {}
+
+    /**
+     * Returns a route between two fields, given by the names of the fields or of their events.
+     *
+     * @throws InvalidReadableFieldException if the first field sends no events
+     * @throws InvalidWritableFieldException if the second receives none, or of another type
+     */
+    static Route between(Node from, String readableField, Node to, String writableField) {
+      FieldDefinition out =
+          from.type()
+              .output(readableField)
+              .orElseThrow(
+                  () ->
+                      new InvalidReadableFieldException(
+                          from + " has no output field " + readableField));
+      FieldDefinition in =
+          to.type()
+              .input(writableField)
+              .orElseThrow(
+                  () ->
+                      new InvalidWritableFieldException(
+                          to + " has no input field " + writableField));
+      if (out.type() != in.type()) {
+        throw new InvalidWritableFieldException(
+            "%s of %s cannot be routed to %s of %s: the types %s and %s differ"
+                .formatted(out.name(), from, in.name(), to, out.type(), in.type()));
+      }
+      return new Route(from, out.index(), to, in.index());
+    }
   }
 }

@@ -6,11 +6,11 @@ import java.lang.reflect.Proxy;
 import java.util.Arrays;
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.runtime.scene.ApplicationCode;
-import org.selectiverenderer.runtime.scene.InstanceFace;
-import org.selectiverenderer.runtime.scene.ListenerOfField;
+import org.selectiverenderer.runtime.scene.ListenerInvoker;
 import org.selectiverenderer.runtime.scene.Node;
-import org.selectiverenderer.x3d.catalogue.FieldAccess;
+import org.selectiverenderer.runtime.scene.PrototypeInstance;
+import org.selectiverenderer.runtime.scene.SingleFieldListener;
+import org.selectiverenderer.x3d.catalogue.AccessType;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.web3d.x3d.sai.InvalidReadableFieldException;
 import org.web3d.x3d.sai.InvalidWritableFieldException;
@@ -23,7 +23,7 @@ import org.web3d.x3d.sai.X3DFieldEventListener;
  * objects of one field are equal. The node keeps an object only while it has listeners or user
  * data, and then returns the same one.
  */
-final class FieldProxy implements InvocationHandler, ListenerOfField, FieldCalls.Target {
+final class FieldProxy implements InvocationHandler, SingleFieldListener, FieldMethods.Target {
   private static final Object[] NO_ARGUMENTS = {};
   private static final X3DFieldEventListener[] NONE = {};
 
@@ -94,7 +94,7 @@ final class FieldProxy implements InvocationHandler, ListenerOfField, FieldCalls
         yield kept == null ? null : kept.userData;
       }
       default ->
-          FieldCalls.call(
+          FieldMethods.call(
               method.getName(), definition.field().type(), a, this, owner.binding().values());
     };
   }
@@ -108,7 +108,7 @@ final class FieldProxy implements InvocationHandler, ListenerOfField, FieldCalls
   }
 
   private boolean readable() {
-    return definition.field().access() != FieldAccess.INPUT_ONLY;
+    return definition.field().access() != AccessType.INPUT_ONLY;
   }
 
   @Override
@@ -117,7 +117,7 @@ final class FieldProxy implements InvocationHandler, ListenerOfField, FieldCalls
       throw new InvalidReadableFieldException(
           "%s of %s is inputOnly and has no value".formatted(definition.getName(), owner));
     }
-    return InstanceFace.value(owner.node(), field());
+    return PrototypeInstance.value(owner.node(), field());
   }
 
   @Override
@@ -130,7 +130,7 @@ final class FieldProxy implements InvocationHandler, ListenerOfField, FieldCalls
                   field.name(),
                   owner,
                   field.access().spelling(),
-                  field.access() == FieldAccess.INITIALIZE_ONLY
+                  field.access() == AccessType.INITIALIZE_ONLY
                       ? " and the node is in use"
                       : " and takes no value"));
     }
@@ -214,7 +214,7 @@ final class FieldProxy implements InvocationHandler, ListenerOfField, FieldCalls
     X3DFieldEvent event = new X3DFieldEvent(proxy, time, userData);
     for (X3DFieldEventListener listener : all()) {
       if (Arrays.asList(all()).contains(listener)) {
-        ApplicationCode.call(
+        ListenerInvoker.call(
             owner.binding().problems(),
             node.location(),
             "a listener of " + definition.getName(),

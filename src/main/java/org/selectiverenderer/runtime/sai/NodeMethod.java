@@ -3,7 +3,7 @@ package org.selectiverenderer.runtime.sai;
 import java.lang.reflect.Method;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.x3d.catalogue.FieldAccess;
+import org.selectiverenderer.x3d.catalogue.AccessType;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
@@ -90,7 +90,7 @@ record NodeMethod(
 
   private static Optional<FieldDefinition> readable(String x, NodeType type) {
     return type.field(x)
-        .filter(field -> field.access() != FieldAccess.INPUT_ONLY)
+        .filter(field -> field.access() != AccessType.INPUT_ONLY)
         .or(() -> type.field(x + "_changed"));
   }
 

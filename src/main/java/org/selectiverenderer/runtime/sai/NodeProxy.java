@@ -5,9 +5,9 @@ import java.lang.reflect.Method;
 import java.lang.reflect.Proxy;
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.runtime.scene.InstanceFace;
 import org.selectiverenderer.runtime.scene.Node;
-import org.selectiverenderer.x3d.catalogue.FieldAccess;
+import org.selectiverenderer.runtime.scene.PrototypeInstance;
+import org.selectiverenderer.x3d.catalogue.AccessType;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.field.FieldType;
 import org.web3d.x3d.sai.InvalidFieldException;
@@ -23,9 +23,9 @@ import org.web3d.x3d.sai.X3DNode;
 final class NodeProxy implements InvocationHandler {
   private static final Object[] NO_ARGUMENTS = {};
 
-  private final Binding binding;
+  private final SaiContext binding;
   private final Node node;
-  private final NodeKind kind;
+  private final NodeTypeInfo kind;
   private final X3DNode proxy;
   private volatile boolean realized;
   private volatile boolean disposed;
@@ -33,7 +33,7 @@ final class NodeProxy implements InvocationHandler {
   /**
    * @param realized whether the node is part of a scene: its initializeOnly fields are fixed
    */
-  NodeProxy(Binding binding, Node node, boolean realized) {
+  NodeProxy(SaiContext binding, Node node, boolean realized) {
     this.binding = binding;
     this.node = node;
     this.realized = realized;
@@ -42,7 +42,7 @@ final class NodeProxy implements InvocationHandler {
         (X3DNode) Proxy.newProxyInstance(X3DNode.class.getClassLoader(), kind.interfaces(), this);
   }
 
-  Binding binding() {
+  SaiContext binding() {
     return binding;
   }
 
@@ -145,9 +145,9 @@ final class NodeProxy implements InvocationHandler {
     if (field == null) {
       throw new InvalidFieldException(node.type().name() + " has no field " + meaning.name());
     }
-    Object value = InstanceFace.value(node, field.index());
+    Object value = PrototypeInstance.value(node, field.index());
     return switch (meaning.operation()) {
-      case COUNT -> SaiValues.size(field.type(), value);
+      case COUNT -> SaiValueConverter.size(field.type(), value);
       case READ -> field.type() == FieldType.SFNode ? binding.wrap((Node) value) : value;
       default -> {
         binding.values().toArgument(field.type(), value, a[0]);
@@ -173,7 +173,7 @@ final class NodeProxy implements InvocationHandler {
 
   boolean writable(FieldDefinition field) {
     return field.access().acceptsEvents()
-        || (field.access() == FieldAccess.INITIALIZE_ONLY && !realized);
+        || (field.access() == AccessType.INITIALIZE_ONLY && !realized);
   }
 
   private void write(FieldDefinition field, @Nullable Object argument) {
@@ -186,7 +186,7 @@ final class NodeProxy implements InvocationHandler {
    * application alone: it takes the value at once and sends no event.
    */
   void change(FieldDefinition field, UnaryOperator<@Nullable Object> change) {
-    if (!realized && field.access() != FieldAccess.INPUT_ONLY) {
+    if (!realized && field.access() != AccessType.INPUT_ONLY) {
       node.init(field.index(), changed(field, change));
     } else {
       binding.execute(() -> binding.sendNow(node, field.index(), changed(field, change)));
@@ -194,7 +194,8 @@ final class NodeProxy implements InvocationHandler {
   }
 
   private @Nullable Object changed(FieldDefinition field, UnaryOperator<@Nullable Object> change) {
-    return SaiValues.accepted(field, change.apply(InstanceFace.value(node, field.index())));
+    return SaiValueConverter.accepted(
+        field, change.apply(PrototypeInstance.value(node, field.index())));
   }
 
   @Override

@@ -13,7 +13,7 @@
  * <p>In: calls of {@code org.web3d.x3d.sai}, from any thread. Out: events into the world's cascade,
  * and calls of listeners on the thread that steps the world. One node has one SAI object.
  * Prototypes are expanded while a file is read, so the lists of prototypes are empty; an
- * application sees the interface of an instance ({@code InstanceFace}). Uses {@code
+ * application sees the interface of an instance ({@code PrototypeInstance}). Uses {@code
  * org.web3d.x3d.sai}, {@code runtime} but its renderer, {@code x3d} and {@code base.problem}.
  */
 @NullMarked

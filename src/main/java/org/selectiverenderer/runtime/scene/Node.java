@@ -5,8 +5,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.x3d.catalogue.FieldAccess;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.x3d.catalogue.AccessType;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.catalogue.NodeView;
@@ -20,9 +20,9 @@ import org.selectiverenderer.x3d.catalogue.NodeView;
 public class Node implements NodeView {
   private static final Route[] NO_ROUTES = {};
   private static final NodeObserver[] NO_OBSERVERS = {};
-  private static final ListenerOfField[] NO_LISTENERS = {};
+  private static final SingleFieldListener[] NO_LISTENERS = {};
 
-  private record Listening(int field, FieldListener listener) implements ListenerOfField {
+  private record Listening(int field, FieldListener listener) implements SingleFieldListener {
     @Override
     public void fieldChanged(Node node, int index, @Nullable Object value, double time) {
       listener.fieldChanged(node, index, value, time);
@@ -30,7 +30,7 @@ public class Node implements NodeView {
   }
 
   private final NodeType type;
-  private final Location location;
+  private final SourceLocation location;
   private @Nullable String name;
   private final @Nullable Object[] values;
   private @Nullable Route[] routes = NO_ROUTES;
@@ -38,14 +38,14 @@ public class Node implements NodeView {
   private @Nullable NodeObserver[] observers = NO_OBSERVERS;
   private int observerCount;
   private int changes;
-  private @Nullable ListenerOfField[] listeners = NO_LISTENERS;
+  private @Nullable SingleFieldListener[] listeners = NO_LISTENERS;
   private int listenerCount;
   private long @Nullable [] sentIn;
   private @Nullable Object companion;
-  private @Nullable Cascade sentBy;
-  private @Nullable InstanceFace face;
+  private @Nullable EventCascade sentBy;
+  private @Nullable PrototypeInstance face;
 
-  public Node(NodeType type, @Nullable String name, Location location) {
+  public Node(NodeType type, @Nullable String name, SourceLocation location) {
     this.type = type;
     this.name = name;
     this.location = location;
@@ -68,7 +68,7 @@ public class Node implements NodeView {
   }
 
   @Override
-  public final Location location() {
+  public final SourceLocation location() {
     return location;
   }
 
@@ -104,11 +104,11 @@ public class Node implements NodeView {
   }
 
   /** Returns the outermost prototype instance whose body starts with this node, or null. */
-  final @Nullable InstanceFace face() {
+  final @Nullable PrototypeInstance face() {
     return face;
   }
 
-  final void face(InstanceFace outermost) {
+  final void face(PrototypeInstance outermost) {
     face = outermost;
   }
 
@@ -125,12 +125,12 @@ public class Node implements NodeView {
    *
    * @param value as {@link org.selectiverenderer.x3d.field.FieldType} represents it
    */
-  protected void receive(FieldDefinition field, @Nullable Object value, Cascade cascade) {
-    if (field.access() == FieldAccess.INPUT_OUTPUT) {
+  protected void receive(FieldDefinition field, @Nullable Object value, EventCascade cascade) {
+    if (field.access() == AccessType.INPUT_OUTPUT) {
       emit(field.index(), value, cascade);
-    } else if (field.access() == FieldAccess.INPUT_ONLY && field.name().startsWith("set_")) {
+    } else if (field.access() == AccessType.INPUT_ONLY && field.name().startsWith("set_")) {
       type.field(field.name().substring("set_".length()))
-          .filter(set -> set.access() == FieldAccess.INITIALIZE_ONLY && set.type() == field.type())
+          .filter(set -> set.access() == AccessType.INITIALIZE_ONLY && set.type() == field.type())
           .ifPresent(set -> replace(set.index(), value));
     }
   }
@@ -145,11 +145,11 @@ public class Node implements NodeView {
   /**
    * Stores a field's new value, notifies the observers, and sends the value along routes and to
    * listeners. Outside a cascade this starts one. A second event of a field for the same initial
-   * event is dropped (see {@link Cascade}).
+   * event is dropped (see {@link EventCascade}).
    *
    * @return whether the event was sent
    */
-  public final boolean emit(int field, @Nullable Object value, Cascade cascade) {
+  public final boolean emit(int field, @Nullable Object value, EventCascade cascade) {
     if (!cascade.carrying()) {
       cascade.emit(this, field, value);
       return true;
@@ -169,9 +169,9 @@ public class Node implements NodeView {
         cascade.deliver(route.to(), route.toField(), value);
       }
     }
-    ListenerOfField[] hearing = listeners;
+    SingleFieldListener[] hearing = listeners;
     for (int i = 0, count = listenerCount; i < count; i++) {
-      ListenerOfField listener = hearing[i];
+      SingleFieldListener listener = hearing[i];
       if (listener.field() == field) {
         cascade.notify(listener, this, field, value);
       }
@@ -207,7 +207,7 @@ public class Node implements NodeView {
    * Returns whether a field sends its first event for the present initial event, and notes that it
    * has.
    */
-  private boolean firstIn(Cascade cascade, int field) {
+  private boolean firstIn(EventCascade cascade, int field) {
     if (sentIn == null || sentBy != cascade) {
       sentIn = new long[values.length];
       sentBy = cascade;
@@ -276,16 +276,16 @@ public class Node implements NodeView {
         return true;
       }
     }
-    return listener(field, ListenerOfField.class, any -> true) != null;
+    return listener(field, SingleFieldListener.class, any -> true) != null;
   }
 
   /**
    * Returns the first listener of a field that is of a class and satisfies a condition, or null.
    */
-  public final <L extends ListenerOfField> @Nullable L listener(
+  public final <L extends SingleFieldListener> @Nullable L listener(
       int field, Class<L> kind, Predicate<? super L> wanted) {
     for (int i = 0; i < listenerCount; i++) {
-      ListenerOfField listener = listeners[i];
+      SingleFieldListener listener = listeners[i];
       if (listener.field() == field
           && kind.isInstance(listener)
           && wanted.test(kind.cast(listener))) {
@@ -295,8 +295,8 @@ public class Node implements NodeView {
     return null;
   }
 
-  private static ListenerOfField ofField(int field, FieldListener listener) {
-    return listener instanceof ListenerOfField own && own.field() == field
+  private static SingleFieldListener ofField(int field, FieldListener listener) {
+    return listener instanceof SingleFieldListener own && own.field() == field
         ? own
         : new Listening(field, listener);
   }

@@ -197,7 +197,7 @@ public final class Scene {
       route.from().removeRoute(route);
       return;
     }
-    for (Route behind : InstanceFace.behind(route)) {
+    for (Route behind : PrototypeInstance.behind(route)) {
       if (routes.remove(behind)) {
         behind.from().removeRoute(behind);
       }

@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
@@ -21,7 +21,7 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
  */
 public final class SceneImports {
   /** An IMPORT statement. */
-  public record Declared(String inlineDef, String exported, String as, Location location) {}
+  public record Declared(String inlineDef, String exported, String as, SourceLocation location) {}
 
   /** One end of a ROUTE. */
   public sealed interface End {
@@ -34,7 +34,7 @@ public final class SceneImports {
   }
 
   /** A ROUTE with an imported end. */
-  public record Link(End from, End to, Location location) {}
+  public record Link(End from, End to, SourceLocation location) {}
 
   private final List<Import> imports = new ArrayList<>();
   private final List<LiveLink> links = new ArrayList<>();
@@ -86,7 +86,9 @@ public final class SceneImports {
    * @return whether anything has changed, so that scenes that import from this one must be updated
    */
   public boolean refresh(
-      Scene scene, Function<Node, Optional<Scene>> contents, BiConsumer<Location, String> wrong) {
+      Scene scene,
+      Function<Node, Optional<Scene>> contents,
+      BiConsumer<SourceLocation, String> wrong) {
     boolean changed = false;
     for (Import wanted : imports) {
       changed |= find(wanted, scene, contents, wrong);
@@ -101,7 +103,7 @@ public final class SceneImports {
       Import wanted,
       Scene scene,
       Function<Node, Optional<Scene>> contents,
-      BiConsumer<Location, String> wrong) {
+      BiConsumer<SourceLocation, String> wrong) {
     Declared declared = wanted.declared;
     Scene content = scene.find(declared.inlineDef()).flatMap(contents).orElse(null);
     Node node = content == null ? null : content.exported(declared.exported()).orElse(null);
@@ -131,7 +133,7 @@ public final class SceneImports {
     return imports.stream().anyMatch(each -> each.declared.as().equals(name));
   }
 
-  private void connect(LiveLink live, Scene scene, BiConsumer<Location, String> wrong) {
+  private void connect(LiveLink live, Scene scene, BiConsumer<SourceLocation, String> wrong) {
     List<@Nullable Node> ends = new ArrayList<>();
     ends.add(node(live.link.from(), scene));
     ends.add(node(live.link.to(), scene));
@@ -150,7 +152,7 @@ public final class SceneImports {
         : scene.imported().get(((End.Imported) end).name());
   }
 
-  private List<Route> routes(Link link, Scene scene, BiConsumer<Location, String> wrong) {
+  private List<Route> routes(Link link, Scene scene, BiConsumer<SourceLocation, String> wrong) {
     List<End.Own> sources = fields(link.from(), false, scene, link, wrong);
     List<End.Own> targets =
         sources.isEmpty() ? List.of() : fields(link.to(), true, scene, link, wrong);
@@ -173,7 +175,7 @@ public final class SceneImports {
   }
 
   private List<End.Own> fields(
-      End end, boolean input, Scene scene, Link link, BiConsumer<Location, String> wrong) {
+      End end, boolean input, Scene scene, Link link, BiConsumer<SourceLocation, String> wrong) {
     if (end instanceof End.Own own) {
       return List.of(own);
     }

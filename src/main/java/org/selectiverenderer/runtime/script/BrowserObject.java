@@ -23,12 +23,12 @@ import org.selectiverenderer.x3d.field.FieldType;
 final class BrowserObject {
   private static final String NAME = "Selective Renderer embedded browser";
 
-  private final Engine engine;
-  private final Scripts scripts;
-  private final ScriptWorld world;
+  private final RhinoEngine engine;
+  private final ScriptScheduler scripts;
+  private final ScriptHost world;
   private String description = "";
 
-  BrowserObject(Engine engine, Scripts scripts, ScriptWorld world) {
+  BrowserObject(RhinoEngine engine, ScriptScheduler scripts, ScriptHost world) {
     this.engine = engine;
     this.scripts = scripts;
     this.world = world;
@@ -145,7 +145,7 @@ final class BrowserObject {
    * node when they have been loaded.
    */
   private Object fromUrl(Object[] args) {
-    Node node = Ends.node(args[1]);
+    Node node = RouteEndpoints.node(args[1]);
     String name = HostObject.text(args[2]);
     FieldDefinition field =
         node.type()

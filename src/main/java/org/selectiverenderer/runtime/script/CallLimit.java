@@ -44,11 +44,11 @@ final class CallLimit {
   /**
    * Checks the running call.
    *
-   * @throws Stopped if it exceeds a limit
+   * @throws ScriptStoppedError if it exceeds a limit
    */
   void check() {
     if ((System.nanoTime() - began) * 1e-9 > seconds) {
-      throw new Stopped(
+      throw new ScriptStoppedError(
           String.format(Locale.ROOT, "it ran for more than %.0f s", seconds), lineNow());
     }
     long allocated = Allocation.bytes();
@@ -56,7 +56,7 @@ final class CallLimit {
       measured = true;
       bytesBefore = allocated;
     } else if (allocated - bytesBefore > maxBytes) {
-      throw new Stopped(
+      throw new ScriptStoppedError(
           "it allocated more than %s MB of memory in one call".formatted(maxBytes >> 20),
           lineNow());
     }

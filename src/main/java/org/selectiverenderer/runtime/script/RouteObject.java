@@ -9,7 +9,7 @@ import org.selectiverenderer.runtime.scene.Route;
 final class RouteObject extends HostObject {
   private final transient Route route;
 
-  RouteObject(Route route, Engine engine, Scriptable scope) {
+  RouteObject(Route route, RhinoEngine engine, Scriptable scope) {
     super("X3DRoute", scope);
     this.route = route;
     property("sourceNode", () -> engine.values().exactly(route.from()));

@@ -9,15 +9,15 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.mozilla.javascript.Context;
 import org.mozilla.javascript.RhinoException;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.runtime.nodes.script.ScriptCalls;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.runtime.nodes.script.ScriptEventReceiver;
 import org.selectiverenderer.runtime.nodes.script.ScriptNode;
-import org.selectiverenderer.runtime.scene.Cascade;
-import org.selectiverenderer.runtime.scene.InstanceFace;
+import org.selectiverenderer.runtime.scene.EventCascade;
 import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.runtime.scene.PrototypeInstance;
 import org.selectiverenderer.runtime.scene.Scene;
 import org.selectiverenderer.runtime.script.value.NodeAccess;
-import org.selectiverenderer.x3d.catalogue.FieldAccess;
+import org.selectiverenderer.x3d.catalogue.AccessType;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.script.ScriptProgram;
@@ -27,7 +27,7 @@ import org.selectiverenderer.x3d.script.ScriptProgram;
  * whichever comes first. After it was stopped at a limit, or has failed too often, it is switched
  * off for good.
  */
-final class RunningScript implements ScriptCalls, NodeAccess {
+final class RunningScript implements ScriptEventReceiver, NodeAccess {
   /** The number of failures after which a script is switched off. */
   private static final int MAX_FAILURES = 20;
 
@@ -43,12 +43,12 @@ final class RunningScript implements ScriptCalls, NodeAccess {
   private final ScriptNode node;
   private final ScriptProgram program;
   private final Scene context;
-  private final Scripts scripts;
-  private final Engine engine;
-  private final ScriptWorld world;
-  private final OwnValues own;
+  private final ScriptScheduler scripts;
+  private final RhinoEngine engine;
+  private final ScriptHost world;
+  private final ScriptFieldValues own;
   private final ScriptScope scope;
-  private final Writes writes = new Writes();
+  private final PendingWrites writes = new PendingWrites();
   private final Set<Node> made = Collections.newSetFromMap(new WeakHashMap<>());
   private final Set<String> told = new HashSet<>();
   private @Nullable SceneObject contextObject;
@@ -66,16 +66,16 @@ final class RunningScript implements ScriptCalls, NodeAccess {
       ScriptNode node,
       ScriptProgram program,
       Scene context,
-      Scripts scripts,
-      Engine engine,
-      ScriptWorld world) {
+      ScriptScheduler scripts,
+      RhinoEngine engine,
+      ScriptHost world) {
     this.node = node;
     this.program = program;
     this.context = context;
     this.scripts = scripts;
     this.engine = engine;
     this.world = world;
-    own = new OwnValues(node, engine.values());
+    own = new ScriptFieldValues(node, engine.values());
     scope = new ScriptScope(node.type(), own, engine.shared());
   }
 
@@ -107,7 +107,7 @@ final class RunningScript implements ScriptCalls, NodeAccess {
       return;
     }
     started = true;
-    Cascade cascade = world.cascade();
+    EventCascade cascade = world.cascade();
     run(
         true,
         cascade,
@@ -130,12 +130,12 @@ final class RunningScript implements ScriptCalls, NodeAccess {
     send(world.cascade());
   }
 
-  private static Object[] stamp(Cascade cascade) {
+  private static Object[] stamp(EventCascade cascade) {
     return new Object[] {cascade.time()};
   }
 
   @Override
-  public void received(FieldDefinition field, @Nullable Object value, Cascade cascade) {
+  public void received(FieldDefinition field, @Nullable Object value, EventCascade cascade) {
     if (!started) {
       start();
       send(cascade);
@@ -177,13 +177,14 @@ final class RunningScript implements ScriptCalls, NodeAccess {
 
   private void call(org.mozilla.javascript.@Nullable Function function) {
     if (function != null && !off) {
-      Cascade cascade = world.cascade();
+      EventCascade cascade = world.cascade();
       run(false, cascade, cx -> function.call(cx, scope, scope, stamp(cascade)));
       send(cascade);
     }
   }
 
-  private void run(boolean starting, Cascade cascade, Function<Context, @Nullable Object> code) {
+  private void run(
+      boolean starting, EventCascade cascade, Function<Context, @Nullable Object> code) {
     if (tooMany(cascade) || !starting && scripts.together().over(cascade.time())) {
       return;
     }
@@ -197,7 +198,7 @@ final class RunningScript implements ScriptCalls, NodeAccess {
             code.apply(cx);
             return this;
           });
-    } catch (Stopped e) {
+    } catch (ScriptStoppedError e) {
       switchOff(program.line(e.line()), e.getMessage());
     } catch (OutOfMemoryError e) {
       switchOff(program.start(), "it ran out of memory");
@@ -213,11 +214,11 @@ final class RunningScript implements ScriptCalls, NodeAccess {
       problem(
           program.start(),
           "scripts ran for more than %s s at one time stamp; its further events are dropped"
-              .formatted(TimeTogether.MOST_SECONDS));
+              .formatted(ScriptTimeBudget.MOST_SECONDS));
     }
   }
 
-  private void send(Cascade cascade) {
+  private void send(EventCascade cascade) {
     try {
       engine.call(
           this,
@@ -232,7 +233,7 @@ final class RunningScript implements ScriptCalls, NodeAccess {
     writes.send(cascade);
   }
 
-  private boolean tooMany(Cascade cascade) {
+  private boolean tooMany(EventCascade cascade) {
     if (callsAt != cascade.time()) {
       callsAt = cascade.time();
       calls = 0;
@@ -247,7 +248,7 @@ final class RunningScript implements ScriptCalls, NodeAccess {
     return calls >= MAX_CALLS;
   }
 
-  private void failed(Location at, String what) {
+  private void failed(SourceLocation at, String what) {
     failures++;
     if (told.add(at + what)) {
       problem(at, what);
@@ -257,7 +258,7 @@ final class RunningScript implements ScriptCalls, NodeAccess {
     }
   }
 
-  private void switchOff(Location at, String why) {
+  private void switchOff(SourceLocation at, String why) {
     off = true;
     problem(at, why + "; the Script is switched off");
   }
@@ -266,7 +267,7 @@ final class RunningScript implements ScriptCalls, NodeAccess {
    * Reports a problem at its place in the code; if the code is in another file, the message also
    * names the place of the Script.
    */
-  private void problem(Location at, String what) {
+  private void problem(SourceLocation at, String what) {
     world.problems().error(at, name() + ": " + what);
   }
 
@@ -292,7 +293,7 @@ final class RunningScript implements ScriptCalls, NodeAccess {
 
   @Override
   public Node seen(Node other) {
-    return InstanceFace.seen(other, node.within());
+    return PrototypeInstance.seen(other, node.within());
   }
 
   @Override
@@ -311,10 +312,10 @@ final class RunningScript implements ScriptCalls, NodeAccess {
       accept(field, value);
       direct(to);
       writes.add(to, field, value);
-    } else if (field.access() == FieldAccess.INITIALIZE_ONLY && !(to instanceof ScriptNode)) {
+    } else if (field.access() == AccessType.INITIALIZE_ONLY && !(to instanceof ScriptNode)) {
       accept(field, value);
       if (made.contains(to)) {
-        InstanceFace.replace(to, field.index(), value);
+        PrototypeInstance.replace(to, field.index(), value);
       } else {
         late(to, field);
         writes.add(to, field, value);

@@ -8,8 +8,8 @@ import org.jspecify.annotations.Nullable;
 import org.mozilla.javascript.Context;
 import org.mozilla.javascript.ScriptRuntime;
 import org.mozilla.javascript.Scriptable;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.runtime.loading.LiveFiles;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.runtime.loading.RunningSceneLoader;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
 import org.selectiverenderer.runtime.script.value.NodeValue;
@@ -22,11 +22,11 @@ import org.selectiverenderer.x3d.field.FieldType;
 @SuppressWarnings("serial") // Rhino's objects may be written to files; these never are.
 final class SceneObject extends HostObject {
   private final transient Scene scene;
-  private final transient Engine engine;
-  private final transient LiveFiles files;
+  private final transient RhinoEngine engine;
+  private final transient RunningSceneLoader files;
   private final transient FieldDefinition children;
 
-  SceneObject(Scene scene, Engine engine, LiveFiles files, Scriptable scope) {
+  SceneObject(Scene scene, RhinoEngine engine, RunningSceneLoader files, Scriptable scope) {
     super("X3DScene", scope);
     this.scene = scene;
     this.engine = engine;
@@ -42,8 +42,8 @@ final class SceneObject extends HostObject {
     names();
     method("addRoute", 4, this::addRoute);
     action("deleteRoute", 1, this::deleteRoute);
-    method("toXMLString", 0, args -> NodeTexts.xml(scene));
-    method("toVRMLString", 0, args -> NodeTexts.classic(scene, files.catalogue()));
+    method("toXMLString", 0, args -> NodeSerializer.xml(scene));
+    method("toVRMLString", 0, args -> NodeSerializer.classic(scene, files.catalogue()));
     method("getMetaData", 1, args -> scene.meta().get(text(args[0])));
     action("setMetaData", 2, args -> scene.meta().put(text(args[0]), text(args[1])));
   }
@@ -55,22 +55,25 @@ final class SceneObject extends HostObject {
   private void nodes() {
     method("createNode", 1, args -> createNode(text(args[0])));
     method("createProto", 1, args -> createProto(text(args[0])));
-    action("addRootNode", 1, args -> changeRoots(roots -> roots.add(Ends.body(args[0]))));
-    action("removeRootNode", 1, args -> changeRoots(roots -> roots.remove(Ends.body(args[0]))));
+    action("addRootNode", 1, args -> changeRoots(roots -> roots.add(RouteEndpoints.body(args[0]))));
+    action(
+        "removeRootNode",
+        1,
+        args -> changeRoots(roots -> roots.remove(RouteEndpoints.body(args[0]))));
   }
 
   private void names() {
     method("getNamedNode", 1, args -> named(text(args[0])));
     method("getImportedNode", 1, args -> named(text(args[0])));
     method("getExportedNode", 1, args -> exported(text(args[0])));
-    action("updateNamedNode", 2, args -> scene.name(text(args[0]), Ends.body(args[1])));
+    action("updateNamedNode", 2, args -> scene.name(text(args[0]), RouteEndpoints.body(args[1])));
     action("removeNamedNode", 1, args -> scene.unname(text(args[0])));
   }
 
   private Object createNode(String type) {
     Node made =
         files
-            .make(engine.running().node(), type, Location.of("(made by a Script)"))
+            .make(engine.running().node(), type, SourceLocation.of("(made by a Script)"))
             .orElseThrow(() -> ScriptRuntime.typeError("there is no node type " + type));
     return engine.values().node(engine.running().own(made));
   }
@@ -138,7 +141,7 @@ final class SceneObject extends HostObject {
 
   /** Adds a route and returns it. */
   Object addRoute(Object[] args) {
-    RouteObject route = new RouteObject(Ends.route(args), engine, getParentScope());
+    RouteObject route = new RouteObject(RouteEndpoints.route(args), engine, getParentScope());
     scene.addRoute(route.route());
     return route;
   }
@@ -148,7 +151,7 @@ final class SceneObject extends HostObject {
     if (args[0] instanceof RouteObject given) {
       scene.removeRoute(given.route());
     } else if (args.length >= 4) {
-      scene.removeRoute(Ends.route(args));
+      scene.removeRoute(RouteEndpoints.route(args));
     } else {
       throw ScriptRuntime.typeError("deleteRoute needs a route, or the nodes and fields of one");
     }

@@ -2,12 +2,12 @@
  * Runs the ECMAScript programs of Script nodes (X3D 4.0, clause 29; ISO/IEC 19777-1; VRML97, annex
  * C).
  *
- * <p>{@link org.selectiverenderer.runtime.script.Scripts} schedules the Scripts of a world. Each
- * becomes a {@link org.selectiverenderer.runtime.script.RunningScript} with a global scope of its
- * own ({@link org.selectiverenderer.runtime.script.ScriptScope}: the node's fields); all share one
- * {@link org.selectiverenderer.runtime.script.Engine}: Rhino with the standard objects, those of
- * {@code value}, and {@code Browser}. The engine is made for the first Script of a world; a world
- * without Scripts never loads Rhino.
+ * <p>{@link org.selectiverenderer.runtime.script.ScriptScheduler} schedules the Scripts of a world.
+ * Each becomes a {@link org.selectiverenderer.runtime.script.RunningScript} with a global scope of
+ * its own ({@link org.selectiverenderer.runtime.script.ScriptScope}: the node's fields); all share
+ * one {@link org.selectiverenderer.runtime.script.RhinoEngine}: Rhino with the standard objects,
+ * those of {@code value}, and {@code Browser}. The engine is made for the first Script of a world;
+ * a world without Scripts never loads Rhino.
  *
  * <p>Scripts are sandboxed: they can access the scene, but no Java classes, no files except those
  * that their scene may name, and no network. Time, memory and depth of a call are limited, as

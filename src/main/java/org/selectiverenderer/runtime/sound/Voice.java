@@ -15,7 +15,7 @@ package org.selectiverenderer.runtime.sound;
  */
 public record Voice(
     Object source,
-    Recording recording,
+    AudioBuffer recording,
     double position,
     double pitch,
     boolean loop,

@@ -98,7 +98,7 @@ final class VoiceMixer {
 
     void follow(Voice now) {
       voice = now;
-      Recording recording = now.recording();
+      AudioBuffer recording = now.recording();
       double target = now.position() * recording.rate();
       double off = Math.abs(target - at);
       if (now.loop()) {
@@ -111,7 +111,7 @@ final class VoiceMixer {
 
     /** Adds a block of the voice; returns whether it continues. */
     boolean add(double[] out) {
-      Recording recording = voice.recording();
+      AudioBuffer recording = voice.recording();
       double step = recording.rate() * voice.pitch() / rate;
       int frames = out.length / 2;
       double leftStep = ((leaving ? 0 : voice.left()) - left) / frames;

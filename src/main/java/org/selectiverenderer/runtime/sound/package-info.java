@@ -4,10 +4,10 @@
  *
  * <p>In: files as {@code x3d.files} gives them; {@link org.selectiverenderer.runtime.sound.Voice}s,
  * one for each sound that is audible in a frame. Out: {@link
- * org.selectiverenderer.runtime.sound.Recording}s, and what the {@link
- * org.selectiverenderer.runtime.sound.Speaker} plays on its own thread {@code sound}. The behaviour
- * of sound nodes is in {@code runtime.nodes.sound}; {@code app} connects scene and device. A scene
- * without sound loads nothing of this package and starts no thread.
+ * org.selectiverenderer.runtime.sound.AudioBuffer}s, and what the {@link
+ * org.selectiverenderer.runtime.sound.AudioPlayer} plays on its own thread {@code sound}. The
+ * behaviour of sound nodes is in {@code runtime.nodes.sound}; {@code app} connects scene and
+ * device. A scene without sound loads nothing of this package and starts no thread.
  *
  * <p>Uses {@code x3d.files}.
  */

@@ -4,20 +4,20 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import org.selectiverenderer.base.csv.NumberTable;
-import org.selectiverenderer.base.csv.TableForm;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.csv.TimeSeriesReader;
+import org.selectiverenderer.base.csv.TimeSeriesSpec;
+import org.selectiverenderer.base.problem.ProblemCollector;
 
 /**
  * Reads a {@link CameraPath} from CSV: a header {@code t,x,y,z} or {@code t,x,y,z,yaw,pitch,roll}
  * in any order, then one row per time; seconds, metres, degrees. Other columns are ignored. See
- * {@link NumberTable}.
+ * {@link TimeSeriesReader}.
  *
  * <p>A path with errors is not played: the errors are reported, each with its location.
  */
 public final class CameraPathReader {
-  private static final TableForm FORM =
-      new TableForm(
+  private static final TimeSeriesSpec FORM =
+      new TimeSeriesSpec(
           "the path",
           "the path is not played",
           List.of("t", "x", "y", "z"),
@@ -34,8 +34,8 @@ public final class CameraPathReader {
    * @return the path; empty if it has errors, which are then in {@code problems}
    * @throws IOException if the file cannot be read at all
    */
-  public static Optional<CameraPath> read(Path path, Problems problems) throws IOException {
-    return NumberTable.read(FORM, path, problems).map(CameraPath::new);
+  public static Optional<CameraPath> read(Path path, ProblemCollector problems) throws IOException {
+    return TimeSeriesReader.read(FORM, path, problems).map(CameraPath::new);
   }
 
   /**
@@ -43,7 +43,7 @@ public final class CameraPathReader {
    *
    * @param file the file's name, for messages
    */
-  public static Optional<CameraPath> parse(String file, String text, Problems problems) {
-    return NumberTable.parse(FORM, file, text, problems).map(CameraPath::new);
+  public static Optional<CameraPath> parse(String file, String text, ProblemCollector problems) {
+    return TimeSeriesReader.parse(FORM, file, text, problems).map(CameraPath::new);
   }
 }

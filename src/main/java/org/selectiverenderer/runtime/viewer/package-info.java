@@ -6,9 +6,9 @@
  * org.selectiverenderer.runtime.viewer.ViewerMotion} moves it frame by frame: a {@link
  * org.selectiverenderer.runtime.viewer.PathMotion}, a {@link
  * org.selectiverenderer.runtime.viewer.ViewpointTransition}, or a walker of {@code runtime.walk}. A
- * {@link org.selectiverenderer.runtime.viewer.Framing} computes a pose from which a whole bounding
- * box is in view. Uses {@code base.csv} and {@code base.problem} for recorded paths, {@code
- * geometry} for boxes; no scene, no window.
+ * {@link org.selectiverenderer.runtime.viewer.CameraFraming} computes a pose from which a whole
+ * bounding box is in view. Uses {@code base.csv} and {@code base.problem} for recorded paths,
+ * {@code geometry} for boxes; no scene, no window.
  */
 @NullMarked
 package org.selectiverenderer.runtime.viewer;

@@ -18,9 +18,9 @@ public record Anova(
     AnovaOptions options,
     Effect intercept,
     List<Effect> effects,
-    List<Descriptive> descriptives,
+    List<CellDescriptives> descriptives,
     List<MarginalMean> means,
-    List<Comparison> comparisons,
+    List<PairwiseComparison> comparisons,
     double bound) {
   /** Makes defensive copies, so that the record is immutable. */
   public Anova {
@@ -40,16 +40,16 @@ public record Anova(
     if (obstacle.isPresent()) {
       throw new IllegalArgumentException(obstacle.get());
     }
-    CellStatistics cells = CellStatistics.of(design);
+    MultivariateLinearModel cells = MultivariateLinearModel.of(design);
     List<Effect> effects =
         Term.of(design).stream().map(term -> Effect.of(term, design, cells, options)).toList();
-    MeanContrasts contrasts = new MeanContrasts(design, cells, options);
+    ContrastEstimator contrasts = new ContrastEstimator(design, cells, options);
     return new Anova(
         design,
         options,
         Effect.of(Term.INTERCEPT, design, cells, options),
         effects,
-        Descriptive.of(design),
+        CellDescriptives.of(design),
         contrasts.means(),
         contrasts.comparisons(),
         contrasts.bound());
@@ -62,6 +62,6 @@ public record Anova(
 
   /** Returns the residuals of the model. */
   public Residuals residuals() {
-    return Residuals.of(CellStatistics.of(design));
+    return Residuals.of(MultivariateLinearModel.of(design));
   }
 }

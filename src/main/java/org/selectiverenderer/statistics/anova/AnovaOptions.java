@@ -22,7 +22,7 @@ public record AnovaOptions(
     boolean rawBound,
     double etaBound,
     double priorScale,
-    SphericityChoice sphericity,
+    SphericityCorrection sphericity,
     EffectPrior prior) {
   /**
    * Half a standard deviation and a partial eta squared of 0.06 are the middle of Cohen's 1988
@@ -37,7 +37,7 @@ public record AnovaOptions(
           false,
           0.06,
           Math.sqrt(2) / 2,
-          SphericityChoice.AUTO,
+          SphericityCorrection.AUTO,
           EffectPrior.MEDIUM);
 
   /** Returns the options with TOST's equivalence bound in the measure's own units. */
@@ -56,7 +56,7 @@ public record AnovaOptions(
   }
 
   /** Returns the options with another correction for violated sphericity. */
-  public AnovaOptions withSphericity(SphericityChoice choice) {
+  public AnovaOptions withSphericity(SphericityCorrection choice) {
     return with(differenceBound, rawBound, etaBound, choice, prior);
   }
 
@@ -66,7 +66,7 @@ public record AnovaOptions(
   }
 
   private AnovaOptions with(
-      double bound, boolean raw, double eta, SphericityChoice choice, EffectPrior effects) {
+      double bound, boolean raw, double eta, SphericityCorrection choice, EffectPrior effects) {
     return new AnovaOptions(
         alpha, confidence, etaConfidence, bound, raw, eta, priorScale, choice, effects);
   }

@@ -3,7 +3,7 @@ package org.selectiverenderer.statistics.anova;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
-import org.selectiverenderer.base.decimal.Counted;
+import org.selectiverenderer.base.decimal.Pluralizer;
 
 /**
  * The data of a factorial experiment. Each subject belongs to one combination of levels of the
@@ -91,12 +91,14 @@ public record Design(
       return Optional.of(
           "%s in %s%s %s no degrees of freedom for the error"
               .formatted(
-                  Counted.of(subjects.size(), "participant"),
-                  Counted.of(groups.levels().size(), "group"),
-                  covariates.isEmpty() ? "" : " with " + Counted.of(covariates.size(), "covariate"),
+                  Pluralizer.of(subjects.size(), "participant"),
+                  Pluralizer.of(groups.levels().size(), "group"),
+                  covariates.isEmpty()
+                      ? ""
+                      : " with " + Pluralizer.of(covariates.size(), "covariate"),
                   subjects.size() == 1 ? "leaves" : "leave"));
     }
-    return CellStatistics.redundantCovariate(this)
+    return MultivariateLinearModel.redundantCovariate(this)
         .map(
             name ->
                 "the covariate %s is redundant: the groups%s predict it exactly; leave it out"

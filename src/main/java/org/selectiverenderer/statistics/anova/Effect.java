@@ -9,7 +9,7 @@ import org.apache.commons.math3.linear.EigenDecomposition;
 import org.apache.commons.math3.linear.MatrixUtils;
 import org.apache.commons.math3.linear.RealMatrix;
 import org.selectiverenderer.statistics.distribution.NoncentralF;
-import org.selectiverenderer.statistics.distribution.Tails;
+import org.selectiverenderer.statistics.distribution.TailProbabilities;
 
 /**
  * A row of the ANOVA table. A value that is not defined is NaN; {@link #flaw} says why.
@@ -35,14 +35,14 @@ public record Effect(
     double df1,
     double df2,
     double f,
-    Optional<CorrectedDf> correction,
+    Optional<CorrectedDegreesOfFreedom> correction,
     double p,
     EffectSize partialEta,
     EffectSize generalisedEta,
     EffectSize omega,
     Optional<Sphericity> sphericity,
     List<MultivariateTest> multivariate,
-    OmnibusEquivalence equivalence,
+    OmnibusEquivalenceTest equivalence,
     Optional<String> flaw) {
   /** Makes defensive copies, so that the record is immutable. */
   public Effect {
@@ -71,17 +71,17 @@ public record Effect(
 
   /** Returns the effect's degrees of freedom in the test, after any sphericity correction. */
   public double testDf1() {
-    return correction.map(CorrectedDf::df1).orElse(df1);
+    return correction.map(CorrectedDegreesOfFreedom::df1).orElse(df1);
   }
 
   /** Returns the error's degrees of freedom in the test, after any sphericity correction. */
   public double testDf2() {
-    return correction.map(CorrectedDf::df2).orElse(df2);
+    return correction.map(CorrectedDegreesOfFreedom::df2).orElse(df2);
   }
 
   /** Returns p with the degrees of freedom multiplied by an epsilon of {@link Sphericity}. */
   public double correctedP(double epsilon) {
-    return Double.isFinite(f) ? Tails.f(f, df1 * epsilon, df2 * epsilon) : Double.NaN;
+    return Double.isFinite(f) ? TailProbabilities.f(f, df1 * epsilon, df2 * epsilon) : Double.NaN;
   }
 
   /** Returns p without a sphericity correction. */
@@ -89,13 +89,14 @@ public record Effect(
     return correctedP(1);
   }
 
-  static Effect of(Term term, Design design, CellStatistics cells, AnovaOptions options) {
-    Hypothesis h = Hypothesis.of(term, design, cells);
-    EffectTest test = EffectTest.of(term, h, cells, options);
+  static Effect of(Term term, Design design, MultivariateLinearModel cells, AnovaOptions options) {
+    LinearHypothesis h = LinearHypothesis.of(term, design, cells);
+    FTestResult test = FTestResult.of(term, h, cells, options);
     boolean constant = test.constant();
     boolean contrasts = !term.within().isEmpty();
-    EffectSizes sizes =
-        new EffectSizes(h, test.f(), test.df1(), test.df2(), cells, options.etaConfidence());
+    EffectSizeEstimator sizes =
+        new EffectSizeEstimator(
+            h, test.f(), test.df1(), test.df2(), cells, options.etaConfidence());
     boolean bounds = !constant && term.kind() != EffectKind.INTERCEPT;
     NoncentralF.Interval noncentrality =
         bounds ? sizes.noncentrality() : new NoncentralF.Interval(Double.NaN, Double.NaN);
@@ -114,7 +115,7 @@ public record Effect(
         constant ? undefined(options) : sizes.omega(noncentrality),
         test.sphericity(),
         multivariate,
-        OmnibusEquivalence.of(test.f(), test.df1(), test.df2(), options.etaBound()),
+        OmnibusEquivalenceTest.of(test.f(), test.df1(), test.df2(), options.etaBound()),
         flaw(constant, contrasts && multivariate.isEmpty()));
   }
 
@@ -136,7 +137,7 @@ public record Effect(
   }
 
   /** Returns the multivariate tests; empty when the error matrix is singular. */
-  private static List<MultivariateTest> multivariate(Hypothesis h) {
+  private static List<MultivariateTest> multivariate(LinearHypothesis h) {
     Optional<double[]> roots = roots(h);
     List<MultivariateTest> tests = new ArrayList<>();
     if (roots.isPresent()) {
@@ -151,7 +152,7 @@ public record Effect(
    * Returns the eigenvalues of E^-1 H, computed as those of the symmetric L^-1 H L^-T with E = L
    * L^T.
    */
-  private static Optional<double[]> roots(Hypothesis h) {
+  private static Optional<double[]> roots(LinearHypothesis h) {
     double[] spread = new EigenDecomposition(h.error()).getRealEigenvalues();
     double largest = Arrays.stream(spread).max().orElse(0);
     double smallest = Arrays.stream(spread).min().orElse(0);
@@ -166,5 +167,24 @@ public record Effect(
         Arrays.stream(new EigenDecomposition(symmetric).getRealEigenvalues())
             .map(root -> Math.max(0, root))
             .toArray());
+  }
+
+  /**
+   * The equivalence test of an effect: the hypothesis that its partial eta squared is at least the
+   * bound is rejected when F is small enough, p = P(F &le; f) with noncentrality bound / (1 -
+   * bound) (df1 + df2 + 1) (Campbell and Lakens 2021, British Journal of Mathematical and
+   * Statistical Psychology 74; Wellek 2010, Testing Statistical Hypotheses of Equivalence and
+   * Noninferiority, 9.2).
+   *
+   * @param bound equivalence bound of the partial eta squared
+   * @param p below alpha, the effect is smaller than the bound
+   */
+  public record OmnibusEquivalenceTest(double bound, double p) {
+    static OmnibusEquivalenceTest of(double f, double df1, double df2, double bound) {
+      double noncentrality = bound / (1 - bound) * (df1 + df2 + 1);
+      double p =
+          Double.isFinite(f) ? new NoncentralF(df1, df2).cumulative(f, noncentrality) : Double.NaN;
+      return new OmnibusEquivalenceTest(bound, p);
+    }
   }
 }

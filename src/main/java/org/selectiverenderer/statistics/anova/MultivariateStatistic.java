@@ -1,6 +1,6 @@
 package org.selectiverenderer.statistics.anova;
 
-import org.selectiverenderer.statistics.distribution.Tails;
+import org.selectiverenderer.statistics.distribution.TailProbabilities;
 
 /**
  * The four multivariate test statistics that SPSS prints (thesis Figs 93 and 97), computed from the
@@ -99,7 +99,7 @@ public enum MultivariateStatistic {
   }
 
   final MultivariateTest finished(double value, double f, double df1, double df2, boolean exact) {
-    double p = df2 > 0 ? Tails.f(f, df1, df2) : Double.NaN;
+    double p = df2 > 0 ? TailProbabilities.f(f, df1, df2) : Double.NaN;
     return new MultivariateTest(this, value, df2 > 0 ? f : Double.NaN, df1, df2, p, exact);
   }
 }

@@ -12,7 +12,7 @@ import java.util.stream.IntStream;
  * @param df degrees of freedom of each column
  */
 public record Residuals(double[][] values, double[] leverages, int df) {
-  static Residuals of(CellStatistics cells) {
+  static Residuals of(MultivariateLinearModel cells) {
     return new Residuals(cells.residuals(), cells.leverages(), cells.errorDf());
   }
 

@@ -2,7 +2,7 @@ package org.selectiverenderer.statistics.anova;
 
 import org.apache.commons.math3.linear.LUDecomposition;
 import org.apache.commons.math3.linear.RealMatrix;
-import org.selectiverenderer.statistics.distribution.Tails;
+import org.selectiverenderer.statistics.distribution.TailProbabilities;
 
 /**
  * Mauchly's test of sphericity of the contrasts between three or more within levels (that they have
@@ -18,7 +18,7 @@ import org.selectiverenderer.statistics.distribution.Tails;
  */
 public record Sphericity(
     double mauchlyW, double mauchlyP, double greenhouseGeisser, double huynhFeldt) {
-  static Sphericity of(Hypothesis hypothesis) {
+  static Sphericity of(LinearHypothesis hypothesis) {
     int q = hypothesis.dimensions();
     int df = hypothesis.errorDf();
     RealMatrix s = hypothesis.error().scalarMultiply(1.0 / df);
@@ -40,7 +40,7 @@ public record Sphericity(
             / (288 * Math.pow(q * df * rho, 2));
     double statistic = -df * rho * Math.log(w);
     double f = q * (q + 1) / 2.0 - 1;
-    double p = Tails.chiSquared(statistic, f);
-    return Math.min(1, p + second * (Tails.chiSquared(statistic, f + 4) - p));
+    double p = TailProbabilities.chiSquared(statistic, f);
+    return Math.min(1, p + second * (TailProbabilities.chiSquared(statistic, f + 4) - p));
   }
 }

@@ -1,6 +1,6 @@
 package org.selectiverenderer.statistics.anova;
 
-import org.selectiverenderer.statistics.distribution.Tails;
+import org.selectiverenderer.statistics.distribution.TailProbabilities;
 
 /**
  * Two one-sided tests of equivalence (Schuirmann 1987, Journal of Pharmacokinetics and
@@ -17,6 +17,10 @@ public record Tost(double bound, double lowerT, double upperT, double p) {
   static Tost of(double difference, double standardError, double df, double bound) {
     double lower = (difference + bound) / standardError;
     double upper = (difference - bound) / standardError;
-    return new Tost(bound, lower, upper, Math.max(Tails.t(lower, df), Tails.t(-upper, df)));
+    return new Tost(
+        bound,
+        lower,
+        upper,
+        Math.max(TailProbabilities.t(lower, df), TailProbabilities.t(-upper, df)));
   }
 }

@@ -3,10 +3,10 @@ package org.selectiverenderer.statistics.apa;
 import java.util.ArrayList;
 import java.util.List;
 import org.selectiverenderer.statistics.anova.Effect;
-import org.selectiverenderer.statistics.bayes.EffectEvidence;
-import org.selectiverenderer.statistics.detection.ConfidenceLevel;
+import org.selectiverenderer.statistics.bayes.EffectBayesFactors;
+import org.selectiverenderer.statistics.detection.ConfidenceThreshold;
 import org.selectiverenderer.statistics.study.AreaAnalysis;
-import org.selectiverenderer.statistics.study.FamilyCorrection;
+import org.selectiverenderer.statistics.study.MultipleTestingCorrection;
 import org.selectiverenderer.statistics.study.StudyAnalysis;
 
 /**
@@ -25,21 +25,22 @@ public final class ApaSentences {
         Double.isFinite(effect.partialEta().value())
             ? ", ηp² = %s, %s%% CI %s"
                 .formatted(
-                    ApaNumber.share(effect.partialEta().value(), 2),
-                    ApaNumber.of(100 * effect.partialEta().confidence(), 0),
-                    ApaNumber.interval(effect.partialEta().low(), effect.partialEta().high(), 2))
+                    ApaNumberFormat.share(effect.partialEta().value(), 2),
+                    ApaNumberFormat.of(100 * effect.partialEta().confidence(), 0),
+                    ApaNumberFormat.interval(
+                        effect.partialEta().low(), effect.partialEta().high(), 2))
             : "";
     return "F(%s, %s) = %s, %s%s"
         .formatted(
-            ApaNumber.df(effect.testDf1()),
-            ApaNumber.df(effect.testDf2()),
-            ApaNumber.of(effect.f(), 2),
-            ApaNumber.withP("p", effect.p()),
+            ApaNumberFormat.df(effect.testDf1()),
+            ApaNumberFormat.df(effect.testDf2()),
+            ApaNumberFormat.of(effect.f(), 2),
+            ApaNumberFormat.withP("p", effect.p()),
             size);
   }
 
   /** Returns a sentence for each effect of an area at a level of confidence. */
-  public static List<String> of(StudyAnalysis study, String area, ConfidenceLevel level) {
+  public static List<String> of(StudyAnalysis study, String area, ConfidenceThreshold level) {
     List<String> sentences = new ArrayList<>();
     study
         .analyses(area)
@@ -60,7 +61,7 @@ public final class ApaSentences {
       sentences.add(where + " was not analysed: " + analysis.design().obstacle().orElse("") + ".");
       return;
     }
-    for (EffectEvidence evidence : analysis.evidence().get().effects()) {
+    for (EffectBayesFactors evidence : analysis.evidence().get().effects()) {
       Effect effect = evidence.of(analysis.anova().get());
       sentences.add(sentence(study, analysis, effect, evidence, where));
     }
@@ -70,23 +71,24 @@ public final class ApaSentences {
       StudyAnalysis study,
       AreaAnalysis analysis,
       Effect effect,
-      EffectEvidence evidence,
+      EffectBayesFactors evidence,
       String where) {
     if (!Double.isFinite(effect.f())) {
       return "For %s, %s: %s.".formatted(where, name(effect), test(effect));
     }
-    boolean corrected = study.family() != FamilyCorrection.NONE;
+    boolean corrected = study.family() != MultipleTestingCorrection.NONE;
     double p = corrected ? study.adjusted(analysis, effect) : effect.p();
     StringBuilder text = new StringBuilder();
     text.append("For ").append(where).append(", ").append(name(effect));
     text.append(p < study.options().alpha() ? " was" : " was not");
     text.append(" significant, ").append(test(effect));
     if (corrected) {
-      text.append(", ").append(ApaNumber.withP("p corrected over the study", p));
+      text.append(", ").append(ApaNumberFormat.withP("p corrected over the study", p));
     }
-    text.append("; equivalence (ηp² < ").append(ApaNumber.share(study.options().etaBound(), 2));
-    text.append("): ").append(ApaNumber.withP("p", effect.equivalence().p()));
-    text.append("; BF01 = ").append(ApaNumber.bayes(evidence.bf01())).append('.');
+    text.append("; equivalence (ηp² < ")
+        .append(ApaNumberFormat.share(study.options().etaBound(), 2));
+    text.append("): ").append(ApaNumberFormat.withP("p", effect.equivalence().p()));
+    text.append("; BF01 = ").append(ApaNumberFormat.bayes(evidence.bf01())).append('.');
     return text.toString();
   }
 

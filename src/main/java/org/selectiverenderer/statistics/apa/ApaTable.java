@@ -3,8 +3,8 @@ package org.selectiverenderer.statistics.apa;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
-import org.selectiverenderer.base.csv.CsvText;
-import org.selectiverenderer.base.markup.Markup;
+import org.selectiverenderer.base.csv.CsvWriter;
+import org.selectiverenderer.base.markup.MarkupEscaper;
 
 /**
  * A table in APA style: lines above and below the header and below the last row, and none between
@@ -36,32 +36,32 @@ public record ApaTable(
   public String html() {
     StringBuilder out = new StringBuilder();
     out.append("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>");
-    out.append(Markup.text(title)).append("</title>\n<style>\n");
+    out.append(MarkupEscaper.text(title)).append("</title>\n<style>\n");
     out.append("body { font-family: 'Times New Roman', serif; }\n");
     out.append("table { border-collapse: collapse; border-bottom: 1px solid; }\n");
     out.append("th, td { padding: 2px 10px; text-align: right; font-weight: normal; }\n");
     out.append("th { border-top: 1px solid; border-bottom: 1px solid; text-align: center; }\n");
     out.append(".words { text-align: left; }\n</style>\n</head>\n<body>\n");
-    out.append("<p><i>").append(Markup.text(title)).append("</i></p>\n<table>\n<tr>");
+    out.append("<p><i>").append(MarkupEscaper.text(title)).append("</i></p>\n<table>\n<tr>");
     header.forEach(cell -> out.append("<th>").append(htmlHead(cell)).append("</th>"));
     out.append("</tr>\n");
     for (List<String> row : rows) {
       out.append("<tr>");
       for (int i = 0; i < row.size(); i++) {
         out.append(i < words ? "<td class=\"words\">" : "<td>");
-        out.append(Markup.text(row.get(i))).append("</td>");
+        out.append(MarkupEscaper.text(row.get(i))).append("</td>");
       }
       out.append("</tr>\n");
     }
     out.append("</table>\n");
     if (!note.isEmpty()) {
-      out.append("<p><i>Note.</i> ").append(Markup.text(note)).append("</p>\n");
+      out.append("<p><i>Note.</i> ").append(MarkupEscaper.text(note)).append("</p>\n");
     }
     return out.append("</body>\n</html>\n").toString();
   }
 
   private static String htmlHead(String cell) {
-    return ITALIC.contains(cell) ? "<i>" + cell + "</i>" : Markup.text(cell);
+    return ITALIC.contains(cell) ? "<i>" + cell + "</i>" : MarkupEscaper.text(cell);
   }
 
   /**
@@ -71,26 +71,27 @@ public record ApaTable(
   public String latex() {
     StringBuilder out = new StringBuilder();
     out.append("% needs \\usepackage{booktabs}\n\\begin{table}\n\\caption{");
-    out.append(LatexText.of(title)).append("}\n\\begin{tabular}{");
+    out.append(LatexEscaper.of(title)).append("}\n\\begin{tabular}{");
     out.append("l".repeat(words)).append("r".repeat(header.size() - words));
     out.append("}\n\\toprule\n");
     out.append(
         header.stream()
-            .map(cell -> ITALIC.contains(cell) ? "\\textit{" + cell + "}" : LatexText.of(cell))
+            .map(cell -> ITALIC.contains(cell) ? "\\textit{" + cell + "}" : LatexEscaper.of(cell))
             .collect(Collectors.joining(" & ", "", " \\\\\n\\midrule\n")));
     for (List<String> row : rows) {
-      out.append(row.stream().map(LatexText::of).collect(Collectors.joining(" & ", "", " \\\\\n")));
+      out.append(
+          row.stream().map(LatexEscaper::of).collect(Collectors.joining(" & ", "", " \\\\\n")));
     }
     out.append("\\bottomrule\n\\end{tabular}\n");
     if (!note.isEmpty()) {
-      out.append("\n\\smallskip\\textit{Note.} ").append(LatexText.of(note)).append('\n');
+      out.append("\n\\smallskip\\textit{Note.} ").append(LatexEscaper.of(note)).append('\n');
     }
     return out.append("\\end{table}\n").toString();
   }
 
   /** Returns the cells as CSV, without title and note, and with hyphens for minus signs. */
   public String csv() {
-    CsvText table = new CsvText().row(header);
+    CsvWriter table = new CsvWriter().row(header);
     rows.forEach(row -> table.row(row.stream().map(cell -> cell.replace('−', '-')).toList()));
     return table.toString();
   }

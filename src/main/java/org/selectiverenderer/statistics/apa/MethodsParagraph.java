@@ -3,9 +3,9 @@ package org.selectiverenderer.statistics.apa;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.TreeSet;
-import org.selectiverenderer.base.decimal.Counted;
-import org.selectiverenderer.statistics.detection.Guessing;
-import org.selectiverenderer.statistics.study.FamilyCorrection;
+import org.selectiverenderer.base.decimal.Pluralizer;
+import org.selectiverenderer.statistics.detection.LowConfidencePolicy;
+import org.selectiverenderer.statistics.study.MultipleTestingCorrection;
 import org.selectiverenderer.statistics.study.StudyAnalysis;
 
 /**
@@ -35,7 +35,7 @@ public final class MethodsParagraph {
     sentences.add(
         "Answers of %s were analysed with %s (Java %s)."
             .formatted(
-                Counted.of(study.participants().size(), "participant"),
+                Pluralizer.of(study.participants().size(), "participant"),
                 program,
                 Runtime.version().feature()));
     sentences.add(detection());
@@ -86,7 +86,9 @@ public final class MethodsParagraph {
   private String levels() {
     return "This was done for all answers, for those with a confidence of 3 to 5 and for those with"
         + " a confidence of 5; answers below a level "
-        + (study.scoring().guessing() == Guessing.DISCARD ? "were left out." : "counted as “no”.");
+        + (study.scoring().guessing() == LowConfidencePolicy.DISCARD
+            ? "were left out."
+            : "counted as “no”.");
   }
 
   private String variance() {
@@ -122,25 +124,25 @@ public final class MethodsParagraph {
             + " factors for the null hypothesis have Jeffreys-Zellner-Siow priors of scale %s for"
             + " effects (Rouder et al., 2012) and %s for comparisons (Rouder et al., 2009).")
         .formatted(
-            ApaNumber.share(study.options().etaBound(), 2),
-            ApaNumber.of(study.options().differenceBound(), 2),
+            ApaNumberFormat.share(study.options().etaBound(), 2),
+            ApaNumberFormat.of(study.options().differenceBound(), 2),
             study.options().rawBound() ? "in the measure's units" : "standard deviations",
-            ApaNumber.of(study.options().prior().fixed(), 2),
-            ApaNumber.of(study.options().priorScale(), 3));
+            ApaNumberFormat.of(study.options().prior().fixed(), 2),
+            ApaNumberFormat.of(study.options().priorScale(), 3));
   }
 
   private String many() {
-    if (study.family() == FamilyCorrection.NONE) {
+    if (study.family() == MultipleTestingCorrection.NONE) {
       return "p was not corrected over areas, measures and levels of confidence.";
     }
-    if (study.family() == FamilyCorrection.FDR) {
+    if (study.family() == MultipleTestingCorrection.FDR) {
       references.add(
           "Benjamini, Y., & Hochberg, Y. (1995). Controlling the false discovery rate: A practical"
               + " and powerful approach to multiple testing. Journal of the Royal Statistical"
               + " Society: Series B, 57(1), 289–300.");
     }
     return "p was corrected over all effects on all measures in all areas at a level of confidence ("
-        + (study.family() == FamilyCorrection.FDR
+        + (study.family() == MultipleTestingCorrection.FDR
             ? "false discovery rate; Benjamini & Hochberg, 1995)."
             : "Holm, 1979).");
   }

@@ -5,8 +5,8 @@
  * assume equal variances.
  *
  * <p>In: an {@link org.selectiverenderer.statistics.anova.Anova}. Out: {@link
- * org.selectiverenderer.statistics.assumption.Assumptions}. Uses {@code statistics.anova}, {@code
- * statistics.distribution} and Commons Math.
+ * org.selectiverenderer.statistics.assumption.AssumptionChecks}. Uses {@code statistics.anova},
+ * {@code statistics.distribution} and Commons Math.
  */
 @NullMarked
 package org.selectiverenderer.statistics.assumption;

@@ -17,13 +17,13 @@ import org.selectiverenderer.statistics.anova.Term;
  * report shows them in several places.
  */
 public final class BayesianAnova {
-  private static final EffectEvidence.Ratio NONE = new EffectEvidence.Ratio(Double.NaN, 0);
+  private static final EffectBayesFactors.Ratio NONE = new EffectBayesFactors.Ratio(Double.NaN, 0);
 
   private final Anova anova;
   private final List<Term> terms;
   private @Nullable ModelEvidence models;
-  private @Nullable List<EffectEvidence> effects;
-  private @Nullable List<EffectEvidence> robust;
+  private @Nullable List<EffectBayesFactors> effects;
+  private @Nullable List<EffectBayesFactors> robust;
 
   /** Creates the Bayes factors of an analysis; none is computed yet. */
   public BayesianAnova(Anova anova) {
@@ -46,7 +46,7 @@ public final class BayesianAnova {
    *
    * @return NaN where the design has an {@link #obstacle} or an effect has no F
    */
-  public synchronized List<EffectEvidence> effects() {
+  public synchronized List<EffectBayesFactors> effects() {
     if (effects == null) {
       effects = evidence(List.of());
     }
@@ -57,19 +57,21 @@ public final class BayesianAnova {
    * Returns the Bayes factors of each effect, also with {@link EffectPrior#ROBUSTNESS other scales}
    * of the prior.
    */
-  public synchronized List<EffectEvidence> withRobustness() {
+  public synchronized List<EffectBayesFactors> withRobustness() {
     if (robust == null) {
       robust = evidence(EffectPrior.ROBUSTNESS);
     }
     return robust;
   }
 
-  private List<EffectEvidence> evidence(List<Double> scales) {
+  private List<EffectBayesFactors> evidence(List<Double> scales) {
     boolean defined =
         obstacle(anova).isEmpty()
             && anova.effects().stream().allMatch(effect -> Double.isFinite(effect.f()));
     if (!defined) {
-      return terms.stream().map(term -> new EffectEvidence(term, NONE, NONE, List.of())).toList();
+      return terms.stream()
+          .map(term -> new EffectBayesFactors(term, NONE, NONE, List.of()))
+          .toList();
     }
     if (models == null) {
       models = new ModelEvidence(anova.design(), terms, anova.options().prior());
@@ -78,7 +80,7 @@ public final class BayesianAnova {
     return terms.stream().map(term -> of(term, shared, scales)).toList();
   }
 
-  private EffectEvidence of(Term term, ModelEvidence models, List<Double> scales) {
+  private EffectBayesFactors of(Term term, ModelEvidence models, List<Double> scales) {
     Set<Term> contained = new HashSet<>();
     Set<Term> others = new HashSet<>();
     for (Term other : terms) {
@@ -90,19 +92,19 @@ public final class BayesianAnova {
       }
     }
     double fixed = anova.options().prior().fixed();
-    List<EffectEvidence.Point> points =
+    List<EffectBayesFactors.Point> points =
         scales.stream()
             .sorted(Comparator.naturalOrder())
             .map(
                 scale ->
-                    new EffectEvidence.Point(scale, factor(models, others, term, scale).bf01()))
+                    new EffectBayesFactors.Point(scale, factor(models, others, term, scale).bf01()))
             .toList();
-    return new EffectEvidence(
+    return new EffectBayesFactors(
         term, factor(models, others, term, fixed), factor(models, contained, term, fixed), points);
   }
 
   /** Returns the Bayes factor of a model against the same model with one more term. */
-  private static EffectEvidence.Ratio factor(
+  private static EffectBayesFactors.Ratio factor(
       ModelEvidence models, Set<Term> without, Term term, double scale) {
     Set<Term> with = new HashSet<>(without);
     with.add(term);
@@ -111,7 +113,7 @@ public final class BayesianAnova {
       batches[batch] = Math.exp(models.log(without, scale, batch) - models.log(with, scale, batch));
     }
     double mean = StatUtils.mean(batches);
-    return new EffectEvidence.Ratio(
+    return new EffectBayesFactors.Ratio(
         mean,
         batches.length == 1 ? 0 : Math.sqrt(StatUtils.variance(batches) / batches.length) / mean);
   }

@@ -23,11 +23,11 @@ final class ModelEvidence {
   private final List<Stratum> strata = new ArrayList<>();
   private final EffectPrior prior;
   private final int levels;
-  private final Scale scale;
+  private final VarianceEstimates scale;
   private final double dimensions;
   private final double averageDimensions;
   private final boolean sampled;
-  private final Map<Component, Map<NodeKey, Nodes>> nodes = new IdentityHashMap<>();
+  private final Map<TermBlock, Map<NodeKey, QuadratureGrid>> nodes = new IdentityHashMap<>();
   private final Map<ModelKey, Double> found = new HashMap<>();
 
   ModelEvidence(Design design, List<Term> terms, EffectPrior prior) {
@@ -59,7 +59,7 @@ final class ModelEvidence {
    * Estimates the error variance from the residuals within participants if there are within
    * factors, else from those between participants.
    */
-  private Scale scale() {
+  private VarianceEstimates scale() {
     double rest = 0;
     double all = 0;
     double free = 0;
@@ -70,7 +70,7 @@ final class ModelEvidence {
     }
     double variance = Math.max(rest, all * 1e-16) / free;
     double average = levels > 1 ? strata.get(0).sum() / averageDimensions / variance : 1;
-    return new Scale(variance, Math.max(1, average));
+    return new VarianceEstimates(variance, Math.max(1, average));
   }
 
   /**
@@ -78,7 +78,7 @@ final class ModelEvidence {
    * needed.
    */
   int batches() {
-    return sampled ? ImportanceSample.BATCHES : 1;
+    return sampled ? ImportanceSampler.BATCHES : 1;
   }
 
   /**
@@ -92,7 +92,7 @@ final class ModelEvidence {
   }
 
   private double integrated(Set<Term> model, double fixed, int batch) {
-    List<List<Nodes>> tables = new ArrayList<>();
+    List<List<QuadratureGrid>> tables = new ArrayList<>();
     for (Stratum stratum : strata) {
       tables.add(
           stratum.components().stream()
@@ -100,7 +100,7 @@ final class ModelEvidence {
               .toList());
     }
     double[] start = {Math.log(scale.average() / levels)};
-    return new LogIntegral(
+    return new LogIntegrator(
             logVariance -> {
               double variance = Math.exp(logVariance);
               double contrasts = -dimensions / 2 * logVariance;
@@ -110,8 +110,9 @@ final class ModelEvidence {
               if (levels == 1) {
                 return contrasts + log(strata.get(0), tables.get(0), fixed, variance, 1);
               }
-              LogIntegral inner =
-                  new LogIntegral(logG -> averages(tables.get(0), fixed, variance, logG), start[0]);
+              LogIntegrator inner =
+                  new LogIntegrator(
+                      logG -> averages(tables.get(0), fixed, variance, logG), start[0]);
               double value = inner.value();
               start[0] = inner.peak();
               return contrasts + value;
@@ -123,26 +124,26 @@ final class ModelEvidence {
   /**
    * Returns the log likelihood of the participants' averages times the prior of their g, at one g.
    */
-  private double averages(List<Nodes> tables, double fixed, double variance, double logG) {
+  private double averages(List<QuadratureGrid> tables, double fixed, double variance, double logG) {
     double factor = 1 + levels * Math.exp(logG);
-    return InverseGamma.logDensity(logG, prior.random())
+    return InverseGammaPrior.logDensity(logG, prior.random())
         - averageDimensions / 2 * Math.log(factor)
         + log(strata.get(0), tables, fixed, variance, factor);
   }
 
   private static double log(
-      Stratum stratum, List<Nodes> tables, double fixed, double variance, double factor) {
+      Stratum stratum, List<QuadratureGrid> tables, double fixed, double variance, double factor) {
     double log = -stratum.rest() / (2 * variance * factor);
-    for (Nodes table : tables) {
+    for (QuadratureGrid table : tables) {
       log += table.log(variance, factor, fixed);
     }
     return log;
   }
 
-  private Nodes nodes(Stratum stratum, Component component, Set<Term> model, int batch) {
-    List<TermColumns> terms =
+  private QuadratureGrid nodes(Stratum stratum, TermBlock component, Set<Term> model, int batch) {
+    List<TermDesignMatrix> terms =
         component.columns().stream().filter(column -> model.contains(column.term())).toList();
-    Set<Term> own = Set.copyOf(terms.stream().map(TermColumns::term).toList());
+    Set<Term> own = Set.copyOf(terms.stream().map(TermDesignMatrix::term).toList());
     boolean drawn = terms.size() > 2;
     return nodes
         .computeIfAbsent(component, any -> new HashMap<>())
@@ -150,14 +151,15 @@ final class ModelEvidence {
             new NodeKey(own, drawn ? batch : 0),
             key -> {
               if (terms.isEmpty()) {
-                return Nodes.none(component);
+                return QuadratureGrid.none(component);
               }
-              Scale here = stratum.average() ? scale : new Scale(scale.variance(), 1);
+              VarianceEstimates here =
+                  stratum.average() ? scale : new VarianceEstimates(scale.variance(), 1);
               double least = Math.min(prior.fixed(), EffectPrior.ROBUSTNESS.get(0));
               return drawn
-                  ? new ImportanceSample(component, terms, here, prior.fixed())
+                  ? new ImportanceSampler(component, terms, here, prior.fixed())
                       .nodes(prior.seed(), batch)
-                  : Nodes.grid(component, terms, here, least);
+                  : QuadratureGrid.grid(component, terms, here, least);
             });
   }
 }

@@ -8,9 +8,9 @@ import org.apache.commons.math3.linear.QRDecomposition;
 import org.apache.commons.math3.linear.RealMatrix;
 import org.selectiverenderer.statistics.anova.Design;
 import org.selectiverenderer.statistics.anova.Factor;
+import org.selectiverenderer.statistics.anova.OrthonormalContrasts;
 import org.selectiverenderer.statistics.anova.Subject;
 import org.selectiverenderer.statistics.anova.Term;
-import org.selectiverenderer.statistics.anova.Transformation;
 
 /**
  * An error stratum of the design (as in R's aov): the data projected onto the average of the within
@@ -22,7 +22,7 @@ import org.selectiverenderer.statistics.anova.Transformation;
  * @param dimensions number of dimensions of the data
  * @param rest residual sum of squares, outside of the components' spaces
  */
-record Stratum(boolean average, List<Component> components, int dimensions, double rest) {
+record Stratum(boolean average, List<TermBlock> components, int dimensions, double rest) {
   Stratum {
     components = List.copyOf(components);
   }
@@ -34,7 +34,7 @@ record Stratum(boolean average, List<Component> components, int dimensions, doub
    * @param terms the terms of the design with exactly these within factors
    */
   static Stratum of(Design design, List<Factor> within, List<Term> terms) {
-    RealMatrix contrasts = Transformation.of(design.withinFactors(), within::contains);
+    RealMatrix contrasts = OrthonormalContrasts.of(design.withinFactors(), within::contains);
     int groups = design.between().levels().size();
     int[] sizes = new int[groups];
     design.subjects().forEach(subject -> sizes[subject.group()]++);
@@ -65,16 +65,16 @@ record Stratum(boolean average, List<Component> components, int dimensions, doub
     int compared =
         within.stream().mapToInt(factor -> factor.levels().size()).reduce(1, Math::multiplyExact);
     double length = Math.sqrt((double) design.within().levels().size() / compared);
-    List<TermColumns> columns = new ArrayList<>();
+    List<TermDesignMatrix> columns = new ArrayList<>();
     for (Term term : terms) {
       RealMatrix coded = coding(design, term).scalarMultiply(length);
-      columns.add(new TermColumns(term, space.multiply(roots).multiply(coded)));
+      columns.add(new TermDesignMatrix(term, space.multiply(roots).multiply(coded)));
     }
     RealMatrix data = space.multiply(roots).multiply(means);
-    List<Component> components = new ArrayList<>();
+    List<TermBlock> components = new ArrayList<>();
     double outside = square(data);
-    for (List<TermColumns> connected : connected(columns)) {
-      Component component = Component.of(connected, data);
+    for (List<TermDesignMatrix> connected : connected(columns)) {
+      TermBlock component = TermBlock.of(connected, data);
       components.add(component);
       outside -= component.sum();
     }
@@ -104,7 +104,7 @@ record Stratum(boolean average, List<Component> components, int dimensions, doub
         repeats *= factor.levels().size();
       }
     }
-    return Transformation.of(design.betweenFactors(), term.between()::contains)
+    return OrthonormalContrasts.of(design.betweenFactors(), term.between()::contains)
         .scalarMultiply(Math.sqrt(repeats));
   }
 
@@ -119,11 +119,11 @@ record Stratum(boolean average, List<Component> components, int dimensions, doub
     return q.getSubMatrix(0, groups - 1, 1, groups - 1).transpose();
   }
 
-  private static List<List<TermColumns>> connected(List<TermColumns> columns) {
-    List<List<TermColumns>> found = new ArrayList<>();
-    for (TermColumns column : columns) {
-      List<TermColumns> own = new ArrayList<>();
-      for (List<TermColumns> set : List.copyOf(found)) {
+  private static List<List<TermDesignMatrix>> connected(List<TermDesignMatrix> columns) {
+    List<List<TermDesignMatrix>> found = new ArrayList<>();
+    for (TermDesignMatrix column : columns) {
+      List<TermDesignMatrix> own = new ArrayList<>();
+      for (List<TermDesignMatrix> set : List.copyOf(found)) {
         if (!set.stream().allMatch(column::orthogonalTo)) {
           own.addAll(set);
           found.remove(set);
@@ -142,6 +142,6 @@ record Stratum(boolean average, List<Component> components, int dimensions, doub
 
   /** Returns the total sum of squares of the stratum, without the grand mean. */
   double sum() {
-    return rest + components.stream().mapToDouble(Component::sum).sum();
+    return rest + components.stream().mapToDouble(TermBlock::sum).sum();
   }
 }

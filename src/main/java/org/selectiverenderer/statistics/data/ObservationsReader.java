@@ -11,12 +11,12 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
-import org.selectiverenderer.base.csv.CsvColumns;
-import org.selectiverenderer.base.csv.CsvNumbers;
+import org.selectiverenderer.base.csv.CsvColumnSpec;
+import org.selectiverenderer.base.csv.CsvNumberParser;
 import org.selectiverenderer.base.csv.CsvRow;
 import org.selectiverenderer.base.csv.CsvTable;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.statistics.anova.Design;
 import org.selectiverenderer.statistics.anova.Factor;
 import org.selectiverenderer.statistics.anova.Subject;
@@ -61,30 +61,30 @@ public final class ObservationsReader {
 
   private static final String ONLY = "all";
 
-  private static final class Gathered {
-    final Location location;
+  private static final class SubjectRows {
+    final SourceLocation location;
     final List<String> group;
     final Map<List<String>, Double> values = new HashMap<>();
     final Map<String, Double> covariates = new HashMap<>();
     boolean usable = true;
 
-    Gathered(Location location, List<String> group) {
+    SubjectRows(SourceLocation location, List<String> group) {
       this.location = location;
       this.group = group;
     }
   }
 
   private final Columns columns;
-  private final Exclusions exclusions;
-  private final Map<String, Gathered> subjects = new LinkedHashMap<>();
+  private final ExclusionLog exclusions;
+  private final Map<String, SubjectRows> subjects = new LinkedHashMap<>();
   private final Map<String, Set<String>> levels = new LinkedHashMap<>();
-  private final Lookalikes ids;
-  private final Map<String, Lookalikes> names = new LinkedHashMap<>();
+  private final SimilarNameDetector ids;
+  private final Map<String, SimilarNameDetector> names = new LinkedHashMap<>();
 
-  private ObservationsReader(Columns columns, Problems problems) {
+  private ObservationsReader(Columns columns, ProblemCollector problems) {
     this.columns = columns;
-    exclusions = new Exclusions(problems, "the row");
-    ids = new Lookalikes(columns.subject());
+    exclusions = new ExclusionLog(problems, "the row");
+    ids = new SimilarNameDetector(columns.subject());
   }
 
   /**
@@ -93,21 +93,21 @@ public final class ObservationsReader {
    * @return empty when the file is not such a table, which is reported to {@code problems}
    * @throws IOException if the file cannot be read at all
    */
-  public static Optional<Observations> read(Path path, Columns columns, Problems problems)
+  public static Optional<Observations> read(Path path, Columns columns, ProblemCollector problems)
       throws IOException {
     ObservationsReader reader = new ObservationsReader(columns, problems);
     byte[] content = CsvTable.bytes(path);
-    DataFile source = DataFile.of(path.getFileName().toString(), content);
+    DataSource source = DataSource.of(path.getFileName().toString(), content);
     return CsvTable.parse(path.toString(), content, reader.form(), reader.exclusions)
         .flatMap(table -> reader.observations(source, table));
   }
 
   /** Reads a text as if it were a file of that name. */
   public static Optional<Observations> parse(
-      String file, String text, Columns columns, Problems problems) {
+      String file, String text, Columns columns, ProblemCollector problems) {
     ObservationsReader reader = new ObservationsReader(columns, problems);
     return CsvTable.parse(file, text, reader.form(), reader.exclusions)
-        .flatMap(table -> reader.observations(DataFile.of(file, text), table));
+        .flatMap(table -> reader.observations(DataSource.of(file, text), table));
   }
 
   private List<String> wanted() {
@@ -118,11 +118,11 @@ public final class ObservationsReader {
     return wanted;
   }
 
-  private CsvColumns form() {
-    return CsvColumns.of(wanted());
+  private CsvColumnSpec form() {
+    return CsvColumnSpec.of(wanted());
   }
 
-  private Optional<Observations> observations(DataFile source, CsvTable table) {
+  private Optional<Observations> observations(DataSource source, CsvTable table) {
     List<String> wanted = wanted();
     if (!table.require(wanted, "a table with the columns " + String.join(", ", wanted))) {
       return Optional.empty();
@@ -191,12 +191,13 @@ public final class ObservationsReader {
     for (String column : wanted.subList(1, wanted.size())) {
       levels.computeIfAbsent(column, first -> new LinkedHashSet<>()).add(row.cell(column));
       names
-          .computeIfAbsent(column, Lookalikes::new)
+          .computeIfAbsent(column, SimilarNameDetector::new)
           .add(row.cell(column), id, row.location(column));
     }
     List<String> level = columns.within().stream().map(row::cell).toList();
     List<String> group = columns.between().stream().map(row::cell).toList();
-    Gathered gathered = subjects.computeIfAbsent(id, first -> new Gathered(row.location(), group));
+    SubjectRows gathered =
+        subjects.computeIfAbsent(id, first -> new SubjectRows(row.location(), group));
     for (int i = 0; i < group.size(); i++) {
       if (!gathered.group.get(i).equals(group.get(i))) {
         spoil(
@@ -212,7 +213,7 @@ public final class ObservationsReader {
       return; // reported when the subject turns out incomplete
     }
     OptionalDouble value =
-        CsvNumbers.number(
+        CsvNumberParser.number(
             row, columns.measure(), (at, message) -> spoil(gathered, at, id, message));
     if (value.isPresent() && gathered.values.put(level, value.getAsDouble()) != null) {
       spoil(
@@ -223,12 +224,12 @@ public final class ObservationsReader {
     }
   }
 
-  private void covariate(CsvRow row, String id, Gathered gathered, String name) {
+  private void covariate(CsvRow row, String id, SubjectRows gathered, String name) {
     if (row.cell(name).isEmpty()) {
       return; // in one of the subject's rows is enough
     }
     OptionalDouble value =
-        CsvNumbers.number(row, name, (at, message) -> spoil(gathered, at, id, message));
+        CsvNumberParser.number(row, name, (at, message) -> spoil(gathered, at, id, message));
     if (value.isPresent()) {
       Double before = gathered.covariates.putIfAbsent(name, value.getAsDouble());
       if (before != null && before != value.getAsDouble()) {
@@ -251,14 +252,14 @@ public final class ObservationsReader {
     return String.join(", ", words);
   }
 
-  private void spoil(Gathered gathered, Location location, String id, String reason) {
+  private void spoil(SubjectRows gathered, SourceLocation location, String id, String reason) {
     gathered.usable = false;
     exclusions.error(location, id, reason + "; the participant is left out");
   }
 
   private void complete(
       String id,
-      Gathered gathered,
+      SubjectRows gathered,
       List<Factor> within,
       List<Factor> between,
       List<Subject> complete) {

@@ -10,7 +10,7 @@ import org.selectiverenderer.statistics.detection.Response;
  * @param usable the answers that analyses use, in the order of the file
  * @param exclusions the answers left out, and those missing
  */
-public record Responses(DataFile source, List<Response> usable, List<Exclusion> exclusions) {
+public record Responses(DataSource source, List<Response> usable, List<Exclusion> exclusions) {
   /** Makes defensive copies, so that the record is immutable. */
   public Responses {
     usable = List.copyOf(usable);

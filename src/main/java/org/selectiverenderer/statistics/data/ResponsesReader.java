@@ -12,11 +12,11 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
-import org.selectiverenderer.base.csv.CsvColumns;
+import org.selectiverenderer.base.csv.CsvColumnSpec;
 import org.selectiverenderer.base.csv.CsvRow;
 import org.selectiverenderer.base.csv.CsvTable;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.statistics.detection.Response;
 
 /**
@@ -28,12 +28,13 @@ public final class ResponsesReader {
 
   private record Question(String participant, String area, String object) {}
 
-  private final Exclusions exclusions;
-  private final Optional<Roster> roster;
+  private final ExclusionLog exclusions;
+  private final Optional<ParticipantRoster> roster;
   private final boolean counterbalanced;
 
-  private ResponsesReader(Problems problems, Optional<Roster> roster, boolean counterbalanced) {
-    exclusions = new Exclusions(problems, "the answer");
+  private ResponsesReader(
+      ProblemCollector problems, Optional<ParticipantRoster> roster, boolean counterbalanced) {
+    exclusions = new ExclusionLog(problems, "the answer");
     this.roster = roster;
     this.counterbalanced = counterbalanced;
   }
@@ -48,26 +49,33 @@ public final class ResponsesReader {
    * @throws IOException if the file cannot be read at all
    */
   public static Optional<Responses> read(
-      Path path, Optional<Roster> roster, boolean counterbalanced, Problems problems)
+      Path path,
+      Optional<ParticipantRoster> roster,
+      boolean counterbalanced,
+      ProblemCollector problems)
       throws IOException {
     ResponsesReader reader = new ResponsesReader(problems, roster, counterbalanced);
     byte[] content = CsvTable.bytes(path);
-    DataFile source = DataFile.of(path.getFileName().toString(), content);
+    DataSource source = DataSource.of(path.getFileName().toString(), content);
     return CsvTable.parse(
-            path.toString(), content, CsvColumns.of(ResponseRow.COLUMNS), reader.exclusions)
+            path.toString(),
+            content,
+            CsvColumnSpec.of(ResponseRowParser.COLUMNS),
+            reader.exclusions)
         .flatMap(table -> reader.responses(source, table));
   }
 
   /** Reads a text as if it were a file of that name; objects are not {@code counterbalanced}. */
   public static Optional<Responses> parse(
-      String file, String text, Optional<Roster> roster, Problems problems) {
+      String file, String text, Optional<ParticipantRoster> roster, ProblemCollector problems) {
     ResponsesReader reader = new ResponsesReader(problems, roster, false);
-    return CsvTable.parse(file, text, CsvColumns.of(ResponseRow.COLUMNS), reader.exclusions)
-        .flatMap(table -> reader.responses(DataFile.of(file, text), table));
+    return CsvTable.parse(
+            file, text, CsvColumnSpec.of(ResponseRowParser.COLUMNS), reader.exclusions)
+        .flatMap(table -> reader.responses(DataSource.of(file, text), table));
   }
 
-  private Optional<Responses> responses(DataFile source, CsvTable table) {
-    if (!table.require(ResponseRow.COLUMNS, String.join(",", ResponseRow.COLUMNS))) {
+  private Optional<Responses> responses(DataSource source, CsvTable table) {
+    if (!table.require(ResponseRowParser.COLUMNS, String.join(",", ResponseRowParser.COLUMNS))) {
       return Optional.empty();
     }
     List<Response> responses = new ArrayList<>();
@@ -75,7 +83,7 @@ public final class ResponsesReader {
     Map<Response, CsvRow> places = new IdentityHashMap<>();
     for (CsvRow row : table.rows()) {
       rows.add(new Question(row.cell("participant"), row.cell("area"), row.cell("object")));
-      Optional<Response> read = new ResponseRow(row, exclusions).read();
+      Optional<Response> read = new ResponseRowParser(row, exclusions).read();
       read.ifPresent(
           response -> {
             responses.add(response);
@@ -85,9 +93,9 @@ public final class ResponsesReader {
     List<Response> single = withoutDoubles(ofOneCondition(known(responses)));
     lookAlike(single, places);
     List<Response> usable =
-        new ObjectCoding(exclusions, counterbalanced).consistent(single, places);
+        new ObjectCodingCheck(exclusions, counterbalanced).consistent(single, places);
     if (usable.isEmpty()) {
-      exclusions.fault(new Location(table.file(), 1, 1), "there is no usable answer");
+      exclusions.fault(new SourceLocation(table.file(), 1, 1), "there is no usable answer");
       return Optional.empty();
     }
     missing(usable, rows);
@@ -96,10 +104,10 @@ public final class ResponsesReader {
 
   /** Reports names that are probably two spellings of one name. */
   private void lookAlike(List<Response> responses, Map<Response, CsvRow> rows) {
-    Lookalikes participants = new Lookalikes("participant");
-    Lookalikes conditions = new Lookalikes("condition");
-    Lookalikes areas = new Lookalikes("area");
-    Map<String, Lookalikes> objects = new LinkedHashMap<>();
+    SimilarNameDetector participants = new SimilarNameDetector("participant");
+    SimilarNameDetector conditions = new SimilarNameDetector("condition");
+    SimilarNameDetector areas = new SimilarNameDetector("area");
+    Map<String, SimilarNameDetector> objects = new LinkedHashMap<>();
     for (Response response : responses) {
       CsvRow row = Objects.requireNonNull(rows.get(response));
       String id = response.participant();
@@ -107,7 +115,7 @@ public final class ResponsesReader {
       conditions.add(response.condition(), id, row.location("condition"));
       areas.add(response.area(), id, row.location("area"));
       objects
-          .computeIfAbsent(response.area(), area -> new Lookalikes("object"))
+          .computeIfAbsent(response.area(), area -> new SimilarNameDetector("object"))
           .add(response.object(), id, row.location("object"));
     }
     participants.tell(exclusions, "they count as two participants");
@@ -206,7 +214,7 @@ public final class ResponsesReader {
   private void missing(List<Response> responses, Set<Question> rows) {
     Map<String, Set<String>> asked = new LinkedHashMap<>();
     Map<String, Map<String, Set<String>>> answered = new LinkedHashMap<>();
-    Map<String, Location> places = new LinkedHashMap<>();
+    Map<String, SourceLocation> places = new LinkedHashMap<>();
     for (Response response : responses) {
       asked.computeIfAbsent(response.area(), area -> new LinkedHashSet<>()).add(response.object());
       answered

@@ -1,7 +1,7 @@
 package org.selectiverenderer.statistics.detection;
 
 import java.util.List;
-import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.SourceLocation;
 
 /**
  * A participant's answer to one object of the memory recognition questionnaire (thesis Fig 86).
@@ -22,7 +22,7 @@ public record Response(
     boolean present,
     boolean yes,
     int confidence,
-    Location location) {
+    SourceLocation location) {
   /** Types of objects, in the order of tables; one whose type changes with the area is neutral. */
   public static final List<String> TYPES = List.of("consistent", "inconsistent", "neutral");
 

@@ -6,11 +6,11 @@ import java.util.Collection;
 public record ResponseCounts(int hits, int misses, int falseAlarms, int correctRejections) {
   /** Counts the outcomes of answers at a confidence level. */
   public static ResponseCounts of(
-      Collection<Response> responses, ConfidenceLevel level, Guessing guessing) {
+      Collection<Response> responses, ConfidenceThreshold level, LowConfidencePolicy guessing) {
     int[][] counts = new int[2][2];
     for (Response response : responses) {
       boolean admitted = level.admits(response);
-      if (admitted || guessing == Guessing.AS_NO && response.confidence() > 0) {
+      if (admitted || guessing == LowConfidencePolicy.AS_NO && response.confidence() > 0) {
         counts[response.present() ? 1 : 0][admitted && response.yes() ? 1 : 0]++;
       }
     }

@@ -4,7 +4,7 @@
  * ratings it also computes the ROC, the area under it and the unequal-variance model.
  *
  * <p>In: {@link org.selectiverenderer.statistics.detection.Response}s. Out: {@link
- * org.selectiverenderer.statistics.detection.Score}s. Uses Commons Math, {@code
+ * org.selectiverenderer.statistics.detection.DetectionScore}s. Uses Commons Math, {@code
  * statistics.distribution} and, for the places of answers in their file, {@code base.problem}.
  */
 @NullMarked

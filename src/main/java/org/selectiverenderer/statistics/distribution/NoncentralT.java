@@ -31,11 +31,13 @@ public record NoncentralT(double df) {
   }
 
   private double overDeviation(double t, double noncentrality) {
-    Chi chi = new Chi(df);
+    LogChiDistribution chi = new LogChiDistribution(df);
     return Math.min(
         1,
-        Trapezoid.of(
-            u -> chi.density(u) * Tails.normal(noncentrality - t * Math.exp(u)), 0, chi.step()));
+        TrapezoidalRule.of(
+            u -> chi.density(u) * TailProbabilities.normal(noncentrality - t * Math.exp(u)),
+            0,
+            chi.step()));
   }
 
   /** Integrates over Z: T is below t where Z is below -d, or S above (Z + d) / t. */

@@ -24,7 +24,7 @@ public record StudentizedRange(int means, double df) {
     double[] below = new double[POINTS];
     double[] weights = new double[POINTS];
     for (int i = 0; i < POINTS; i++) {
-      below[i] = Tails.normal(-z(i));
+      below[i] = TailProbabilities.normal(-z(i));
       weights[i] =
           means
               * STEP
@@ -32,10 +32,10 @@ public record StudentizedRange(int means, double df) {
               / Math.sqrt(2 * Math.PI)
               * Math.pow(below[i], means - 1.0);
     }
-    Chi chi = new Chi(df);
+    LogChiDistribution chi = new LogChiDistribution(df);
     return Math.min(
         1,
-        Trapezoid.of(
+        TrapezoidalRule.of(
             u -> chi.density(u) * ofNormals(q * Math.exp(u), below, weights), 0, chi.step()));
   }
 
@@ -50,7 +50,7 @@ public record StudentizedRange(int means, double df) {
   private double ofNormals(double w, double[] below, double[] weights) {
     double sum = 0;
     for (int i = 0; i < POINTS; i++) {
-      double share = Math.min(1, Tails.normal(w - z(i)) / below[i]);
+      double share = Math.min(1, TailProbabilities.normal(w - z(i)) / below[i]);
       sum += weights[i] * (share == 1 ? 1 : -Math.expm1((means - 1) * Math.log1p(-share)));
     }
     return Math.min(1, sum);

@@ -3,17 +3,17 @@ package org.selectiverenderer.statistics.report;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.ArrayList;
 import java.util.List;
-import org.selectiverenderer.base.json.JsonText;
 import org.selectiverenderer.base.json.JsonTree;
+import org.selectiverenderer.base.json.JsonWriter;
 import org.selectiverenderer.statistics.anova.Anova;
 import org.selectiverenderer.statistics.bayes.BayesianAnova;
-import org.selectiverenderer.statistics.bayes.EffectEvidence;
-import org.selectiverenderer.statistics.data.DataFile;
+import org.selectiverenderer.statistics.bayes.EffectBayesFactors;
+import org.selectiverenderer.statistics.data.DataSource;
 import org.selectiverenderer.statistics.data.Exclusion;
-import org.selectiverenderer.statistics.report.Block.Items;
-import org.selectiverenderer.statistics.report.Block.Picture;
-import org.selectiverenderer.statistics.report.Block.Section;
-import org.selectiverenderer.statistics.report.Block.Table;
+import org.selectiverenderer.statistics.report.ReportBlock.Items;
+import org.selectiverenderer.statistics.report.ReportBlock.Picture;
+import org.selectiverenderer.statistics.report.ReportBlock.Section;
+import org.selectiverenderer.statistics.report.ReportBlock.Table;
 
 /** Writes the report of one analysis of variance as text, HTML and JSON. */
 public final class AnovaReport {
@@ -21,50 +21,50 @@ public final class AnovaReport {
 
   /** Returns the report as plain text for a terminal. */
   public static String text(
-      Anova anova, List<Exclusion> exclusions, DataFile source, Provenance provenance) {
-    List<Block> blocks = new ArrayList<>(List.of(provenance.head(source)));
+      Anova anova, List<Exclusion> exclusions, DataSource source, Provenance provenance) {
+    List<ReportBlock> blocks = new ArrayList<>(List.of(provenance.head(source)));
     blocks.addAll(blocks(anova, new BayesianAnova(anova).withRobustness(), exclusions));
-    return TextPage.of(title(anova), blocks, true);
+    return TextReportWriter.of(title(anova), blocks, true);
   }
 
   /** Returns the report as one self-contained HTML page. */
   public static String html(
-      Anova anova, List<Exclusion> exclusions, DataFile source, Provenance provenance) {
-    List<Block> blocks = new ArrayList<>(List.of(provenance.head(source)));
+      Anova anova, List<Exclusion> exclusions, DataSource source, Provenance provenance) {
+    List<ReportBlock> blocks = new ArrayList<>(List.of(provenance.head(source)));
     blocks.add(
         new Picture(
             "Estimated marginal means with 95 % intervals (pooled error), and each participant.",
-            new MeansPlot().svg(anova, anova.design().measure())));
-    List<EffectEvidence> evidence = new BayesianAnova(anova).withRobustness();
-    RobustnessPlot.svg(evidence)
+            new InteractionPlot().svg(anova, anova.design().measure())));
+    List<EffectBayesFactors> evidence = new BayesianAnova(anova).withRobustness();
+    BayesFactorRobustnessPlot.svg(evidence)
         .ifPresent(
             svg ->
                 blocks.add(
                     new Picture(
                         "How much the Bayes factors depend on the width of their prior.", svg)));
     blocks.addAll(blocks(anova, evidence, exclusions));
-    return HtmlPage.of(title(anova), blocks);
+    return HtmlReportWriter.of(title(anova), blocks);
   }
 
   /** Returns the report as JSON. */
   public static String json(
-      Anova anova, List<Exclusion> exclusions, DataFile source, Provenance provenance) {
+      Anova anova, List<Exclusion> exclusions, DataSource source, Provenance provenance) {
     ObjectNode json = JsonTree.object();
-    AnovaJson.write(anova, new BayesianAnova(anova), json);
+    AnovaJsonWriter.write(anova, new BayesianAnova(anova), json);
     provenance.write(source, json);
-    AnovaJson.options(anova.options(), json.putObject("options"));
-    AnovaJson.exclusions(exclusions, json);
-    return JsonText.of(json);
+    AnovaJsonWriter.options(anova.options(), json.putObject("options"));
+    AnovaJsonWriter.exclusions(exclusions, json);
+    return JsonWriter.of(json);
   }
 
   private static String title(Anova anova) {
     return "Analysis of variance of " + anova.design().measure();
   }
 
-  private static List<Block> blocks(
-      Anova anova, List<EffectEvidence> evidence, List<Exclusion> exclusions) {
-    List<Block> blocks = new ArrayList<>(AnovaBlocks.of(anova, evidence));
-    blocks.add(new Section("Methods", false, List.of(new Items(Methods.of(anova.options())))));
+  private static List<ReportBlock> blocks(
+      Anova anova, List<EffectBayesFactors> evidence, List<Exclusion> exclusions) {
+    List<ReportBlock> blocks = new ArrayList<>(AnovaSection.of(anova, evidence));
+    blocks.add(new Section("Methods", false, List.of(new Items(MethodsNotes.of(anova.options())))));
     if (!exclusions.isEmpty()) {
       blocks.add(exclusions(exclusions));
     }

@@ -7,15 +7,15 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import org.selectiverenderer.base.decimal.Counted;
-import org.selectiverenderer.base.json.JsonText;
+import org.selectiverenderer.base.decimal.Pluralizer;
 import org.selectiverenderer.base.json.JsonTree;
-import org.selectiverenderer.statistics.report.Block.Paragraph;
-import org.selectiverenderer.statistics.report.Block.Table;
-import org.selectiverenderer.statistics.simulation.FormulaPower;
-import org.selectiverenderer.statistics.simulation.Power;
+import org.selectiverenderer.base.json.JsonWriter;
+import org.selectiverenderer.statistics.report.ReportBlock.Paragraph;
+import org.selectiverenderer.statistics.report.ReportBlock.Table;
+import org.selectiverenderer.statistics.simulation.AnalyticPower;
 import org.selectiverenderer.statistics.simulation.PowerAnalysis;
-import org.selectiverenderer.statistics.simulation.PowerGoal;
+import org.selectiverenderer.statistics.simulation.PowerEstimate;
+import org.selectiverenderer.statistics.simulation.TestedHypothesis;
 
 /**
  * The report of a power analysis, as text and JSON.
@@ -28,7 +28,7 @@ import org.selectiverenderer.statistics.simulation.PowerGoal;
  */
 public record PowerReport(
     PowerAnalysis analysis,
-    Power power,
+    PowerEstimate power,
     Map<String, Double> formula,
     Optional<Wanted> wanted,
     Optional<PowerAnalysis.Needed> needed) {
@@ -40,7 +40,7 @@ public record PowerReport(
    * @param target power to reach, 0 to 1
    * @param most largest number of participants to try
    */
-  public record Wanted(PowerGoal goal, double target, int most) {}
+  public record Wanted(TestedHypothesis goal, double target, int most) {}
 
   /**
    * Runs the simulations.
@@ -52,16 +52,16 @@ public record PowerReport(
     return new PowerReport(
         analysis,
         analysis.power(participants),
-        FormulaPower.of(analysis, participants),
+        AnalyticPower.of(analysis, participants),
         wanted,
         wanted.flatMap(goal -> analysis.needed(goal.goal().finding(), goal.target(), goal.most())));
   }
 
   /** Returns the report as plain text for a terminal. */
   public String text() {
-    TableFigures figures = new TableFigures();
+    TableNumberFormat figures = new TableNumberFormat();
     List<List<String>> rows = new ArrayList<>();
-    for (Power.Finding finding : power.findings()) {
+    for (PowerEstimate.Finding finding : power.findings()) {
       rows.add(
           List.of(
               finding.name(),
@@ -75,13 +75,13 @@ public record PowerReport(
                   ? figures.number(formula.get(finding.name()), 3)
                   : figures.dash(NO_FORMULA)));
     }
-    List<Block> blocks = new ArrayList<>();
+    List<ReportBlock> blocks = new ArrayList<>();
     blocks.add(
         new Paragraph(
             "%s of %s; %s, %s; seed %d."
                 .formatted(
                     studies(),
-                    Counted.of(power.participants(), "participant"),
+                    Pluralizer.of(power.participants(), "participant"),
                     analysis.area(),
                     analysis.measure().symbol(),
                     analysis.seed())));
@@ -92,21 +92,21 @@ public record PowerReport(
             rows,
             figures.notes()));
     wanted.ifPresent(goal -> blocks.add(new Paragraph(sentence(goal))));
-    return TextPage.of("Power by simulation", blocks, true);
+    return TextReportWriter.of("Power by simulation", blocks, true);
   }
 
   private String sentence(Wanted goal) {
     String percent = String.format(Locale.ROOT, "%.0f %%", 100 * goal.target());
     if (needed.isEmpty()) {
       return "%s are not enough for a power of %s for %s."
-          .formatted(Counted.of(goal.most(), "participant"), percent, goal.goal().finding());
+          .formatted(Pluralizer.of(goal.most(), "participant"), percent, goal.goal().finding());
     }
     PowerAnalysis.Needed found = needed.get();
     return "A power of %s for %s needs %s (%s, by the 95 %% intervals of %s of each size)."
         .formatted(
             percent,
             goal.goal().finding(),
-            Counted.of(found.participants(), "participant"),
+            Pluralizer.of(found.participants(), "participant"),
             found.high().isPresent()
                 ? "between %d and %d".formatted(found.low(), found.high().getAsInt())
                 : "at least %d, perhaps more than %d".formatted(found.low(), goal.most()),
@@ -124,7 +124,7 @@ public record PowerReport(
     json.put("seed", analysis.seed()).put("area", analysis.area());
     json.put("measure", analysis.measure().key());
     ArrayNode findings = json.putArray("power");
-    for (Power.Finding finding : power.findings()) {
+    for (PowerEstimate.Finding finding : power.findings()) {
       ObjectNode node = findings.addObject().put("finding", finding.name());
       JsonNumbers.put(node, "power", finding.share());
       JsonNumbers.put(node, "low", finding.low());
@@ -143,6 +143,6 @@ public record PowerReport(
         node.putNull("participants").put("tried", wanted.get().most());
       }
     }
-    return JsonText.of(json);
+    return JsonWriter.of(json);
   }
 }

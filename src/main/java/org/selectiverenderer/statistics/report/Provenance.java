@@ -5,11 +5,11 @@ import java.time.LocalDate;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import org.selectiverenderer.base.json.JsonTree;
-import org.selectiverenderer.statistics.data.DataFile;
-import org.selectiverenderer.statistics.report.Block.Paragraph;
+import org.selectiverenderer.statistics.data.DataSource;
+import org.selectiverenderer.statistics.report.ReportBlock.Paragraph;
 
 /**
- * The program, version and date of a report. Its data are identified by a {@link DataFile}.
+ * The program, version and date of a report. Its data are identified by a {@link DataSource}.
  *
  * @param program name of the program
  * @param version version of the program
@@ -24,7 +24,7 @@ public record Provenance(String program, String version, LocalDate date, boolean
   }
 
   /** Returns the first paragraph of a report. */
-  Paragraph head(DataFile source) {
+  Paragraph head(DataSource source) {
     return new Paragraph(
         "Made by %s on %s from %s%s."
             .formatted(
@@ -35,7 +35,7 @@ public record Provenance(String program, String version, LocalDate date, boolean
   }
 
   /** Returns the columns and cells with the provenance that every row of a CSV table has. */
-  Map<String, String> cells(DataFile source) {
+  Map<String, String> cells(DataSource source) {
     Map<String, String> cells = new LinkedHashMap<>();
     cells.put("program", maker());
     cells.put("source", source.name());
@@ -47,7 +47,7 @@ public record Provenance(String program, String version, LocalDate date, boolean
   }
 
   /** Writes the keys {@code source} and {@code made_by}. */
-  void write(DataFile source, ObjectNode json) {
+  void write(DataSource source, ObjectNode json) {
     json.put("source", source.name());
     source.sha256().ifPresent(sum -> json.put("source_sha256", sum));
     ObjectNode by = JsonTree.object().put("program", program).put("version", version);

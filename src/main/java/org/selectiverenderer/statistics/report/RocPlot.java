@@ -9,9 +9,9 @@ import org.selectiverenderer.chart.SvgCanvas;
 import org.selectiverenderer.geometry.font.FontFamily;
 import org.selectiverenderer.geometry.font.FontLibrary;
 import org.selectiverenderer.geometry.font.FontStyle;
-import org.selectiverenderer.statistics.detection.RatingFit;
-import org.selectiverenderer.statistics.detection.Roc;
-import org.selectiverenderer.statistics.study.RatingScore;
+import org.selectiverenderer.statistics.detection.EmpiricalRoc;
+import org.selectiverenderer.statistics.detection.UnequalVarianceFit;
+import org.selectiverenderer.statistics.study.RatingAnalysis;
 
 /** Draws the ROC of each condition: its points, and the fitted curve where there is one. */
 final class RocPlot {
@@ -41,29 +41,29 @@ final class RocPlot {
   }
 
   /** Returns an SVG element for a page. */
-  String svg(List<RatingScore> scores, String title) {
+  String svg(List<RatingAnalysis> scores, String title) {
     return draw(SvgCanvas.inline(WIDTH, height(scores), title), scores, title);
   }
 
   /** Returns a complete SVG file. */
-  String file(List<RatingScore> scores, String title) {
+  String file(List<RatingAnalysis> scores, String title) {
     return draw(new SvgCanvas(WIDTH, height(scores), title), scores, title);
   }
 
-  private static int height(List<RatingScore> scores) {
+  private static int height(List<RatingAnalysis> scores) {
     return TOP + SIDE + FOOT + LINE * scores.size() + 6;
   }
 
-  private String draw(SvgCanvas canvas, List<RatingScore> scores, String title) {
+  private String draw(SvgCanvas canvas, List<RatingAnalysis> scores, String title) {
     canvas.rectangle(0, 0, WIDTH, height(scores), ChartColour.PAPER);
     canvas.text(bold.fit(title, WIDTH - LEFT), LEFT, 18, bold, ChartColour.INK);
     axes(canvas);
     for (int i = 0; i < scores.size(); i++) {
       ChartColour colour = LINES.get(i % LINES.size());
-      RatingScore score = scores.get(i);
+      RatingAnalysis score = scores.get(i);
       curve(canvas, score.fit(), colour);
       List<double[]> points = new ArrayList<>();
-      for (Roc.Point point : score.roc().points()) {
+      for (EmpiricalRoc.Point point : score.roc().points()) {
         points.add(new double[] {x(point.falseAlarmRate()), y(point.hitRate())});
       }
       canvas.dots(points, 3.2, colour, 1);
@@ -78,7 +78,7 @@ final class RocPlot {
   }
 
   /** Returns the text behind the condition's name in the legend. */
-  private static String figures(RatingScore score) {
+  private static String figures(RatingAnalysis score) {
     StringBuilder text = new StringBuilder(" (n = " + score.participants() + ")");
     if (Double.isFinite(score.roc().area())) {
       text.append(String.format(Locale.ROOT, ": AUC %.2f", score.roc().area()));
@@ -105,7 +105,7 @@ final class RocPlot {
     canvas.text(across, middle, TOP + SIDE + 34, plain, ChartColour.FAINT_INK);
   }
 
-  private static void curve(SvgCanvas canvas, RatingFit fit, ChartColour colour) {
+  private static void curve(SvgCanvas canvas, UnequalVarianceFit fit, ChartColour colour) {
     if (fit.flaw().isPresent()) {
       return;
     }

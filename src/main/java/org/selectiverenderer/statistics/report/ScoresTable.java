@@ -3,13 +3,13 @@ package org.selectiverenderer.statistics.report;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.selectiverenderer.base.decimal.Counted;
-import org.selectiverenderer.statistics.anova.Descriptive;
+import org.selectiverenderer.base.decimal.Pluralizer;
+import org.selectiverenderer.statistics.anova.CellDescriptives;
 import org.selectiverenderer.statistics.anova.Design;
-import org.selectiverenderer.statistics.detection.Measure;
+import org.selectiverenderer.statistics.detection.DetectionMeasure;
+import org.selectiverenderer.statistics.detection.DetectionScore;
 import org.selectiverenderer.statistics.detection.Response;
-import org.selectiverenderer.statistics.detection.Score;
-import org.selectiverenderer.statistics.report.Block.Table;
+import org.selectiverenderer.statistics.report.ReportBlock.Table;
 import org.selectiverenderer.statistics.study.AreaAnalysis;
 import org.selectiverenderer.statistics.study.StudyAnalysis;
 
@@ -19,7 +19,8 @@ import org.selectiverenderer.statistics.study.StudyAnalysis;
  * in the details of the report.
  */
 final class ScoresTable {
-  private static final List<Measure> MEASURES = List.of(Measure.D_PRIME, Measure.LOG_BETA);
+  private static final List<DetectionMeasure> MEASURES =
+      List.of(DetectionMeasure.D_PRIME, DetectionMeasure.LOG_BETA);
   private static final Optional<String> ONE =
       Optional.of("one participant has no standard deviation");
   private static final String NONE = "no participant has this score";
@@ -47,7 +48,7 @@ final class ScoresTable {
         header.add("n");
       }
     }
-    TableFigures figures = new TableFigures();
+    TableNumberFormat figures = new TableNumberFormat();
     List<List<String>> rows = new ArrayList<>();
     for (String type : columns.get(0).design().within().levels()) {
       rows.add(List.of("%s objects (O = %d)".formatted(type, present(type))));
@@ -69,18 +70,18 @@ final class ScoresTable {
    * details.
    */
   private String participants() {
-    int all = (int) study.scores().stream().map(Score::participant).distinct().count();
+    int all = (int) study.scores().stream().map(DetectionScore::participant).distinct().count();
     List<String> fewer = new ArrayList<>();
     for (AreaAnalysis column : columns) {
       int n = column.design().subjects().size();
-      if (n < all && column.measure() == Measure.D_PRIME) {
+      if (n < all && column.measure() == DetectionMeasure.D_PRIME) {
         fewer.add("%s: n = %d".formatted(column.level().heading(), n));
       }
     }
     return fewer.isEmpty()
-        ? "n = %s.".formatted(Counted.of(all, "participant"))
+        ? "n = %s.".formatted(Pluralizer.of(all, "participant"))
         : "Of %s, some do not have every score (%s); they are named below."
-            .formatted(Counted.of(all, "participant"), String.join(", ", fewer));
+            .formatted(Pluralizer.of(all, "participant"), String.join(", ", fewer));
   }
 
   /** Returns the O of the thesis: how many objects of a type were present in the area. */
@@ -94,17 +95,17 @@ final class ScoresTable {
   }
 
   private List<String> row(
-      String name, String type, Optional<String> condition, TableFigures figures) {
+      String name, String type, Optional<String> condition, TableNumberFormat figures) {
     List<String> row = new ArrayList<>(List.of(name));
     for (AreaAnalysis column : columns) {
-      Optional<Descriptive> found = descriptive(column.design(), type, condition);
+      Optional<CellDescriptives> found = descriptive(column.design(), type, condition);
       row.add(
           found
               .map(
                   of -> figures.number(of.mean(), 2) + " (" + figures.number(of.sd(), 2, ONE) + ")")
               .orElseGet(() -> figures.dash(NONE)));
       if (closesLevel(column)) {
-        row.add(String.valueOf(found.map(Descriptive::n).orElse(0)));
+        row.add(String.valueOf(found.map(CellDescriptives::n).orElse(0)));
       }
     }
     return row;
@@ -118,10 +119,10 @@ final class ScoresTable {
     return column.measure() == MEASURES.get(MEASURES.size() - 1);
   }
 
-  private static Optional<Descriptive> descriptive(
+  private static Optional<CellDescriptives> descriptive(
       Design design, String type, Optional<String> condition) {
     boolean types = design.within().varies();
-    for (Descriptive found : Descriptive.of(design)) {
+    for (CellDescriptives found : CellDescriptives.of(design)) {
       boolean own = !types || found.within().equals(Optional.of(type));
       boolean group =
           found.between().equals(condition) || condition.isEmpty() && !design.between().varies();

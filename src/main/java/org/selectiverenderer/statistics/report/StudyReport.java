@@ -3,12 +3,12 @@ package org.selectiverenderer.statistics.report;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.Locale;
-import org.selectiverenderer.base.json.JsonText;
 import org.selectiverenderer.base.json.JsonTree;
-import org.selectiverenderer.statistics.detection.Measure;
-import org.selectiverenderer.statistics.detection.Score;
+import org.selectiverenderer.base.json.JsonWriter;
+import org.selectiverenderer.statistics.detection.DetectionMeasure;
+import org.selectiverenderer.statistics.detection.DetectionScore;
 import org.selectiverenderer.statistics.study.AreaAnalysis;
-import org.selectiverenderer.statistics.study.FamilyTest;
+import org.selectiverenderer.statistics.study.FamilywiseTest;
 import org.selectiverenderer.statistics.study.StudyAnalysis;
 
 /** Writes the report of a study as text, HTML, CSV and JSON. */
@@ -17,22 +17,24 @@ public final class StudyReport {
 
   /** Returns the report as plain text for a terminal, without the details of each analysis. */
   public static String text(StudyAnalysis study, Provenance provenance) {
-    return TextPage.of(StudyBlocks.TITLE, StudyBlocks.of(study, provenance, false), false);
+    return TextReportWriter.of(
+        StudyReportBuilder.TITLE, StudyReportBuilder.of(study, provenance, false), false);
   }
 
   /** Returns the complete report as one self-contained HTML page. */
   public static String html(StudyAnalysis study, Provenance provenance) {
-    return HtmlPage.of(StudyBlocks.TITLE, StudyBlocks.of(study, provenance, true));
+    return HtmlReportWriter.of(
+        StudyReportBuilder.TITLE, StudyReportBuilder.of(study, provenance, true));
   }
 
   /** Returns the scores as CSV in tidy (long) format, one score a row. */
   public static String tidyCsv(StudyAnalysis study, Provenance provenance) {
-    return ScoresCsv.tidy(study, provenance);
+    return ScoresCsvWriter.tidy(study, provenance);
   }
 
   /** Returns the scores as CSV in wide format, one participant a row. */
   public static String wideCsv(StudyAnalysis study, Provenance provenance) {
-    return ScoresCsv.wide(study, provenance);
+    return ScoresCsvWriter.wide(study, provenance);
   }
 
   /** Returns the complete report as JSON. */
@@ -43,12 +45,12 @@ public final class StudyReport {
     options.put("correction", key(study.scoring().correction()));
     options.put("guessing", key(study.scoring().guessing()));
     options.put("family", key(study.family()));
-    AnovaJson.options(study.options(), options);
+    AnovaJsonWriter.options(study.options(), options);
     ObjectNode participants = json.putObject("participants");
     study.conditions().forEach(name -> participants.put(name, study.participants(name)));
-    AnovaJson.exclusions(study.responses().exclusions(), json);
+    AnovaJsonWriter.exclusions(study.responses().exclusions(), json);
     ArrayNode gaps = json.putArray("incomplete");
-    for (MissingBlocks.Gap gap : MissingBlocks.gaps(study)) {
+    for (MissingDataSection.Gap gap : MissingDataSection.gaps(study)) {
       ObjectNode node = gaps.addObject().put("area", gap.area());
       node.put("confidence", gap.level().spelling()).put("without_score", gap.without());
       node.put("participants", gap.participants());
@@ -60,15 +62,15 @@ public final class StudyReport {
     ArrayNode tests = json.putArray("tests");
     study.tests().forEach(test -> test(test, tests.addObject()));
     ArrayNode ratings = json.putArray("ratings");
-    study.ratings().forEach(score -> RatingsJson.write(score, ratings.addObject()));
-    return JsonText.of(json);
+    study.ratings().forEach(score -> RatingsJsonWriter.write(score, ratings.addObject()));
+    return JsonWriter.of(json);
   }
 
   private static String key(Enum<?> value) {
     return value.name().toLowerCase(Locale.ROOT).replace('_', '-');
   }
 
-  private static void score(Score score, ObjectNode json) {
+  private static void score(DetectionScore score, ObjectNode json) {
     json.put("participant", score.participant()).put("condition", score.condition());
     json.put("area", score.area()).put("object_type", score.type());
     json.put("confidence", score.level().spelling()).put("objects", score.objects());
@@ -77,7 +79,7 @@ public final class StudyReport {
     json.put("correct_rejections", score.counts().correctRejections());
     JsonNumbers.put(json, "hit_rate", score.detection().hitRate());
     JsonNumbers.put(json, "false_alarm_rate", score.detection().falseAlarmRate());
-    for (Measure measure : Measure.values()) {
+    for (DetectionMeasure measure : DetectionMeasure.values()) {
       JsonNumbers.put(json, measure.key(), measure.of(score.detection()));
     }
     JsonNumbers.put(json, "a_prime", score.detection().aPrime());
@@ -85,7 +87,7 @@ public final class StudyReport {
     score.detection().flaw().ifPresent(flaw -> json.put("undefined", flaw));
   }
 
-  private static void test(FamilyTest test, ObjectNode json) {
+  private static void test(FamilywiseTest test, ObjectNode json) {
     json.put("area", test.analysis().area());
     json.put("confidence", test.analysis().level().spelling());
     json.put("measure", test.analysis().measure().key()).put("effect", test.effect().name());
@@ -99,10 +101,10 @@ public final class StudyReport {
     json.put("measure", analysis.measure().key());
     analysis.notes().forEach(json.putArray("notes")::add);
     if (analysis.anova().isPresent() && analysis.evidence().isPresent()) {
-      AnovaJson.write(analysis.anova().get(), analysis.evidence().get(), json);
+      AnovaJsonWriter.write(analysis.anova().get(), analysis.evidence().get(), json);
     } else {
       json.putArray("effects");
-      AnovaJson.descriptives(analysis.design(), json);
+      AnovaJsonWriter.descriptives(analysis.design(), json);
     }
   }
 }

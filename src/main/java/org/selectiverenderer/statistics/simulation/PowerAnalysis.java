@@ -12,17 +12,17 @@ import java.util.function.Consumer;
 import java.util.function.IntFunction;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
-import org.selectiverenderer.base.decimal.Counted;
+import org.selectiverenderer.base.decimal.Pluralizer;
 import org.selectiverenderer.statistics.anova.AnovaOptions;
-import org.selectiverenderer.statistics.anova.AnovaTests;
-import org.selectiverenderer.statistics.anova.Comparison;
-import org.selectiverenderer.statistics.anova.EffectTest;
-import org.selectiverenderer.statistics.data.DataFile;
+import org.selectiverenderer.statistics.anova.FTestResult;
+import org.selectiverenderer.statistics.anova.PairwiseComparison;
+import org.selectiverenderer.statistics.anova.SignificanceTests;
+import org.selectiverenderer.statistics.data.DataSource;
 import org.selectiverenderer.statistics.data.Responses;
-import org.selectiverenderer.statistics.detection.ConfidenceLevel;
-import org.selectiverenderer.statistics.detection.Measure;
-import org.selectiverenderer.statistics.detection.Scoring;
-import org.selectiverenderer.statistics.study.AreaStudy;
+import org.selectiverenderer.statistics.detection.ConfidenceThreshold;
+import org.selectiverenderer.statistics.detection.DetectionMeasure;
+import org.selectiverenderer.statistics.detection.DetectionScorer;
+import org.selectiverenderer.statistics.study.AreaAnalyser;
 
 /**
  * A power analysis by simulation: many studies of a model are simulated and analysed by the same
@@ -34,10 +34,10 @@ import org.selectiverenderer.statistics.study.AreaStudy;
  * @param progress receives sentences about the progress
  */
 public record PowerAnalysis(
-    StudyModel model,
+    SimulationModel model,
     String area,
-    Measure measure,
-    Scoring scoring,
+    DetectionMeasure measure,
+    DetectionScorer scoring,
     AnovaOptions options,
     int studies,
     long seed,
@@ -48,8 +48,8 @@ public record PowerAnalysis(
   private static final int REPORTS = 4;
 
   /** Returns the power of studies with that many participants. */
-  public Power power(int participants) {
-    StudyModel own = model.of(area);
+  public PowerEstimate power(int participants) {
+    SimulationModel own = model.of(area);
     AtomicInteger done = new AtomicInteger();
     Object order = new Object();
     AtomicInteger told = new AtomicInteger();
@@ -67,7 +67,7 @@ public record PowerAnalysis(
                         progress.accept(
                             "%s: %d of %d studies"
                                 .formatted(
-                                    Counted.of(participants, "participant"), count, studies));
+                                    Pluralizer.of(participants, "participant"), count, studies));
                       }
                     }
                   }
@@ -77,12 +77,12 @@ public record PowerAnalysis(
     Map<String, Integer> counts = new LinkedHashMap<>();
     names(own).forEach(name -> counts.put(name, 0));
     found.forEach(findings -> findings.forEach(name -> counts.merge(name, 1, Integer::sum)));
-    List<Power.Finding> findings = new ArrayList<>();
-    counts.forEach((name, count) -> findings.add(Power.Finding.of(name, count, studies)));
-    return new Power(participants, studies, findings);
+    List<PowerEstimate.Finding> findings = new ArrayList<>();
+    counts.forEach((name, count) -> findings.add(PowerEstimate.Finding.of(name, count, studies)));
+    return new PowerEstimate(participants, studies, findings);
   }
 
-  /** Returns what these studies test: the names of {@link Power.Finding}s. */
+  /** Returns what these studies test: the names of {@link PowerEstimate.Finding}s. */
   public List<String> tested() {
     return names(model.of(area));
   }
@@ -110,8 +110,8 @@ public record PowerAnalysis(
       throw new IllegalArgumentException(name + " is not tested");
     }
     int groups = model.conditions().size();
-    Map<Integer, Power.Finding> known = new HashMap<>();
-    IntFunction<Power.Finding> finding =
+    Map<Integer, PowerEstimate.Finding> known = new HashMap<>();
+    IntFunction<PowerEstimate.Finding> finding =
         size -> known.computeIfAbsent(size, own -> power(own * groups).finding(name));
     OptionalInt enough = smallest(1, most / groups, size -> finding.apply(size).share() >= target);
     if (enough.isEmpty()) {
@@ -152,18 +152,18 @@ public record PowerAnalysis(
     return OptionalInt.of(high);
   }
 
-  private List<String> names(StudyModel own) {
+  private List<String> names(SimulationModel own) {
     boolean groups = own.conditions().size() > 1;
-    boolean types = own.lists().stream().map(ObjectList::type).distinct().count() > 1;
+    boolean types = own.lists().stream().map(RecognitionListSpec::type).distinct().count() > 1;
     List<String> names = new ArrayList<>();
     if (groups) {
-      names.add(AreaStudy.BETWEEN);
+      names.add(AreaAnalyser.BETWEEN);
     }
     if (types) {
-      names.add(AreaStudy.WITHIN);
+      names.add(AreaAnalyser.WITHIN);
     }
     if (groups && types) {
-      names.add(AreaStudy.WITHIN + " x " + AreaStudy.BETWEEN);
+      names.add(AreaAnalyser.WITHIN + " x " + AreaAnalyser.BETWEEN);
     }
     if (groups) {
       names.add(EQUIVALENCE);
@@ -171,26 +171,26 @@ public record PowerAnalysis(
     return names;
   }
 
-  private List<String> findings(StudyModel own, int participants, int study) {
+  private List<String> findings(SimulationModel own, int participants, int study) {
     Responses responses =
         new Responses(
-            DataFile.none("simulated"),
-            SimulatedStudy.responses(own, participants, Seeds.of(seed, study)),
+            DataSource.none("simulated"),
+            StudySimulator.responses(own, participants, SeedSequence.of(seed, study)),
             List.of());
-    return AreaStudy.of(responses, scoring, area, List.of(ConfidenceLevel.ALL))
-        .tests(ConfidenceLevel.ALL, measure, options)
+    return AreaAnalyser.of(responses, scoring, area, List.of(ConfidenceThreshold.ALL))
+        .tests(ConfidenceThreshold.ALL, measure, options)
         .map(this::findings)
         .orElse(List.of());
   }
 
-  private List<String> findings(AnovaTests tests) {
+  private List<String> findings(SignificanceTests tests) {
     List<String> findings = new ArrayList<>();
-    for (EffectTest effect : tests.effects()) {
+    for (FTestResult effect : tests.effects()) {
       if (effect.p() < options.alpha()) {
         findings.add(effect.term().name());
       }
     }
-    List<Comparison> groups = tests.groups();
+    List<PairwiseComparison> groups = tests.groups();
     if (!groups.isEmpty() && groups.stream().allMatch(pair -> pair.tost().p() < options.alpha())) {
       findings.add(EQUIVALENCE);
     }

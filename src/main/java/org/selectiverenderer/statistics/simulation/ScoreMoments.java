@@ -6,15 +6,16 @@ import org.apache.commons.math3.analysis.integration.gauss.GaussIntegrator;
 import org.apache.commons.math3.analysis.integration.gauss.GaussIntegratorFactory;
 import org.apache.commons.math3.distribution.BinomialDistribution;
 import org.apache.commons.math3.distribution.NormalDistribution;
-import org.selectiverenderer.statistics.detection.Correction;
-import org.selectiverenderer.statistics.detection.Detection;
-import org.selectiverenderer.statistics.detection.Measure;
+import org.selectiverenderer.statistics.detection.DetectionIndices;
+import org.selectiverenderer.statistics.detection.DetectionMeasure;
+import org.selectiverenderer.statistics.detection.ExtremeRateCorrection;
 import org.selectiverenderer.statistics.detection.ResponseCounts;
 
 /**
- * The exact means and covariances of a participant's scores under a {@link StudyModel}, without
- * simulation. Given d' and c, hits and false alarms are binomial, so a score has as many values as
- * there are counts; over participants, d' and c are integrated by Gauss-Hermite quadrature.
+ * The exact means and covariances of a participant's scores under a {@link SimulationModel},
+ * without simulation. Given d' and c, hits and false alarms are binomial, so a score has as many
+ * values as there are counts; over participants, d' and c are integrated by Gauss-Hermite
+ * quadrature.
  *
  * @param means means of the scores, one for each list
  * @param covariances covariances between the scores of one participant; lists share that
@@ -30,8 +31,12 @@ record ScoreMoments(double[] means, double[][] covariances) {
    * @param condition index of the condition in the model
    * @param correction one under which every score is finite
    */
-  static ScoreMoments of(StudyModel model, int condition, Measure measure, Correction correction) {
-    List<ObjectList> lists = model.lists();
+  static ScoreMoments of(
+      SimulationModel model,
+      int condition,
+      DetectionMeasure measure,
+      ExtremeRateCorrection correction) {
+    List<RecognitionListSpec> lists = model.lists();
     double[][][] scores =
         lists.stream().map(list -> scores(list, measure, correction)).toArray(double[][][]::new);
     int size = lists.size();
@@ -74,14 +79,15 @@ record ScoreMoments(double[] means, double[][] covariances) {
   }
 
   /** Returns the score for each number of hits and of false alarms. */
-  private static double[][] scores(ObjectList list, Measure measure, Correction correction) {
+  private static double[][] scores(
+      RecognitionListSpec list, DetectionMeasure measure, ExtremeRateCorrection correction) {
     int n = list.present();
     double[][] scores = new double[n + 1][n + 1];
     for (int hits = 0; hits <= n; hits++) {
       for (int falseAlarms = 0; falseAlarms <= n; falseAlarms++) {
         scores[hits][falseAlarms] =
             measure.of(
-                Detection.of(
+                DetectionIndices.of(
                     new ResponseCounts(hits, n - hits, falseAlarms, n - falseAlarms), correction));
       }
     }

@@ -5,8 +5,8 @@ import java.util.Optional;
 import org.selectiverenderer.statistics.anova.Anova;
 import org.selectiverenderer.statistics.anova.Design;
 import org.selectiverenderer.statistics.bayes.BayesianAnova;
-import org.selectiverenderer.statistics.detection.ConfidenceLevel;
-import org.selectiverenderer.statistics.detection.Measure;
+import org.selectiverenderer.statistics.detection.ConfidenceThreshold;
+import org.selectiverenderer.statistics.detection.DetectionMeasure;
 
 /**
  * The analysis of one measure of one area at one level of confidence.
@@ -18,8 +18,8 @@ import org.selectiverenderer.statistics.detection.Measure;
  */
 public record AreaAnalysis(
     String area,
-    ConfidenceLevel level,
-    Measure measure,
+    ConfidenceThreshold level,
+    DetectionMeasure measure,
     Design design,
     Optional<Anova> anova,
     Optional<BayesianAnova> evidence,
@@ -32,8 +32,8 @@ public record AreaAnalysis(
   /** Creates an analysis with Bayes factors that are computed on first use. */
   public AreaAnalysis(
       String area,
-      ConfidenceLevel level,
-      Measure measure,
+      ConfidenceThreshold level,
+      DetectionMeasure measure,
       Design design,
       Optional<Anova> anova,
       List<String> notes) {

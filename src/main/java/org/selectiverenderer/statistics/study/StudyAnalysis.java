@@ -7,11 +7,11 @@ import java.util.stream.Stream;
 import org.selectiverenderer.statistics.anova.AnovaOptions;
 import org.selectiverenderer.statistics.anova.Effect;
 import org.selectiverenderer.statistics.data.Responses;
-import org.selectiverenderer.statistics.detection.ConfidenceLevel;
-import org.selectiverenderer.statistics.detection.Measure;
+import org.selectiverenderer.statistics.detection.ConfidenceThreshold;
+import org.selectiverenderer.statistics.detection.DetectionMeasure;
+import org.selectiverenderer.statistics.detection.DetectionScore;
+import org.selectiverenderer.statistics.detection.DetectionScorer;
 import org.selectiverenderer.statistics.detection.Response;
-import org.selectiverenderer.statistics.detection.Score;
-import org.selectiverenderer.statistics.detection.Scoring;
 
 /**
  * The scores and analyses of a study.
@@ -27,15 +27,15 @@ import org.selectiverenderer.statistics.detection.Scoring;
  */
 public record StudyAnalysis(
     Responses responses,
-    Scoring scoring,
+    DetectionScorer scoring,
     AnovaOptions options,
     List<String> conditions,
     List<String> areas,
-    List<Score> scores,
+    List<DetectionScore> scores,
     List<AreaAnalysis> analyses,
-    FamilyCorrection family,
-    List<FamilyTest> tests,
-    List<RatingScore> ratings) {
+    MultipleTestingCorrection family,
+    List<FamilywiseTest> tests,
+    List<RatingAnalysis> ratings) {
   private static final List<String> THESIS_ORDER =
       List.of("high", "high-low", "selective", "random");
 
@@ -50,26 +50,30 @@ public record StudyAnalysis(
   }
 
   /** Scores and analyses answers without a correction for multiple testing. */
-  public static StudyAnalysis of(Responses responses, Scoring scoring, AnovaOptions options) {
-    return of(responses, scoring, options, FamilyCorrection.NONE);
+  public static StudyAnalysis of(
+      Responses responses, DetectionScorer scoring, AnovaOptions options) {
+    return of(responses, scoring, options, MultipleTestingCorrection.NONE);
   }
 
   /** Scores and analyses answers. */
   public static StudyAnalysis of(
-      Responses responses, Scoring scoring, AnovaOptions options, FamilyCorrection family) {
+      Responses responses,
+      DetectionScorer scoring,
+      AnovaOptions options,
+      MultipleTestingCorrection family) {
     List<Response> usable = responses.usable();
-    List<Score> scores = scoring.scores(usable);
+    List<DetectionScore> scores = scoring.scores(usable);
     List<String> conditions = conditions(usable);
     List<String> areas = usable.stream().map(Response::area).distinct().toList();
     List<AreaAnalysis> analyses = new ArrayList<>();
     for (String area : areas) {
-      AreaStudy own =
-          new AreaStudy(
+      AreaAnalyser own =
+          new AreaAnalyser(
               area,
               conditions,
               scores.stream().filter(score -> score.area().equals(area)).toList());
-      for (ConfidenceLevel level : ConfidenceLevel.values()) {
-        for (Measure measure : Measure.values()) {
+      for (ConfidenceThreshold level : ConfidenceThreshold.values()) {
+        for (DetectionMeasure measure : DetectionMeasure.values()) {
           analyses.add(own.analysis(level, measure, options));
         }
       }
@@ -83,8 +87,8 @@ public record StudyAnalysis(
         scores,
         analyses,
         family,
-        FamilyTest.of(analyses, family),
-        RatingScore.of(usable, conditions, areas));
+        FamilywiseTest.of(analyses, family),
+        RatingAnalysis.of(usable, conditions, areas));
   }
 
   /** Returns the conditions in the order of tables. */
@@ -103,14 +107,14 @@ public record StudyAnalysis(
 
   /** Returns all participants with answers. */
   public List<String> participants() {
-    return scores.stream().map(Score::participant).distinct().toList();
+    return scores.stream().map(DetectionScore::participant).distinct().toList();
   }
 
   /** Returns the number of participants of a condition with answers. */
   public long participants(String condition) {
     return scores.stream()
         .filter(score -> score.condition().equals(condition))
-        .map(Score::participant)
+        .map(DetectionScore::participant)
         .distinct()
         .count();
   }
@@ -126,13 +130,13 @@ public record StudyAnalysis(
   public double adjusted(AreaAnalysis analysis, Effect effect) {
     return tests.stream()
         .filter(test -> test.analysis() == analysis && test.effect() == effect)
-        .mapToDouble(FamilyTest::adjusted)
+        .mapToDouble(FamilywiseTest::adjusted)
         .findFirst()
         .orElse(Double.NaN);
   }
 
   /** Returns the analyses of ratings of an area, of each condition or of each participant. */
-  public List<RatingScore> ratings(String area, boolean pooled) {
+  public List<RatingAnalysis> ratings(String area, boolean pooled) {
     return ratings.stream()
         .filter(score -> score.area().equals(area) && score.participant().isEmpty() == pooled)
         .toList();

@@ -9,8 +9,8 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.tracker.TrackerException;
-import org.selectiverenderer.tracker.live.PoseSink;
-import org.selectiverenderer.tracker.live.PoseSource;
+import org.selectiverenderer.tracker.pipeline.PoseSink;
+import org.selectiverenderer.tracker.pipeline.PoseSource;
 
 /**
  * Reads opentrack's "UDP over network" output: datagrams of six little-endian doubles, x, y, z in

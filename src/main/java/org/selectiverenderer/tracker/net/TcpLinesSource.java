@@ -5,9 +5,9 @@ import java.io.InputStream;
 import java.net.Socket;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.tracker.TrackerException;
-import org.selectiverenderer.tracker.live.PoseSink;
-import org.selectiverenderer.tracker.live.PoseSource;
-import org.selectiverenderer.tracker.text.AngleLine;
+import org.selectiverenderer.tracker.pipeline.PoseSink;
+import org.selectiverenderer.tracker.pipeline.PoseSource;
+import org.selectiverenderer.tracker.text.AngleLineParser;
 import org.selectiverenderer.tracker.text.LineSplitter;
 
 /**
@@ -26,7 +26,7 @@ public final class TcpLinesSource implements PoseSource {
 
   @Override
   public void open() throws TrackerException {
-    socket = Connecting.to(host, port);
+    socket = TcpConnector.to(host, port);
   }
 
   @Override
@@ -37,10 +37,10 @@ public final class TcpLinesSource implements PoseSource {
     }
     intake.connected();
     InputStream stream = from.getInputStream();
-    LineSplitter lines = new LineSplitter(new AngleLine(), true);
+    LineSplitter lines = new LineSplitter(new AngleLineParser(), true);
     byte[] bytes = new byte[4096];
     while (!intake.closed()) {
-      int count = Connecting.read(stream, bytes);
+      int count = TcpConnector.read(stream, bytes);
       if (count < 0) {
         throw new TrackerException(host + " has closed the connection on port " + port);
       }
@@ -51,7 +51,7 @@ public final class TcpLinesSource implements PoseSource {
 
   @Override
   public void close() {
-    Closing.quietly(socket);
+    SocketCloser.quietly(socket);
     socket = null;
   }
 }

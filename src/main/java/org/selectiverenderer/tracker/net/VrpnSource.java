@@ -9,11 +9,14 @@ import java.net.ServerSocket;
 import java.net.Socket;
 import java.net.SocketTimeoutException;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.concurrent.TimeUnit;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.tracker.TrackerException;
-import org.selectiverenderer.tracker.live.PoseSink;
-import org.selectiverenderer.tracker.live.PoseSource;
+import org.selectiverenderer.tracker.pipeline.PoseSink;
+import org.selectiverenderer.tracker.pipeline.PoseSource;
 
 /**
  * A VRPN client (Taylor et al., VRST 2001), protocol version 07, for sensor 0 of one tracker.
@@ -47,7 +50,7 @@ public final class VrpnSource implements PoseSource {
 
   @Override
   public void open() throws TrackerException {
-    server = Connecting.address(host, port);
+    server = TcpConnector.address(host, port);
     try {
       listening = new ServerSocket(0);
       listening.setSoTimeout(PoseSink.PATIENCE_MS);
@@ -63,7 +66,7 @@ public final class VrpnSource implements PoseSource {
       return;
     }
     socket = from;
-    Connecting.prepare(from);
+    TcpConnector.prepare(from);
     from.getOutputStream().write(VrpnCookie.OURS.bytes());
     VrpnStream stream = new VrpnStream(from.getInputStream(), intake);
     VrpnCookie theirs = VrpnCookie.read(stream);
@@ -72,7 +75,7 @@ public final class VrpnSource implements PoseSource {
     }
     theirs.check(host);
     intake.connected();
-    new VrpnMessages(tracker, stream, intake).read();
+    new VrpnMessageReader(tracker, stream, intake).read();
   }
 
   /** Asks the server to connect back; returns null if the tracker is being closed. */
@@ -134,9 +137,56 @@ public final class VrpnSource implements PoseSource {
 
   @Override
   public void close() {
-    Closing.quietly(socket);
-    Closing.quietly(listening);
+    SocketCloser.quietly(socket);
+    SocketCloser.quietly(listening);
     socket = null;
     listening = null;
+  }
+
+  /**
+   * The cookie that both sides of a VRPN connection send first: {@code vrpn: ver. 07.38 0}, padded
+   * with zeros.
+   *
+   * @param bytes the 24 bytes of the cookie
+   */
+  private record VrpnCookie(byte[] bytes) {
+    static final int LENGTH = 24;
+
+    /** Version 07.38, without remote logging. */
+    static final VrpnCookie OURS =
+        new VrpnCookie(
+            Arrays.copyOf("vrpn: ver. 07.38  0".getBytes(StandardCharsets.US_ASCII), LENGTH));
+
+    private static final Pattern FORM = Pattern.compile("vrpn: ver\\. (\\d\\d)\\.(\\d\\d).*");
+    private static final String MAJOR = "07";
+
+    static VrpnCookie read(VrpnStream stream) throws IOException {
+      stream.require(LENGTH);
+      return new VrpnCookie(stream.bytes(LENGTH));
+    }
+
+    /**
+     * Checks the major version; minor versions are compatible.
+     *
+     * @throws TrackerException if the server has another major version, or is not a VRPN server
+     */
+    void check(String host) throws TrackerException {
+      Matcher matcher = FORM.matcher(new String(bytes, StandardCharsets.ISO_8859_1));
+      if (!matcher.lookingAt()) {
+        throw new TrackerException("the server at " + host + " is not a VRPN server");
+      }
+      if (!matcher.group(1).equals(MAJOR)) {
+        throw new TrackerException(
+            "the VRPN server at "
+                + host
+                + " has protocol version "
+                + matcher.group(1)
+                + "."
+                + matcher.group(2)
+                + ", but this program needs "
+                + MAJOR
+                + ".38");
+      }
+    }
   }
 }

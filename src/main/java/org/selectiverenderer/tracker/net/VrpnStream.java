@@ -7,7 +7,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import org.selectiverenderer.tracker.TrackerException;
-import org.selectiverenderer.tracker.live.PoseSink;
+import org.selectiverenderer.tracker.pipeline.PoseSink;
 
 /** Reads big-endian numbers from a connection, with short timeouts and without allocating. */
 final class VrpnStream {

@@ -4,9 +4,9 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import org.selectiverenderer.base.csv.NumberTable;
-import org.selectiverenderer.base.csv.TableForm;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.csv.TimeSeriesReader;
+import org.selectiverenderer.base.csv.TimeSeriesSpec;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.tracker.PoseSample;
 
 /**
@@ -15,8 +15,8 @@ import org.selectiverenderer.tracker.PoseSample;
  * {@link PoseSample}, empty in rows without a position. Immutable.
  */
 public final class ReplayLog {
-  private static final TableForm FORM =
-      new TableForm(
+  private static final TimeSeriesSpec FORM =
+      new TimeSeriesSpec(
           "the log",
           "the log is not played",
           List.of("t", "yaw", "pitch", "roll"),
@@ -41,8 +41,8 @@ public final class ReplayLog {
    * @return empty if the file has faults, which are then in {@code problems}
    * @throws IOException if the file cannot be read
    */
-  public static Optional<ReplayLog> read(Path file, Problems problems) throws IOException {
-    return NumberTable.read(FORM, file, problems).map(ReplayLog::new);
+  public static Optional<ReplayLog> read(Path file, ProblemCollector problems) throws IOException {
+    return TimeSeriesReader.read(FORM, file, problems).map(ReplayLog::new);
   }
 
   /** Returns the number of rows, at least one. */

@@ -3,8 +3,8 @@ package org.selectiverenderer.tracker.replay;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import org.selectiverenderer.tracker.PoseSample;
-import org.selectiverenderer.tracker.live.PoseSink;
-import org.selectiverenderer.tracker.live.PoseSource;
+import org.selectiverenderer.tracker.pipeline.PoseSink;
+import org.selectiverenderer.tracker.pipeline.PoseSource;
 
 /** Plays a recording in real time, from its first row. */
 public final class ReplaySource implements PoseSource {

@@ -3,8 +3,8 @@
  *
  * <p>In: the CSV of {@code track --output} or a head log, with columns found by name. Out: a
  * tracker in real time ({@link org.selectiverenderer.tracker.replay.ReplaySource}) or by the clock
- * of the frames ({@link org.selectiverenderer.tracker.replay.SteppedReplay}). Uses {@code tracker},
- * {@code tracker.live}, {@code base.csv} and {@code base.problem}.
+ * of the frames ({@link org.selectiverenderer.tracker.replay.FrameSteppedReplay}). Uses {@code
+ * tracker}, {@code tracker.live}, {@code base.csv} and {@code base.problem}.
  */
 @NullMarked
 package org.selectiverenderer.tracker.replay;

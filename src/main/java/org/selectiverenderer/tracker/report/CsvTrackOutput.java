@@ -7,8 +7,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import org.selectiverenderer.base.csv.CsvText;
-import org.selectiverenderer.base.decimal.DecimalText;
+import org.selectiverenderer.base.csv.CsvWriter;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.tracker.PoseSample;
 import org.selectiverenderer.tracker.TrackerHealth;
 
@@ -34,23 +34,23 @@ public final class CsvTrackOutput implements TrackOutput, AutoCloseable {
     this.placed = placed;
     writer.write(
         placed
-            ? CsvText.line("t", "yaw", "pitch", "roll", "right", "up", "back")
-            : CsvText.line("t", "yaw", "pitch", "roll"));
+            ? CsvWriter.line("t", "yaw", "pitch", "roll", "right", "up", "back")
+            : CsvWriter.line("t", "yaw", "pitch", "roll"));
   }
 
   @Override
   public void sample(double time, PoseSample sample) throws IOException {
     List<String> cells = new ArrayList<>();
-    cells.add(DecimalText.fixed(time, 6));
-    cells.add(DecimalText.fixed(sample.yaw(), 4));
-    cells.add(DecimalText.fixed(sample.pitch(), 4));
-    cells.add(DecimalText.fixed(sample.roll(), 4));
+    cells.add(DecimalFormatter.fixed(time, 6));
+    cells.add(DecimalFormatter.fixed(sample.yaw(), 4));
+    cells.add(DecimalFormatter.fixed(sample.pitch(), 4));
+    cells.add(DecimalFormatter.fixed(sample.roll(), 4));
     if (placed) {
       for (double way : new double[] {sample.x(), sample.y(), sample.z()}) {
-        cells.add(sample.placed() ? DecimalText.fixed(way, 5) : "");
+        cells.add(sample.placed() ? DecimalFormatter.fixed(way, 5) : "");
       }
     }
-    writer.write(CsvText.line(cells.toArray()));
+    writer.write(CsvWriter.line(cells.toArray()));
   }
 
   @Override

@@ -1,7 +1,7 @@
 package org.selectiverenderer.tracker.report;
 
 import java.io.IOException;
-import org.selectiverenderer.base.decimal.DecimalText;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.tracker.PoseSample;
 
 /** Writes JSON Lines: an object for each record, and one with the statistics at the end. */
@@ -46,7 +46,7 @@ public final class JsonTrackOutput implements TrackOutput {
   }
 
   @Override
-  public void end(TrackFigures figures) throws IOException {
+  public void end(TrackStatistics figures) throws IOException {
     out.append("{\"records\":")
         .append(Long.toString(figures.records()))
         .append(",\"rate_hz\":")
@@ -67,6 +67,6 @@ public final class JsonTrackOutput implements TrackOutput {
 
   /** Formats a number as JSON libraries do: {@code 12.5}, {@code 0.0}. */
   private static String number(double value, int decimals) {
-    return Double.toString(Double.parseDouble(DecimalText.fixed(value, decimals)));
+    return Double.toString(Double.parseDouble(DecimalFormatter.fixed(value, decimals)));
   }
 }

@@ -53,7 +53,7 @@ public final class TextTrackOutput implements TrackOutput {
   }
 
   @Override
-  public void end(TrackFigures figures) throws IOException {
+  public void end(TrackStatistics figures) throws IOException {
     out.append(
         String.format(
             Locale.ROOT,

@@ -31,5 +31,5 @@ public interface TrackOutput {
   default void flush() throws IOException {}
 
   /** Ends the output with the statistics. */
-  default void end(TrackFigures figures) throws IOException {}
+  default void end(TrackStatistics figures) throws IOException {}
 }

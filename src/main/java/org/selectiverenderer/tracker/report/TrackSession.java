@@ -4,16 +4,17 @@ import java.io.IOException;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.tracker.HeadTracker;
-import org.selectiverenderer.tracker.LatencyMeter;
+import org.selectiverenderer.tracker.LatencyHistogram;
 import org.selectiverenderer.tracker.PoseSample;
 import org.selectiverenderer.tracker.TrackerHealth.State;
 import org.selectiverenderer.tracker.TrackerListener;
 import org.selectiverenderer.tracker.TrackerOptions;
 import org.selectiverenderer.tracker.TrackerSpec;
-import org.selectiverenderer.tracker.open.Trackers;
+import org.selectiverenderer.tracker.factory.TrackerFactory;
 
 /**
  * Monitors a tracker for a while: polls it at the frame rate of a display, passes every record to
@@ -30,9 +31,9 @@ public final class TrackSession {
   private final TrackerOptions options;
   private final Consumer<Problem> problems;
   private final List<TrackOutput> outputs;
-  private final SampleQueue queue = new SampleQueue();
-  private final LatencyMeter age = new LatencyMeter();
-  private final TrackFigures.Intervals intervals = new TrackFigures.Intervals();
+  private final PoseSampleQueue queue = new PoseSampleQueue();
+  private final LatencyHistogram age = new LatencyHistogram();
+  private final TrackStatistics.Intervals intervals = new TrackStatistics.Intervals();
   private final CountDownLatch stopping = new CountDownLatch(1);
   private final PoseSample newest = new PoseSample();
   private final PoseSample taken = new PoseSample();
@@ -63,9 +64,9 @@ public final class TrackSession {
    * @param seconds duration; infinite to run until stopped
    * @throws IOException if the tracker cannot be opened or an output cannot be written
    */
-  public TrackFigures run(double seconds) throws IOException {
+  public TrackStatistics run(double seconds) throws IOException {
     long begin = System.nanoTime();
-    HeadTracker tracker = Trackers.open(spec, options, listener());
+    HeadTracker tracker = TrackerFactory.open(spec, options, listener());
     try (tracker) {
       for (TrackOutput output : outputs) {
         output.begin(tracker.placed());
@@ -73,7 +74,7 @@ public final class TrackSession {
       watch(tracker, begin, seconds);
     }
     drain(begin);
-    TrackFigures figures = intervals.figures(tracker.health(), queue.lost(), age);
+    TrackStatistics figures = intervals.figures(tracker.health(), queue.lost(), age);
     for (TrackOutput output : outputs) {
       output.end(figures);
     }
@@ -137,6 +138,52 @@ public final class TrackSession {
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       return true;
+    }
+  }
+
+  /**
+   * A lock-free ring buffer that passes records from the tracker's thread to the writing thread.
+   * While it is full, new records are dropped and counted; the tracker never waits.
+   */
+  private static final class PoseSampleQueue {
+    private static final int SIZE = 1 << 14;
+
+    private final PoseSample[] ring = new PoseSample[SIZE];
+    private final AtomicLong written = new AtomicLong();
+    private final AtomicLong read = new AtomicLong();
+    private final AtomicLong lost = new AtomicLong();
+
+    PoseSampleQueue() {
+      for (int i = 0; i < SIZE; i++) {
+        ring[i] = new PoseSample();
+      }
+    }
+
+    /** Adds a copy of a record; called by one thread. */
+    void add(PoseSample sample) {
+      long at = written.get();
+      if (at - read.get() == SIZE) {
+        lost.incrementAndGet();
+        return;
+      }
+      ring[(int) (at % SIZE)].set(sample);
+      written.set(at + 1);
+    }
+
+    /** Takes the oldest record; returns false if there is none; called by one thread. */
+    boolean take(PoseSample into) {
+      long at = read.get();
+      if (at == written.get()) {
+        return false;
+      }
+      into.set(ring[(int) (at % SIZE)]);
+      read.set(at + 1);
+      return true;
+    }
+
+    /** Returns the number of dropped records. */
+    long lost() {
+      return lost.get();
     }
   }
 }

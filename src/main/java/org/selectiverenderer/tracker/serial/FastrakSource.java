@@ -3,9 +3,9 @@ package org.selectiverenderer.tracker.serial;
 import java.nio.charset.StandardCharsets;
 import java.util.concurrent.TimeUnit;
 import org.selectiverenderer.tracker.TrackerException;
-import org.selectiverenderer.tracker.live.PoseSink;
-import org.selectiverenderer.tracker.live.PoseSource;
-import org.selectiverenderer.tracker.text.FastrakRecord;
+import org.selectiverenderer.tracker.pipeline.PoseSink;
+import org.selectiverenderer.tracker.pipeline.PoseSource;
+import org.selectiverenderer.tracker.text.FastrakRecordParser;
 import org.selectiverenderer.tracker.text.LineSplitter;
 
 /**
@@ -102,7 +102,7 @@ public final class FastrakSource implements PoseSource {
 
   /** Counts good records. */
   private static final class Counting implements LineSplitter.Records {
-    private final FastrakRecord record = new FastrakRecord();
+    private final FastrakRecordParser record = new FastrakRecordParser();
     private long records;
 
     @Override

@@ -4,7 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import org.selectiverenderer.tracker.TrackerException;
-import org.selectiverenderer.tracker.live.PoseSink;
+import org.selectiverenderer.tracker.pipeline.PoseSink;
 
 /**
  * The handshake that makes an InterTrax2 send records in any initial state: streaming already, in
@@ -26,12 +26,12 @@ final class InterTrax2Handshake {
   private static final byte[][] SET_UP = {{'t', 2}, {'b', 4}, {'d'}};
 
   private final SerialLine line;
-  private final InterTraxRecords records;
+  private final InterTraxRecordDecoder records;
   private final PoseSink intake;
   private final byte[] one = new byte[1];
   private boolean heard;
 
-  InterTrax2Handshake(SerialLine line, InterTraxRecords records, PoseSink intake) {
+  InterTrax2Handshake(SerialLine line, InterTraxRecordDecoder records, PoseSink intake) {
     this.line = line;
     this.records = records;
     this.intake = intake;

@@ -1,8 +1,8 @@
 package org.selectiverenderer.tracker.serial;
 
 import org.selectiverenderer.tracker.TrackerException;
-import org.selectiverenderer.tracker.live.PoseSink;
-import org.selectiverenderer.tracker.live.PoseSource;
+import org.selectiverenderer.tracker.pipeline.PoseSink;
+import org.selectiverenderer.tracker.pipeline.PoseSource;
 
 /**
  * Reads an InterSense InterTrax2 on a serial port, in continuous mode. Azimuth, elevation and twist
@@ -30,7 +30,7 @@ public final class InterTrax2Source implements PoseSource {
 
   @Override
   public void read(PoseSink intake) throws TrackerException {
-    InterTraxRecords records = new InterTraxRecords();
+    InterTraxRecordDecoder records = new InterTraxRecordDecoder();
     new InterTrax2Handshake(line, records, intake).run();
     if (intake.closed()) {
       return;

@@ -40,13 +40,13 @@ final class SerialLine {
     try {
       port = SerialPort.getCommPort(name);
     } catch (SerialPortInvalidPortException e) {
-      throw new TrackerException(SerialTrouble.absent(name), e);
+      throw new TrackerException(SerialPortErrors.absent(name), e);
     }
     port.setComPortParameters(baud, 8, SerialPort.ONE_STOP_BIT, SerialPort.NO_PARITY);
     port.setFlowControl(SerialPort.FLOW_CONTROL_DISABLED);
     port.setComPortTimeouts(SerialPort.TIMEOUT_READ_SEMI_BLOCKING, READ_MS, 0);
     if (!port.openPort(0)) {
-      throw new TrackerException(SerialTrouble.refused(name, port.getLastErrorCode()));
+      throw new TrackerException(SerialPortErrors.refused(name, port.getLastErrorCode()));
     }
     // Failures are ignored, as a pseudo-terminal has no such wires.
     port.clearDTR();

@@ -24,6 +24,6 @@ public final class SerialPorts {
    * @return empty if the user may use the port, or the permissions are unknown
    */
   public static Optional<String> denied(String name) {
-    return SerialTrouble.denied(name);
+    return SerialPortErrors.denied(name);
   }
 }

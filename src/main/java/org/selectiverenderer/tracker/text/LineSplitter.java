@@ -1,6 +1,6 @@
 package org.selectiverenderer.tracker.text;
 
-import org.selectiverenderer.tracker.live.PoseSink;
+import org.selectiverenderer.tracker.pipeline.PoseSink;
 
 /** Splits bytes into lines that end with LF or CR LF. Empty lines are skipped. */
 public final class LineSplitter {

@@ -2,7 +2,7 @@
  * Parsers of text records: bytes to lines, lines to poses, without allocating per line.
  *
  * <p>In: bytes in chunks as they arrive. Out: records into a {@link
- * org.selectiverenderer.tracker.live.PoseSink}. Uses {@code tracker.live} and FastDoubleParser.
+ * org.selectiverenderer.tracker.pipeline.PoseSink}. Uses {@code tracker.live} and FastDoubleParser.
  */
 @NullMarked
 package org.selectiverenderer.tracker.text;

@@ -1,27 +1,27 @@
 package org.selectiverenderer.validation.budget;
 
 import java.util.List;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.polygon.count.SceneModel;
-import org.selectiverenderer.validation.Budget;
-import org.selectiverenderer.validation.Findings;
-import org.selectiverenderer.validation.OutlinedFile;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.polygon.count.EnrichmentModel;
+import org.selectiverenderer.validation.FileOutlineAdapter;
+import org.selectiverenderer.validation.FindingCollector;
+import org.selectiverenderer.validation.PolygonBudget;
 import org.selectiverenderer.validation.Rule;
 import org.selectiverenderer.validation.SceneCheck;
-import org.selectiverenderer.validation.SceneView;
+import org.selectiverenderer.validation.SceneContext;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
 /** Checks the polygons of parts of a scene against their budgets. */
 final class BudgetCheck implements SceneCheck {
   @Override
-  public void check(SceneView view, Findings findings) {
+  public void check(SceneContext view, FindingCollector findings) {
     if (!view.settings().budgets().isEmpty()) {
-      SceneModel model = OutlinedFile.model(view);
-      for (Budget budget : view.settings().budgets()) {
+      EnrichmentModel model = FileOutlineAdapter.model(view);
+      for (PolygonBudget budget : view.settings().budgets()) {
         BudgetMatch fit = BudgetMatch.of(budget, model);
-        if (fit instanceof BudgetMatch.Holds holds) {
+        if (fit instanceof BudgetMatch.Match holds) {
           worst(view, budget, holds, findings);
-        } else if (fit instanceof BudgetMatch.Slip slip) {
+        } else if (fit instanceof BudgetMatch.NearMiss slip) {
           Object[] words = {slip.kind(), slip.name(), slip.near()};
           report(view, BudgetRules.NO_SUCH_BUDGET, slip.group(), findings, words);
         } // A budget without a match may be for another scene: UnusedBudgetCheck.
@@ -30,7 +30,7 @@ final class BudgetCheck implements SceneCheck {
   }
 
   private static void worst(
-      SceneView view, Budget budget, BudgetMatch.Holds holds, Findings findings) {
+      SceneContext view, PolygonBudget budget, BudgetMatch.Match holds, FindingCollector findings) {
     BudgetStatus status = BudgetStatus.of(budget, holds);
     if (status.broken()) {
       report(
@@ -51,10 +51,10 @@ final class BudgetCheck implements SceneCheck {
   }
 
   private static void report(
-      SceneView view, Rule rule, String group, Findings findings, Object... words) {
+      SceneContext view, Rule rule, String group, FindingCollector findings, Object... words) {
     ParsedNode node = view.main().scene().named().get(group);
     if (node == null) {
-      findings.add(rule, Location.of(view.main().file().name()), "", words);
+      findings.add(rule, SourceLocation.of(view.main().file().name()), "", words);
     } else {
       findings.add(rule, node, words);
     }

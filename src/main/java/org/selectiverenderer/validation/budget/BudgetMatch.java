@@ -5,10 +5,10 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import org.selectiverenderer.polygon.count.SceneModel;
-import org.selectiverenderer.polygon.count.SceneModel.State;
-import org.selectiverenderer.schema.SchemaNames;
-import org.selectiverenderer.validation.Budget;
+import org.selectiverenderer.polygon.count.EnrichmentModel;
+import org.selectiverenderer.polygon.count.EnrichmentModel.State;
+import org.selectiverenderer.schema.SchemaNameMatcher;
+import org.selectiverenderer.validation.PolygonBudget;
 
 /**
  * The result of matching a budget to a scene. A group is found by its DEF name, else by the only
@@ -21,7 +21,7 @@ sealed interface BudgetMatch {
    * @param group DEF name; empty for the whole scene
    * @param states the states that the budget is for, at least one
    */
-  record Holds(String group, List<State> states) implements BudgetMatch {}
+  record Match(String group, List<State> states) implements BudgetMatch {}
 
   /**
    * The scene has a group or schema with a name similar to that in the budget, probably a
@@ -29,25 +29,25 @@ sealed interface BudgetMatch {
    *
    * @param group the group in which the schema is missing, or the group with the similar name
    */
-  record Slip(String group, String kind, String name, String near) implements BudgetMatch {}
+  record NearMiss(String group, String kind, String name, String near) implements BudgetMatch {}
 
   /** The scene has nothing that the budget names. */
-  record None() implements BudgetMatch {}
+  record NoMatch() implements BudgetMatch {}
 
-  static BudgetMatch of(Budget budget, SceneModel model) {
+  static BudgetMatch of(PolygonBudget budget, EnrichmentModel model) {
     String wanted = budget.scope();
     Optional<String> group = wanted.isEmpty() ? Optional.of("") : group(wanted, model);
     if (group.isEmpty()) {
-      return SchemaNames.probablyMeant(wanted, model.groups())
-          .<BudgetMatch>map(near -> new Slip(near, "group", wanted, near))
-          .orElseGet(None::new);
+      return SchemaNameMatcher.probablyMeant(wanted, model.groups())
+          .<BudgetMatch>map(near -> new NearMiss(near, "group", wanted, near))
+          .orElseGet(NoMatch::new);
     }
     Set<String> known = schemas(model);
     for (String schema : budget.schemas()) {
       if (!known.contains(schema)) {
-        return SchemaNames.probablyMeant(schema, new ArrayList<>(known))
-            .<BudgetMatch>map(near -> new Slip(group.get(), "schema", schema, near))
-            .orElseGet(None::new);
+        return SchemaNameMatcher.probablyMeant(schema, new ArrayList<>(known))
+            .<BudgetMatch>map(near -> new NearMiss(group.get(), "schema", schema, near))
+            .orElseGet(NoMatch::new);
       }
     }
     // Schemas that no area activates on entering are active where the viewer is in no area.
@@ -59,10 +59,10 @@ sealed interface BudgetMatch {
                 state ->
                     budget.schemas().isEmpty() || active.equals(new HashSet<>(state.schemas())))
             .toList();
-    return states.isEmpty() ? new None() : new Holds(group.get(), states);
+    return states.isEmpty() ? new NoMatch() : new Match(group.get(), states);
   }
 
-  private static Optional<String> group(String name, SceneModel model) {
+  private static Optional<String> group(String name, EnrichmentModel model) {
     if (model.groups().contains(name)) {
       return Optional.of(name);
     }
@@ -71,13 +71,13 @@ sealed interface BudgetMatch {
     return alike.size() == 1 ? Optional.of(alike.get(0)) : Optional.empty();
   }
 
-  private static Set<String> entered(SceneModel model) {
+  private static Set<String> entered(EnrichmentModel model) {
     Set<String> entered = new HashSet<>();
     model.areas().forEach(area -> entered.addAll(area.schemas().enter()));
     return entered;
   }
 
-  private static Set<String> schemas(SceneModel model) {
+  private static Set<String> schemas(EnrichmentModel model) {
     Set<String> schemas = entered(model);
     model.areas().forEach(area -> schemas.addAll(area.schemas().exit()));
     model.objects().forEach(o -> schemas.addAll(o.schemas().choiceBySchema().keySet()));

@@ -3,9 +3,9 @@ package org.selectiverenderer.validation.budget;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
-import org.selectiverenderer.polygon.count.SceneModel;
-import org.selectiverenderer.polygon.count.SceneModel.State;
-import org.selectiverenderer.validation.Budget;
+import org.selectiverenderer.polygon.count.EnrichmentModel;
+import org.selectiverenderer.polygon.count.EnrichmentModel.State;
+import org.selectiverenderer.validation.PolygonBudget;
 
 /**
  * The polygon count of a scene compared with a budget that applies to it.
@@ -13,18 +13,18 @@ import org.selectiverenderer.validation.Budget;
  * @param group DEF name; empty for the whole scene
  * @param worst the state with the most polygons among those that the budget is for
  */
-public record BudgetStatus(Budget budget, String group, State worst) {
+public record BudgetStatus(PolygonBudget budget, String group, State worst) {
   /**
    * Returns the status; empty where the budget does not apply to the scene or names something
    * misspelt.
    */
-  public static Optional<BudgetStatus> of(Budget budget, SceneModel model) {
-    return BudgetMatch.of(budget, model) instanceof BudgetMatch.Holds holds
+  public static Optional<BudgetStatus> of(PolygonBudget budget, EnrichmentModel model) {
+    return BudgetMatch.of(budget, model) instanceof BudgetMatch.Match holds
         ? Optional.of(of(budget, holds))
         : Optional.empty();
   }
 
-  static BudgetStatus of(Budget budget, BudgetMatch.Holds holds) {
+  static BudgetStatus of(PolygonBudget budget, BudgetMatch.Match holds) {
     List<State> states = holds.states();
     State worst =
         states.stream()

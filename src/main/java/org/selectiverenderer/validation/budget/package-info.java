@@ -2,7 +2,7 @@
  * Rules of polygon budgets, SR5xx: the budgets of the settings are compared with the worst state
  * that a viewer can reach.
  *
- * <p>In: {@code SceneView} with its settings. Out: findings. Uses {@code validation}, {@code
+ * <p>In: {@code SceneContext} with its settings. Out: findings. Uses {@code validation}, {@code
  * polygon.count}, {@code schema}, {@code x3d.read} and {@code base.problem}.
  */
 @NullMarked

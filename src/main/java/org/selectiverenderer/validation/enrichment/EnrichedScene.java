@@ -5,14 +5,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.polygon.count.SceneModel;
+import org.selectiverenderer.polygon.count.EnrichmentModel;
 import org.selectiverenderer.schema.SchemaReader;
 import org.selectiverenderer.schema.SensorSchemas;
 import org.selectiverenderer.schema.SwitchSchemas;
-import org.selectiverenderer.schema.nodes.NodeMetadata;
+import org.selectiverenderer.schema.nodes.NodeViewMetadata;
 import org.selectiverenderer.validation.FileOutline;
-import org.selectiverenderer.validation.OutlinedFile;
-import org.selectiverenderer.validation.SceneView;
+import org.selectiverenderer.validation.FileOutlineAdapter;
+import org.selectiverenderer.validation.SceneContext;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
 /**
@@ -25,14 +25,14 @@ import org.selectiverenderer.x3d.read.ParsedNode;
  * @param counts the enrichment with polygon counts; null if there is neither area nor object
  */
 record EnrichedScene(
-    SceneView view,
+    SceneContext view,
     Map<String, FileOutline> files,
     List<ParsedNode> nodes,
     Map<ParsedNode, SensorSchemas> areas,
     Map<ParsedNode, SwitchSchemas> objects,
-    @Nullable SceneModel counts) {
+    @Nullable EnrichmentModel counts) {
 
-  static EnrichedScene of(SceneView view) {
+  static EnrichedScene of(SceneContext view) {
     SchemaReader reader = new SchemaReader(problem -> {});
     Map<ParsedNode, SensorSchemas> areas = new LinkedHashMap<>();
     Map<ParsedNode, SwitchSchemas> objects = new LinkedHashMap<>();
@@ -41,7 +41,7 @@ record EnrichedScene(
     List<ParsedNode> nodes =
         files.values().stream().flatMap(file -> file.nodes().stream()).toList();
     for (ParsedNode node : nodes) {
-      NodeMetadata metadata = isArea(node) || isObject(node) ? metadata(node) : null;
+      NodeViewMetadata metadata = isArea(node) || isObject(node) ? metadata(node) : null;
       if (metadata != null && isArea(node)) {
         reader.sensor(metadata).ifPresent(schemas -> areas.put(node, schemas));
       } else if (metadata != null) {
@@ -50,11 +50,11 @@ record EnrichedScene(
     }
     boolean nothing = areas.isEmpty() && objects.isEmpty();
     return new EnrichedScene(
-        view, files, nodes, areas, objects, nothing ? null : OutlinedFile.model(view));
+        view, files, nodes, areas, objects, nothing ? null : FileOutlineAdapter.model(view));
   }
 
-  private static @Nullable NodeMetadata metadata(ParsedNode node) {
-    return NodeMetadata.of(node).orElse(null);
+  private static @Nullable NodeViewMetadata metadata(ParsedNode node) {
+    return NodeViewMetadata.of(node).orElse(null);
   }
 
   static boolean isArea(ParsedNode node) {
@@ -75,7 +75,7 @@ record EnrichedScene(
   }
 
   /** Returns the enrichment with polygon counts; present if there is an area or an object. */
-  Optional<SceneModel> model() {
+  Optional<EnrichmentModel> model() {
     return Optional.ofNullable(counts);
   }
 

@@ -3,8 +3,11 @@ package org.selectiverenderer.validation.enrichment;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Stream;
+import org.selectiverenderer.validation.FindingCollector;
 import org.selectiverenderer.validation.Rule;
 import org.selectiverenderer.validation.RuleGroup;
+import org.selectiverenderer.validation.SceneCheck;
+import org.selectiverenderer.validation.SceneContext;
 
 /** SR4xx: enrichment with memory schemata. */
 public final class EnrichmentRules {
@@ -20,16 +23,28 @@ public final class EnrichmentRules {
             .toList(),
         List.of(),
         List.of(
-            new EnrichmentCheck(
+            new CompositeCheck(
                 List.of(
                     new SwitchMetadataCheck(),
-                    new SensorCheck(),
-                    new ReachCheck(),
-                    new VocabularyCheck(),
+                    new SensorMetadataCheck(),
+                    new AreaReachabilityCheck(),
+                    new MetadataVocabularyCheck(),
                     new SchemaNamesCheck(),
                     new ObjectVersionCheck(),
-                    new StartCheck(),
-                    new OverlapCheck(),
-                    new ShownCheck()))));
+                    new InitialChoiceCheck(),
+                    new AreaOverlapCheck(),
+                    new NeverShownVersionCheck()))));
+  }
+
+  /** Runs several checks of a scene's enrichment, which is read once for all of them. */
+  private record CompositeCheck(List<EnrichedSceneCheck> parts) implements SceneCheck {
+    @Override
+    public void check(SceneContext view, FindingCollector findings) {
+      if (view.part()) {
+        return; // Its areas and objects may refer to those of other files of the whole scene.
+      }
+      EnrichedScene scene = EnrichedScene.of(view);
+      parts.forEach(part -> part.check(scene, findings));
+    }
   }
 }

@@ -3,19 +3,19 @@ package org.selectiverenderer.validation.enrichment;
 import java.util.List;
 import java.util.Locale;
 import org.joml.Vector3d;
-import org.selectiverenderer.geometry.Bounds;
-import org.selectiverenderer.polygon.count.SceneModel.Version;
-import org.selectiverenderer.polygon.count.SceneModel.VersionedSwitch;
-import org.selectiverenderer.schema.Choice;
+import org.selectiverenderer.geometry.BoundingBox;
+import org.selectiverenderer.polygon.count.EnrichmentModel.Version;
+import org.selectiverenderer.polygon.count.EnrichmentModel.VersionedSwitch;
 import org.selectiverenderer.schema.ConsistencyType;
-import org.selectiverenderer.validation.Findings;
+import org.selectiverenderer.schema.VersionMetadata;
+import org.selectiverenderer.validation.FindingCollector;
 
 /** Checks the polygons and sizes of each object's versions against their metadata. */
-final class ObjectVersionCheck implements EnrichmentPart {
+final class ObjectVersionCheck implements EnrichedSceneCheck {
   private static final double MOST_OFF = 0.02;
 
   @Override
-  public void check(EnrichedScene scene, Findings findings) {
+  public void check(EnrichedScene scene, FindingCollector findings) {
     scene
         .model()
         .ifPresent(
@@ -30,10 +30,10 @@ final class ObjectVersionCheck implements EnrichmentPart {
   }
 
   /** Reports, of the pairs of versions in the wrong order, the pair that differs most. */
-  private static void polygons(VersionedSwitch object, Findings findings) {
+  private static void polygons(VersionedSwitch object, FindingCollector findings) {
     Pair worst = null;
-    for (Choice a : object.schemas().choices()) {
-      for (Choice b : object.schemas().choices()) {
+    for (VersionMetadata a : object.schemas().choices()) {
+      for (VersionMetadata b : object.schemas().choices()) {
         Pair pair = new Pair(object, a, b);
         if (pair.wrong() && (worst == null || pair.excess() > worst.excess())) {
           worst = pair;
@@ -58,7 +58,7 @@ final class ObjectVersionCheck implements EnrichmentPart {
    *
    * @param lighter the version that should have fewer polygons
    */
-  private record Pair(VersionedSwitch object, Choice lighter, Choice heavier) {
+  private record Pair(VersionedSwitch object, VersionMetadata lighter, VersionMetadata heavier) {
     boolean wrong() {
       return !frame(lighter)
           && !frame(heavier)
@@ -82,7 +82,7 @@ final class ObjectVersionCheck implements EnrichmentPart {
           && lighter.consistency() == heavier.consistency();
     }
 
-    long polygons(Choice choice) {
+    long polygons(VersionMetadata choice) {
       return object.versions().get(choice.index()).polygons();
     }
 
@@ -90,12 +90,12 @@ final class ObjectVersionCheck implements EnrichmentPart {
       return polygons(lighter) - polygons(heavier);
     }
 
-    private static boolean frame(Choice choice) {
+    private static boolean frame(VersionMetadata choice) {
       return choice.type().filter(ConsistencyType.FRAME::equals).isPresent();
     }
   }
 
-  private static void sizes(VersionedSwitch object, Findings findings) {
+  private static void sizes(VersionedSwitch object, FindingCollector findings) {
     int original = object.schemas().mostDetailed();
     List<Version> versions = object.versions();
     Version first = versions.get(original);
@@ -119,7 +119,7 @@ final class ObjectVersionCheck implements EnrichmentPart {
    * Returns the largest distance between corresponding sides of the boxes, as a share of the first
    * one's largest extent.
    */
-  private static double off(Bounds a, Bounds b) {
+  private static double off(BoundingBox a, BoundingBox b) {
     Vector3d low = b.min().sub(a.min()).absolute();
     Vector3d high = b.max().sub(a.max()).absolute();
     Vector3d most = low.max(high);

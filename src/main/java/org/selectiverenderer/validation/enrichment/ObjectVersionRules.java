@@ -5,10 +5,10 @@ import org.selectiverenderer.validation.Rule;
 
 /** Rules about the versions of objects and about when they are shown. */
 final class ObjectVersionRules {
-  private static final String DESK = Examples.choice("low", "Desk");
-  private static final String OFFICE = Examples.choice("high", "Office");
-  private static final String VERSIONS = Examples.DETAILED + Examples.SIMPLE;
-  private static final String GOOD = Examples.desk() + Examples.LAMP;
+  private static final String DESK = EnrichmentExamples.choice("low", "Desk");
+  private static final String OFFICE = EnrichmentExamples.choice("high", "Office");
+  private static final String VERSIONS = EnrichmentExamples.DETAILED + EnrichmentExamples.SIMPLE;
+  private static final String GOOD = EnrichmentExamples.desk() + EnrichmentExamples.LAMP;
 
   private static final String VIEW = "<Viewpoint position='0 0 8'/>\n";
 
@@ -23,8 +23,9 @@ final class ObjectVersionRules {
               with many. So the version with the higher degree must have fewer polygons. The \
               listings of Figs 52 and 78 have it the other way round.""")
           .bad(
-              Examples.desk()
-                  + Examples.lamp("1", DESK + OFFICE, Examples.SIMPLE + Examples.DETAILED))
+              EnrichmentExamples.desk()
+                  + EnrichmentExamples.lamp(
+                      "1", DESK + OFFICE, EnrichmentExamples.SIMPLE + EnrichmentExamples.DETAILED))
           .good(GOOD)
           .see("thesis 4.2.1");
 
@@ -35,11 +36,11 @@ final class ObjectVersionRules {
                   + "not have fewer polygons: {polygons} and {fewer}")
           .because("A reduced version must have fewer polygons than the original.")
           .bad(
-              Examples.desk()
-                  + Examples.lamp(
+              EnrichmentExamples.desk()
+                  + EnrichmentExamples.lamp(
                       "1",
                       DESK + OFFICE.replace("high", "low"),
-                      Examples.SIMPLE + Examples.DETAILED))
+                      EnrichmentExamples.SIMPLE + EnrichmentExamples.DETAILED))
           .good(GOOD)
           .see("thesis 4.2.1, Fig 67");
 
@@ -54,11 +55,11 @@ final class ObjectVersionRules {
               sides of their bounding boxes may differ by at most 2 % of the object's \
               largest extent.""")
           .bad(
-              Examples.desk()
-                  + Examples.lamp(
+              EnrichmentExamples.desk()
+                  + EnrichmentExamples.lamp(
                       "1",
                       DESK + OFFICE,
-                      Examples.DETAILED + "  <Shape><Box size='2 2 2.2'/></Shape>\n"))
+                      EnrichmentExamples.DETAILED + "  <Shape><Box size='2 2 2.2'/></Shape>\n"))
           .good(GOOD)
           .see("thesis 4.2.1");
 
@@ -72,7 +73,10 @@ final class ObjectVersionRules {
               The areas around the scene's first viewpoint are entered at once. Outside all \
               areas the schemas are active that leaving them activates. The file should show \
               the choices of these schemas.""")
-          .bad(VIEW + Examples.desk() + Examples.lamp("0", DESK + OFFICE, VERSIONS))
+          .bad(
+              VIEW
+                  + EnrichmentExamples.desk()
+                  + EnrichmentExamples.lamp("0", DESK + OFFICE, VERSIONS))
           .good(VIEW + GOOD)
           .see("thesis 5.4.3, Fig 80");
 
@@ -86,8 +90,8 @@ final class ObjectVersionRules {
               A viewer in both areas sees the version of the area entered last, so the same \
               place can look different. Give both areas the same choice, or keep the areas \
               apart.""")
-          .bad(overlap(DESK, Examples.choice("high", "Office\" \"Shelf")))
-          .good(overlap(Examples.choice("low", "Desk\" \"Shelf"), OFFICE))
+          .bad(overlap(DESK, EnrichmentExamples.choice("high", "Office\" \"Shelf")))
+          .good(overlap(EnrichmentExamples.choice("low", "Desk\" \"Shelf"), OFFICE))
           .see("thesis 6.2, Fig 89");
 
   static final Rule NEVER_SHOWN =
@@ -98,8 +102,8 @@ final class ObjectVersionRules {
               to which it belongs, unless a later schema of the same area shows another \
               version.""")
           .bad(
-              Examples.desk()
-                  + Examples.LAMP
+              EnrichmentExamples.desk()
+                  + EnrichmentExamples.LAMP
                   + """
                   <Switch DEF='Cup' whichChoice='0'>
                     <Inline url='"cup_v1.x3d"'/>
@@ -123,8 +127,13 @@ final class ObjectVersionRules {
   /** Returns a scene with two overlapping areas. */
   private static String overlap(String first, String second) {
     String shelf =
-        Examples.sensor("2 4 2", Examples.string("enterTimeSchema", "Shelf") + Examples.EXIT_OFFICE)
+        EnrichmentExamples.sensor(
+                "2 4 2",
+                EnrichmentExamples.string("enterTimeSchema", "Shelf")
+                    + EnrichmentExamples.EXIT_OFFICE)
             .replace("DeskProx", "ShelfProx");
-    return Examples.desk() + shelf + Examples.lamp("1", first + second, VERSIONS);
+    return EnrichmentExamples.desk()
+        + shelf
+        + EnrichmentExamples.lamp("1", first + second, VERSIONS);
   }
 }

@@ -5,21 +5,21 @@ import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
-import org.selectiverenderer.schema.Choice;
-import org.selectiverenderer.schema.SchemaUse;
-import org.selectiverenderer.schema.SchemaUse.Unmatched;
+import org.selectiverenderer.schema.SchemaUsage;
+import org.selectiverenderer.schema.SchemaUsage.Unmatched;
 import org.selectiverenderer.schema.SwitchSchemas;
-import org.selectiverenderer.validation.Findings;
+import org.selectiverenderer.schema.VersionMetadata;
+import org.selectiverenderer.validation.FindingCollector;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
 /**
  * Finds schemas that only areas or only objects name; the controller reports the same ones when it
  * starts.
  */
-final class SchemaNamesCheck implements EnrichmentPart {
+final class SchemaNamesCheck implements EnrichedSceneCheck {
   @Override
-  public void check(EnrichedScene scene, Findings findings) {
-    SchemaUse<ParsedNode> use = new SchemaUse<>();
+  public void check(EnrichedScene scene, FindingCollector findings) {
+    SchemaUsage<ParsedNode> use = new SchemaUsage<>();
     scene.areas().forEach(use::area);
     scene
         .objects()
@@ -46,7 +46,7 @@ final class SchemaNamesCheck implements EnrichmentPart {
   }
 
   private static List<List<String>> byChoice(SwitchSchemas schemas) {
-    int count = schemas.choices().stream().mapToInt(Choice::index).max().orElse(-1) + 1;
+    int count = schemas.choices().stream().mapToInt(VersionMetadata::index).max().orElse(-1) + 1;
     List<List<String>> lists = new ArrayList<>(Collections.nCopies(count, List.of()));
     schemas.choices().forEach(choice -> lists.set(choice.index(), List.copyOf(choice.schemas())));
     return lists;

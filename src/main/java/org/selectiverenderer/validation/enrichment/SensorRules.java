@@ -13,8 +13,10 @@ final class SensorRules {
               An area activates the schemas that the metadata of its ProximitySensor names; a \
               sensor without them, from which no route leads either, has no effect.""")
           .bad(
-              "<ProximitySensor DEF='ShelfProx' size='3 2 3'/>\n" + Examples.desk() + Examples.LAMP)
-          .good(Examples.desk() + Examples.LAMP)
+              "<ProximitySensor DEF='ShelfProx' size='3 2 3'/>\n"
+                  + EnrichmentExamples.desk()
+                  + EnrichmentExamples.LAMP)
+          .good(EnrichmentExamples.desk() + EnrichmentExamples.LAMP)
           .see("thesis 4.2.2, Fig 42");
 
   static final Rule NOT_ENRICHED =
@@ -24,7 +26,7 @@ final class SensorRules {
               The scene has no schema metadata at all. Its sensors may get theirs later, or \
               serve an application.""")
           .bad("<ProximitySensor DEF='DeskProx' size='3 2 3'/>")
-          .good(Examples.desk() + Examples.LAMP)
+          .good(EnrichmentExamples.desk() + EnrichmentExamples.LAMP)
           .see("thesis 5.4.2, Fig 76");
 
   static final Rule WITHOUT_EXIT =
@@ -36,18 +38,22 @@ final class SensorRules {
               """
               Leaving an area activates its exitTimeSchema, which is the schema of the place around \
               it; without one, what entering has changed stays changed.""")
-          .bad(Examples.sensor("3 2 3", Examples.ENTER_DESK) + Examples.LAMP)
-          .good(Examples.desk() + Examples.LAMP)
+          .bad(
+              EnrichmentExamples.sensor("3 2 3", EnrichmentExamples.ENTER_DESK)
+                  + EnrichmentExamples.LAMP)
+          .good(EnrichmentExamples.desk() + EnrichmentExamples.LAMP)
           .see("thesis 4.3, Fig 48");
 
   static final Rule NAMES_NOTHING =
       Rule.warning("SR408", "{field} names no schema; it is ignored")
           .because("Metadata without a value has no effect.")
           .bad(
-              Examples.sensor(
-                      "3 2 3", Examples.string("enterTimeSchema", "") + Examples.EXIT_OFFICE)
-                  + Examples.LAMP)
-          .good(Examples.desk() + Examples.LAMP)
+              EnrichmentExamples.sensor(
+                      "3 2 3",
+                      EnrichmentExamples.string("enterTimeSchema", "")
+                          + EnrichmentExamples.EXIT_OFFICE)
+                  + EnrichmentExamples.LAMP)
+          .good(EnrichmentExamples.desk() + EnrichmentExamples.LAMP)
           .see("thesis 4.2.2");
 
   static final Rule NO_VOLUME =
@@ -56,8 +62,8 @@ final class SensorRules {
               """
               A ProximitySensor senses the viewer in a box; where one of its sides is 0, which is \
               the default, or a Transform above it has a scale of 0, it senses nothing.""")
-          .bad(Examples.desk().replace("3 2 3", "3 0 3") + Examples.LAMP)
-          .good(Examples.desk() + Examples.LAMP)
+          .bad(EnrichmentExamples.desk().replace("3 2 3", "3 0 3") + EnrichmentExamples.LAMP)
+          .good(EnrichmentExamples.desk() + EnrichmentExamples.LAMP)
           .see("X3D 4.0, 22.4.1");
 
   static final Rule UNREACHABLE =
@@ -68,10 +74,10 @@ final class SensorRules {
               is, or where one of its viewpoints stands, and the sensor must be enabled.""")
           .bad(
               "<Transform translation='0 900 0'>"
-                  + Examples.desk()
+                  + EnrichmentExamples.desk()
                   + "</Transform>"
-                  + Examples.LAMP)
-          .good(Examples.desk() + Examples.LAMP)
+                  + EnrichmentExamples.LAMP)
+          .good(EnrichmentExamples.desk() + EnrichmentExamples.LAMP)
           .see("X3D 4.0, 22.4.1");
 
   static final List<Rule> ALL =

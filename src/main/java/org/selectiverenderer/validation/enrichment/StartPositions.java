@@ -3,7 +3,7 @@ package org.selectiverenderer.validation.enrichment;
 import java.util.List;
 import java.util.Optional;
 import org.joml.Vector3d;
-import org.selectiverenderer.polygon.count.SceneModel;
+import org.selectiverenderer.polygon.count.EnrichmentModel;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
 /** Finds the start positions of viewers. */
@@ -15,7 +15,7 @@ final class StartPositions {
   }
 
   /** Returns the world positions of all instances of a viewpoint. */
-  static List<Vector3d> eyes(ParsedNode viewpoint, SceneModel model) {
+  static List<Vector3d> eyes(ParsedNode viewpoint, EnrichmentModel model) {
     float[] p = viewpoint.floats("position");
     return model.places(viewpoint).stream()
         .map(place -> place.transformPosition(new Vector3d(p[0], p[1], p[2])))
@@ -26,7 +26,7 @@ final class StartPositions {
    * Returns the initial position of the viewer: the first viewpoint of the scene's own file (X3D
    * 4.0, 23.3.1). Empty if there is no viewpoint, or if a route or script may move it.
    */
-  static Optional<Vector3d> start(EnrichedScene scene, SceneModel model) {
+  static Optional<Vector3d> start(EnrichedScene scene, EnrichmentModel model) {
     for (ParsedNode node : scene.view().main().nodes()) {
       if (node.type().is("X3DViewpointNode")) {
         boolean known = isViewpoint(node) && !scene.driven(node, "position");

@@ -7,32 +7,33 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.selectiverenderer.base.problem.Spelling;
-import org.selectiverenderer.schema.Choice;
+import org.selectiverenderer.base.problem.SpellingSuggester;
 import org.selectiverenderer.schema.ConsistencyType;
 import org.selectiverenderer.schema.SchemaProblem;
 import org.selectiverenderer.schema.SchemaReader;
 import org.selectiverenderer.schema.SwitchSchemas;
-import org.selectiverenderer.schema.nodes.NodeMetadata;
+import org.selectiverenderer.schema.VersionMetadata;
+import org.selectiverenderer.schema.nodes.NodeViewMetadata;
 import org.selectiverenderer.validation.FileOutline;
-import org.selectiverenderer.validation.Findings;
+import org.selectiverenderer.validation.FindingCollector;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
 /** Checks the metadata of each Switch against its children. */
-final class SwitchMetadataCheck implements EnrichmentPart {
+final class SwitchMetadataCheck implements EnrichedSceneCheck {
   @Override
-  public void check(EnrichedScene scene, Findings findings) {
+  public void check(EnrichedScene scene, FindingCollector findings) {
     for (ParsedNode node : scene.nodes()) {
       if (EnrichedScene.isObject(node)) {
-        NodeMetadata.of(node).ifPresent(metadata -> check(scene, node, metadata, findings));
+        NodeViewMetadata.of(node).ifPresent(metadata -> check(scene, node, metadata, findings));
       }
     }
   }
 
   private static void check(
-      EnrichedScene scene, ParsedNode node, NodeMetadata metadata, Findings findings) {
-    List<NodeMetadata> sets = metadata.children().stream().filter(NodeMetadata::isSet).toList();
+      EnrichedScene scene, ParsedNode node, NodeViewMetadata metadata, FindingCollector findings) {
+    List<NodeViewMetadata> sets =
+        metadata.children().stream().filter(NodeViewMetadata::isSet).toList();
     int children = EnrichedScene.children(node);
     boolean[] ours = {false};
     SchemaReader reader =
@@ -53,18 +54,24 @@ final class SwitchMetadataCheck implements EnrichmentPart {
   private static void report(
       SchemaProblem problem,
       FileOutline file,
-      List<NodeMetadata> sets,
+      List<NodeViewMetadata> sets,
       int children,
-      Findings findings) {
-    NodeMetadata at = (NodeMetadata) problem.metadata();
+      FindingCollector findings) {
+    NodeViewMetadata at = (NodeViewMetadata) problem.metadata();
     NodeView node = at.node();
     switch (problem.kind()) {
       case FEWER_SETS_THAN_CHOICES ->
           findings.add(
-              SwitchRules.FEWER_SETS, node, NumberWords.sets(sets), NumberWords.children(children));
+              SwitchRules.FEWER_SETS,
+              node,
+              CountPhrases.sets(sets),
+              CountPhrases.children(children));
       case MORE_SETS_THAN_CHOICES ->
           findings.add(
-              SwitchRules.MORE_SETS, node, NumberWords.sets(sets), NumberWords.children(children));
+              SwitchRules.MORE_SETS,
+              node,
+              CountPhrases.sets(sets),
+              CountPhrases.children(children));
       case NO_SCHEMA -> findings.add(SwitchRules.NO_SCHEMA, node, Math.max(0, sets.indexOf(at)));
       case UNKNOWN_TYPE ->
           findings.addAt(SwitchRules.UNKNOWN_TYPE, file, node, "value", first(at), meant(at));
@@ -79,26 +86,26 @@ final class SwitchMetadataCheck implements EnrichmentPart {
               node,
               "name",
               at.name().strip(),
-              Misplacement.inSwitch(at));
+              MisplacementReason.inSwitch(at));
     }
   }
 
-  private static String meant(NodeMetadata at) {
+  private static String meant(NodeViewMetadata at) {
     List<String> known =
         Stream.of(ConsistencyType.values()).map(t -> t.name().toLowerCase(Locale.ROOT)).toList();
-    return Spelling.nearest(at.values().get(0), known)
+    return SpellingSuggester.nearest(at.values().get(0), known)
         .map(near -> "; did you mean " + near + "?")
         .orElse("");
   }
 
-  private static String first(NodeMetadata at) {
+  private static String first(NodeViewMetadata at) {
     return "'" + at.values().get(0) + "'";
   }
 
   /** Finds schemas that several sets name. */
-  private static void claims(SwitchSchemas schemas, ParsedNode node, Findings findings) {
+  private static void claims(SwitchSchemas schemas, ParsedNode node, FindingCollector findings) {
     Map<String, List<Integer>> claims = new LinkedHashMap<>();
-    for (Choice choice : schemas.choices()) {
+    for (VersionMetadata choice : schemas.choices()) {
       for (String schema : choice.schemas()) {
         claims.computeIfAbsent(schema, key -> new ArrayList<>()).add(choice.index());
       }
@@ -112,7 +119,8 @@ final class SwitchMetadataCheck implements EnrichmentPart {
         });
   }
 
-  private static void range(EnrichedScene scene, ParsedNode node, int children, Findings findings) {
+  private static void range(
+      EnrichedScene scene, ParsedNode node, int children, FindingCollector findings) {
     int choice = node.integer("whichChoice");
     if ((choice >= children || choice < -1) && !scene.driven(node, "whichChoice")) {
       findings.addAt(
@@ -121,7 +129,25 @@ final class SwitchMetadataCheck implements EnrichmentPart {
           node,
           "whichChoice",
           choice,
-          NumberWords.children(children));
+          CountPhrases.children(children));
+    }
+  }
+
+  /** Counts with their nouns, for messages. */
+  private static final class CountPhrases {
+    private CountPhrases() {}
+
+    /**
+     * Returns the number of sets in a Switch's metadata; metadata without sets count as one set for
+     * the first child.
+     */
+    static String sets(List<NodeViewMetadata> sets) {
+      int count = Math.max(1, sets.size());
+      return count + (count == 1 ? " MetadataSet" : " MetadataSets");
+    }
+
+    static String children(int count) {
+      return count + (count == 1 ? " child" : " children");
     }
   }
 }

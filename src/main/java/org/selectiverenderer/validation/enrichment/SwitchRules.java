@@ -5,10 +5,10 @@ import org.selectiverenderer.validation.Rule;
 
 /** Rules about the metadata of versioned objects. */
 final class SwitchRules {
-  private static final String DESK = Examples.choice("low", "Desk");
-  private static final String OFFICE = Examples.choice("high", "Office");
-  private static final String VERSIONS = Examples.DETAILED + Examples.SIMPLE;
-  private static final String GOOD = Examples.desk() + Examples.LAMP;
+  private static final String DESK = EnrichmentExamples.choice("low", "Desk");
+  private static final String OFFICE = EnrichmentExamples.choice("high", "Office");
+  private static final String VERSIONS = EnrichmentExamples.DETAILED + EnrichmentExamples.SIMPLE;
+  private static final String GOOD = EnrichmentExamples.desk() + EnrichmentExamples.LAMP;
 
   static final Rule FEWER_SETS =
       Rule.warning(
@@ -17,7 +17,7 @@ final class SwitchRules {
               """
               MetadataSet i describes child i of the Switch. A child without a set is never \
               shown by a schema. If this is intended, add an empty set.""")
-          .bad(Examples.desk() + Examples.lamp("0", DESK, VERSIONS))
+          .bad(EnrichmentExamples.desk() + EnrichmentExamples.lamp("0", DESK, VERSIONS))
           .good(GOOD)
           .see("thesis 4.3, Fig 49");
 
@@ -27,7 +27,9 @@ final class SwitchRules {
               """
               MetadataSet i describes child i of the Switch. A set beyond the last child \
               describes nothing; showing that child would hide the object.""")
-          .bad(Examples.desk() + Examples.lamp("0", DESK + OFFICE, Examples.DETAILED))
+          .bad(
+              EnrichmentExamples.desk()
+                  + EnrichmentExamples.lamp("0", DESK + OFFICE, EnrichmentExamples.DETAILED))
           .good(GOOD)
           .see("thesis 4.3, Fig 49");
 
@@ -40,10 +42,12 @@ final class SwitchRules {
               The metadata of a version says how consistent it is, but schemaBelonginess, which \
               decides when it is shown, names no schema.""")
           .bad(
-              Examples.desk()
-                  + Examples.lamp(
+              EnrichmentExamples.desk()
+                  + EnrichmentExamples.lamp(
                       "1",
-                      DESK + Examples.set("value", Examples.string("degreeOfConsistency", "high")),
+                      DESK
+                          + EnrichmentExamples.set(
+                              "value", EnrichmentExamples.string("degreeOfConsistency", "high")),
                       VERSIONS))
           .good(GOOD)
           .see("thesis 4.2.2, Fig 43");
@@ -56,8 +60,8 @@ final class SwitchRules {
               A schema can show only one version of an object. The algorithm of the thesis \
               sets the choices one after the other, so the last one remains.""")
           .bad(
-              Examples.desk()
-                  + Examples.lamp("1", DESK + OFFICE.replace("Office", "Desk"), VERSIONS))
+              EnrichmentExamples.desk()
+                  + EnrichmentExamples.lamp("1", DESK + OFFICE.replace("Office", "Desk"), VERSIONS))
           .good(GOOD)
           .see("thesis 4.3, Fig 49");
 
@@ -75,14 +79,16 @@ final class SwitchRules {
       Rule.warning(
               "SR412", "degreeOfConsistency must be low, high or a number from 0 to 1, not {value}")
           .because("Any other value is ignored; then consistencyType alone decides.")
-          .bad(Examples.desk() + Examples.LAMP.replace("low", "medium"))
+          .bad(EnrichmentExamples.desk() + EnrichmentExamples.LAMP.replace("low", "medium"))
           .good(GOOD)
           .see("thesis 4.2.2, 7.2");
 
   static final Rule SEVERAL_VALUES =
       Rule.warning("SR413", "{field} has several values; only the first is used")
           .because("A version has one type and one degree of consistency.")
-          .bad(Examples.desk() + Examples.LAMP.replace("\"low\"", "\"low\" \"high\""))
+          .bad(
+              EnrichmentExamples.desk()
+                  + EnrichmentExamples.LAMP.replace("\"low\"", "\"low\" \"high\""))
           .good(GOOD)
           .see("thesis 4.2.2");
 
@@ -92,7 +98,7 @@ final class SwitchRules {
               "whichChoice is {choice}, but the Switch has {children}; nothing is shown until a"
                   + " schema is activated")
           .because("The children are counted from 0. A choice beyond the last child shows nothing.")
-          .bad(Examples.desk() + Examples.lamp("2", DESK + OFFICE, VERSIONS))
+          .bad(EnrichmentExamples.desk() + EnrichmentExamples.lamp("2", DESK + OFFICE, VERSIONS))
           .good(GOOD)
           .see("X3D 4.0, 10.4.3");
 
@@ -111,10 +117,10 @@ final class SwitchRules {
 
   private static String typed(String type) {
     String set =
-        Examples.set(
+        EnrichmentExamples.set(
             "value",
-            Examples.string("consistencyType", type)
-                + Examples.string("schemaBelonginess", "Desk"));
-    return Examples.desk() + Examples.lamp("1", set + OFFICE, VERSIONS);
+            EnrichmentExamples.string("consistencyType", type)
+                + EnrichmentExamples.string("schemaBelonginess", "Desk"));
+    return EnrichmentExamples.desk() + EnrichmentExamples.lamp("1", set + OFFICE, VERSIONS);
   }
 }

@@ -142,6 +142,6 @@ public final class FileRules {
             SIZE,
             FOREIGN_MOVIE),
         List.of(),
-        List.of(new UrlCheck(), new CircleCheck(), new SizeCheck()));
+        List.of(new UrlCheck(), new InlineCycleCheck(), new FileSizeCheck()));
   }
 }

@@ -8,14 +8,14 @@ import java.util.Set;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.validation.FileOutline;
-import org.selectiverenderer.validation.Findings;
+import org.selectiverenderer.validation.FindingCollector;
 import org.selectiverenderer.validation.Rule;
 import org.selectiverenderer.validation.SceneCheck;
-import org.selectiverenderer.validation.SceneView;
-import org.selectiverenderer.x3d.files.ContentRoot.Cause;
-import org.selectiverenderer.x3d.files.ContentRoot.Target;
+import org.selectiverenderer.validation.SceneContext;
 import org.selectiverenderer.x3d.read.ParsedNode;
-import org.selectiverenderer.x3d.script.ProgramChoice;
+import org.selectiverenderer.x3d.script.ScriptProgramSelection;
+import org.selectiverenderer.x3d.url.UrlResolver.Cause;
+import org.selectiverenderer.x3d.url.UrlResolver.Target;
 
 /** Checks the urls of Inlines, textures, sounds, scripts and shaders. */
 final class UrlCheck implements SceneCheck {
@@ -35,11 +35,11 @@ final class UrlCheck implements SceneCheck {
   private static final int SHOWN = 80;
 
   @Override
-  public void check(SceneView scene, Findings findings) {
+  public void check(SceneContext scene, FindingCollector findings) {
     for (FileOutline file : scene.files()) {
       for (ParsedNode node : file.nodes()) {
         if (node.type().is("X3DUrlObject") && node.type().field("url").isPresent()) {
-          new Node(scene, file, node, findings).check();
+          new NodeUrls(scene, file, node, findings).check();
         }
       }
     }
@@ -48,14 +48,16 @@ final class UrlCheck implements SceneCheck {
   /** A url of a node and the target that it refers to. */
   private record Url(String text, Target target) {}
 
-  private record Node(SceneView scene, FileOutline file, ParsedNode node, Findings findings) {
+  private record NodeUrls(
+      SceneContext scene, FileOutline file, ParsedNode node, FindingCollector findings) {
     void check() {
       List<Url> urls = new ArrayList<>();
       for (String text : node.strings("url")) {
         if (CONTENT.matcher(text).matches()) {
           return;
         }
-        if (node.type().is("X3DScriptNode") && ProgramChoice.otherLanguage(text).isPresent()) {
+        if (node.type().is("X3DScriptNode")
+            && ScriptProgramSelection.otherLanguage(text).isPresent()) {
           continue; // SR604 reports it.
         }
         urls.add(new Url(text, scene.root().resolve(text, node.base(file.file().base()))));

@@ -1,8 +1,13 @@
 package org.selectiverenderer.validation.geometry;
 
 import java.util.List;
+import org.selectiverenderer.validation.FileCheck;
+import org.selectiverenderer.validation.FileContext;
+import org.selectiverenderer.validation.FindingCollector;
 import org.selectiverenderer.validation.Rule;
 import org.selectiverenderer.validation.RuleGroup;
+import org.selectiverenderer.validation.SceneNodes;
+import org.selectiverenderer.x3d.read.ParsedNode;
 
 /** SR2xx: geometry. */
 public final class GeometryRules {
@@ -94,13 +99,13 @@ public final class GeometryRules {
         "Geometry",
         List.of(INDEX_OUT_OF_RANGE, COUNTS, NO_AREA, TOO_FAR, NORMAL_LENGTH, NOTHING, NON_MANIFOLD),
         List.of(
-            new GeometryCheck(
+            new CompositeCheck(
                 List.of(
-                    new IndexCheck(),
-                    new CountCheck(),
-                    new NumberCheck(),
-                    new FaceAreaCheck(),
-                    new EmptyCheck()))),
+                    new IndexRangeCheck(),
+                    new ValueCountCheck(),
+                    new PointAndNormalCheck(),
+                    new MeshQualityCheck(),
+                    new EmptyGeometryCheck()))),
         List.of());
   }
 
@@ -119,5 +124,18 @@ public final class GeometryRules {
           <Normal vector='%s'/>
         </IndexedFaceSet></Shape>"""
         .formatted(vectors);
+  }
+
+  /** Runs several checks of geometry in one pass over the nodes of a file. */
+  private record CompositeCheck(List<GeometryNodeCheck> parts) implements FileCheck {
+    @Override
+    public void check(FileContext file, FindingCollector findings) {
+      GeometryFindingCollector found = new GeometryFindingCollector(file, findings);
+      for (ParsedNode node : SceneNodes.all(file.scene())) {
+        if (node.type().is("X3DGeometryNode") || node.type().is("X3DGeometricPropertyNode")) {
+          parts.forEach(part -> part.check(node, found));
+        }
+      }
+    }
   }
 }

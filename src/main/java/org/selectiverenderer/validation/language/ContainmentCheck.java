@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.validation.Findings;
-import org.selectiverenderer.x3d.catalogue.Containment;
+import org.selectiverenderer.validation.FindingCollector;
+import org.selectiverenderer.x3d.catalogue.ContainerFieldRules;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.source.DocumentElement;
@@ -15,12 +15,12 @@ import org.selectiverenderer.x3d.source.DocumentElement;
  * Checks which nodes are children of which nodes and in which fields, and which are at the top of
  * the scene.
  */
-final class ContainmentCheck implements ScopeCheck {
+final class ContainmentCheck implements NameScopeCheck {
   /** The node types that the top of a scene may contain (X3D 4.0, 4.3.2). */
   private static final Set<String> TOP = Set.of("X3DChildNode", "LayerSet", "X3DMetadataObject");
 
   @Override
-  public void check(DocumentElement parent, Scopes scopes, Findings findings) {
+  public void check(DocumentElement parent, NameScopes scopes, FindingCollector findings) {
     if (parent.name().equals("Scene")) {
       parent.children().forEach(child -> top(child, scopes, findings));
       return;
@@ -46,7 +46,7 @@ final class ContainmentCheck implements ScopeCheck {
     }
   }
 
-  private static void top(DocumentElement child, Scopes scopes, Findings findings) {
+  private static void top(DocumentElement child, NameScopes scopes, FindingCollector findings) {
     scopes
         .type(child)
         .filter(type -> TOP.stream().noneMatch(type::is))
@@ -59,10 +59,10 @@ final class ContainmentCheck implements ScopeCheck {
       NodeType type,
       Set<String> filled,
       boolean old,
-      Findings findings) {
+      FindingCollector findings) {
     @Nullable String asked = child.text("containerField").map(String::strip).orElse(null);
-    Optional<FieldDefinition> wanted = Containment.wanted(parent, type, asked);
-    List<FieldDefinition> fitting = Containment.fitting(parent, type);
+    Optional<FieldDefinition> wanted = ContainerFieldRules.wanted(parent, type, asked);
+    List<FieldDefinition> fitting = ContainerFieldRules.fitting(parent, type);
     if (wanted.isEmpty() && fitting.isEmpty()) {
       findings.add(ContainmentRules.MISPLACED_NODE, child, type, parent);
       return;
@@ -75,11 +75,11 @@ final class ContainmentCheck implements ScopeCheck {
                     .findFirst()
                     .orElse(fitting.get(0)));
     if (wanted.isEmpty()) {
-      String name = asked == null ? Containment.usual(parent, type) : asked;
+      String name = asked == null ? ContainerFieldRules.usual(parent, type) : asked;
       String suggestion = "; it is used as its " + field.name();
       findings.add(ContainmentRules.CONTAINER_FIELD, child, type, name, parent, suggestion);
     } else if (asked != null
-        && Containment.renamed(parent, asked).isPresent()
+        && ContainerFieldRules.renamed(parent, asked).isPresent()
         && (!old || parent.is("Switch") || parent.is("LOD"))) {
       findings.add(FieldRules.OLD_SPELLING, child, asked, field.name());
     }

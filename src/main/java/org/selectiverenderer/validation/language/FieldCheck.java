@@ -4,10 +4,10 @@ import java.util.List;
 import java.util.Set;
 import org.selectiverenderer.base.problem.Problem.Severity;
 import org.selectiverenderer.validation.FileCheck;
-import org.selectiverenderer.validation.FileView;
-import org.selectiverenderer.validation.Findings;
+import org.selectiverenderer.validation.FileContext;
+import org.selectiverenderer.validation.FindingCollector;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
-import org.selectiverenderer.x3d.catalogue.FormerNames;
+import org.selectiverenderer.x3d.catalogue.LegacyFieldNames;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.field.FieldParser;
 import org.selectiverenderer.x3d.field.FieldType;
@@ -24,7 +24,7 @@ final class FieldCheck implements FileCheck {
       Set.of("DEF", "USE", "containerField", "class", "id", "style", "");
 
   @Override
-  public void check(FileView file, Findings findings) {
+  public void check(FileContext file, FindingCollector findings) {
     for (DocumentElement element : file.document().elements()) {
       file.catalogue()
           .find(element.name())
@@ -33,11 +33,11 @@ final class FieldCheck implements FileCheck {
     }
   }
 
-  private static void check(NodeType type, DocumentAttribute attribute, Findings findings) {
+  private static void check(NodeType type, DocumentAttribute attribute, FindingCollector findings) {
     String name = attribute.name();
     FieldDefinition field = type.field(name).orElse(null);
     if (field == null) {
-      String now = FormerNames.now(type, name);
+      String now = LegacyFieldNames.now(type, name);
       if (!now.equals(name)) {
         findings.add(FieldRules.OLD_SPELLING, attribute, name, now);
       } else if (!GENERAL.contains(name)) {
@@ -47,7 +47,7 @@ final class FieldCheck implements FileCheck {
             attribute,
             type,
             "field " + name,
-            Suggestion.of(name, names));
+            SpellingSuggestion.of(name, names));
       }
     } else if (field.type().isNode()) {
       findings.add(FieldRules.NODE_AS_ATTRIBUTE, attribute, name, type);
@@ -59,7 +59,7 @@ final class FieldCheck implements FileCheck {
   }
 
   /** Reports faults in a value. */
-  static void value(DocumentAttribute attribute, FieldType type, Findings findings) {
+  static void value(DocumentAttribute attribute, FieldType type, FindingCollector findings) {
     for (FieldParser.Flaw flaw : attribute.flaws(type)) {
       findings.addAt(
           flaw.severity() == Severity.ERROR ? FieldRules.VALUE : FieldRules.LOOSE_VALUE,

@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import org.selectiverenderer.validation.FileCheck;
-import org.selectiverenderer.validation.FileView;
-import org.selectiverenderer.validation.Findings;
+import org.selectiverenderer.validation.FileContext;
+import org.selectiverenderer.validation.FindingCollector;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.source.DocumentAttribute;
@@ -18,7 +18,7 @@ final class HeadCheck implements FileCheck {
   private static final List<String> UNITS = List.of("angle", "force", "length", "mass");
 
   @Override
-  public void check(FileView file, Findings findings) {
+  public void check(FileContext file, FindingCollector findings) {
     DocumentElement root = file.document().root().orElse(null);
     if (root == null || !root.name().equals("X3D")) {
       return;
@@ -37,9 +37,9 @@ final class HeadCheck implements FileCheck {
     }
   }
 
-  private static void version(DocumentElement root, Findings findings) {
+  private static void version(DocumentElement root, FindingCollector findings) {
     DocumentAttribute version = root.attribute("version").orElse(null);
-    if (version == null && !Statements.lacks(root, "version")) {
+    if (version == null && !StatementAttributes.lacks(root, "version")) {
       return;
     }
     if (version == null) {
@@ -50,9 +50,9 @@ final class HeadCheck implements FileCheck {
     }
   }
 
-  private static void profile(DocumentElement root, Findings findings) {
+  private static void profile(DocumentElement root, FindingCollector findings) {
     DocumentAttribute profile = root.attribute("profile").orElse(null);
-    if (profile == null && !Statements.lacks(root, "profile")) {
+    if (profile == null && !StatementAttributes.lacks(root, "profile")) {
       return;
     }
     if (profile == null) {
@@ -64,11 +64,11 @@ final class HeadCheck implements FileCheck {
           "there is no profile '"
               + profile.text()
               + "'"
-              + Suggestion.of(profile.text(), Profile.names()));
+              + SpellingSuggestion.of(profile.text(), Profile.names()));
     }
   }
 
-  private static void head(FileView file, DocumentElement head, Findings findings) {
+  private static void head(FileContext file, DocumentElement head, FindingCollector findings) {
     int reached = 0;
     for (DocumentElement child : head.children()) {
       int place = HEAD_ORDER.indexOf(child.name());
@@ -82,13 +82,14 @@ final class HeadCheck implements FileCheck {
         case "unit" -> unit(child, findings);
         case "meta" -> needs(child, findings, "content");
         default -> {
-          // {@link PlacementCheck} reports other elements.
+          // {@link StatementPlacementCheck} reports other elements.
         }
       }
     }
   }
 
-  private static void component(FileView file, DocumentElement element, Findings findings) {
+  private static void component(
+      FileContext file, DocumentElement element, FindingCollector findings) {
     if (!needs(element, findings, "name", "level")) {
       return;
     }
@@ -99,7 +100,10 @@ final class HeadCheck implements FileCheck {
       findings.add(
           HeadRules.COMPONENT,
           name,
-          "there is no component '" + name.text() + "'" + Suggestion.of(name.text(), known));
+          "there is no component '"
+              + name.text()
+              + "'"
+              + SpellingSuggestion.of(name.text(), known));
     }
     DocumentAttribute level = element.attribute("level").orElse(null);
     if (level != null && !level.text().strip().matches("[1-5]")) {
@@ -110,7 +114,7 @@ final class HeadCheck implements FileCheck {
     }
   }
 
-  private static void unit(DocumentElement element, Findings findings) {
+  private static void unit(DocumentElement element, FindingCollector findings) {
     if (needs(element, findings, "category", "name", "conversionFactor")) {
       DocumentAttribute factor = element.attribute("conversionFactor").orElseThrow();
       FieldCheck.value(factor, FieldType.SFDouble, findings);
@@ -125,10 +129,11 @@ final class HeadCheck implements FileCheck {
     }
   }
 
-  private static boolean needs(DocumentElement element, Findings findings, String... attributes) {
+  private static boolean needs(
+      DocumentElement element, FindingCollector findings, String... attributes) {
     for (String attribute : attributes) {
       if (element.attribute(attribute).isEmpty()) {
-        if (Statements.lacks(element, attribute)) {
+        if (StatementAttributes.lacks(element, attribute)) {
           findings.add(HeadRules.INCOMPLETE, element, element.name(), attribute);
         }
         return false;

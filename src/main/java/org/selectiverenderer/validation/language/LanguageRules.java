@@ -2,8 +2,12 @@ package org.selectiverenderer.validation.language;
 
 import java.util.List;
 import java.util.stream.Stream;
+import org.selectiverenderer.validation.FileCheck;
+import org.selectiverenderer.validation.FileContext;
+import org.selectiverenderer.validation.FindingCollector;
 import org.selectiverenderer.validation.Rule;
 import org.selectiverenderer.validation.RuleGroup;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** SR1xx: the X3D language. */
 public final class LanguageRules {
@@ -16,7 +20,7 @@ public final class LanguageRules {
                 FieldRules.ALL,
                 ContainmentRules.ALL,
                 HeadRules.ALL,
-                NameRules.ALL,
+                DefUseRules.ALL,
                 RouteRules.ALL,
                 PrototypeRules.ALL,
                 SequenceRules.ALL)
@@ -26,16 +30,34 @@ public final class LanguageRules {
         "X3D",
         rules,
         List.of(
-            new ElementCheck(),
+            new UnknownElementCheck(),
             new FieldCheck(),
-            new StatementCheck(),
-            new SequenceCheck(),
-            new RangeCheck(),
+            new StatementAttributeCheck(),
+            new KeySequenceCheck(),
+            new FieldRangeCheck(),
             new HeadCheck(),
             new ProfileCheck(),
             new LanguageVersionCheck(),
-            new PlacementCheck(),
-            new ScopeChecks()),
+            new StatementPlacementCheck(),
+            new CompositeCheck()),
         List.of());
+  }
+
+  /** Runs the checks that need the name scopes of a file. */
+  private static final class CompositeCheck implements FileCheck {
+    @Override
+    public void check(FileContext file, FindingCollector findings) {
+      NameScopes scopes = new NameScopes(file);
+      List<NameScopeCheck> checks =
+          List.of(
+              new ContainmentCheck(),
+              new DefUseCheck(),
+              new RouteCheck(),
+              new PrototypeCheck(),
+              new PrototypeConnectCheck());
+      for (DocumentElement element : file.document().elements()) {
+        checks.forEach(check -> check.check(element, scopes, findings));
+      }
+    }
   }
 }

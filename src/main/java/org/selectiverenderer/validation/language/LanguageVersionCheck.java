@@ -10,8 +10,8 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
 import org.selectiverenderer.validation.FileCheck;
-import org.selectiverenderer.validation.FileView;
-import org.selectiverenderer.validation.Findings;
+import org.selectiverenderer.validation.FileContext;
+import org.selectiverenderer.validation.FindingCollector;
 import org.selectiverenderer.x3d.source.DocumentAttribute;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
@@ -43,7 +43,7 @@ final class LanguageVersionCheck implements FileCheck {
   }
 
   @Override
-  public void check(FileView file, Findings findings) {
+  public void check(FileContext file, FindingCollector findings) {
     String version =
         file.document().root().flatMap(root -> root.text("version")).map(String::strip).orElse("");
     if (!HeadCheck.VERSIONS.contains(version) || version.equals(NEWEST)) {

@@ -3,8 +3,8 @@ package org.selectiverenderer.validation.language;
 import java.util.HashMap;
 import java.util.Map;
 import org.selectiverenderer.validation.FileCheck;
-import org.selectiverenderer.validation.FileView;
-import org.selectiverenderer.validation.Findings;
+import org.selectiverenderer.validation.FileContext;
+import org.selectiverenderer.validation.FindingCollector;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
@@ -14,7 +14,7 @@ import org.selectiverenderer.x3d.source.DocumentElement;
  */
 final class ProfileCheck implements FileCheck {
   @Override
-  public void check(FileView file, Findings findings) {
+  public void check(FileContext file, FindingCollector findings) {
     Profile profile =
         file.document()
             .root()

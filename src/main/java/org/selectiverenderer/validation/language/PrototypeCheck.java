@@ -4,16 +4,16 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.validation.Findings;
-import org.selectiverenderer.x3d.catalogue.FieldAccess;
+import org.selectiverenderer.validation.FindingCollector;
+import org.selectiverenderer.x3d.catalogue.AccessType;
 import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.source.DocumentAttribute;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** Checks declarations and instances of prototypes. */
-final class PrototypeCheck implements ScopeCheck {
+final class PrototypeCheck implements NameScopeCheck {
   @Override
-  public void check(DocumentElement element, Scopes scopes, Findings findings) {
+  public void check(DocumentElement element, NameScopes scopes, FindingCollector findings) {
     switch (element.name()) {
       case "ProtoDeclare" -> declaration(element, scopes, findings);
       case "ExternProtoDeclare" -> external(element, scopes, findings);
@@ -25,7 +25,8 @@ final class PrototypeCheck implements ScopeCheck {
     }
   }
 
-  private static void declaration(DocumentElement element, Scopes scopes, Findings findings) {
+  private static void declaration(
+      DocumentElement element, NameScopes scopes, FindingCollector findings) {
     if (element.text("name").orElse("").isBlank()) {
       findings.add(PrototypeRules.DECLARATION, element, "a name");
     }
@@ -37,7 +38,8 @@ final class PrototypeCheck implements ScopeCheck {
   }
 
   /** Reports the faults that the reader found in an external declaration and its fields. */
-  private static void external(DocumentElement element, Scopes scopes, Findings findings) {
+  private static void external(
+      DocumentElement element, NameScopes scopes, FindingCollector findings) {
     for (Problem fault : scopes.file().scene().externFaults()) {
       boolean ofField = element.children().stream().anyMatch(field -> at(fault, field));
       if (ofField || at(fault, element)) {
@@ -50,7 +52,8 @@ final class PrototypeCheck implements ScopeCheck {
     return fault.location().equals(element.location());
   }
 
-  private static void instance(DocumentElement element, Scopes scopes, Findings findings) {
+  private static void instance(
+      DocumentElement element, NameScopes scopes, FindingCollector findings) {
     if (element.attribute("USE").isPresent()) {
       return;
     }
@@ -59,9 +62,10 @@ final class PrototypeCheck implements ScopeCheck {
       findings.add(PrototypeRules.UNKNOWN, element, "''", "");
       return;
     }
-    Prototype prototype = scopes.prototype(name.text().strip(), element).orElse(null);
+    PrototypeDeclaration prototype = scopes.prototype(name.text().strip(), element).orElse(null);
     if (prototype == null) {
-      Suggestion suggestion = Suggestion.of(name.text(), scopes.prototypes(element));
+      SpellingSuggestion suggestion =
+          SpellingSuggestion.of(name.text(), scopes.prototypes(element));
       findings.add(PrototypeRules.UNKNOWN, name, name.text(), suggestion);
       return;
     }
@@ -74,17 +78,18 @@ final class PrototypeCheck implements ScopeCheck {
     values(element, prototype, findings);
   }
 
-  private static void values(DocumentElement instance, Prototype prototype, Findings findings) {
-    Interface fields = prototype.fields();
+  private static void values(
+      DocumentElement instance, PrototypeDeclaration prototype, FindingCollector findings) {
+    FieldInterface fields = prototype.fields();
     boolean unknown = prototype.external() && fields.own().isEmpty();
     for (DocumentElement child : instance.children()) {
       if (!child.name().equals("fieldValue") || unknown) {
         continue;
       }
       String name = child.text("name").orElse("").strip();
-      Interface.Field field = fields.own().get(name);
+      FieldInterface.Field field = fields.own().get(name);
       if (field == null) {
-        Suggestion suggestion = Suggestion.of(name, fields.names());
+        SpellingSuggestion suggestion = SpellingSuggestion.of(name, fields.names());
         findings.add(PrototypeRules.UNKNOWN_FIELD, child, prototype.name(), name, suggestion);
       } else {
         value(child, field.type(), findings);
@@ -92,35 +97,36 @@ final class PrototypeCheck implements ScopeCheck {
     }
   }
 
-  private static void field(DocumentElement element, Findings findings) {
+  private static void field(DocumentElement element, FindingCollector findings) {
     String name = element.text("name").orElse("").strip();
     String type = element.text("type").orElse("");
     String access = element.text("accessType").orElse("");
     for (String needed : List.of("name", "type", "accessType")) {
-      if (element.attribute(needed).isEmpty() && !Statements.lacks(element, needed)) {
+      if (element.attribute(needed).isEmpty() && !StatementAttributes.lacks(element, needed)) {
         return;
       }
     }
     if (name.isEmpty()) {
       findings.add(PrototypeRules.FIELD, element, "a field needs a name");
-    } else if (Interface.type(type).isEmpty()) {
-      Suggestion suggestion =
-          Suggestion.of(type, List.of(FieldType.values()).stream().map(Enum::name).toList());
+    } else if (FieldInterface.type(type).isEmpty()) {
+      SpellingSuggestion suggestion =
+          SpellingSuggestion.of(
+              type, List.of(FieldType.values()).stream().map(Enum::name).toList());
       String fault =
           type.isBlank()
               ? "a field needs a type"
               : "'" + type + "' is not a type of field" + suggestion;
       report(element, "type", fault, findings);
-    } else if (Interface.access(access).isEmpty()) {
+    } else if (FieldInterface.access(access).isEmpty()) {
       report(element, "accessType", accessFault(access.strip()), findings);
     } else {
-      value(element, Interface.type(type).orElseThrow(), findings);
+      value(element, FieldInterface.type(type).orElseThrow(), findings);
     }
   }
 
   /** Reports a fault at an attribute, or at the element if the attribute is missing. */
   private static void report(
-      DocumentElement element, String attribute, String fault, Findings findings) {
+      DocumentElement element, String attribute, String fault, FindingCollector findings) {
     DocumentAttribute at = element.attribute(attribute).orElse(null);
     if (at == null) {
       findings.add(PrototypeRules.FIELD, element, fault);
@@ -144,13 +150,13 @@ final class PrototypeCheck implements ScopeCheck {
         };
     Object hint =
         now.isEmpty()
-            ? Suggestion.of(
-                access, Stream.of(FieldAccess.values()).map(FieldAccess::spelling).toList())
+            ? SpellingSuggestion.of(
+                access, Stream.of(AccessType.values()).map(AccessType::spelling).toList())
             : ", but VRML's word for " + now;
     return "'" + access + "' is not an accessType" + hint;
   }
 
-  private static void value(DocumentElement element, FieldType type, Findings findings) {
+  private static void value(DocumentElement element, FieldType type, FindingCollector findings) {
     DocumentAttribute value = element.attribute("value").orElse(null);
     if (value != null && type.isNode()) {
       if (!value.text().isBlank() && !value.text().strip().equals("NULL")) {

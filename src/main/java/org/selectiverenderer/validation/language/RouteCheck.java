@@ -5,34 +5,35 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.validation.Findings;
+import org.selectiverenderer.validation.FindingCollector;
 import org.selectiverenderer.x3d.source.DocumentAttribute;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** Checks the endpoints of routes, their access and their types. One instance serves one file. */
-final class RouteCheck implements ScopeCheck {
+final class RouteCheck implements NameScopeCheck {
   private static final List<String> NEEDED = List.of("fromNode", "fromField", "toNode", "toField");
 
   /** The scope and endpoints of a ROUTE; scopes are compared by identity. */
-  private record Connection(Scopes.Scope scope, List<String> ends) {}
+  private record Connection(NameScopes.Scope scope, List<String> ends) {}
 
   private final Set<Connection> seen = new HashSet<>();
 
   @Override
-  public void check(DocumentElement element, Scopes scopes, Findings findings) {
+  public void check(DocumentElement element, NameScopes scopes, FindingCollector findings) {
     if (!element.name().equals("ROUTE")) {
       return;
     }
     for (String attribute : NEEDED) {
       if (element.text(attribute).orElse("").isBlank()) {
-        if (element.attribute(attribute).isPresent() || Statements.lacks(element, attribute)) {
+        if (element.attribute(attribute).isPresent()
+            || StatementAttributes.lacks(element, attribute)) {
           findings.add(RouteRules.INCOMPLETE, element, attribute);
         }
         return;
       }
     }
-    Interface.Field from = end(element, "from", false, scopes, findings);
-    Interface.Field to = end(element, "to", true, scopes, findings);
+    FieldInterface.Field from = end(element, "from", false, scopes, findings);
+    FieldInterface.Field to = end(element, "to", true, scopes, findings);
     if (from != null && to != null && from.type() != to.type()) {
       findings.add(
           RouteRules.TYPES,
@@ -46,26 +47,30 @@ final class RouteCheck implements ScopeCheck {
   }
 
   /** Returns the field at an end; null if it does not exist or cannot be determined. */
-  private static Interface.@Nullable Field end(
-      DocumentElement route, String end, boolean input, Scopes scopes, Findings findings) {
+  private static FieldInterface.@Nullable Field end(
+      DocumentElement route,
+      String end,
+      boolean input,
+      NameScopes scopes,
+      FindingCollector findings) {
     DocumentAttribute node = route.attribute(end + "Node").orElseThrow();
     DocumentAttribute field = route.attribute(end + "Field").orElseThrow();
     DocumentElement named = scopes.named(node.text(), route).orElse(null);
     if (named == null) {
-      Scopes.Scope scope = scopes.of(route);
+      NameScopes.Scope scope = scopes.of(route);
       if (!scope.imported.contains(node.text())) {
-        Suggestion suggestion = Suggestion.of(node.text(), scope.names.keySet());
+        SpellingSuggestion suggestion = SpellingSuggestion.of(node.text(), scope.names.keySet());
         findings.add(RouteRules.UNKNOWN_NODE, node, node.text(), suggestion);
       }
       return null;
     }
-    Interface fields = scopes.fields(named).orElse(null);
+    FieldInterface fields = scopes.fields(named).orElse(null);
     if (fields == null) {
       return null;
     }
-    Optional<Interface.Field> found = fields.event(field.text(), input);
+    Optional<FieldInterface.Field> found = fields.event(field.text(), input);
     if (found.isEmpty()) {
-      Suggestion suggestion = Suggestion.of(field.text(), fields.names());
+      SpellingSuggestion suggestion = SpellingSuggestion.of(field.text(), fields.names());
       findings.add(RouteRules.UNKNOWN_FIELD, field, fields.owner(), field.text(), suggestion);
       return null;
     }
@@ -87,7 +92,7 @@ final class RouteCheck implements ScopeCheck {
     return route.text(end + "Node").orElse("") + "." + route.text(end + "Field").orElse("");
   }
 
-  private void repeated(DocumentElement route, Scopes scopes, Findings findings) {
+  private void repeated(DocumentElement route, NameScopes scopes, FindingCollector findings) {
     Connection connection =
         new Connection(
             scopes.of(route), NEEDED.stream().map(name -> route.text(name).orElse("")).toList());

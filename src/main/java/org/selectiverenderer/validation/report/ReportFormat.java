@@ -2,20 +2,20 @@ package org.selectiverenderer.validation.report;
 
 import java.util.function.BiFunction;
 import org.selectiverenderer.base.problem.Problem.Severity;
-import org.selectiverenderer.validation.Report;
+import org.selectiverenderer.validation.ValidationReport;
 
 /** The report formats of {@code --format}. */
 public enum ReportFormat {
   /** Plain text for people. */
-  TEXT((report, style) -> new TextReport(style.colours()).of(report)),
+  TEXT((report, style) -> new TextReportWriter(style.colours()).of(report)),
   /** JSON for programs; the schema is {@code report.schema.json} beside this class. */
-  JSON((report, style) -> JsonReport.of(report)),
+  JSON((report, style) -> JsonReportWriter.of(report)),
   /** SARIF 2.1.0, for code scanning services. */
-  SARIF((report, style) -> SarifReport.of(report, style)),
+  SARIF((report, style) -> SarifReportWriter.of(report, style)),
   /** JUnit XML, for CI systems that show test results. */
-  JUNIT((report, style) -> JunitReport.of(report, style.failOn())),
+  JUNIT((report, style) -> JunitReportWriter.of(report, style.failOn())),
   /** Annotations of GitHub Actions. */
-  GITHUB((report, style) -> GithubReport.of(report));
+  GITHUB((report, style) -> GithubReportWriter.of(report));
 
   /**
    * Parameters that some formats need besides the report.
@@ -26,14 +26,14 @@ public enum ReportFormat {
    */
   public record Style(boolean colours, Severity failOn, String version) {}
 
-  private final BiFunction<Report, Style, String> writer;
+  private final BiFunction<ValidationReport, Style, String> writer;
 
-  ReportFormat(BiFunction<Report, Style, String> writer) {
+  ReportFormat(BiFunction<ValidationReport, Style, String> writer) {
     this.writer = writer;
   }
 
   /** Returns the report as text; its last line is terminated. */
-  public String write(Report report, Style style) {
+  public String write(ValidationReport report, Style style) {
     return writer.apply(report, style);
   }
 }

@@ -2,7 +2,7 @@ package org.selectiverenderer.validation.run;
 
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.geometry.tessellate.Tessellator;
 import org.selectiverenderer.validation.GeometryMeasure;
 import org.selectiverenderer.x3d.catalogue.NodeView;
@@ -34,7 +34,7 @@ final class GeometryMeasurer {
       return Optional.of(counted);
     }
     return tessellator
-        .tessellate(geometry, new Problems())
+        .tessellate(geometry, new ProblemCollector())
         .map(
             mesh -> new GeometryMeasure(mesh.polygons(), mesh.isEmpty() ? NOTHING : mesh.bounds()));
   }

@@ -5,9 +5,9 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.validation.IgnoreComment;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.validation.Rule;
+import org.selectiverenderer.validation.SuppressionComment;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.XmlDocument;
 
@@ -25,8 +25,8 @@ final class Suppressions {
    *     null if there is none
    */
   private record Suppression(
-      Set<String> ids, Location from, Location to, @Nullable Suppression outer) {
-    boolean holds(Location at) {
+      Set<String> ids, SourceLocation from, SourceLocation to, @Nullable Suppression outer) {
+    boolean holds(SourceLocation at) {
       return !before(at, from) && !before(to, at);
     }
   }
@@ -49,7 +49,7 @@ final class Suppressions {
     List<Suppression> list = new ArrayList<>();
     Suppression last = null;
     for (XmlDocument.Comment comment : document.comments()) {
-      IgnoreComment ignoring = IgnoreComment.of(comment).orElse(null);
+      SuppressionComment ignoring = SuppressionComment.of(comment).orElse(null);
       DocumentElement element = comment.before();
       if (ignoring == null || element == null) {
         continue;
@@ -60,11 +60,11 @@ final class Suppressions {
         whole.addAll(ids);
         continue;
       }
-      Location from = element.location();
-      Location to =
+      SourceLocation from = element.location();
+      SourceLocation to =
           element
               .last()
-              .orElse(new Location(document.name(), Integer.MAX_VALUE, Integer.MAX_VALUE));
+              .orElse(new SourceLocation(document.name(), Integer.MAX_VALUE, Integer.MAX_VALUE));
       while (last != null && !last.holds(from)) {
         last = last.outer;
       }
@@ -74,7 +74,7 @@ final class Suppressions {
     return new Suppressions(whole, list);
   }
 
-  boolean cover(Rule rule, Location at) {
+  boolean cover(Rule rule, SourceLocation at) {
     String id = rule.id();
     if (whole.stream().anyMatch(id::startsWith)) {
       return true;
@@ -91,7 +91,7 @@ final class Suppressions {
    * Returns the last suppression that begins at or before a location, by binary search: they are in
    * document order, and may be many.
    */
-  private @Nullable Suppression lastBefore(Location at) {
+  private @Nullable Suppression lastBefore(SourceLocation at) {
     int low = 0;
     int high = list.size();
     while (low < high) {
@@ -105,7 +105,7 @@ final class Suppressions {
     return low == 0 ? null : list.get(low - 1);
   }
 
-  private static boolean before(Location a, Location b) {
+  private static boolean before(SourceLocation a, SourceLocation b) {
     return a.line() != b.line() ? a.line() < b.line() : a.column() < b.column();
   }
 }

@@ -1,6 +1,7 @@
 package org.selectiverenderer.validation.run;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
@@ -16,19 +17,29 @@ import java.util.Queue;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
+import java.util.stream.Collectors;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.validation.FileCheck;
+import org.selectiverenderer.validation.FileContext;
 import org.selectiverenderer.validation.FileOutline;
 import org.selectiverenderer.validation.Finding;
-import org.selectiverenderer.validation.Findings;
-import org.selectiverenderer.validation.Report;
-import org.selectiverenderer.validation.ReportedNames;
+import org.selectiverenderer.validation.FindingCollector;
+import org.selectiverenderer.validation.ReportFileNames;
+import org.selectiverenderer.validation.Rule;
 import org.selectiverenderer.validation.RunCheck;
 import org.selectiverenderer.validation.SceneCheck;
-import org.selectiverenderer.validation.SceneView;
+import org.selectiverenderer.validation.SceneContext;
 import org.selectiverenderer.validation.SourceFile;
+import org.selectiverenderer.validation.ValidationReport;
 import org.selectiverenderer.validation.ValidationSettings;
-import org.selectiverenderer.x3d.files.ContentRoot;
-import org.selectiverenderer.x3d.files.UrlChoice;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.read.ParsedNode;
+import org.selectiverenderer.x3d.read.PrototypeLibraryLoader;
+import org.selectiverenderer.x3d.read.X3dFile;
+import org.selectiverenderer.x3d.read.X3dReader;
+import org.selectiverenderer.x3d.source.XmlDocument;
+import org.selectiverenderer.x3d.url.UrlResolver;
+import org.selectiverenderer.x3d.url.UrlSelection;
 
 /**
  * One run of the validator: starts to check each file as soon as a scene refers to it, then checks
@@ -38,12 +49,12 @@ final class ValidationRun {
   /** A scene while its files are being checked. */
   private record Scene(
       FileOutline main,
-      ContentRoot root,
+      UrlResolver root,
       Map<ParsedNode, FileOutline> contents,
       Set<FileOutline> followed) {}
 
   /** A file of a scene that is being checked, and the Inline that names it. */
-  private record Pending(Scene scene, ParsedNode inline, CompletableFuture<FileResult> file) {}
+  private record Pending(Scene scene, ParsedNode inline, CompletableFuture<FileCheckResult> file) {}
 
   private final ValidationSettings settings;
   private final Path base;
@@ -51,7 +62,7 @@ final class ValidationRun {
   private final FileChecker checker;
   private final List<SceneCheck> sceneChecks;
   private final List<RunCheck> runChecks;
-  private final Map<String, CompletableFuture<FileResult>> started = new LinkedHashMap<>();
+  private final Map<String, CompletableFuture<FileCheckResult>> started = new LinkedHashMap<>();
   private final Queue<Pending> pending = new ArrayDeque<>();
 
   ValidationRun(RuleCatalogue rules, ValidationSettings settings, Path base, Executor executor) {
@@ -64,19 +75,19 @@ final class ValidationRun {
     this.runChecks = rules.groups().stream().flatMap(group -> group.runChecks().stream()).toList();
   }
 
-  Report validate(List<SourceFile> files) {
-    Map<SourceFile, ContentRoot> roots = new LinkedHashMap<>();
-    files.forEach(file -> roots.put(file, new ContentRoot(file.folder(), settings.access())));
-    List<CompletableFuture<FileResult>> mains =
+  ValidationReport validate(List<SourceFile> files) {
+    Map<SourceFile, UrlResolver> roots = new LinkedHashMap<>();
+    files.forEach(file -> roots.put(file, new UrlResolver(file.folder(), settings.access())));
+    List<CompletableFuture<FileCheckResult>> mains =
         roots.entrySet().stream().map(file -> start(file.getKey(), file.getValue())).toList();
     List<Scene> scenes = new ArrayList<>();
-    for (CompletableFuture<FileResult> main : new LinkedHashSet<>(mains)) {
+    for (CompletableFuture<FileCheckResult> main : new LinkedHashSet<>(mains)) {
       FileOutline outline = main.join().outline();
       Scene scene =
           new Scene(
               outline,
               roots.getOrDefault(
-                  outline.file(), new ContentRoot(outline.file().folder(), settings.access())),
+                  outline.file(), new UrlResolver(outline.file().folder(), settings.access())),
               new IdentityHashMap<>(),
               Collections.newSetFromMap(new IdentityHashMap<>()));
       scenes.add(scene);
@@ -91,12 +102,12 @@ final class ValidationRun {
   }
 
   /** Starts to check a file, unless another scene has requested it already. */
-  private CompletableFuture<FileResult> start(SourceFile file, ContentRoot root) {
+  private CompletableFuture<FileCheckResult> start(SourceFile file, UrlResolver root) {
     return started.computeIfAbsent(
         file.key(), key -> CompletableFuture.supplyAsync(() -> check(file, root), executor));
   }
 
-  private FileResult check(SourceFile file, ContentRoot root) {
+  private FileCheckResult check(SourceFile file, UrlResolver root) {
     try {
       return checker.check(file, root);
     } catch (IOException e) {
@@ -111,8 +122,8 @@ final class ValidationRun {
     }
     for (ParsedNode node : outline.nodes()) {
       if (node.type().name().equals("Inline")
-          && UrlChoice.of(node, scene.root, node.base(outline.file().base()), "")
-              instanceof UrlChoice.Found found
+          && UrlSelection.of(node, scene.root, node.base(outline.file().base()), "")
+              instanceof UrlSelection.Found found
           && found.content().file().map(java.nio.file.Files::isReadable).orElse(true)) {
         pending.add(
             new Pending(scene, node, start(SourceFile.of(found.content(), base), scene.root)));
@@ -120,46 +131,46 @@ final class ValidationRun {
     }
   }
 
-  private Report report(List<Scene> scenes) {
+  private ValidationReport report(List<Scene> scenes) {
     // A file of several scenes contributes its findings once.
     Set<Finding> all = new HashSet<>();
     int dropped = 0;
     Map<String, Suppressions> suppressions = new LinkedHashMap<>();
     List<SourceFile> files = new ArrayList<>();
-    for (CompletableFuture<FileResult> file : started.values()) {
-      FileResult result = file.join();
+    for (CompletableFuture<FileCheckResult> file : started.values()) {
+      FileCheckResult result = file.join();
       all.addAll(result.findings());
       dropped += result.dropped();
       suppressions.put(result.outline().file().name(), result.suppressions());
       files.add(result.outline().file());
     }
     Set<Scene> parts = parts(scenes);
-    WantedFindings wanted = new WantedFindings(settings, suppressions);
-    List<CompletableFuture<Findings>> checking =
+    FindingFilter wanted = new FindingFilter(settings, suppressions);
+    List<CompletableFuture<FindingCollector>> checking =
         scenes.stream()
             .map(
                 scene ->
                     CompletableFuture.supplyAsync(
                         () -> check(view(scene, parts), wanted), executor))
             .toList();
-    for (CompletableFuture<Findings> scene : checking) {
+    for (CompletableFuture<FindingCollector> scene : checking) {
       all.addAll(scene.join().list());
       dropped += scene.join().dropped();
     }
-    Findings ofRun = new Findings(wanted);
+    FindingCollector ofRun = new FindingCollector(wanted);
     Path file = settings.file();
     RunCheck.Settings given =
-        new RunCheck.Settings(settings, file == null ? "" : ReportedNames.relative(file, base));
-    List<SceneView> views = scenes.stream().map(scene -> view(scene, parts)).toList();
+        new RunCheck.Settings(settings, file == null ? "" : ReportFileNames.relative(file, base));
+    List<SceneContext> views = scenes.stream().map(scene -> view(scene, parts)).toList();
     runChecks.forEach(check -> check.check(views, given, ofRun));
     all.addAll(ofRun.list());
     List<Finding> weighed =
         all.stream().map(finding -> finding.with(settings.severity(finding.rule()))).toList();
-    return Report.of(files, weighed, dropped);
+    return ValidationReport.of(files, weighed, dropped);
   }
 
-  private Findings check(SceneView view, WantedFindings wanted) {
-    Findings findings = new Findings(wanted);
+  private FindingCollector check(SceneContext view, FindingFilter wanted) {
+    FindingCollector findings = new FindingCollector(wanted);
     sceneChecks.forEach(check -> check.check(view, findings));
     return findings;
   }
@@ -182,7 +193,53 @@ final class ValidationRun {
     return parts;
   }
 
-  private SceneView view(Scene scene, Set<Scene> parts) {
-    return new SceneView(scene.main, scene.root, scene.contents, parts.contains(scene), settings);
+  private SceneContext view(Scene scene, Set<Scene> parts) {
+    return new SceneContext(
+        scene.main, scene.root, scene.contents, parts.contains(scene), settings);
+  }
+
+  /** Parses a file and runs the checks that need no other file. Thread-safe. */
+  private static final class FileChecker {
+    private final NodeCatalogue catalogue = NodeCatalogue.load();
+    private final X3dReader reader = new X3dReader(catalogue);
+    private final FileOutlineBuilder outliner = new FileOutlineBuilder();
+    private final List<FileCheck> checks;
+    private final Set<String> ids;
+    private final ValidationSettings settings;
+
+    FileChecker(RuleCatalogue rules, ValidationSettings settings) {
+      this.settings = settings;
+      checks = rules.groups().stream().flatMap(group -> group.fileChecks().stream()).toList();
+      ids = rules.rules().stream().map(Rule::id).collect(Collectors.toSet());
+    }
+
+    /**
+     * Checks a file.
+     *
+     * @param root decides which files it may refer to
+     * @throws IOException if it cannot be read
+     */
+    FileCheckResult check(SourceFile file, UrlResolver root) throws IOException {
+      long size = file.size();
+      XmlDocument document;
+      try (InputStream in = file.open()) {
+        document = reader.document(file.name(), in, size);
+      }
+      // Problems that the reader reports are ignored, since the checks report them.
+      X3dFile scene =
+          reader
+              .with(new PrototypeLibraryLoader(reader, root), file.base())
+              .scene(document, new ProblemCollector());
+      Suppressions suppressions = Suppressions.of(document, ids);
+      FindingCollector findings =
+          new FindingCollector(new FindingFilter(settings, Map.of(document.name(), suppressions)));
+      FileContext view = new FileContext(catalogue, document, scene, ids);
+      checks.forEach(check -> check.check(view, findings));
+      return new FileCheckResult(
+          outliner.outline(file, size, document, scene),
+          findings.list(),
+          findings.dropped(),
+          suppressions);
+    }
   }
 }

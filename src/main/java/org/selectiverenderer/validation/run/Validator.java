@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
-import org.selectiverenderer.validation.Report;
 import org.selectiverenderer.validation.SourceFile;
+import org.selectiverenderer.validation.ValidationReport;
 import org.selectiverenderer.validation.ValidationSettings;
 
 /** Checks scenes with all that they inline, on all processors. */
@@ -37,7 +37,7 @@ public final class Validator {
    *
    * @throws IOException if one of them cannot be read; a file that an Inline names may be missing
    */
-  public Report validate(List<SourceFile> files) throws IOException {
+  public ValidationReport validate(List<SourceFile> files) throws IOException {
     ExecutorService executor =
         Executors.newFixedThreadPool(
             Runtime.getRuntime().availableProcessors(),

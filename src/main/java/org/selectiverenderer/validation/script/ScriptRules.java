@@ -58,7 +58,7 @@ public final class ScriptRules {
     return new RuleGroup(
         "Scripts",
         List.of(SYNTAX, NO_FUNCTION, TWICE, LANGUAGE),
-        List.of(new TextProgramCheck(), new FieldNameCheck()),
-        List.of(new FileProgramCheck()));
+        List.of(new EmbeddedProgramCheck(), new DuplicateFieldCheck()),
+        List.of(new ExternalProgramCheck()));
   }
 }

@@ -7,7 +7,7 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
 import org.selectiverenderer.base.json.JsonTree;
-import org.selectiverenderer.validation.Report;
+import org.selectiverenderer.validation.ValidationReport;
 
 /**
  * A baseline: the findings of an earlier run, read from its JSON report, which are not reported
@@ -51,9 +51,9 @@ public final class Baseline {
   }
 
   /** Returns the report without the findings of the baseline. */
-  public Report without(Report report) {
+  public ValidationReport without(ValidationReport report) {
     Map<Key, Integer> left = new HashMap<>(known);
-    return new Report(
+    return new ValidationReport(
         report.files(),
         report.findings().stream()
             .filter(

@@ -151,7 +151,11 @@ public final class XmlRules {
             NAME_OF_COMPRESSED,
             COMMENT,
             TEXT),
-        List.of(new FaultCheck(), new PrologCheck(), new CommentCheck(), new TextCheck()),
+        List.of(
+            new ParseFaultCheck(),
+            new PrologCheck(),
+            new SuppressionCommentCheck(),
+            new StrayTextCheck()),
         List.of());
   }
 }

@@ -1,7 +1,7 @@
 /**
  * Rules of the file and its XML, SR0xx: encoding, well-formedness, prolog and comments.
  *
- * <p>In: {@code FileView}. Out: findings. Uses {@code validation}, {@code x3d} and {@code
+ * <p>In: {@code FileContext}. Out: findings. Uses {@code validation}, {@code x3d} and {@code
  * base.problem}.
  */
 @NullMarked

@@ -20,7 +20,7 @@ public record FieldDefinition(
     int index,
     String name,
     FieldType type,
-    FieldAccess access,
+    AccessType access,
     String defaultText,
     String min,
     String max,
@@ -33,7 +33,7 @@ public record FieldDefinition(
    *
    * @param index the index among the fields of the node's own type
    */
-  public static FieldDefinition own(int index, String name, FieldType type, FieldAccess access) {
+  public static FieldDefinition own(int index, String name, FieldType type, AccessType access) {
     return new FieldDefinition(
         index, name, type, access, "", "", "", List.of(), List.of(), type.zero());
   }

@@ -70,7 +70,7 @@ final class FieldTable {
         index,
         once(cells[1]),
         type,
-        FieldAccess.of(cells[3]),
+        AccessType.of(cells[3]),
         once(cells[4]),
         once(cells[5]),
         once(cells[6]),

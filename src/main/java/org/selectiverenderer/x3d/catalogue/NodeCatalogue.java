@@ -15,7 +15,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.concurrent.ConcurrentHashMap;
-import org.selectiverenderer.base.problem.Spelling;
+import org.selectiverenderer.base.problem.SpellingSuggester;
 
 /**
  * The catalogue of all concrete node types, read from four resources: the nodes and fields of X3D
@@ -93,7 +93,7 @@ public final class NodeCatalogue {
 
   /** Returns the node type name most similar to an unknown one, if any. */
   public Optional<String> suggestion(String name) {
-    return Spelling.nearest(name, rows.keySet());
+    return SpellingSuggester.nearest(name, rows.keySet());
   }
 
   private Optional<NodeType> make(String name) {

@@ -2,7 +2,7 @@ package org.selectiverenderer.x3d.catalogue;
 
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
 /**
@@ -17,7 +17,7 @@ public interface NodeView {
   @Nullable String name();
 
   /** Returns where the node was read. */
-  Location location();
+  SourceLocation location();
 
   /** Returns the value of a field, or its default, by its index in {@link NodeType#fields()}. */
   @Nullable Object value(int field);

@@ -1,5 +1,7 @@
 package org.selectiverenderer.x3d.field;
 
+import ch.randelshofer.fastdoubleparser.JavaDoubleParser;
+import java.util.Arrays;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Problem;
@@ -36,7 +38,7 @@ public final class FieldParser {
    * @throws IllegalArgumentException for SFNode and MFNode, which text cannot express
    */
   public Parsed parse(FieldType type, String text) {
-    Flaws flaws = new Flaws();
+    FieldParseErrors flaws = new FieldParseErrors();
     Object value = parse(type, text, flaws);
     return new Parsed(value, flaws.list());
   }
@@ -45,7 +47,7 @@ public final class FieldParser {
    * Parses a value to its representation by {@link FieldType}, or null; errors go to {@code flaws}.
    */
   @Nullable
-  public Object parse(FieldType type, String text, Flaws flaws) {
+  public Object parse(FieldType type, String text, FieldParseErrors flaws) {
     if (type.kind() == FieldType.Kind.STRING) {
       return type.multiple() ? StringScanner.strings(text, flaws) : text;
     }
@@ -54,7 +56,7 @@ public final class FieldParser {
 
   /** Parses a value, not of strings, in a part of a buffer; offsets count from {@code start}. */
   @Nullable
-  public Object parse(FieldType type, char[] text, int start, int end, Flaws flaws) {
+  public Object parse(FieldType type, char[] text, int start, int end, FieldParseErrors flaws) {
     return switch (type.kind()) {
       case FLOAT -> {
         int length = tuples(type, floats.scan(text, start, end, flaws), text, start, end, flaws);
@@ -71,7 +73,7 @@ public final class FieldParser {
       case INT -> {
         int found = ints.scan(text, start, end, flaws);
         if (type.components() == 0) {
-          yield ImageCheck.check(ints.copy(found), type.multiple(), flaws);
+          yield ImageValidator.check(ints.copy(found), type.multiple(), flaws);
         }
         int length = tuples(type, found, text, start, end, flaws);
         yield type.multiple() ? ints.copy(length) : length == 0 ? null : (Object) ints.first();
@@ -84,13 +86,13 @@ public final class FieldParser {
 
   /** Returns how many of the numbers form complete tuples, or the one tuple of a single value. */
   private static int tuples(
-      FieldType type, int found, char[] text, int start, int end, Flaws flaws) {
+      FieldType type, int found, char[] text, int start, int end, FieldParseErrors flaws) {
     int size = type.components();
     if (type.multiple()) {
       int over = found % size;
       if (over != 0) {
         flaws.error(
-            Tokens.offset(text, start, end, found - over),
+            FieldTokenizer.offset(text, start, end, found - over),
             "the last value has only "
                 + over
                 + " of its "
@@ -101,7 +103,7 @@ public final class FieldParser {
     }
     if (found > size) {
       flaws.error(
-          Tokens.offset(text, start, end, size),
+          FieldTokenizer.offset(text, start, end, size),
           size == 1
               ? "only one number is needed here; the rest is left out"
               : size + " numbers are needed here; the rest is left out");
@@ -118,8 +120,8 @@ public final class FieldParser {
   }
 
   private static @Nullable Object booleans(
-      FieldType type, char[] text, int start, int end, Flaws flaws) {
-    int count = Tokens.count(text, start, end);
+      FieldType type, char[] text, int start, int end, FieldParseErrors flaws) {
+    int count = FieldTokenizer.count(text, start, end);
     if (!type.multiple() && count != 1) {
       flaws.error(0, "either true or false is needed here; the default is used");
       return null;
@@ -127,23 +129,63 @@ public final class FieldParser {
     boolean[] values = new boolean[count];
     int at = start;
     for (int i = 0; i < count; i++) {
-      at = Tokens.skipSeparators(text, at, end);
-      int stop = Tokens.skipWord(text, at, end);
+      at = FieldTokenizer.skipSeparators(text, at, end);
+      int stop = FieldTokenizer.skipWord(text, at, end);
       String word = new String(text, at, stop - at);
       values[i] = word.equalsIgnoreCase("true");
       if (!word.equals("true") && !word.equals("false")) {
         if (values[i] || word.equalsIgnoreCase("false")) {
           flaws.warning(at - start, "'" + word + "' must be written in lower case in X3D");
         } else if (type.multiple()) {
-          flaws.error(at - start, Tokens.quote(word) + " is neither true nor false; false is used");
+          flaws.error(
+              at - start, FieldTokenizer.quote(word) + " is neither true nor false; false is used");
         } else {
           flaws.error(
-              at - start, Tokens.quote(word) + " is neither true nor false; the default is used");
+              at - start,
+              FieldTokenizer.quote(word) + " is neither true nor false; the default is used");
           return null;
         }
       }
       at = stop;
     }
     return type.multiple() ? values : (Object) values[0];
+  }
+
+  /** Reads doubles, correctly rounded; not optimized, since they are rare in scenes. */
+  private static final class DoubleScanner extends NumberScanner {
+    private double[] values;
+
+    DoubleScanner() {
+      super(16);
+      values = new double[16];
+    }
+
+    double first() {
+      return values[0];
+    }
+
+    double[] copy(int length) {
+      return Arrays.copyOf(values, length);
+    }
+
+    @Override
+    void grow(int wanted) {
+      values = Arrays.copyOf(values, wanted);
+    }
+
+    @Override
+    int number(char[] text, int start, int word, int end, int index, FieldParseErrors flaws) {
+      int stop = FieldTokenizer.skipWord(text, word, end);
+      double value = Double.NaN;
+      if (DecimalParser.wellFormed(text, word, stop)) {
+        value = JavaDoubleParser.parseDouble(text, word, stop - word);
+      }
+      if (!Double.isFinite(value)) {
+        flaws.error(word - start, DecimalParser.complaint(text, word, stop));
+        value = 0;
+      }
+      values[index] = value;
+      return stop;
+    }
   }
 }

@@ -43,7 +43,7 @@ final class FloatScanner extends NumberScanner {
   }
 
   @Override
-  int number(char[] text, int start, int word, int end, int index, Flaws flaws) {
+  int number(char[] text, int start, int word, int end, int index, FieldParseErrors flaws) {
     int at = word;
     boolean negative = text[at] == '-';
     if (negative || text[at] == '+') {
@@ -68,7 +68,7 @@ final class FloatScanner extends NumberScanner {
       scale = at - point;
       digits += scale;
     }
-    if ((at == end || Tokens.separates(text[at]))
+    if ((at == end || FieldTokenizer.separates(text[at]))
         && number <= FLOAT_DIGITS
         && scale <= 10
         && digits <= 18
@@ -77,17 +77,24 @@ final class FloatScanner extends NumberScanner {
       values[index] = negative ? -value : value;
       return at;
     }
-    at = Tokens.skipWord(text, word, end);
+    at = FieldTokenizer.skipWord(text, word, end);
     values[index] = rare(text, start, word, at, number, digits, scale, flaws);
     return at;
   }
 
   /** Parses a number that is long, has an exponent or is invalid. */
   private static float rare(
-      char[] text, int start, int word, int end, long number, int digits, int scale, Flaws flaws) {
-    boolean wellFormed = DecimalScan.wellFormed(text, word, end);
+      char[] text,
+      int start,
+      int word,
+      int end,
+      long number,
+      int digits,
+      int scale,
+      FieldParseErrors flaws) {
+    boolean wellFormed = DecimalParser.wellFormed(text, word, end);
     if (wellFormed && digits <= 18 && number > 0 && number <= DOUBLE_DIGITS) {
-      double value = DecimalScan.exact(text, word, end, number, scale);
+      double value = DecimalParser.exact(text, word, end, number, scale);
       long bits = Double.doubleToRawLongBits(value);
       if (Math.abs(value) >= Float.MIN_NORMAL
           && Math.abs(value) < 1e38
@@ -101,7 +108,7 @@ final class FloatScanner extends NumberScanner {
         return value;
       }
     }
-    flaws.error(word - start, DecimalScan.complaint(text, word, end));
+    flaws.error(word - start, DecimalParser.complaint(text, word, end));
     return 0;
   }
 }

@@ -25,7 +25,7 @@ final class IntScanner extends NumberScanner {
   }
 
   @Override
-  int number(char[] text, int start, int word, int end, int index, Flaws flaws) {
+  int number(char[] text, int start, int word, int end, int index, FieldParseErrors flaws) {
     int at = word;
     boolean negative = text[at] == '-';
     if (negative || text[at] == '+') {
@@ -40,37 +40,39 @@ final class IntScanner extends NumberScanner {
     }
     int digits = at - from;
     // nine digits never overflow
-    if (digits > 0 && digits <= 9 && (at == end || Tokens.separates(text[at]))) {
+    if (digits > 0 && digits <= 9 && (at == end || FieldTokenizer.separates(text[at]))) {
       values[index] = negative ? -number : number;
       return at;
     }
-    at = Tokens.skipWord(text, word, end);
+    at = FieldTokenizer.skipWord(text, word, end);
     values[index] = rare(text, start, word, at, flaws);
     return at;
   }
 
-  private static int rare(char[] text, int start, int word, int end, Flaws flaws) {
+  private static int rare(char[] text, int start, int word, int end, FieldParseErrors flaws) {
     String shown = new String(text, word, Math.min(end - word, 100));
     if (hexadecimal(shown)) {
       return Integer.parseUnsignedInt(shown, 2, shown.length(), 16);
     }
-    if (DecimalScan.wellFormed(text, word, end)) {
+    if (DecimalParser.wellFormed(text, word, end)) {
       double value = end - word <= 100 ? Double.parseDouble(shown) : Double.POSITIVE_INFINITY;
       boolean fits = value >= Integer.MIN_VALUE && value <= Integer.MAX_VALUE;
       if (!fits) {
         flaws.error(
-            word - start, Tokens.quote(shown) + " does not fit into 32 bits; 0 is used instead");
+            word - start,
+            FieldTokenizer.quote(shown) + " does not fit into 32 bits; 0 is used instead");
         return 0;
       }
       // every 32-bit integer is an exact double
       if (value != Math.rint(value) || shown.indexOf('.') >= 0) {
         flaws.error(
             word - start,
-            Tokens.quote(shown) + " is not a whole number; " + (int) value + " is used");
+            FieldTokenizer.quote(shown) + " is not a whole number; " + (int) value + " is used");
       }
       return (int) value;
     }
-    flaws.error(word - start, Tokens.quote(shown) + " is not a whole number; 0 is used instead");
+    flaws.error(
+        word - start, FieldTokenizer.quote(shown) + " is not a whole number; 0 is used instead");
     return 0;
   }
 

@@ -14,11 +14,11 @@ abstract class NumberScanner {
   }
 
   /** Reads all numbers and returns how many there are. */
-  final int scan(char[] text, int start, int end, Flaws flaws) {
+  final int scan(char[] text, int start, int end, FieldParseErrors flaws) {
     int count = 0;
-    for (int at = Tokens.skipSeparators(text, start, end);
+    for (int at = FieldTokenizer.skipSeparators(text, start, end);
         at < end;
-        at = Tokens.skipSeparators(text, at, end)) {
+        at = FieldTokenizer.skipSeparators(text, at, end)) {
       if (count == capacity) {
         capacity *= 2;
         grow(capacity);
@@ -40,5 +40,5 @@ abstract class NumberScanner {
    * @param end the offset after the value
    * @param index the index in the buffer
    */
-  abstract int number(char[] text, int start, int word, int end, int index, Flaws flaws);
+  abstract int number(char[] text, int start, int word, int end, int index, FieldParseErrors flaws);
 }

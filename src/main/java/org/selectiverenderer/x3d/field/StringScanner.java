@@ -9,7 +9,7 @@ final class StringScanner {
 
   private StringScanner() {}
 
-  static String[] strings(String text, Flaws flaws) {
+  static String[] strings(String text, FieldParseErrors flaws) {
     int at = skip(text, 0);
     if (at == text.length()) {
       return NONE;
@@ -37,11 +37,12 @@ final class StringScanner {
         int end = at;
         while (end < text.length()
             && text.charAt(end) != '"'
-            && !Tokens.separates(text.charAt(end))) {
+            && !FieldTokenizer.separates(text.charAt(end))) {
           end++;
         }
         String word = text.substring(at, end);
-        flaws.warning(at, Tokens.quote(word) + " is outside of quotes; it is used as a string");
+        flaws.warning(
+            at, FieldTokenizer.quote(word) + " is outside of quotes; it is used as a string");
         strings.add(word);
         at = end;
       }
@@ -66,7 +67,7 @@ final class StringScanner {
   }
 
   private static int skip(String text, int at) {
-    while (at < text.length() && Tokens.separates(text.charAt(at))) {
+    while (at < text.length() && FieldTokenizer.separates(text.charAt(at))) {
       at++;
     }
     return at;

@@ -4,14 +4,14 @@ import com.fasterxml.jackson.core.JsonToken;
 import java.util.ArrayList;
 import java.util.List;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.field.FieldTokenizer;
 import org.selectiverenderer.x3d.field.FieldType;
-import org.selectiverenderer.x3d.field.Tokens;
-import org.selectiverenderer.x3d.source.DocumentBuilder;
+import org.selectiverenderer.x3d.source.ElementTreeBuilder;
 import org.selectiverenderer.x3d.source.ValueCleaner;
-import org.selectiverenderer.x3d.source.XmlFault;
+import org.selectiverenderer.x3d.source.XmlParseException;
 
 /** Parses a scene in the JSON encoding to nested elements. */
-public final class X3dJsonParser implements DocumentBuilder.Parser {
+public final class X3dJsonParser implements ElementTreeBuilder.Parser {
   private final NodeCatalogue catalogue;
 
   /** Creates a parser for the node types of a catalogue. */
@@ -32,15 +32,16 @@ public final class X3dJsonParser implements DocumentBuilder.Parser {
   }
 
   @Override
-  public void parse(DocumentBuilder document) throws XmlFault {
-    try (JsonTokens tokens = new JsonTokens(document)) {
+  public void parse(ElementTreeBuilder document) throws XmlParseException {
+    try (JsonTokenReader tokens = new JsonTokenReader(document)) {
       new Reading(document, tokens, catalogue).file();
     }
   }
 
   /** The parsing of one file. */
-  private record Reading(DocumentBuilder document, JsonTokens tokens, NodeCatalogue catalogue) {
-    void file() throws XmlFault {
+  private record Reading(
+      ElementTreeBuilder document, JsonTokenReader tokens, NodeCatalogue catalogue) {
+    void file() throws XmlParseException {
       tokens.next();
       boolean found = false;
       while (tokens.next() == JsonToken.FIELD_NAME) {
@@ -69,9 +70,9 @@ public final class X3dJsonParser implements DocumentBuilder.Parser {
      * @param at the offset of the element's name
      * @param field the field of the parent that contains it; empty if unspecified
      */
-    private void element(String name, int at, String field) throws XmlFault {
+    private void element(String name, int at, String field) throws XmlParseException {
       document.open(name, null, null, at, tokens.start() + 1);
-      if (!field.isEmpty() && !JsonStatement.is(name)) {
+      if (!field.isEmpty() && !Statements.is(name)) {
         document.container(field, at);
       }
       boolean node = catalogue.find(name).isPresent();
@@ -84,7 +85,8 @@ public final class X3dJsonParser implements DocumentBuilder.Parser {
       document.close(tokens.start() + 1);
     }
 
-    private void member(String element, boolean node, String member, int at) throws XmlFault {
+    private void member(String element, boolean node, String member, int at)
+        throws XmlParseException {
       String rest = member.isEmpty() ? "" : member.substring(1);
       switch (member.isEmpty() ? ' ' : member.charAt(0)) {
         // a prefix denotes another namespace, as in XML
@@ -104,7 +106,7 @@ public final class X3dJsonParser implements DocumentBuilder.Parser {
     }
 
     /** Reads an element, or an array of elements of one name; ignores any other value. */
-    private void elements(String name, int at) throws XmlFault {
+    private void elements(String name, int at) throws XmlParseException {
       if (tokens.now() == JsonToken.START_OBJECT) {
         element(name, at, "");
       } else if (tokens.now() == JsonToken.START_ARRAY) {
@@ -119,7 +121,7 @@ public final class X3dJsonParser implements DocumentBuilder.Parser {
     }
 
     /** Reads the elements in a field: an object of one or more elements, or an array of such. */
-    private void contained(String field, int at) throws XmlFault {
+    private void contained(String field, int at) throws XmlParseException {
       if (tokens.now() == JsonToken.START_ARRAY) {
         while (tokens.next() != JsonToken.END_ARRAY) {
           contained(field, at);
@@ -134,7 +136,7 @@ public final class X3dJsonParser implements DocumentBuilder.Parser {
           } else if (value == JsonToken.START_OBJECT) {
             element(name, start, field);
           } else {
-            throw unexpected("an object {...} of " + Tokens.quote(name));
+            throw unexpected("an object {...} of " + FieldTokenizer.quote(name));
           }
         }
       } else if (tokens.now() != JsonToken.VALUE_NULL) {
@@ -142,18 +144,18 @@ public final class X3dJsonParser implements DocumentBuilder.Parser {
       }
     }
 
-    private XmlFault unexpected(String wanted) {
+    private XmlParseException unexpected(String wanted) {
       return document.fault(tokens.start(), wanted + " must stand here");
     }
 
-    private void attribute(String element, String name, int at) throws XmlFault {
+    private void attribute(String element, String name, int at) throws XmlParseException {
       int from = tokens.start();
       switch (tokens.now()) {
         case VALUE_STRING -> {
           String text = tokens.text();
           boolean whole = several(element, name) && !text.stripLeading().startsWith("\"");
           int to = from + 1 + text.length();
-          document.attribute(name, whole ? Tokens.string(text) : text, at, from + 1, to);
+          document.attribute(name, whole ? FieldTokenizer.string(text) : text, at, from + 1, to);
           name(name, text);
         }
         case VALUE_NUMBER_INT, VALUE_NUMBER_FLOAT, VALUE_TRUE, VALUE_FALSE ->
@@ -162,7 +164,7 @@ public final class X3dJsonParser implements DocumentBuilder.Parser {
         case VALUE_NULL -> {
           // null means that the attribute is absent
         }
-        default -> throw unexpected("the value of " + Tokens.quote(name));
+        default -> throw unexpected("the value of " + FieldTokenizer.quote(name));
       }
     }
 
@@ -182,13 +184,13 @@ public final class X3dJsonParser implements DocumentBuilder.Parser {
           .isPresent();
     }
 
-    private void list(String name, int at, int from) throws XmlFault {
+    private void list(String name, int at, int from) throws XmlParseException {
       JsonToken first = tokens.next();
       if (first == JsonToken.VALUE_STRING) {
         int start = tokens.start();
         StringBuilder all = new StringBuilder();
         for (; tokens.now() != JsonToken.END_ARRAY; tokens.next()) {
-          all.append(all.length() == 0 ? "" : " ").append(Tokens.string(tokens.scalar()));
+          all.append(all.length() == 0 ? "" : " ").append(FieldTokenizer.string(tokens.scalar()));
         }
         document.attribute(name, all.toString(), at, start, tokens.start());
         return;
@@ -208,7 +210,7 @@ public final class X3dJsonParser implements DocumentBuilder.Parser {
     }
 
     /** Reads a string, or an array of strings that are its lines. */
-    private List<String> strings() throws XmlFault {
+    private List<String> strings() throws XmlParseException {
       if (tokens.now() != JsonToken.START_ARRAY) {
         return List.of(tokens.scalar());
       }
@@ -217,6 +219,29 @@ public final class X3dJsonParser implements DocumentBuilder.Parser {
         lines.add(tokens.scalar());
       }
       return lines;
+    }
+  }
+
+  /** Recognizes the elements that are statements, which are not contained in a field of a node. */
+  private static final class Statements {
+    private Statements() {}
+
+    static boolean is(String element) {
+      return switch (element) {
+        case "ROUTE",
+            "IMPORT",
+            "EXPORT",
+            "IS",
+            "connect",
+            "ProtoDeclare",
+            "ProtoInterface",
+            "ProtoBody",
+            "ExternProtoDeclare",
+            "field",
+            "fieldValue" ->
+            true;
+        default -> false;
+      };
     }
   }
 }

@@ -7,7 +7,7 @@
  * which the reader interprets in the same way for all encodings. The order of an object's members
  * matters only for elements.
  *
- * <p>In: text. Out: calls of a {@link org.selectiverenderer.x3d.source.DocumentBuilder}. Uses
+ * <p>In: text. Out: calls of a {@link org.selectiverenderer.x3d.source.ElementTreeBuilder}. Uses
  * {@code x3d.source}, {@code x3d.catalogue}, {@code x3d.field}, {@code base.json} and the JSON
  * parser Jackson.
  */

@@ -1,7 +1,7 @@
 package org.selectiverenderer.x3d.read;
 
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.ElementLocation;
@@ -45,7 +45,7 @@ interface ElementCursor {
   @Nullable Object attributeValue(int index, FieldType type);
 
   /** Collects the text directly within the current element with its location. */
-  void collectText(GatheredText into);
+  void collectText(ElementText into);
 
   /** Records the current element with its content for later reading, and leaves the element. */
   DocumentElement record();
@@ -73,7 +73,7 @@ interface ElementCursor {
     }
   }
 
-  default Location location() {
+  default SourceLocation location() {
     return place().location();
   }
 }

@@ -27,7 +27,7 @@ final class NameScope {
   private final Map<String, DeclaredPrototype> prototypes = new HashMap<>();
   private final Set<String> lost = new HashSet<>();
   private final Set<String> imported = new HashSet<>();
-  private final List<PendingRoute> routes = new ArrayList<>();
+  private final List<UnresolvedRoute> routes = new ArrayList<>();
 
   NameScope(@Nullable NameScope enclosing, @Nullable ProtoInstance instance) {
     this.enclosing = enclosing;
@@ -146,11 +146,11 @@ final class NameScope {
     return imported.contains(name);
   }
 
-  void add(PendingRoute route) {
+  void add(UnresolvedRoute route) {
     routes.add(route);
   }
 
-  List<PendingRoute> routes() {
+  List<UnresolvedRoute> routes() {
     return routes;
   }
 }

@@ -4,14 +4,14 @@ import java.util.Objects;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.base.problem.Spelling;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.base.problem.SpellingSuggester;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
-import org.selectiverenderer.x3d.catalogue.FormerNames;
+import org.selectiverenderer.x3d.catalogue.LegacyFieldNames;
 import org.selectiverenderer.x3d.catalogue.NodeType;
+import org.selectiverenderer.x3d.field.FieldParseErrors;
+import org.selectiverenderer.x3d.field.FieldTokenizer;
 import org.selectiverenderer.x3d.field.FieldType;
-import org.selectiverenderer.x3d.field.Flaws;
-import org.selectiverenderer.x3d.field.Tokens;
 import org.selectiverenderer.x3d.source.ElementLocation;
 
 /** Reads node elements, and delegates statements among them to their readers. */
@@ -21,7 +21,7 @@ final class NodeReader {
    *
    * @param containerField the value in the file, or null
    */
-  record Child(NameScope.Named named, @Nullable String containerField, Location location) {
+  record Child(NameScope.Named named, @Nullable String containerField, SourceLocation location) {
     ParsedNode node() {
       return named.node();
     }
@@ -37,20 +37,20 @@ final class NodeReader {
   private static final Pattern PROGRAM =
       Pattern.compile("(?i)\\b(ecmascript|javascript|vrmlscript):");
 
-  private final ReadState reading;
+  private final ReadContext reading;
   private final RouteReader routes;
   private final Links links;
   private final ProtoDeclarationReader declarations;
-  private final ProtoInstanceReader instances;
-  private final IsReader connecting;
+  private final ProtoInstanceExpander instances;
+  private final IsStatementReader connecting;
 
-  NodeReader(ReadState reading, RouteReader routes, Links links) {
+  NodeReader(ReadContext reading, RouteReader routes, Links links) {
     this.reading = reading;
     this.routes = routes;
     this.links = links;
     this.declarations = new ProtoDeclarationReader(reading);
-    this.connecting = new IsReader(reading);
-    this.instances = new ProtoInstanceReader(reading, this, routes, connecting);
+    this.connecting = new IsStatementReader(reading);
+    this.instances = new ProtoInstanceExpander(reading, this, routes, connecting);
   }
 
   /** Reads the current element to its end; null if it is not a node or is left out. */
@@ -104,7 +104,7 @@ final class NodeReader {
 
   private @Nullable Child node(
       ElementCursor in, NameScope scope, NodeType type, @Nullable String givenName) {
-    Location location = in.location();
+    SourceLocation location = in.location();
     String use = in.attribute("USE");
     if (use != null) {
       return use(in, scope, use, type.name());
@@ -127,7 +127,8 @@ final class NodeReader {
   }
 
   /** Defines the DEF name of a node in a scope, if it has one. */
-  void define(NameScope scope, @Nullable String def, NameScope.Named named, Location location) {
+  void define(
+      NameScope scope, @Nullable String def, NameScope.Named named, SourceLocation location) {
     if (def == null) {
       return;
     }
@@ -175,7 +176,7 @@ final class NodeReader {
       reading.warning(
           reading.at(place, attribute),
           "%s is %s, not %s; the %s is used"
-              .formatted(name, Spelling.one(kind), Spelling.one(element), kind));
+              .formatted(name, SpellingSuggester.one(kind), SpellingSuggester.one(element), kind));
     }
     return new Child(found, containerField, place.location());
   }
@@ -204,7 +205,7 @@ final class NodeReader {
     NodeType type = node.type();
     for (int i = 0; i < in.attributes(); i++) {
       String name = in.attributeName(i);
-      FieldDefinition field = type.field(FormerNames.now(type, name)).orElse(null);
+      FieldDefinition field = type.field(LegacyFieldNames.now(type, name)).orElse(null);
       if (field == null) {
         switch (name) {
           case "DEF", "USE", "containerField", "class", "id", "style", "" -> {
@@ -251,11 +252,11 @@ final class NodeReader {
   private void program(ElementCursor in, int attribute, ParsedNode node) {
     Matcher scheme = PROGRAM.matcher(in.attributeText(attribute));
     if (scheme.find()) {
-      int leading = Tokens.leading(in.attributeText(attribute));
+      int leading = FieldTokenizer.leading(in.attributeText(attribute));
       node.textLocation(in.place().inAttribute(attribute, scheme.end() - leading));
       String lines = in.place().attributeLines(attribute);
       if (lines.indexOf('\n') >= 0 && !lines.equals(in.attributeText(attribute))) {
-        Object urls = reading.parser.parse(FieldType.MFString, lines, new Flaws());
+        Object urls = reading.parser.parse(FieldType.MFString, lines, new FieldParseErrors());
         node.put(node.type().indexOf("url"), Objects.requireNonNull(urls));
       }
     }
@@ -264,13 +265,14 @@ final class NodeReader {
   private void content(ElementCursor in, NameScope scope, NameScope.Named named) {
     ParsedNode node = named.node();
     FieldDefinition source = node.type().field("sourceCode").orElse(null);
-    GatheredText text = null;
+    ElementText text = null;
     if (source != null) {
-      text = new GatheredText();
+      text = new ElementText();
       in.collectText(text);
     }
-    OwnFields own = node.type().field("field").isPresent() ? new OwnFields(node, reading) : null;
-    Children children = new Children(node, reading);
+    AuthorDefinedFieldReader own =
+        node.type().field("field").isPresent() ? new AuthorDefinedFieldReader(node, reading) : null;
+    ChildNodeAssigner children = new ChildNodeAssigner(node, reading);
     while (in.next()) {
       if (in.name().equals("field") && own != null) {
         own.read(in, scope, this);
@@ -295,7 +297,7 @@ final class NodeReader {
           .forEach(is -> connecting.connect(TreeCursor.at(is, reading), scope, named, children));
     }
     children.finish();
-    Location start = text == null ? null : text.start();
+    SourceLocation start = text == null ? null : text.start();
     if (start != null) {
       node.put(source.index(), text.text().strip());
       node.textLocation(start);

@@ -4,12 +4,12 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.field.FieldType;
-import org.selectiverenderer.x3d.files.ContentBase;
+import org.selectiverenderer.x3d.url.BaseUrl;
 
 /**
  * A node read from a file. A node with USE is the same object in every place. Fields without a
@@ -26,14 +26,14 @@ public final class ParsedNode implements NodeView {
       Set.of("url", "directOutput", "mustEvaluate", "metadata", "sourceCode", "parts", "language");
 
   private final @Nullable String name;
-  private final Location location;
-  private final @Nullable ContentBase base;
+  private final SourceLocation location;
+  private final @Nullable BaseUrl base;
   private NodeType type;
   private @Nullable Object[] values;
-  private @Nullable Location textLocation;
+  private @Nullable SourceLocation textLocation;
 
   /** Creates a node with all fields at their defaults. */
-  public ParsedNode(NodeType type, @Nullable String name, Location location) {
+  public ParsedNode(NodeType type, @Nullable String name, SourceLocation location) {
     this(type, name, location, null);
   }
 
@@ -42,7 +42,8 @@ public final class ParsedNode implements NodeView {
    *
    * @param base the base of its relative urls, if it differs from that of the file
    */
-  ParsedNode(NodeType type, @Nullable String name, Location location, @Nullable ContentBase base) {
+  ParsedNode(
+      NodeType type, @Nullable String name, SourceLocation location, @Nullable BaseUrl base) {
     this.type = type;
     this.name = name;
     this.location = location;
@@ -61,7 +62,7 @@ public final class ParsedNode implements NodeView {
   }
 
   @Override
-  public Location location() {
+  public SourceLocation location() {
     return location;
   }
 
@@ -77,7 +78,7 @@ public final class ParsedNode implements NodeView {
    *
    * @param ofFile the base of the file
    */
-  public ContentBase base(ContentBase ofFile) {
+  public BaseUrl base(BaseUrl ofFile) {
     return base == null ? ofFile : base.or(ofFile);
   }
 
@@ -101,12 +102,12 @@ public final class ParsedNode implements NodeView {
    * Returns where the text of the node's program begins, between its tags or in its {@code url};
    * without a program, where the node was read.
    */
-  public Location textLocation() {
+  public SourceLocation textLocation() {
     return textLocation != null ? textLocation : location;
   }
 
   /** Sets where the text of the node's program begins. For readers. */
-  public void textLocation(Location place) {
+  public void textLocation(SourceLocation place) {
     textLocation = place;
   }
 

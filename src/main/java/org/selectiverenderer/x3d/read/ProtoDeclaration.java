@@ -4,10 +4,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.x3d.catalogue.FieldAccess;
+import org.selectiverenderer.x3d.catalogue.AccessType;
 import org.selectiverenderer.x3d.field.FieldType;
-import org.selectiverenderer.x3d.files.ContentBase;
 import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.url.BaseUrl;
 
 /**
  * A prototype declaration with its interface and its recorded body (X3D 4.0, 4.4.4).
@@ -22,7 +22,7 @@ record ProtoDeclaration(
     Map<String, Field> fields,
     DocumentElement body,
     NameScope environment,
-    @Nullable ContentBase base,
+    @Nullable BaseUrl base,
     AngleUnit angles,
     Set<String> lacking)
     implements DeclaredPrototype {
@@ -35,7 +35,7 @@ record ProtoDeclaration(
   record Field(
       String name,
       FieldType type,
-      FieldAccess access,
+      AccessType access,
       @Nullable Object value,
       List<DocumentElement> nodes) {}
 

@@ -6,21 +6,21 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** Reads prototype declarations, whose bodies are recorded as elements to be expanded later. */
 final class ProtoDeclarationReader {
-  private final ReadState reading;
+  private final ReadContext reading;
 
-  ProtoDeclarationReader(ReadState reading) {
+  ProtoDeclarationReader(ReadContext reading) {
     this.reading = reading;
   }
 
   /** Reads a ProtoDeclare. */
   void declare(ElementCursor in, NameScope scope) {
-    Location location = in.location();
+    SourceLocation location = in.location();
     String name = in.attribute("name");
     Map<String, ProtoDeclaration.Field> fields = new LinkedHashMap<>();
     DocumentElement body = null;
@@ -58,8 +58,8 @@ final class ProtoDeclarationReader {
   }
 
   private ProtoDeclaration.@Nullable Field field(ElementCursor in) {
-    Location location = in.location();
-    FieldElement declared = FieldElement.of(in);
+    SourceLocation location = in.location();
+    FieldDeclaration declared = FieldDeclaration.of(in);
     if (declared == null) {
       reading.error(
           location,
@@ -83,16 +83,17 @@ final class ProtoDeclarationReader {
 
   /** Reads an ExternProtoDeclare; its file is loaded when there is an instance. */
   void declareExternal(ElementCursor in, NameScope scope) {
-    Location location = in.location();
+    SourceLocation location = in.location();
     String name = in.attribute("name");
     int url = in.indexOf("url");
     Object urls = url < 0 ? null : in.attributeValue(url, FieldType.MFString);
-    List<ExternDeclaration.Field> fields = new ArrayList<>();
+    List<ExternProtoDeclaration.Field> fields = new ArrayList<>();
     while (in.next()) {
-      Location at = in.location();
+      SourceLocation at = in.location();
       ProtoDeclaration.Field field = field(in);
       if (field != null) {
-        fields.add(new ExternDeclaration.Field(field.name(), field.type(), field.access(), at));
+        fields.add(
+            new ExternProtoDeclaration.Field(field.name(), field.type(), field.access(), at));
       }
     }
     if (name == null) {
@@ -100,7 +101,7 @@ final class ProtoDeclarationReader {
       return;
     }
     scope.declare(
-        new ExternDeclaration(
+        new ExternProtoDeclaration(
             name,
             List.copyOf(fields),
             urls == null ? List.of() : List.of((String[]) urls),

@@ -5,19 +5,19 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
-import org.selectiverenderer.x3d.catalogue.FormerNames;
+import org.selectiverenderer.x3d.catalogue.LegacyFieldNames;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.field.FieldType;
 
 /** Reads ROUTE elements and resolves their fields (X3D 4.0, 4.4.8.2). */
 final class RouteReader {
-  private final ReadState reading;
+  private final ReadContext reading;
   private final List<X3dFile.ParsedRoute> routes = new ArrayList<>();
   private final List<X3dFile.ImportedRoute> imported = new ArrayList<>();
 
-  RouteReader(ReadState reading) {
+  RouteReader(ReadContext reading) {
     this.reading = reading;
   }
 
@@ -51,30 +51,30 @@ final class RouteReader {
 
   /** Reads the current element; it is resolved at the end of the scope. */
   void read(ElementCursor in, NameScope scope) {
-    Location location = in.location();
-    PendingRoute.End from = end(in, scope, "fromNode", "fromField");
-    PendingRoute.End to = end(in, scope, "toNode", "toField");
+    SourceLocation location = in.location();
+    UnresolvedRoute.End from = end(in, scope, "fromNode", "fromField");
+    UnresolvedRoute.End to = end(in, scope, "toNode", "toField");
     if (from == null || to == null) {
       reading.error(
           location, "a ROUTE needs fromNode, fromField, toNode and toField; this one is left out");
     } else {
-      scope.add(new PendingRoute(from, to, location));
+      scope.add(new UnresolvedRoute(from, to, location));
     }
     in.skip();
   }
 
-  private static PendingRoute.@Nullable End end(
+  private static UnresolvedRoute.@Nullable End end(
       ElementCursor in, NameScope scope, String nodeAttribute, String fieldAttribute) {
     String node = in.attribute(nodeAttribute);
     String field = in.attribute(fieldAttribute);
     return node == null || field == null
         ? null
-        : new PendingRoute.End(node, field, scope.find(node));
+        : new UnresolvedRoute.End(node, field, scope.find(node));
   }
 
   /** Resolves the ROUTEs of a scope after all its nodes have been read. */
   void connect(NameScope scope) {
-    for (PendingRoute route : scope.routes()) {
+    for (UnresolvedRoute route : scope.routes()) {
       List<X3dFile.End> sources = ends(scope, route, route.from(), false);
       List<X3dFile.End> targets = sources == null ? null : ends(scope, route, route.to(), true);
       if (sources == null || targets == null) {
@@ -88,7 +88,7 @@ final class RouteReader {
     }
   }
 
-  private void connect(PendingRoute route, X3dFile.End source, X3dFile.End target) {
+  private void connect(UnresolvedRoute route, X3dFile.End source, X3dFile.End target) {
     if (!(source instanceof X3dFile.End.Own from) || !(target instanceof X3dFile.End.Own to)) {
       if (reading.spend(route.location())) {
         imported.add(new X3dFile.ImportedRoute(source, target, route.location()));
@@ -106,7 +106,7 @@ final class RouteReader {
 
   /** Returns the fields at an end of a ROUTE, or null after a message. */
   private @Nullable List<X3dFile.End> ends(
-      NameScope scope, PendingRoute route, PendingRoute.End end, boolean input) {
+      NameScope scope, UnresolvedRoute route, UnresolvedRoute.End end, boolean input) {
     NameScope.Named named = end.found() != null ? end.found() : scope.find(end.node());
     if (named == null && scope.isLost(end.node())) {
       return null;
@@ -133,7 +133,7 @@ final class RouteReader {
     return null;
   }
 
-  private String why(NameScope.Named named, PendingRoute.End end, boolean input) {
+  private String why(NameScope.Named named, UnresolvedRoute.End end, boolean input) {
     ProtoInstance instance = named.instance();
     String owner = instance == null ? named.node().type().name() : instance.declaration().name();
     List<String> names =
@@ -154,7 +154,7 @@ final class RouteReader {
     ProtoInstance instance = named.instance();
     if (instance == null) {
       NodeType type = named.node().type();
-      String now = FormerNames.now(type, field);
+      String now = LegacyFieldNames.now(type, field);
       FieldDefinition definition = (input ? type.input(now) : type.output(now)).orElse(null);
       if (definition != null) {
         into.add(new X3dFile.End.Own(named.node(), definition.index()));
@@ -172,7 +172,7 @@ final class RouteReader {
     return true;
   }
 
-  private void leaveOut(PendingRoute route, String why) {
+  private void leaveOut(UnresolvedRoute route, String why) {
     reading.error(
         route.location(),
         why + "; the ROUTE " + route.from() + " to " + route.to() + " is left out");

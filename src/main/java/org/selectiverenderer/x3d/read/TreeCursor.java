@@ -5,8 +5,8 @@ import java.util.Deque;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.field.FieldParser;
+import org.selectiverenderer.x3d.field.FieldTokenizer;
 import org.selectiverenderer.x3d.field.FieldType;
-import org.selectiverenderer.x3d.field.Tokens;
 import org.selectiverenderer.x3d.source.DocumentAttribute;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.ElementLocation;
@@ -14,7 +14,7 @@ import org.selectiverenderer.x3d.source.XmlDocument;
 
 /** A cursor over recorded elements, of a document or of a prototype's body. */
 final class TreeCursor implements ElementCursor {
-  private final ReadState reading;
+  private final ReadContext reading;
   private final boolean broken;
   private final Deque<Level> path = new ArrayDeque<>();
   private @Nullable DocumentElement current;
@@ -29,20 +29,20 @@ final class TreeCursor implements ElementCursor {
     }
   }
 
-  private TreeCursor(ReadState reading, boolean broken) {
+  private TreeCursor(ReadContext reading, boolean broken) {
     this.reading = reading;
     this.broken = broken;
   }
 
   /** Returns a cursor before a document's root element. */
-  static TreeCursor of(XmlDocument document, ReadState reading) {
+  static TreeCursor of(XmlDocument document, ReadContext reading) {
     TreeCursor cursor = new TreeCursor(reading, document.broken());
     cursor.path.push(new Level(document.root().map(List::of).orElse(List.of())));
     return cursor;
   }
 
   /** Returns a cursor at an element. */
-  static TreeCursor at(DocumentElement element, ReadState reading) {
+  static TreeCursor at(DocumentElement element, ReadContext reading) {
     TreeCursor cursor = new TreeCursor(reading, false);
     cursor.enter(element);
     return cursor;
@@ -109,14 +109,14 @@ final class TreeCursor implements ElementCursor {
     DocumentAttribute attribute = element().attributes().get(index);
     List<FieldParser.Flaw> flaws = attribute.untold(type);
     if (!flaws.isEmpty()) {
-      int leading = Tokens.leading(attribute.text());
+      int leading = FieldTokenizer.leading(attribute.text());
       reading.flaws(place(), index, attribute.name(), leading, flaws);
     }
     return attribute.value(type);
   }
 
   @Override
-  public void collectText(GatheredText into) {
+  public void collectText(ElementText into) {
     DocumentElement from = element();
     if (!from.text().isBlank()) {
       into.add(from.text(), from.textLocation(), from.textStart());

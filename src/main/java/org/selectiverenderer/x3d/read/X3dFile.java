@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.base.problem.SourceLocation;
 
 /**
  * A scene read from a file, with its head statements.
@@ -41,7 +41,7 @@ public record X3dFile(
     List<Export> exports,
     List<ImportedRoute> importedRoutes,
     Map<String, InstanceFields> exportedInstances,
-    ParsedInstance.Listing instances,
+    ParsedProtoInstance.Listing instances,
     List<Problem> externFaults,
     @Nullable PrototypeLibrary prototypes) {
 
@@ -92,7 +92,7 @@ public record X3dFile(
         List.of(),
         List.of(),
         Map.of(),
-        ParsedInstance.Listing.NONE,
+        ParsedProtoInstance.Listing.NONE,
         List.of(),
         null);
   }
@@ -120,7 +120,7 @@ public record X3dFile(
   }
 
   /** A ROUTE to or from an imported node, which is resolved when its Inline is loaded. */
-  public record ImportedRoute(End from, End to, Location location) {}
+  public record ImportedRoute(End from, End to, SourceLocation location) {}
 
   /**
    * The node fields to which the fields of a prototype instance resolve, by every name that a ROUTE
@@ -133,8 +133,8 @@ public record X3dFile(
       Map<String, List<End.Own>> inputs, Map<String, List<End.Own>> outputs) {}
 
   /** An IMPORT statement. */
-  public record Import(String inlineDef, String importedDef, String as, Location location) {}
+  public record Import(String inlineDef, String importedDef, String as, SourceLocation location) {}
 
   /** An EXPORT statement. */
-  public record Export(String localDef, String as, Location location) {}
+  public record Export(String localDef, String as, SourceLocation location) {}
 }

@@ -6,23 +6,23 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import org.selectiverenderer.base.markup.Markup;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.markup.MarkupEscaper;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
-import org.selectiverenderer.x3d.files.Content;
-import org.selectiverenderer.x3d.files.ContentBase;
 import org.selectiverenderer.x3d.json.X3dJsonParser;
-import org.selectiverenderer.x3d.source.DocumentBuilder;
-import org.selectiverenderer.x3d.source.DocumentFault;
+import org.selectiverenderer.x3d.source.DocumentError;
 import org.selectiverenderer.x3d.source.DocumentParser;
-import org.selectiverenderer.x3d.source.Encoding;
+import org.selectiverenderer.x3d.source.ElementTreeBuilder;
 import org.selectiverenderer.x3d.source.Preflight;
 import org.selectiverenderer.x3d.source.ReadLimits;
 import org.selectiverenderer.x3d.source.SceneBytes;
+import org.selectiverenderer.x3d.source.SceneEncoding;
 import org.selectiverenderer.x3d.source.SourceText;
 import org.selectiverenderer.x3d.source.XmlDocument;
-import org.selectiverenderer.x3d.source.XmlEvents;
+import org.selectiverenderer.x3d.source.XmlPullParser;
+import org.selectiverenderer.x3d.url.BaseUrl;
+import org.selectiverenderer.x3d.url.UrlContent;
 import org.selectiverenderer.x3d.vrml.VrmlParser;
 
 /**
@@ -40,8 +40,8 @@ import org.selectiverenderer.x3d.vrml.VrmlParser;
 public final class X3dReader {
   private final NodeCatalogue catalogue;
   private final ReadLimits limits;
-  private final Libraries libraries;
-  private final ContentBase base;
+  private final PrototypeLibraryProvider libraries;
+  private final BaseUrl base;
   private final boolean parts;
 
   /** Creates a reader with the standard limits. */
@@ -56,14 +56,14 @@ public final class X3dReader {
 
   /** Creates a reader with given limits. */
   public X3dReader(NodeCatalogue catalogue, ReadLimits limits) {
-    this(catalogue, limits, Libraries.none(), ContentBase.folder(Path.of("")), false);
+    this(catalogue, limits, PrototypeLibraryProvider.none(), BaseUrl.folder(Path.of("")), false);
   }
 
   private X3dReader(
       NodeCatalogue catalogue,
       ReadLimits limits,
-      Libraries libraries,
-      ContentBase base,
+      PrototypeLibraryProvider libraries,
+      BaseUrl base,
       boolean parts) {
     this.catalogue = catalogue;
     this.limits = limits;
@@ -78,7 +78,7 @@ public final class X3dReader {
    * @param from provides those prototypes
    * @param newBase the base of the relative urls of the files
    */
-  public X3dReader with(Libraries from, ContentBase newBase) {
+  public X3dReader with(PrototypeLibraryProvider from, BaseUrl newBase) {
     return new X3dReader(catalogue, limits, from, newBase, parts);
   }
 
@@ -87,8 +87,8 @@ public final class X3dReader {
     return new X3dReader(catalogue, limits, libraries, base, true);
   }
 
-  private ReadState state(String source, Problems problems) {
-    return new ReadState(source, catalogue, limits, problems, libraries, base, parts);
+  private ReadContext state(String source, ProblemCollector problems) {
+    return new ReadContext(source, catalogue, limits, problems, libraries, base, parts);
   }
 
   /**
@@ -96,20 +96,20 @@ public final class X3dReader {
    *
    * @throws IOException if it cannot be read or is refused
    */
-  PrototypeLibrary library(Content content) throws IOException {
+  PrototypeLibrary library(UrlContent content) throws IOException {
     XmlDocument document;
     try (InputStream in = content.open()) {
       document = document(content.name(), in, content.size());
     }
-    for (DocumentFault fault : document.faults()) {
-      if (fault.kind() == DocumentFault.Kind.REFUSED) {
+    for (DocumentError fault : document.faults()) {
+      if (fault.kind() == DocumentError.Kind.REFUSED) {
         throw new IOException(fault.message());
       }
     }
-    Problems problems = new Problems();
-    ReadState reading = with(libraries, content.base()).state(content.name(), problems);
+    ProblemCollector problems = new ProblemCollector();
+    ReadContext reading = with(libraries, content.base()).state(content.name(), problems);
     reading.base(content.base());
-    return new LibraryReader(reading, problems).read(document);
+    return new PrototypeLibraryReader(reading, problems).read(document);
   }
 
   /**
@@ -118,7 +118,7 @@ public final class X3dReader {
    * @throws IOException if the file is missing or cannot be read, with a one-line message that
    *     names it
    */
-  public X3dFile read(Path file, Problems problems) throws IOException {
+  public X3dFile read(Path file, ProblemCollector problems) throws IOException {
     String name = file.toString();
     if (Files.isDirectory(file)) {
       throw new IOException(name + ": this is a folder, not a file");
@@ -141,7 +141,7 @@ public final class X3dReader {
    * @param source the name of the scene in problems
    * @throws IOException if the stream itself fails
    */
-  public X3dFile read(String source, InputStream in, Problems problems) throws IOException {
+  public X3dFile read(String source, InputStream in, ProblemCollector problems) throws IOException {
     return parse(source, Preflight.of(source, SceneBytes.read(in, 0, limits)), problems);
   }
 
@@ -152,7 +152,7 @@ public final class X3dReader {
    * @param size the approximate size in bytes, which saves copying
    * @throws IOException if the stream itself fails
    */
-  public X3dFile read(String source, InputStream in, long size, Problems problems)
+  public X3dFile read(String source, InputStream in, long size, ProblemCollector problems)
       throws IOException {
     return parse(source, Preflight.of(source, SceneBytes.read(in, size, limits)), problems);
   }
@@ -162,7 +162,7 @@ public final class X3dReader {
    *
    * @param source the name of the scene in problems
    */
-  public X3dFile read(String source, byte[] bytes, Problems problems) {
+  public X3dFile read(String source, byte[] bytes, ProblemCollector problems) {
     return parse(source, Preflight.of(source, SceneBytes.of(bytes, limits)), problems);
   }
 
@@ -171,7 +171,7 @@ public final class X3dReader {
    *
    * @param source the name of the scene in problems
    */
-  public X3dFile read(String source, CharSequence text, Problems problems) {
+  public X3dFile read(String source, CharSequence text, ProblemCollector problems) {
     return parse(source, Preflight.of(source, SourceText.of(text)), problems);
   }
 
@@ -181,13 +181,14 @@ public final class X3dReader {
    * @param source the name of the scene in problems
    * @param name the name of a prototype of the library
    */
-  public X3dFile instance(String source, PrototypeLibrary library, String name, Problems problems) {
+  public X3dFile instance(
+      String source, PrototypeLibrary library, String name, ProblemCollector problems) {
     String text =
         "<X3D version='4.0' profile='Full'><Scene><ProtoInstance name=\"%s\"/></Scene></X3D>"
-            .formatted(Markup.attribute(name));
-    ReadState reading = ofParts().state(source, problems);
-    XmlEvents xml = Preflight.of(source, SourceText.of(text)).events();
-    return new DocumentReader(reading, library.scope()).read(new XmlCursor(xml, reading, false));
+            .formatted(MarkupEscaper.attribute(name));
+    ReadContext reading = ofParts().state(source, problems);
+    XmlPullParser xml = Preflight.of(source, SourceText.of(text)).events();
+    return new X3dElementReader(reading, library.scope()).read(new XmlCursor(xml, reading, false));
   }
 
   /**
@@ -204,18 +205,18 @@ public final class X3dReader {
   }
 
   /** Returns the scene of a document, without parsing it again. */
-  public X3dFile scene(XmlDocument document, Problems problems) {
-    ReadState reading = state(document.name(), problems);
-    return new DocumentReader(reading).read(TreeCursor.of(document, reading));
+  public X3dFile scene(XmlDocument document, ProblemCollector problems) {
+    ReadContext reading = state(document.name(), problems);
+    return new X3dElementReader(reading).read(TreeCursor.of(document, reading));
   }
 
-  private X3dFile parse(String source, Preflight preflight, Problems problems) {
-    Location whole = Location.of(source);
+  private X3dFile parse(String source, Preflight preflight, ProblemCollector problems) {
+    SourceLocation whole = SourceLocation.of(source);
     if (preflight.refused()) {
       problems.error(whole, preflight.faults().get(0).message());
       return X3dFile.empty(source);
     }
-    DocumentFault cut = preflight.cut();
+    DocumentError cut = preflight.cut();
     if (cut != null && preflight.text().length() == 0) {
       problems.error(whole, cut.message() + "; nothing can be shown");
       return X3dFile.empty(source);
@@ -223,18 +224,18 @@ public final class X3dReader {
     if (preflight.text().complaint() != null) {
       problems.warning(whole, preflight.text().complaint());
     }
-    if (preflight.encoding() != Encoding.XML) {
+    if (preflight.encoding() != SceneEncoding.XML) {
       return tree(preflight, problems);
     }
-    XmlEvents xml = preflight.events();
+    XmlPullParser xml = preflight.events();
     if (xml.fault() != null) {
       problems.error(xml.fault().location(), xml.fault().message() + "; nothing can be shown");
       return X3dFile.empty(source);
     }
-    ReadState reading = state(source, problems);
-    X3dFile file = new DocumentReader(reading).read(new XmlCursor(xml, reading, cut != null));
+    ReadContext reading = state(source, problems);
+    X3dFile file = new X3dElementReader(reading).read(new XmlCursor(xml, reading, cut != null));
     if (cut != null) {
-      boolean flood = cut.kind() == DocumentFault.Kind.LIMIT;
+      boolean flood = cut.kind() == DocumentError.Kind.LIMIT;
       problems.error(
           flood ? cut.location() : whole,
           cut.message()
@@ -245,22 +246,23 @@ public final class X3dReader {
   }
 
   /** Reads a scene in an encoding other than XML, by way of its element tree. */
-  private X3dFile tree(Preflight preflight, Problems problems) {
+  private X3dFile tree(Preflight preflight, ProblemCollector problems) {
     XmlDocument document = DocumentParser.parse(preflight, catalogue, limits, this::parser);
     X3dFile file = scene(document, problems);
-    DocumentFault cut = preflight.cut();
+    DocumentError cut = preflight.cut();
     if (cut != null) {
-      problems.error(Location.of(document.name()), cut.message() + "; the part before it is kept");
+      problems.error(
+          SourceLocation.of(document.name()), cut.message() + "; the part before it is kept");
     }
     String rest =
         document.root().isPresent() ? "; the part before it is kept" : "; nothing can be shown";
-    for (DocumentFault fault : document.faults()) {
+    for (DocumentError fault : document.faults()) {
       problems.error(fault.location(), fault.message() + rest);
     }
     return file;
   }
 
-  private DocumentBuilder.Parser parser(Encoding encoding) {
+  private ElementTreeBuilder.Parser parser(SceneEncoding encoding) {
     return switch (encoding) {
       case CLASSIC, VRML97 -> new VrmlParser(catalogue, encoding);
       case JSON -> new X3dJsonParser(catalogue);

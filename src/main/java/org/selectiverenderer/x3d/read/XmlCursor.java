@@ -4,25 +4,25 @@ import java.util.ArrayList;
 import java.util.List;
 import javax.xml.stream.XMLStreamConstants;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.x3d.field.FieldParseErrors;
+import org.selectiverenderer.x3d.field.FieldTokenizer;
 import org.selectiverenderer.x3d.field.FieldType;
-import org.selectiverenderer.x3d.field.Flaws;
-import org.selectiverenderer.x3d.field.Tokens;
 import org.selectiverenderer.x3d.source.DocumentAttribute;
 import org.selectiverenderer.x3d.source.DocumentElement;
-import org.selectiverenderer.x3d.source.DocumentFault;
+import org.selectiverenderer.x3d.source.DocumentError;
 import org.selectiverenderer.x3d.source.ElementLocation;
-import org.selectiverenderer.x3d.source.XmlEvents;
+import org.selectiverenderer.x3d.source.XmlPullParser;
 
 /**
  * A cursor over the elements of a file while it is parsed. Where the XML is truncated or not
  * well-formed, all open elements end, so that the part before is kept.
  */
 final class XmlCursor implements ElementCursor {
-  private final XmlEvents xml;
-  private final ReadState reading;
+  private final XmlPullParser xml;
+  private final ReadContext reading;
   private final boolean cut;
-  private final List<@Nullable GatheredText> gathered = new ArrayList<>();
-  private Flaws flaws = new Flaws();
+  private final List<@Nullable ElementText> gathered = new ArrayList<>();
+  private FieldParseErrors flaws = new FieldParseErrors();
   private @Nullable ElementLocation place;
   private boolean broken;
 
@@ -31,7 +31,7 @@ final class XmlCursor implements ElementCursor {
    *
    * @param cut whether it has already been reported that the text is truncated
    */
-  XmlCursor(XmlEvents xml, ReadState reading, boolean cut) {
+  XmlCursor(XmlPullParser xml, ReadContext reading, boolean cut) {
     this.xml = xml;
     this.reading = reading;
     this.cut = cut;
@@ -46,7 +46,7 @@ final class XmlCursor implements ElementCursor {
   @Override
   public boolean next() {
     place = null;
-    for (int event = xml.next(); event != XmlEvents.NONE; event = xml.next()) {
+    for (int event = xml.next(); event != XmlPullParser.NONE; event = xml.next()) {
       switch (event) {
         case XMLStreamConstants.START_ELEMENT -> {
           gathered.add(null);
@@ -57,7 +57,7 @@ final class XmlCursor implements ElementCursor {
           return false;
         }
         case XMLStreamConstants.CHARACTERS, XMLStreamConstants.CDATA -> {
-          GatheredText into = gathered.get(gathered.size() - 1);
+          ElementText into = gathered.get(gathered.size() - 1);
           if (into != null) {
             String text = xml.text();
             int start = into.begun() || text.isBlank() ? 0 : xml.textStart();
@@ -73,14 +73,14 @@ final class XmlCursor implements ElementCursor {
         }
       }
     }
-    DocumentFault fault = xml.fault();
+    DocumentError fault = xml.fault();
     if (fault != null) {
       breakOff(fault);
     }
     return false;
   }
 
-  private void breakOff(DocumentFault fault) {
+  private void breakOff(DocumentError fault) {
     if (!broken && !cut) {
       reading.error(fault.location(), fault.message() + "; the part before it is kept");
     }
@@ -129,14 +129,15 @@ final class XmlCursor implements ElementCursor {
             ? reading.parser.parse(type, text, flaws)
             : xml.numbers(index, type, reading.parser, flaws);
     if (!flaws.isEmpty()) {
-      reading.flaws(place(), index, attributeName(index), Tokens.leading(text), flaws.list());
-      flaws = new Flaws();
+      reading.flaws(
+          place(), index, attributeName(index), FieldTokenizer.leading(text), flaws.list());
+      flaws = new FieldParseErrors();
     }
     return value;
   }
 
   @Override
-  public void collectText(GatheredText into) {
+  public void collectText(ElementText into) {
     gathered.set(gathered.size() - 1, into);
   }
 
@@ -157,7 +158,7 @@ final class XmlCursor implements ElementCursor {
       attributes.add(new DocumentAttribute(recorded, i, attributeName(i), attributeText(i)));
     }
     recorded.attributes(attributes);
-    GatheredText text = new GatheredText();
+    ElementText text = new ElementText();
     collectText(text);
     while (next()) {
       if (reading.spend(location()) && reading.enter(location())) {

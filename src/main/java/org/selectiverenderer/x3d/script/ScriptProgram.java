@@ -5,9 +5,9 @@ import java.nio.charset.StandardCharsets;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.x3d.files.Content;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.x3d.read.ParsedNode;
+import org.selectiverenderer.x3d.url.UrlContent;
 
 /**
  * The text of a Script's program.
@@ -15,7 +15,7 @@ import org.selectiverenderer.x3d.read.ParsedNode;
  * @param text the ECMAScript text
  * @param start the location of its first character, in a scene or in a file of its own
  */
-public record ScriptProgram(String text, Location start) {
+public record ScriptProgram(String text, SourceLocation start) {
   /** The maximum size of a program file in bytes. */
   public static final int MAX_BYTES = 4 << 20;
 
@@ -40,7 +40,7 @@ public record ScriptProgram(String text, Location start) {
   }
 
   /** Returns the program of a text, without the scheme at its start, if any. */
-  static ScriptProgram of(String text, Location start) {
+  static ScriptProgram of(String text, SourceLocation start) {
     Matcher scheme = SCHEME.matcher(text);
     return new ScriptProgram(scheme.lookingAt() ? text.substring(scheme.end()) : text, start);
   }
@@ -62,16 +62,17 @@ public record ScriptProgram(String text, Location start) {
    *
    * @throws IOException if it cannot be read or is larger than {@value #MAX_BYTES} bytes
    */
-  public static ScriptProgram read(Content file) throws IOException {
+  public static ScriptProgram read(UrlContent file) throws IOException {
     return new ScriptProgram(
-        new String(file.bytes(MAX_BYTES), StandardCharsets.UTF_8), new Location(file.name(), 1, 1));
+        new String(file.bytes(MAX_BYTES), StandardCharsets.UTF_8),
+        new SourceLocation(file.name(), 1, 1));
   }
 
   /** Returns the location of a line of the text, counted from 1. */
-  public Location line(int line) {
+  public SourceLocation line(int line) {
     if (line <= 1 || start.line() == 0) {
       return start;
     }
-    return new Location(start.file(), start.line() + line - 1, 0);
+    return new SourceLocation(start.file(), start.line() + line - 1, 0);
   }
 }

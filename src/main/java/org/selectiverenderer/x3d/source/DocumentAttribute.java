@@ -2,10 +2,10 @@ package org.selectiverenderer.x3d.source;
 
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.x3d.field.FieldParser;
+import org.selectiverenderer.x3d.field.FieldTokenizer;
 import org.selectiverenderer.x3d.field.FieldType;
-import org.selectiverenderer.x3d.field.Tokens;
 
 /**
  * An attribute of a document element. Long numeric attributes are stored as parsed values only.
@@ -93,7 +93,7 @@ public final class DocumentAttribute {
   }
 
   /** Returns the location of the name. */
-  public Location location() {
+  public SourceLocation location() {
     return element.place().attribute(index);
   }
 
@@ -102,8 +102,8 @@ public final class DocumentAttribute {
    *
    * @param offset the offset from 0, as in a {@link FieldParser.Flaw}
    */
-  public Location location(int offset) {
-    int leading = text == null ? 0 : Tokens.leading(text);
+  public SourceLocation location(int offset) {
+    int leading = text == null ? 0 : FieldTokenizer.leading(text);
     return element.place().inAttribute(index, offset - leading);
   }
 }

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.SourceLocation;
 
 /**
  * An element of an XML text with its location, whether or not it is an X3D element. Offsets count
@@ -110,14 +110,14 @@ public final class DocumentElement {
   }
 
   /** Returns the location of its start tag. */
-  public Location location() {
+  public SourceLocation location() {
     return content == null || content.place == null
         ? source.location(start)
         : content.place.location();
   }
 
   /** Returns the location of its last character; empty if the text is truncated before. */
-  public Optional<Location> last() {
+  public Optional<SourceLocation> last() {
     return end < 0 ? Optional.empty() : Optional.of(source.location(end - 1));
   }
 
@@ -132,7 +132,7 @@ public final class DocumentElement {
       return content.attributes;
     }
     List<DocumentAttribute> read = new ArrayList<>();
-    for (WrittenAttribute written : tag().attributes()) {
+    for (SourceAttribute written : tag().attributes()) {
       if (!written.declaration()) {
         boolean ours = written.name().indexOf(':') < 0;
         read.add(
@@ -163,7 +163,7 @@ public final class DocumentElement {
   }
 
   /** Returns the location of that text, or of the start tag if there is none. */
-  public Location textLocation() {
+  public SourceLocation textLocation() {
     return content == null || content.text == null
         ? location()
         : source.location(content.textStart);
@@ -264,7 +264,7 @@ public final class DocumentElement {
     end = offset;
   }
 
-  void move(OffsetShift shift) {
+  void move(OffsetMapping shift) {
     if (end <= shift.first()) {
       return;
     }

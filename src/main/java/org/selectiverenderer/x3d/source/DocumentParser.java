@@ -10,21 +10,21 @@ import java.util.List;
 import java.util.function.Function;
 import javax.xml.stream.XMLStreamConstants;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.catalogue.NodeType;
+import org.selectiverenderer.x3d.field.FieldParseErrors;
 import org.selectiverenderer.x3d.field.FieldParser;
 import org.selectiverenderer.x3d.field.FieldType;
-import org.selectiverenderer.x3d.field.Flaws;
-import org.selectiverenderer.x3d.source.DocumentFault.Kind;
+import org.selectiverenderer.x3d.source.DocumentError.Kind;
 
 /**
  * Parses a file to a document. Long lists of numbers are parsed to values at once, so that a file
  * takes about as much memory as its text and its numbers. For one file.
  */
 public final class DocumentParser extends ElementParser {
-  private final XmlEvents xml;
+  private final XmlPullParser xml;
   private final NodeCatalogue catalogue;
   private final FieldParser parser;
   private final XmlDocument document;
@@ -32,7 +32,7 @@ public final class DocumentParser extends ElementParser {
   private int prototypes;
 
   private DocumentParser(
-      XmlEvents xml, NodeCatalogue catalogue, ReadLimits limits, XmlDocument document) {
+      XmlPullParser xml, NodeCatalogue catalogue, ReadLimits limits, XmlDocument document) {
     super(xml, xml.source(), 0, 0, limits);
     this.xml = xml;
     this.catalogue = catalogue;
@@ -50,13 +50,13 @@ public final class DocumentParser extends ElementParser {
       SceneBytes bytes,
       NodeCatalogue catalogue,
       ReadLimits limits,
-      Function<Encoding, DocumentBuilder.Parser> others) {
+      Function<SceneEncoding, ElementTreeBuilder.Parser> others) {
     Preflight preflight = Preflight.of(name, bytes);
     XmlDocument document = new XmlDocument(name, bytes.compressed(), preflight.encoding());
-    for (DocumentFault fault : preflight.faults()) {
+    for (DocumentError fault : preflight.faults()) {
       boolean encoding = fault.kind() == Kind.ENCODING;
-      Location at = encoding ? badByte(name, bytes) : fault.location();
-      document.add(new DocumentFault(fault.kind(), at, fault.message()));
+      SourceLocation at = encoding ? badByte(name, bytes) : fault.location();
+      document.add(new DocumentError(fault.kind(), at, fault.message()));
     }
     if (!preflight.refused()) {
       fill(document, preflight, catalogue, limits, others);
@@ -69,7 +69,7 @@ public final class DocumentParser extends ElementParser {
       Preflight preflight,
       NodeCatalogue catalogue,
       ReadLimits limits,
-      Function<Encoding, DocumentBuilder.Parser> others) {
+      Function<SceneEncoding, ElementTreeBuilder.Parser> others) {
     String name = preflight.source().file();
     XmlDocument document = new XmlDocument(name, false, preflight.encoding());
     fill(document, preflight, catalogue, limits, others);
@@ -81,18 +81,18 @@ public final class DocumentParser extends ElementParser {
       Preflight preflight,
       NodeCatalogue catalogue,
       ReadLimits limits,
-      Function<Encoding, DocumentBuilder.Parser> others) {
-    DocumentFault fault;
-    if (preflight.encoding() == Encoding.XML) {
+      Function<SceneEncoding, ElementTreeBuilder.Parser> others) {
+    DocumentError fault;
+    if (preflight.encoding() == SceneEncoding.XML) {
       fault = new DocumentParser(preflight.events(), catalogue, limits, document).parse();
     } else {
       fault = null;
-      DocumentBuilder.Parser parser = others.apply(preflight.encoding());
-      DocumentBuilder builder =
-          new DocumentBuilder(preflight, document, catalogue, limits, parser.cleaner());
+      ElementTreeBuilder.Parser parser = others.apply(preflight.encoding());
+      ElementTreeBuilder builder =
+          new ElementTreeBuilder(preflight, document, catalogue, limits, parser.cleaner());
       try {
         parser.parse(builder);
-      } catch (XmlFault e) {
+      } catch (XmlParseException e) {
         fault = e.fault();
       }
       builder.flush();
@@ -104,12 +104,12 @@ public final class DocumentParser extends ElementParser {
   }
 
   /** Returns the location of the first byte that is not UTF-8; else the start of the file. */
-  private static Location badByte(String name, SceneBytes bytes) {
+  private static SourceLocation badByte(String name, SceneBytes bytes) {
     ByteBuffer in = ByteBuffer.wrap(bytes.bytes(), 0, bytes.length());
     CharBuffer good = CharBuffer.allocate(bytes.length());
     CoderResult result = StandardCharsets.UTF_8.newDecoder().decode(in, good, true);
     if (!result.isError()) {
-      return new Location(name, 1, 1);
+      return new SourceLocation(name, 1, 1);
     }
     byte[] before = Arrays.copyOf(bytes.bytes(), in.position());
     SourceText text = SourceText.of(before, before.length);
@@ -144,7 +144,7 @@ public final class DocumentParser extends ElementParser {
               new XmlDocument.Comment(xml.text(), xml.place().location(), xml.start(), null));
       case XMLStreamConstants.ENTITY_REFERENCE ->
           document.add(
-              new DocumentFault(
+              new DocumentError(
                   Kind.ENTITY,
                   xml.place().location(),
                   "the entity &" + xml.entity() + "; of a DOCTYPE is not expanded"));
@@ -178,7 +178,7 @@ public final class DocumentParser extends ElementParser {
       String text = kept ? xml.attributeText(i) : null;
       DocumentAttribute attribute = new DocumentAttribute(element, i, name, text);
       if (!kept) {
-        Flaws flaws = new Flaws();
+        FieldParseErrors flaws = new FieldParseErrors();
         Object value = xml.numbers(i, type, parser, flaws);
         attribute.keep(type, value, flaws.list());
       }

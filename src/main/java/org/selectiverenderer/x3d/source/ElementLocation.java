@@ -2,7 +2,7 @@ package org.selectiverenderer.x3d.source;
 
 import org.codehaus.stax2.XMLStreamLocation2;
 import org.codehaus.stax2.XMLStreamReader2;
-import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.SourceLocation;
 
 /**
  * The location of an element in its file. Locations within its start tag are found by parsing the
@@ -11,7 +11,7 @@ import org.selectiverenderer.base.problem.Location;
  * @param offset the offset of the tag's {@code <}
  * @param location the location of the tag's {@code <}
  */
-public record ElementLocation(ElementSource source, int offset, Location location) {
+public record ElementLocation(ElementSource source, int offset, SourceLocation location) {
   /** Returns the start of the parser's current event, after the white space before the root. */
   static ElementLocation of(TextSource source, XMLStreamReader2 xml) {
     CharSequence text = source.characters();
@@ -26,7 +26,7 @@ public record ElementLocation(ElementSource source, int offset, Location locatio
       column = c == '\n' || c == '\r' ? 1 : column + 1;
       line += (c == '\n' || c == '\r') && !first ? 1 : 0;
     }
-    return new ElementLocation(source, offset, new Location(source.file(), line, column));
+    return new ElementLocation(source, offset, new SourceLocation(source.file(), line, column));
   }
 
   /** Returns the offset of an event, after the white space before the root. */
@@ -40,14 +40,14 @@ public record ElementLocation(ElementSource source, int offset, Location locatio
   }
 
   /** Returns the location of an attribute, not counting namespace declarations. */
-  public Location attribute(int index) {
+  public SourceLocation attribute(int index) {
     synchronized (source) {
       return source.attribute(offset, index);
     }
   }
 
   /** Returns the location of a character of its value, counted from the first non-blank one. */
-  public Location inAttribute(int index, int character) {
+  public SourceLocation inAttribute(int index, int character) {
     synchronized (source) {
       return source.inAttribute(offset, index, character);
     }

@@ -2,12 +2,12 @@ package org.selectiverenderer.x3d.source;
 
 import javax.xml.stream.XMLStreamConstants;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.x3d.source.DocumentFault.Kind;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.x3d.source.DocumentError.Kind;
 
 /** Parses a text to a tree of elements of any namespace. For one text. */
 class ElementParser {
-  private final XmlEvents xml;
+  private final XmlPullParser xml;
   private final ElementSource source;
   private final int shift;
   private final long revision;
@@ -23,7 +23,8 @@ class ElementParser {
    * @param source the source of the elements
    * @param shift a number that is added to every offset
    */
-  ElementParser(XmlEvents xml, ElementSource source, int shift, long revision, ReadLimits limits) {
+  ElementParser(
+      XmlPullParser xml, ElementSource source, int shift, long revision, ReadLimits limits) {
     this.xml = xml;
     this.source = source;
     this.shift = shift;
@@ -35,45 +36,45 @@ class ElementParser {
    * Parses a well-formed text and returns its root element. Attributes are not stored.
    *
    * @param shift a number that converts offsets in the text to those in the source
-   * @throws XmlFault at the first place where the text is not well-formed, is nested too deeply, or
-   *     has a tag with too many attributes
+   * @throws XmlParseException at the first place where the text is not well-formed, is nested too
+   *     deeply, or has a tag with too many attributes
    */
   static DocumentElement root(SourceText text, ElementSource source, int shift, long revision)
-      throws XmlFault {
+      throws XmlParseException {
     String name = source.file();
     Preflight preflight = Preflight.of(name, text);
     ReadLimits standard = ReadLimits.standard();
     ReadLimits limits =
         new ReadLimits(
             standard.maxBytes(), standard.maxRatio(), standard.maxDepth(), Integer.MAX_VALUE);
-    if (preflight.encoding() != Encoding.XML) {
+    if (preflight.encoding() != SceneEncoding.XML) {
       String why =
           "this is a scene in "
               + preflight.encoding().title()
               + ", and only X3D XML can be changed; convert it first";
-      throw new XmlFault(new DocumentFault(Kind.REFUSED, Location.of(name), why));
+      throw new XmlParseException(new DocumentError(Kind.REFUSED, SourceLocation.of(name), why));
     }
-    Entities entities = source.entities();
-    XmlEvents xml =
+    EntityTable entities = source.entities();
+    XmlPullParser xml =
         entities.none()
             ? preflight.events()
-            : new XmlEvents(preflight.source(), EntityMask.of(text, entities, source, shift));
+            : new XmlPullParser(preflight.source(), EntityMasker.of(text, entities, source, shift));
     ElementParser parser = new ElementParser(xml, source, shift, revision, limits);
-    DocumentFault cut = preflight.cut();
-    DocumentFault fault = cut == null ? parser.parse() : cut;
+    DocumentError cut = preflight.cut();
+    DocumentError fault = cut == null ? parser.parse() : cut;
     if (fault != null) {
-      throw new XmlFault(fault);
+      throw new XmlParseException(fault);
     }
     if (parser.root == null) {
       String none = "the text has no element";
-      throw new XmlFault(new DocumentFault(Kind.SYNTAX, Location.of(name), none));
+      throw new XmlParseException(new DocumentError(Kind.SYNTAX, SourceLocation.of(name), none));
     }
     return parser.root;
   }
 
   /** Parses the text; returns the fault that ends it early, if any. */
-  final @Nullable DocumentFault parse() {
-    for (int event = xml.next(); event != XmlEvents.NONE; event = xml.next()) {
+  final @Nullable DocumentError parse() {
+    for (int event = xml.next(); event != XmlPullParser.NONE; event = xml.next()) {
       if (event == XMLStreamConstants.START_ELEMENT) {
         if (depth >= limits.maxDepth()) {
           return limit("elements are nested more than " + limits.maxDepth() + " deep");
@@ -91,8 +92,8 @@ class ElementParser {
     return xml.fault();
   }
 
-  private DocumentFault limit(String why) {
-    return new DocumentFault(Kind.LIMIT, xml.place().location(), why);
+  private DocumentError limit(String why) {
+    return new DocumentError(Kind.LIMIT, xml.place().location(), why);
   }
 
   private void start() {
@@ -125,7 +126,7 @@ class ElementParser {
         ? source
             .tag(place.offset() + shift)
             .attribute(attribute)
-            .map(WrittenAttribute::value)
+            .map(SourceAttribute::value)
             .orElse(parsed)
         : parsed;
   }

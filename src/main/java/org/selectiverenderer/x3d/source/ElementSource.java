@@ -1,6 +1,6 @@
 package org.selectiverenderer.x3d.source;
 
-import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.x3d.field.FieldParser;
 
 /** The current text of a document, in which its elements are located. Not thread-safe. */
@@ -12,7 +12,7 @@ public interface ElementSource {
   CharSequence characters();
 
   /** Returns the location of a character. */
-  Location location(int offset);
+  SourceLocation location(int offset);
 
   /** Returns the parser of attribute values. */
   FieldParser parser();
@@ -23,26 +23,26 @@ public interface ElementSource {
    * @param element the offset of the element
    * @param index the index from 0, not counting namespace declarations
    */
-  default Location attribute(int element, int index) {
-    WrittenAttribute found = tag(element).at(index);
+  default SourceLocation attribute(int element, int index) {
+    SourceAttribute found = tag(element).at(index);
     return location(found == null ? element : found.from());
   }
 
   /** Returns the location of a character of its value, counted from the first non-blank one. */
-  default Location inAttribute(int element, int index, int character) {
-    WrittenAttribute found = tag(element).at(index);
+  default SourceLocation inAttribute(int element, int index, int character) {
+    SourceAttribute found = tag(element).at(index);
     return location(found == null ? element : found.at(character));
   }
 
   /** Returns an attribute's value as it is written, with references. */
   default String attributeText(int element, int index) {
-    WrittenAttribute found = tag(element).at(index);
+    SourceAttribute found = tag(element).at(index);
     return found == null ? "" : found.written();
   }
 
   /** Returns an attribute's value with its line ends, which XML normalizes to blanks. */
   default String attributeLines(int element, int index) {
-    WrittenAttribute found = tag(element).at(index);
+    SourceAttribute found = tag(element).at(index);
     return found == null ? "" : found.lines();
   }
 
@@ -52,7 +52,7 @@ public interface ElementSource {
   }
 
   /** Returns the entities for references in attributes; none if they are never expanded. */
-  default Entities entities() {
-    return Entities.NONE;
+  default EntityTable entities() {
+    return EntityTable.NONE;
   }
 }

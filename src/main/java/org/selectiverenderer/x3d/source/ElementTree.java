@@ -13,7 +13,7 @@ public final class ElementTree {
 
   private final DocumentElement root;
   private final ElementSource source;
-  private final DefNames names = new DefNames();
+  private final DefIndex names = new DefIndex();
 
   ElementTree(DocumentElement root, ElementSource source) {
     this.root = root;
@@ -25,10 +25,10 @@ public final class ElementTree {
    * Parses a text.
    *
    * @param revision the revision of the text
-   * @throws XmlFault at the first place where the text is not well-formed, is nested too deeply, or
-   *     has a tag with too many attributes
+   * @throws XmlParseException at the first place where the text is not well-formed, is nested too
+   *     deeply, or has a tag with too many attributes
    */
-  public static ElementTree of(ElementSource source, long revision) throws XmlFault {
+  public static ElementTree of(ElementSource source, long revision) throws XmlParseException {
     SourceText text = SourceText.of(source.characters());
     return new ElementTree(ElementParser.root(text, source, 0, revision), source);
   }
@@ -116,12 +116,12 @@ public final class ElementTree {
    * @param revision the revision of the text after the changes, which the source already has
    * @return false if that was not possible; the tree is then invalid and must be parsed anew
    */
-  public boolean follow(List<TextChange> changes, long revision) {
+  public boolean follow(List<TextEdit> changes, long revision) {
     if (changes.size() > MANY) {
       return false;
     }
     Map<DocumentElement, int[]> ranges = new IdentityHashMap<>();
-    for (TextChange change : changes) {
+    for (TextEdit change : changes) {
       if (change.from() <= root.start() || change.to() >= root.end()) {
         return false;
       }
@@ -134,7 +134,7 @@ public final class ElementTree {
     ranges.keySet().removeIf(element -> readWithAnother(element, ranges));
     Map<DocumentElement, Part> parts = new IdentityHashMap<>();
     ranges.forEach((element, range) -> parts.put(element, part(element, range)));
-    root.move(new OffsetShift(changes));
+    root.move(new OffsetMapping(changes));
     for (Map.Entry<DocumentElement, Part> part : parts.entrySet()) {
       if (!readAgain(part.getKey(), part.getValue(), revision)) {
         return false;
@@ -180,7 +180,7 @@ public final class ElementTree {
     DocumentElement parsed;
     try {
       parsed = ElementParser.root(piece, source, from - head.length(), revision);
-    } catch (XmlFault e) {
+    } catch (XmlParseException e) {
       return false; // the whole text is parsed next, which reports the error
     }
     if (part.before() == 0 && part.behind() > 0 && !parsed.name().equals(element.name())) {

@@ -55,7 +55,7 @@ public final class EncodedText {
    *
    * @param in the source of the elements
    */
-  public ElementTree elements(ElementSource in) throws XmlFault {
+  public ElementTree elements(ElementSource in) throws XmlParseException {
     return new ElementTree(ElementParser.root(source, in, 0, 0), in);
   }
 

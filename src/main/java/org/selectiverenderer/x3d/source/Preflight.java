@@ -3,8 +3,8 @@ package org.selectiverenderer.x3d.source;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.x3d.source.DocumentFault.Kind;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.x3d.source.DocumentError.Kind;
 
 /**
  * The result of checking a file before parsing: its encoding, and the errors found by then.
@@ -15,23 +15,23 @@ import org.selectiverenderer.x3d.source.DocumentFault.Kind;
  * @param encoding the encoding; XML if it is unknown
  */
 public record Preflight(
-    SourceText text, TextSource source, List<DocumentFault> faults, Encoding encoding) {
+    SourceText text, TextSource source, List<DocumentError> faults, SceneEncoding encoding) {
   /** Checks a file's bytes. */
   public static Preflight of(String name, SceneBytes bytes) {
     SourceText text = SourceText.of(bytes.bytes(), bytes.length());
-    Location whole = Location.of(name);
+    SourceLocation whole = SourceLocation.of(name);
     if (bytes.refused() != null) {
       return refused(name, text, bytes.refused());
     }
-    List<DocumentFault> faults = new ArrayList<>();
+    List<DocumentError> faults = new ArrayList<>();
     if (text.complaint() != null) {
-      faults.add(new DocumentFault(Kind.ENCODING, whole, text.complaint()));
+      faults.add(new DocumentError(Kind.ENCODING, whole, text.complaint()));
     }
     if (bytes.cut() != null) {
-      Location end = new TextSource(name, text).location(text.length());
-      faults.add(new DocumentFault(Kind.COMPRESSION, end, bytes.cut()));
+      SourceLocation end = new TextSource(name, text).location(text.length());
+      faults.add(new DocumentError(Kind.COMPRESSION, end, bytes.cut()));
       if (text.length() == 0) {
-        return new Preflight(text, new TextSource(name, text), faults, Encoding.XML);
+        return new Preflight(text, new TextSource(name, text), faults, SceneEncoding.XML);
       }
     }
     return of(name, text, faults);
@@ -42,25 +42,25 @@ public record Preflight(
     return of(name, text, new ArrayList<>());
   }
 
-  private static Preflight of(String name, SourceText text, List<DocumentFault> faults) {
+  private static Preflight of(String name, SourceText text, List<DocumentError> faults) {
     String head = text.head(64);
-    Encoding encoding = Encoding.of(head).orElse(null);
+    SceneEncoding encoding = SceneEncoding.of(head).orElse(null);
     if (encoding == null) {
       return refused(name, text, foreign(head));
     }
     TextSource source = new TextSource(name, text);
-    int flood = encoding == Encoding.XML ? text.floodedTag() : -1;
+    int flood = encoding == SceneEncoding.XML ? text.floodedTag() : -1;
     if (flood < 0) {
       return new Preflight(text, source, faults, encoding);
     }
     String why = "an element has more than " + SourceText.ATTRIBUTES + " attributes";
-    faults.add(new DocumentFault(Kind.LIMIT, source.location(flood), why));
+    faults.add(new DocumentError(Kind.LIMIT, source.location(flood), why));
     return new Preflight(text.cutAt(flood), source, faults, encoding);
   }
 
   private static Preflight refused(String name, SourceText text, String why) {
-    DocumentFault fault = new DocumentFault(Kind.REFUSED, Location.of(name), why);
-    return new Preflight(text, new TextSource(name, text), List.of(fault), Encoding.XML);
+    DocumentError fault = new DocumentError(Kind.REFUSED, SourceLocation.of(name), why);
+    return new Preflight(text, new TextSource(name, text), List.of(fault), SceneEncoding.XML);
   }
 
   /** Returns the message about a file in an unknown encoding. */
@@ -78,8 +78,8 @@ public record Preflight(
   }
 
   /** Returns a parser at the start of the text. */
-  public XmlEvents events() {
-    return new XmlEvents(source, text);
+  public XmlPullParser events() {
+    return new XmlPullParser(source, text);
   }
 
   /** Returns whether the file must not be parsed. */
@@ -89,8 +89,8 @@ public record Preflight(
 
   /** Returns the error that truncates the text; null if there is none. */
   @Nullable
-  public DocumentFault cut() {
-    DocumentFault last = faults.isEmpty() ? null : faults.get(faults.size() - 1);
+  public DocumentError cut() {
+    DocumentError last = faults.isEmpty() ? null : faults.get(faults.size() - 1);
     return last == null || last.kind() == Kind.ENCODING ? null : last;
   }
 }

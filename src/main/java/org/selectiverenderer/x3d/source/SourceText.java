@@ -15,7 +15,7 @@ import org.codehaus.stax2.XMLStreamReader2;
 import org.codehaus.stax2.io.Stax2ByteArraySource;
 import org.codehaus.stax2.io.Stax2CharArraySource;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.x3d.field.Tokens;
+import org.selectiverenderer.x3d.field.FieldTokenizer;
 
 /**
  * The characters of a scene file. An ASCII file, as most are, is parsed from its bytes; any other
@@ -78,7 +78,7 @@ public final class SourceText implements CharSequence {
           case "", "utf-8", "utf8", "us-ascii", "iso-8859-1" -> true;
           default -> false;
         };
-    if (usual && AsciiBytes.only(bytes, start, length)) {
+    if (usual && AsciiScanner.only(bytes, start, length)) {
       byte[] text = marked ? Arrays.copyOfRange(bytes, start, length) : bytes;
       Charset named = charset(declared);
       return new SourceText(
@@ -91,7 +91,9 @@ public final class SourceText implements CharSequence {
           bytes,
           text.length,
           text.decoded,
-          "the encoding " + Tokens.quote(declared) + " is not known; the file is read as UTF-8",
+          "the encoding "
+              + FieldTokenizer.quote(declared)
+              + " is not known; the file is read as UTF-8",
           StandardCharsets.UTF_8,
           start);
     }
@@ -195,7 +197,7 @@ public final class SourceText implements CharSequence {
   private int mark(int from) {
     char[] letters = decoded;
     if (letters == null) {
-      return AsciiBytes.mark(bytes, from, length);
+      return AsciiScanner.mark(bytes, from, length);
     }
     int at = from;
     while (at < length && (letters[at] & ~1) != '<') {

@@ -7,10 +7,10 @@ import org.jspecify.annotations.Nullable;
 
 /** The attributes of a start tag, parsed from the text on request. */
 public final class StartTag {
-  private final List<WrittenAttribute> attributes = new ArrayList<>(4);
+  private final List<SourceAttribute> attributes = new ArrayList<>(4);
   private final int end;
 
-  private StartTag(CharSequence text, int start, Entities entities) {
+  private StartTag(CharSequence text, int start, EntityTable entities) {
     if (start < text.length() && text.charAt(start) == '&') {
       end = start; // a reference to an entity, which has none
       return;
@@ -32,7 +32,7 @@ public final class StartTag {
         to++;
       }
       String name = text.subSequence(from, at).toString();
-      attributes.add(new WrittenAttribute(text, name, from, quote + 1, to, entities));
+      attributes.add(new SourceAttribute(text, name, from, quote + 1, to, entities));
       at = Math.min(to + 1, limit);
       last = at;
     }
@@ -44,7 +44,7 @@ public final class StartTag {
    * @param start the offset of its {@code <}
    * @param entities the entities for references in values
    */
-  static StartTag of(CharSequence text, int start, Entities entities) {
+  static StartTag of(CharSequence text, int start, EntityTable entities) {
     return new StartTag(text, start, entities);
   }
 
@@ -65,14 +65,14 @@ public final class StartTag {
   }
 
   /** Returns the attributes in the order of the text. */
-  public List<WrittenAttribute> attributes() {
+  public List<SourceAttribute> attributes() {
     return attributes;
   }
 
   /** Returns the attribute of an index, not counting namespace declarations, or null. */
-  @Nullable WrittenAttribute at(int index) {
+  @Nullable SourceAttribute at(int index) {
     int left = index;
-    for (WrittenAttribute attribute : attributes) {
+    for (SourceAttribute attribute : attributes) {
       if (!attribute.declaration() && left-- == 0) {
         return attribute;
       }
@@ -81,8 +81,8 @@ public final class StartTag {
   }
 
   /** Returns the attribute with a name, if there is one. */
-  public Optional<WrittenAttribute> attribute(String name) {
-    for (WrittenAttribute attribute : attributes) {
+  public Optional<SourceAttribute> attribute(String name) {
+    for (SourceAttribute attribute : attributes) {
       if (attribute.name().equals(name)) {
         return Optional.of(attribute);
       }

@@ -1,7 +1,7 @@
 package org.selectiverenderer.x3d.source;
 
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.x3d.field.FieldParser;
 
 /** An unchanging text. Its lines are indexed when the first location is needed. */
@@ -34,14 +34,14 @@ public final class TextSource implements ElementSource {
   }
 
   @Override
-  public Location location(int offset) {
+  public SourceLocation location(int offset) {
     LineIndex known = lines;
     if (known == null) {
       known = new LineIndex(text);
       lines = known;
     }
     int line = known.line(text, offset);
-    return new Location(file, line, offset - known.start(text, line) + 1);
+    return new SourceLocation(file, line, offset - known.start(text, line) + 1);
   }
 
   @Override

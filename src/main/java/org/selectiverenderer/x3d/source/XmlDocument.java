@@ -5,7 +5,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.x3d.read.X3dReader;
 
 /**
@@ -21,25 +21,25 @@ public final class XmlDocument {
    * @param before the next sibling element; null if there is none
    */
   public record Comment(
-      String text, Location location, int offset, @Nullable DocumentElement before) {
+      String text, SourceLocation location, int offset, @Nullable DocumentElement before) {
     Comment before(@Nullable DocumentElement next) {
       return new Comment(text, location, offset, next);
     }
   }
 
   /** A DOCTYPE; its public identifier is empty if there is none. */
-  public record DocumentType(Location location, String publicId) {}
+  public record DocumentType(SourceLocation location, String publicId) {}
 
   private final String name;
   private final boolean compressed;
-  private final Encoding encoding;
+  private final SceneEncoding encoding;
   private final List<DocumentElement> elements = new ArrayList<>();
   private final List<Comment> comments = new ArrayList<>();
-  private final List<DocumentFault> faults = new ArrayList<>();
+  private final List<DocumentError> faults = new ArrayList<>();
 
   private @Nullable DocumentType type;
 
-  XmlDocument(String name, boolean compressed, Encoding encoding) {
+  XmlDocument(String name, boolean compressed, SceneEncoding encoding) {
     this.name = name;
     this.compressed = compressed;
     this.encoding = encoding;
@@ -53,7 +53,7 @@ public final class XmlDocument {
     comments.add(comment);
   }
 
-  void add(DocumentFault fault) {
+  void add(DocumentError fault) {
     faults.add(fault);
   }
 
@@ -72,7 +72,7 @@ public final class XmlDocument {
   }
 
   /** Returns the encoding of the file; its elements are always those of the XML encoding. */
-  public Encoding encoding() {
+  public SceneEncoding encoding() {
     return encoding;
   }
 
@@ -97,7 +97,7 @@ public final class XmlDocument {
   }
 
   /** Returns the syntax errors in the order found. */
-  public List<DocumentFault> faults() {
+  public List<DocumentError> faults() {
     return Collections.unmodifiableList(faults);
   }
 

@@ -5,13 +5,13 @@ import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
-import org.selectiverenderer.x3d.catalogue.FormerNames;
+import org.selectiverenderer.x3d.catalogue.LegacyFieldNames;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.catalogue.NodeType;
+import org.selectiverenderer.x3d.field.FieldTokenizer;
 import org.selectiverenderer.x3d.field.FieldType;
-import org.selectiverenderer.x3d.field.Tokens;
-import org.selectiverenderer.x3d.source.DocumentBuilder;
-import org.selectiverenderer.x3d.source.XmlFault;
+import org.selectiverenderer.x3d.source.ElementTreeBuilder;
+import org.selectiverenderer.x3d.source.XmlParseException;
 import org.selectiverenderer.x3d.vrml.VrmlScope.Named;
 
 /** Parses nodes with their fields, and delegates other statements to {@link StatementParser}. */
@@ -31,13 +31,13 @@ final class NodeParser {
 
   private static final String INSTANCE = "ProtoInstance";
 
-  private final DocumentBuilder document;
+  private final ElementTreeBuilder document;
   private final VrmlScanner scanner;
   private final NodeCatalogue catalogue;
   private final ValueParser values;
   private final StatementParser statements;
 
-  NodeParser(DocumentBuilder document, VrmlScanner scanner, NodeCatalogue catalogue) {
+  NodeParser(ElementTreeBuilder document, VrmlScanner scanner, NodeCatalogue catalogue) {
     this.document = document;
     this.scanner = scanner;
     this.catalogue = catalogue;
@@ -46,7 +46,7 @@ final class NodeParser {
   }
 
   /** Parses the node or other statement at the current offset. */
-  void statement(VrmlScope scope, Place place) throws XmlFault {
+  void statement(VrmlScope scope, Place place) throws XmlParseException {
     int start = scanner.at();
     String word = scanner.word();
     switch (word) {
@@ -67,7 +67,7 @@ final class NodeParser {
     }
   }
 
-  private void use(VrmlScope scope, Place place, int start) throws XmlFault {
+  private void use(VrmlScope scope, Place place, int start) throws XmlParseException {
     int from = scanner.space();
     String name = scanner.name("the name of a node");
     Named named = scope.find(name);
@@ -88,13 +88,13 @@ final class NodeParser {
   }
 
   private void node(VrmlScope scope, Place place, int start, String word, @Nullable String name)
-      throws XmlFault {
+      throws XmlParseException {
     int behind = scanner.at();
     scanner.space();
     if (scanner.peek() != '{') {
       scanner.back(behind);
       scanner.space();
-      throw scanner.expected("'{' after the type of a node, " + Tokens.quote(word) + ",");
+      throw scanner.expected("'{' after the type of a node, " + FieldTokenizer.quote(word) + ",");
     }
     scanner.step();
     Map<String, FieldType> fields = scope.prototype(word);
@@ -133,7 +133,7 @@ final class NodeParser {
   }
 
   private void ownField(VrmlScope scope, String access, int at, List<Connection> connections)
-      throws XmlFault {
+      throws XmlParseException {
     StatementParser.Declared declared = statements.declare(access, at);
     if (!connected(declared.name(), at, connections)) {
       statements.initial(declared, scope);
@@ -148,8 +148,8 @@ final class NodeParser {
       String word,
       int at,
       List<Connection> connections)
-      throws XmlFault {
-    String name = FormerNames.now(type, word);
+      throws XmlParseException {
+    String name = LegacyFieldNames.now(type, word);
     if (connected(name, at, connections)) {
       return;
     }
@@ -174,7 +174,7 @@ final class NodeParser {
    * @param type the field type, or null if it is unknown
    */
   void content(VrmlScope scope, Place place, String attribute, @Nullable FieldType type, int at)
-      throws XmlFault {
+      throws XmlParseException {
     if (type != null && !type.isNode()) {
       values.value(attribute, type, at);
     } else if (type != null && !values.numbers()) {
@@ -187,14 +187,14 @@ final class NodeParser {
   }
 
   /** Parses control points of VRML97 NURBS, which are values (ISO/IEC 14772-1 Amd.1, 6). */
-  private void controlPoints(int at) throws XmlFault {
+  private void controlPoints(int at) throws XmlParseException {
     document.open("Coordinate", null, null, at, scanner.at());
     document.attribute("containerField", "controlPoint", at);
     values.value("point", FieldType.MFVec3f, at);
     document.close(scanner.at());
   }
 
-  private void nodes(VrmlScope scope, Place place) throws XmlFault {
+  private void nodes(VrmlScope scope, Place place) throws XmlParseException {
     int open = scanner.space();
     if (scanner.peek() != '[') {
       statement(scope, place);
@@ -213,7 +213,8 @@ final class NodeParser {
   }
 
   /** Parses an IS connection, if there is one here (ISO/IEC 19776-2, 4.3.7). */
-  private boolean connected(String field, int at, List<Connection> connections) throws XmlFault {
+  private boolean connected(String field, int at, List<Connection> connections)
+      throws XmlParseException {
     scanner.space();
     if (!scanner.take("IS")) {
       return false;
@@ -224,7 +225,7 @@ final class NodeParser {
     return true;
   }
 
-  private void connect(List<Connection> connections) throws XmlFault {
+  private void connect(List<Connection> connections) throws XmlParseException {
     if (connections.isEmpty()) {
       return;
     }

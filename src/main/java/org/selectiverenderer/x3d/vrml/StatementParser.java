@@ -3,27 +3,27 @@ package org.selectiverenderer.x3d.vrml;
 import java.util.HashMap;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.x3d.catalogue.FieldAccess;
-import org.selectiverenderer.x3d.catalogue.FormerNames;
+import org.selectiverenderer.x3d.catalogue.AccessType;
+import org.selectiverenderer.x3d.catalogue.LegacyFieldNames;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.field.FieldTokenizer;
 import org.selectiverenderer.x3d.field.FieldType;
-import org.selectiverenderer.x3d.field.Tokens;
-import org.selectiverenderer.x3d.source.DocumentBuilder;
-import org.selectiverenderer.x3d.source.XmlFault;
+import org.selectiverenderer.x3d.source.ElementTreeBuilder;
+import org.selectiverenderer.x3d.source.XmlParseException;
 
 /** Parses routes, prototypes, imports and exports (ISO/IEC 19776-2, 4.3.4 to 4.3.13). */
 final class StatementParser {
   /** A field declaration of a prototype or Script, whose element is open. */
-  record Declared(String name, FieldType type, FieldAccess access, int at) {}
+  record Declared(String name, FieldType type, AccessType access, int at) {}
 
-  private final DocumentBuilder document;
+  private final ElementTreeBuilder document;
   private final VrmlScanner scanner;
   private final NodeCatalogue catalogue;
   private final NodeParser nodes;
   private final ValueParser values;
 
   StatementParser(
-      DocumentBuilder document,
+      ElementTreeBuilder document,
       VrmlScanner scanner,
       NodeCatalogue catalogue,
       NodeParser nodes,
@@ -36,12 +36,12 @@ final class StatementParser {
   }
 
   /** Returns the access type of a keyword of X3D or VRML97; null for any other word. */
-  static @Nullable FieldAccess access(String word) {
+  static @Nullable AccessType access(String word) {
     return switch (word) {
-      case "field", "initializeOnly" -> FieldAccess.INITIALIZE_ONLY;
-      case "eventIn", "inputOnly" -> FieldAccess.INPUT_ONLY;
-      case "eventOut", "outputOnly" -> FieldAccess.OUTPUT_ONLY;
-      case "exposedField", "inputOutput" -> FieldAccess.INPUT_OUTPUT;
+      case "field", "initializeOnly" -> AccessType.INITIALIZE_ONLY;
+      case "eventIn", "inputOnly" -> AccessType.INPUT_ONLY;
+      case "eventOut", "outputOnly" -> AccessType.OUTPUT_ONLY;
+      case "exposedField", "inputOutput" -> AccessType.INPUT_OUTPUT;
       default -> null;
     };
   }
@@ -51,7 +51,7 @@ final class StatementParser {
    *
    * @param start the offset of the word, which has been consumed
    */
-  boolean read(String word, int start, VrmlScope scope) throws XmlFault {
+  boolean read(String word, int start, VrmlScope scope) throws XmlParseException {
     switch (word) {
       case "ROUTE" -> route(start, scope);
       case "PROTO" -> prototype(start, scope);
@@ -67,7 +67,7 @@ final class StatementParser {
     return true;
   }
 
-  private void route(int start, VrmlScope scope) throws XmlFault {
+  private void route(int start, VrmlScope scope) throws XmlParseException {
     document.open("ROUTE", null, null, start, scanner.at());
     end(start, scope, "from");
     scanner.space();
@@ -78,7 +78,7 @@ final class StatementParser {
     document.close(scanner.at());
   }
 
-  private void end(int start, VrmlScope scope, String side) throws XmlFault {
+  private void end(int start, VrmlScope scope, String side) throws XmlParseException {
     int node = scanner.space();
     String name = scanner.word('.');
     document.attribute(side + "Node", name, start, node, scanner.at());
@@ -89,11 +89,11 @@ final class StatementParser {
     String now =
         named == null
             ? written
-            : FormerNames.now(catalogue.find(named.element()).orElse(null), written);
+            : LegacyFieldNames.now(catalogue.find(named.element()).orElse(null), written);
     document.attribute(side + "Field", now, start, field, scanner.at());
   }
 
-  private void imported(int start) throws XmlFault {
+  private void imported(int start) throws XmlParseException {
     document.open("IMPORT", null, null, start, scanner.at());
     int inline = scanner.space();
     String name = scanner.word('.');
@@ -104,14 +104,14 @@ final class StatementParser {
     document.close(scanner.at());
   }
 
-  private void exported(int start) throws XmlFault {
+  private void exported(int start) throws XmlParseException {
     document.open("EXPORT", null, null, start, scanner.at());
     name("localDEF", start);
     as(start);
     document.close(scanner.at());
   }
 
-  private void as(int start) throws XmlFault {
+  private void as(int start) throws XmlParseException {
     int behind = scanner.at();
     scanner.space();
     if (scanner.take("AS")) {
@@ -121,18 +121,18 @@ final class StatementParser {
     }
   }
 
-  private String name(String attribute, int start) throws XmlFault {
+  private String name(String attribute, int start) throws XmlParseException {
     int from = scanner.space();
     String name = scanner.name("a name");
     document.attribute(attribute, name, start, from, scanner.at());
     return name;
   }
 
-  private void prototype(int start, VrmlScope scope) throws XmlFault {
+  private void prototype(int start, VrmlScope scope) throws XmlParseException {
     document.open("ProtoDeclare", null, null, start, scanner.at());
     String name = name("name", start);
     Map<String, FieldType> fields = new HashMap<>();
-    scanner.expect('[', "and the interface of the prototype " + Tokens.quote(name));
+    scanner.expect('[', "and the interface of the prototype " + FieldTokenizer.quote(name));
     document.open("ProtoInterface", null, null, scanner.at() - 1, scanner.at());
     scanner.space();
     while (scanner.peek() != ']') {
@@ -145,7 +145,7 @@ final class StatementParser {
     }
     scanner.step();
     document.close(scanner.at());
-    scanner.expect('{', "and the body of the prototype " + Tokens.quote(name));
+    scanner.expect('{', "and the body of the prototype " + FieldTokenizer.quote(name));
     document.open("ProtoBody", null, null, scanner.at() - 1, scanner.at());
     VrmlScope body = new VrmlScope(scope);
     scanner.space();
@@ -159,11 +159,11 @@ final class StatementParser {
     scope.declare(name, fields);
   }
 
-  private void external(int start, VrmlScope scope) throws XmlFault {
+  private void external(int start, VrmlScope scope) throws XmlParseException {
     document.open("ExternProtoDeclare", null, null, start, scanner.at());
     String name = name("name", start);
     Map<String, FieldType> fields = new HashMap<>();
-    scanner.expect('[', "and the interface of the prototype " + Tokens.quote(name));
+    scanner.expect('[', "and the interface of the prototype " + FieldTokenizer.quote(name));
     scanner.space();
     while (scanner.peek() != ']') {
       int at = scanner.at();
@@ -184,13 +184,13 @@ final class StatementParser {
    * @param word the keyword of its access type, which has been consumed
    * @param at the offset of the keyword
    */
-  Declared declare(String word, int at) throws XmlFault {
-    FieldAccess access = access(word);
+  Declared declare(String word, int at) throws XmlParseException {
+    AccessType access = access(word);
     if (access == null) {
       throw document.fault(
           at,
           "inputOnly, outputOnly, inputOutput or initializeOnly is expected here, not "
-              + Tokens.quote(word));
+              + FieldTokenizer.quote(word));
     }
     int from = scanner.space();
     String spelling = scanner.name("the type of a field");
@@ -199,7 +199,7 @@ final class StatementParser {
       type = candidate.name().equals(spelling) ? candidate : type;
     }
     if (type == null) {
-      throw document.fault(from, Tokens.quote(spelling) + " is not a field type");
+      throw document.fault(from, FieldTokenizer.quote(spelling) + " is not a field type");
     }
     int typeEnd = scanner.at();
     document.open("field", null, null, at, typeEnd);
@@ -210,7 +210,7 @@ final class StatementParser {
   }
 
   /** Parses the initial value of a field, if it has one. */
-  void initial(Declared declared, VrmlScope scope) throws XmlFault {
+  void initial(Declared declared, VrmlScope scope) throws XmlParseException {
     if (declared.access().initialisable()) {
       nodes.content(scope, NodeParser.TOP, "value", declared.type(), declared.at());
     }

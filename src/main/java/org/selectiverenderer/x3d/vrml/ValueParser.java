@@ -1,18 +1,18 @@
 package org.selectiverenderer.x3d.vrml;
 
 import org.selectiverenderer.x3d.field.FieldType;
-import org.selectiverenderer.x3d.source.DocumentBuilder;
-import org.selectiverenderer.x3d.source.XmlFault;
+import org.selectiverenderer.x3d.source.ElementTreeBuilder;
+import org.selectiverenderer.x3d.source.XmlParseException;
 
 /** Finds the extent of field values other than nodes, and adds them as attributes. */
 final class ValueParser {
-  private final DocumentBuilder document;
+  private final ElementTreeBuilder document;
   private final VrmlScanner scanner;
 
   /** The offset of the first word of the last list; -1 for a value without brackets. */
   private int firstInList = -1;
 
-  ValueParser(DocumentBuilder document, VrmlScanner scanner) {
+  ValueParser(ElementTreeBuilder document, VrmlScanner scanner) {
     this.document = document;
     this.scanner = scanner;
   }
@@ -40,7 +40,7 @@ final class ValueParser {
    * @param attribute the name of the attribute
    * @param at the offset of the field's name
    */
-  void value(String attribute, FieldType type, int at) throws XmlFault {
+  void value(String attribute, FieldType type, int at) throws XmlParseException {
     int from = scanner.space();
     switch (type.kind()) {
       case STRING -> {
@@ -73,7 +73,7 @@ final class ValueParser {
   }
 
   /** Skips numbers or booleans; returns the offset after the last. */
-  private int words(FieldType type) throws XmlFault {
+  private int words(FieldType type) throws XmlParseException {
     if (scanner.peek() == '[') {
       return list();
     }
@@ -153,7 +153,7 @@ final class ValueParser {
   }
 
   /** Skips a list in brackets; returns the offset of the closing bracket. */
-  private int list() throws XmlFault {
+  private int list() throws XmlParseException {
     int open = scanner.at();
     scanner.step();
     firstInList = scanner.space();
@@ -174,7 +174,7 @@ final class ValueParser {
     }
   }
 
-  private void strings(String attribute, int at) throws XmlFault {
+  private void strings(String attribute, int at) throws XmlParseException {
     int from = scanner.at();
     int to;
     if (scanner.peek() == '[') {
@@ -226,7 +226,7 @@ final class ValueParser {
    *
    * @return false, without consuming anything, if it may consist of nodes
    */
-  boolean guess(String attribute, int at) throws XmlFault {
+  boolean guess(String attribute, int at) throws XmlParseException {
     int from = scanner.space();
     if (scanner.peek() == '[') {
       scanner.step();

@@ -3,13 +3,13 @@ package org.selectiverenderer.x3d.vrml;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
-import org.selectiverenderer.x3d.source.DocumentBuilder;
-import org.selectiverenderer.x3d.source.Encoding;
+import org.selectiverenderer.x3d.source.ElementTreeBuilder;
+import org.selectiverenderer.x3d.source.SceneEncoding;
 import org.selectiverenderer.x3d.source.ValueCleaner;
-import org.selectiverenderer.x3d.source.XmlFault;
+import org.selectiverenderer.x3d.source.XmlParseException;
 
 /** Parses a file: its header line, its head statements, and its scene. */
-public final class VrmlParser implements DocumentBuilder.Parser {
+public final class VrmlParser implements ElementTreeBuilder.Parser {
   private static final Pattern VERSION = Pattern.compile("#X3D\\s+V?(\\d+\\.\\d+).*");
 
   /**
@@ -20,10 +20,10 @@ public final class VrmlParser implements DocumentBuilder.Parser {
   private static final String VRML97_VERSION = "3.3";
 
   private final NodeCatalogue catalogue;
-  private final Encoding encoding;
+  private final SceneEncoding encoding;
 
   /** Creates a parser of one encoding for the node types of a catalogue. */
-  public VrmlParser(NodeCatalogue catalogue, Encoding encoding) {
+  public VrmlParser(NodeCatalogue catalogue, SceneEncoding encoding) {
     this.catalogue = catalogue;
     this.encoding = encoding;
   }
@@ -34,7 +34,7 @@ public final class VrmlParser implements DocumentBuilder.Parser {
   }
 
   @Override
-  public void parse(DocumentBuilder document) throws XmlFault {
+  public void parse(ElementTreeBuilder document) throws XmlParseException {
     VrmlScanner scanner = new VrmlScanner(document);
     while (scanner.peek() != '#') {
       scanner.step(); // white space, which the detection of the encoding skips
@@ -57,9 +57,9 @@ public final class VrmlParser implements DocumentBuilder.Parser {
     document.close(scanner.at());
   }
 
-  private void version(DocumentBuilder document, String line, int start) {
+  private void version(ElementTreeBuilder document, String line, int start) {
     Matcher version = VERSION.matcher(line);
-    if (encoding == Encoding.VRML97) {
+    if (encoding == SceneEncoding.VRML97) {
       document.attribute("profile", VRML97_PROFILE, start);
       document.attribute("version", VRML97_VERSION, start);
     } else if (version.matches()) {
@@ -69,7 +69,7 @@ public final class VrmlParser implements DocumentBuilder.Parser {
   }
 
   /** Parses the statements before the scene (ISO/IEC 19776-2, 4.3.3). */
-  private void head(DocumentBuilder document, VrmlScanner scanner) throws XmlFault {
+  private void head(ElementTreeBuilder document, VrmlScanner scanner) throws XmlParseException {
     boolean head = false;
     while (true) {
       String next = scanner.nextWord();
@@ -115,7 +115,8 @@ public final class VrmlParser implements DocumentBuilder.Parser {
   }
 
   private static void profile(
-      DocumentBuilder document, VrmlScanner scanner, int start, boolean head) throws XmlFault {
+      ElementTreeBuilder document, VrmlScanner scanner, int start, boolean head)
+      throws XmlParseException {
     if (head) {
       throw document.fault(start, "PROFILE must stand before COMPONENT, META and UNIT");
     }
@@ -124,7 +125,8 @@ public final class VrmlParser implements DocumentBuilder.Parser {
     document.attribute("profile", profile, start, from, scanner.at());
   }
 
-  private static void component(DocumentBuilder document, VrmlScanner scanner) throws XmlFault {
+  private static void component(ElementTreeBuilder document, VrmlScanner scanner)
+      throws XmlParseException {
     int from = scanner.space();
     String name = scanner.word(':');
     document.attribute("name", name, from, from, scanner.at());
@@ -135,15 +137,15 @@ public final class VrmlParser implements DocumentBuilder.Parser {
     }
   }
 
-  private static void word(DocumentBuilder document, VrmlScanner scanner, String attribute)
-      throws XmlFault {
+  private static void word(ElementTreeBuilder document, VrmlScanner scanner, String attribute)
+      throws XmlParseException {
     int from = scanner.space();
     String word = scanner.name("a word");
     document.attribute(attribute, word, from, from, scanner.at());
   }
 
-  private static void quoted(DocumentBuilder document, VrmlScanner scanner, String attribute)
-      throws XmlFault {
+  private static void quoted(ElementTreeBuilder document, VrmlScanner scanner, String attribute)
+      throws XmlParseException {
     int from = scanner.space();
     String words = scanner.string("a string in double quotes");
     document.attribute(attribute, words, from, from + 1, scanner.at() - 1);

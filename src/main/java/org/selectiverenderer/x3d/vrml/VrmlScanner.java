@@ -1,22 +1,22 @@
 package org.selectiverenderer.x3d.vrml;
 
 import java.util.Locale;
-import org.selectiverenderer.x3d.field.Tokens;
-import org.selectiverenderer.x3d.source.DocumentBuilder;
+import org.selectiverenderer.x3d.field.FieldTokenizer;
+import org.selectiverenderer.x3d.source.ElementTreeBuilder;
 import org.selectiverenderer.x3d.source.SourceText;
-import org.selectiverenderer.x3d.source.XmlFault;
+import org.selectiverenderer.x3d.source.XmlParseException;
 
 /**
  * Scans the lexical elements of a text (ISO/IEC 19776-2, 4.3), which are separated by white space,
  * commas, brackets and quotes. Comments are added to the document when they are skipped.
  */
 final class VrmlScanner {
-  private final DocumentBuilder document;
+  private final ElementTreeBuilder document;
   private final SourceText text;
   private final int length;
   private int at;
 
-  VrmlScanner(DocumentBuilder document) {
+  VrmlScanner(ElementTreeBuilder document) {
     this.document = document;
     this.text = document.text();
     this.length = text.length();
@@ -177,7 +177,7 @@ final class VrmlScanner {
    *
    * @param what the noun for it with its article, for the message
    */
-  String name(String what) throws XmlFault {
+  String name(String what) throws XmlParseException {
     space();
     String name = word();
     if (name.isEmpty()) {
@@ -187,7 +187,7 @@ final class VrmlScanner {
   }
 
   /** Consumes a character that must be there. */
-  void expect(char wanted, String where) throws XmlFault {
+  void expect(char wanted, String where) throws XmlParseException {
     space();
     if (peek() != wanted) {
       throw expected("'" + wanted + "' " + where);
@@ -196,7 +196,7 @@ final class VrmlScanner {
   }
 
   /** Returns the error that something else is expected here. */
-  XmlFault expected(String what) {
+  XmlParseException expected(String what) {
     if (ended()) {
       return document.fault(at, "the file is cut off here: " + what + " is missing");
     }
@@ -204,7 +204,7 @@ final class VrmlScanner {
     passWord();
     String found = text.subSequence(start, Math.max(at, start + 1)).toString();
     at = start;
-    return document.fault(start, what + " is expected here, not " + Tokens.quote(found));
+    return document.fault(start, what + " is expected here, not " + FieldTokenizer.quote(found));
   }
 
   /**
@@ -212,7 +212,7 @@ final class VrmlScanner {
    *
    * @return the offset of its closing quote
    */
-  int passString() throws XmlFault {
+  int passString() throws XmlParseException {
     int start = at++;
     while (at < length && text.charAt(at) != '"') {
       at += text.charAt(at) == '\\' ? 2 : 1;
@@ -225,7 +225,7 @@ final class VrmlScanner {
   }
 
   /** Consumes a string and returns its unescaped content, with XML line ends (XML 1.0, 2.11). */
-  String string(String what) throws XmlFault {
+  String string(String what) throws XmlParseException {
     space();
     if (peek() != '"') {
       throw expected(what);

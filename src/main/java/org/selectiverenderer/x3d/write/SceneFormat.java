@@ -4,15 +4,15 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Function;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.XmlDocument;
 
 /** The encodings in which scenes are written, with their file name extensions. */
 public enum SceneFormat {
-  XML(XmlText::of, ".x3d", ".x3dz", ".xml"),
-  CLASSIC(ClassicText::of, ".x3dv", ".x3dvz"),
-  JSON(JsonSceneText::of, ".x3dj", ".x3djz", ".json");
+  XML(XmlSceneWriter::of, ".x3d", ".x3dz", ".xml"),
+  CLASSIC(ClassicVrmlSceneWriter::of, ".x3dv", ".x3dvz"),
+  JSON(JsonSceneWriter::of, ".x3dj", ".x3djz", ".json");
 
   private static final String GZIP = ".gz";
 
@@ -54,7 +54,7 @@ public enum SceneFormat {
    *
    * @param problems receives what is left out, and values that are not usable
    */
-  public String text(XmlDocument document, NodeCatalogue catalogue, Problems problems) {
-    return writer.apply(SceneItems.of(document, catalogue, problems));
+  public String text(XmlDocument document, NodeCatalogue catalogue, ProblemCollector problems) {
+    return writer.apply(SceneItemBuilder.of(document, catalogue, problems));
   }
 }

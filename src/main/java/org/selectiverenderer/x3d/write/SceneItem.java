@@ -2,7 +2,7 @@ package org.selectiverenderer.x3d.write;
 
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.x3d.catalogue.FieldAccess;
+import org.selectiverenderer.x3d.catalogue.AccessType;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.field.FieldType;
 
@@ -75,13 +75,13 @@ sealed interface SceneItem {
     }
 
     /** Returns the access type of a field declaration; outputOnly if it is invalid. */
-    FieldAccess access() {
-      for (FieldAccess access : FieldAccess.values()) {
+    AccessType access() {
+      for (AccessType access : AccessType.values()) {
         if (access.spelling().equals(text("accessType"))) {
           return access;
         }
       }
-      return FieldAccess.OUTPUT_ONLY;
+      return AccessType.OUTPUT_ONLY;
     }
   }
 }

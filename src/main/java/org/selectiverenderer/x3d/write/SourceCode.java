@@ -7,8 +7,8 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.field.FieldParser;
+import org.selectiverenderer.x3d.field.FieldTokenizer;
 import org.selectiverenderer.x3d.field.FieldType;
-import org.selectiverenderer.x3d.field.Tokens;
 import org.selectiverenderer.x3d.write.SceneItem.Value;
 
 /**
@@ -47,7 +47,7 @@ final class SourceCode {
           urls.remove(urls.size() - 1);
           values.remove(i);
           if (!urls.isEmpty()) {
-            values.add(i, new Value("url", FieldType.MFString, ValueText.strings(urls)));
+            values.add(i, new Value("url", FieldType.MFString, FieldValueFormatter.strings(urls)));
           }
           return code.get();
         }
@@ -79,7 +79,7 @@ final class SourceCode {
         script
             ? (language(code).isPresent() ? "" : SCRIPT + "\n") + code
             : SHADER + "\n" + code.replace("%", "%25");
-    return urls.isEmpty() ? Tokens.string(last) : urls + " " + Tokens.string(last);
+    return urls.isEmpty() ? FieldTokenizer.string(last) : urls + " " + FieldTokenizer.string(last);
   }
 
   /** Parses the strings of an MFString. */

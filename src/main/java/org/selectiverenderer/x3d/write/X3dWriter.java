@@ -2,7 +2,7 @@ package org.selectiverenderer.x3d.write;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
-import org.selectiverenderer.base.decimal.DecimalText;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
@@ -47,7 +47,7 @@ public final class X3dWriter {
 
   /** Writes a unit statement of the head. */
   public X3dWriter unit(String category, String name, double factor) {
-    String conversion = DecimalText.shortest(factor);
+    String conversion = DecimalFormatter.shortest(factor);
     return empty("unit", "category", category, "name", name, "conversionFactor", conversion);
   }
 
@@ -123,7 +123,7 @@ public final class X3dWriter {
 
   /** Writes an attribute of the current element. */
   public X3dWriter attribute(String name, String value) {
-    XmlAttribute.append(attribute(name), value, '\'');
+    XmlAttributeEscaper.append(attribute(name), value, '\'');
     text.append('\'');
     return this;
   }

@@ -3,10 +3,10 @@
  *
  * <p>In: values as {@link org.selectiverenderer.x3d.field.FieldType} represents them, nodes as
  * {@link org.selectiverenderer.x3d.catalogue.NodeView}s, or elements by name. Out: the text of a
- * file. The formatting of values ({@link org.selectiverenderer.x3d.write.ValueText}) and the
- * traversal of nodes ({@link org.selectiverenderer.x3d.write.NodeText}) are independent of XML;
- * {@link org.selectiverenderer.x3d.write.X3dWriter} writes quotes, references, container fields and
- * layout.
+ * file. The formatting of values ({@link org.selectiverenderer.x3d.write.FieldValueFormatter}) and
+ * the traversal of nodes ({@link org.selectiverenderer.x3d.write.X3dNodeWriter}) are independent of
+ * XML; {@link org.selectiverenderer.x3d.write.X3dWriter} writes quotes, references, container
+ * fields and layout.
  *
  * <p>To convert a document to another encoding, {@link org.selectiverenderer.x3d.write.SceneFormat}
  * first creates {@link org.selectiverenderer.x3d.write.SceneItem}s with the types of values, the

@@ -12,10 +12,10 @@ import org.joml.Quaterniond;
 import org.joml.Vector2d;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.app.head.SampleListener;
+import org.selectiverenderer.app.head.HeadSampleListener;
+import org.selectiverenderer.app.run.RunCancellation;
 import org.selectiverenderer.app.run.RunListener;
 import org.selectiverenderer.app.run.RunResult;
-import org.selectiverenderer.app.run.RunStop;
 import org.selectiverenderer.app.run.SceneRunner;
 import org.selectiverenderer.app.settings.DisplaySettings;
 import org.selectiverenderer.app.settings.RunSettings;
@@ -27,11 +27,11 @@ import org.selectiverenderer.control.ControlEvent;
 import org.selectiverenderer.control.SelectiveController;
 import org.selectiverenderer.experiment.headlog.HeadLogDescription;
 import org.selectiverenderer.experiment.headlog.HeadSample;
+import org.selectiverenderer.hmd.DisplayConfiguration;
+import org.selectiverenderer.hmd.HeadTrackedMotion.WhenLost;
 import org.selectiverenderer.hmd.HeadsetLayout;
-import org.selectiverenderer.hmd.HeadsetShown;
-import org.selectiverenderer.hmd.Presentation;
-import org.selectiverenderer.hmd.TrackedMotion.WhenLost;
-import org.selectiverenderer.openxr.HeadsetNews;
+import org.selectiverenderer.hmd.HeadsetViewSettings;
+import org.selectiverenderer.openxr.HeadsetEvent;
 import org.selectiverenderer.runtime.render.context.Screenshot;
 import org.selectiverenderer.runtime.viewer.Viewer;
 import org.selectiverenderer.tracker.TrackerOptions;
@@ -42,7 +42,7 @@ import org.selectiverenderer.tracker.TrackerSpec;
  * head moves, enters an area, both eyes see a mark where they must; the runtime is killed in the
  * middle and started again. A program of its own, as it needs another system than the other tests.
  */
-final class MonadoCheck implements RunListener, SampleListener {
+final class MonadoCheck implements RunListener, HeadSampleListener {
   private static final int FRAMES = 300;
   private static final int KILLED_AT = 150;
   private static final int UNAVAILABLE = 75;
@@ -63,10 +63,10 @@ final class MonadoCheck implements RunListener, SampleListener {
       </Scene></X3D>
       """;
 
-  private final HeadsetShown shown = HeadsetShown.standing();
-  private final RunStop stop = new RunStop();
+  private final HeadsetViewSettings shown = HeadsetViewSettings.standing();
+  private final RunCancellation stop = new RunCancellation();
   private final List<HeadSample> samples = new ArrayList<>();
-  private final List<HeadsetNews.Kind> news = new ArrayList<>();
+  private final List<HeadsetEvent.Kind> news = new ArrayList<>();
   private final List<String> entered = new ArrayList<>();
   private @Nullable Process runtime;
 
@@ -91,12 +91,12 @@ final class MonadoCheck implements RunListener, SampleListener {
       RunSettings settings =
           new RunSettings(scene, SelectiveController.Settings.SELECTIVE)
               .muted(true)
-              .with(DisplaySettings.of(Presentation.in(shown)))
+              .with(DisplaySettings.of(DisplayConfiguration.in(shown)))
               .with(
                   new TrackerSettings(
                       new TrackerSpec.Headset(), TrackerOptions.NONE, WhenLost.FREEZE),
                   Optional.empty());
-      RunResult result = SceneRunner.inHeadset(settings, HeadsetLink.find(shown), this, stop);
+      RunResult result = SceneRunner.inHeadset(settings, HeadsetConnection.find(shown), this, stop);
       judge(result);
       result.screenshot().orElseThrow().writePng(folder.resolve("openxr.png"));
     } finally {
@@ -137,8 +137,8 @@ final class MonadoCheck implements RunListener, SampleListener {
     require(most - least > 1, "the head turned from " + least + " to " + most);
     require(entered.contains("RIGHT"), "the head entered " + entered);
     require(
-        news.containsAll(List.of(HeadsetNews.Kind.WORN, HeadsetNews.Kind.LOST))
-            && news.lastIndexOf(HeadsetNews.Kind.WORN) > news.indexOf(HeadsetNews.Kind.LOST),
+        news.containsAll(List.of(HeadsetEvent.Kind.WORN, HeadsetEvent.Kind.LOST))
+            && news.lastIndexOf(HeadsetEvent.Kind.WORN) > news.indexOf(HeadsetEvent.Kind.LOST),
         "the headset was " + news);
     Screenshot picture = result.screenshot().orElseThrow();
     for (int eye = 0; eye < 2; eye++) {
@@ -206,10 +206,10 @@ final class MonadoCheck implements RunListener, SampleListener {
   }
 
   @Override
-  public void headset(HeadsetNews told) {
+  public void headset(HeadsetEvent told) {
     System.out.println("OpenXR: " + told.text());
     news.add(told.kind());
-    if (told.kind() == HeadsetNews.Kind.LOST) {
+    if (told.kind() == HeadsetEvent.Kind.LOST) {
       try {
         start();
       } catch (IOException e) {
@@ -227,14 +227,14 @@ final class MonadoCheck implements RunListener, SampleListener {
 
   @Override
   public void happened(TimelineEvent event) {
-    if (event instanceof TimelineEvent.Told told
+    if (event instanceof TimelineEvent.ControllerEvent told
         && told.event() instanceof ControlEvent.Enter enter) {
       entered.add(enter.sensor());
     }
   }
 
   @Override
-  public Optional<SampleListener> samples() {
+  public Optional<HeadSampleListener> samples() {
     return Optional.of(this);
   }
 

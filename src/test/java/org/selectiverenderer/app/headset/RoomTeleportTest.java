@@ -8,7 +8,7 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.hmd.Scenes;
+import org.selectiverenderer.hmd.TestWorlds;
 import org.selectiverenderer.runtime.World;
 
 /** A press on the stick takes the user of a headset to the middle of a room. */
@@ -40,7 +40,7 @@ class RoomTeleportTest {
 
   @Test
   void goesToTheMiddleOfTheRoomThatIsLookedAtAsHighAboveItsFloor() throws IOException {
-    World world = Scenes.world(ROOMS);
+    World world = TestWorlds.world(ROOMS);
     // From the hall's corner over to the study's floor, which is half a metre higher.
     gone(world, new Vector3d(1.5, 1.7, 0.5), -90, -8);
     assertThat(RoomTeleport.go(world)).contains("Study");
@@ -49,7 +49,7 @@ class RoomTeleportTest {
 
   @Test
   void goesToTheMiddleOfItsOwnRoomWhereTheSkyIsLookedAt() throws IOException {
-    World world = Scenes.world(ROOMS);
+    World world = TestWorlds.world(ROOMS);
     gone(world, new Vector3d(1.5, 1.7, 1.5), 0, 90);
     assertThat(RoomTeleport.go(world)).contains("Hall");
     assertAt(world.viewer().position(), 0, 1.7, 0);
@@ -57,7 +57,7 @@ class RoomTeleportTest {
 
   @Test
   void theHeadKeepsTheWayItLooks() throws IOException {
-    World world = Scenes.world(ROOMS);
+    World world = TestWorlds.world(ROOMS);
     gone(world, new Vector3d(1.5, 1.7, 0.5), 30, -20);
     Quaterniond before = new Quaterniond(world.viewer().orientation());
     assertThat(RoomTeleport.go(world)).contains("Hall");
@@ -66,7 +66,7 @@ class RoomTeleportTest {
 
   @Test
   void outsideOfAllRoomsNobodyIsMoved() throws IOException {
-    World world = Scenes.world(ROOMS);
+    World world = TestWorlds.world(ROOMS);
     Vector3dc from = new Vector3d(gone(world, new Vector3d(50, 1.7, 50), 180, 0));
     assertThat(RoomTeleport.go(world)).isEmpty();
     assertThat(world.viewer().position()).isEqualTo(from);
@@ -74,7 +74,7 @@ class RoomTeleportTest {
 
   @Test
   void anEmptySceneHasNoRoom() throws IOException {
-    World world = Scenes.world("<Viewpoint/>");
+    World world = TestWorlds.world("<Viewpoint/>");
     assertThat(RoomTeleport.go(world)).isEmpty();
   }
 }

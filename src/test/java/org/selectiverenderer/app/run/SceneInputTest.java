@@ -12,16 +12,16 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.app.clock.Pace;
 import org.selectiverenderer.app.clock.Stopwatch;
-import org.selectiverenderer.app.head.HeadSession;
+import org.selectiverenderer.app.clock.TimingMode;
+import org.selectiverenderer.app.head.HeadTrackingSession;
 import org.selectiverenderer.app.settings.RunSettings;
 import org.selectiverenderer.app.timeline.TimelineEvent;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.control.SelectiveController;
-import org.selectiverenderer.runtime.Pointer;
+import org.selectiverenderer.runtime.PointerState;
 import org.selectiverenderer.runtime.World;
-import org.selectiverenderer.runtime.render.Drawn;
+import org.selectiverenderer.runtime.render.FrameStatistics;
 import org.selectiverenderer.runtime.render.window.InputEvent;
 import org.selectiverenderer.runtime.render.window.KeyboardKey;
 
@@ -63,10 +63,10 @@ class SceneInputTest {
         new SceneRun(
             settings,
             QUIET,
-            HeadSession.open(settings, QUIET::problem),
-            RunGuide.USER,
-            Pace.WATCHED,
-            new RunStop(),
+            HeadTrackingSession.open(settings, QUIET::problem),
+            RunController.USER,
+            TimingMode.WATCHED,
+            new RunCancellation(),
             Optional.empty(),
             new Stopwatch(nanos::get));
     run.awaitScene();
@@ -81,7 +81,7 @@ class SceneInputTest {
 
   private static void point(SceneRun run, World world, double right, boolean pressed) {
     run.input(new InputEvent.MotionInput(0, 0, (int) (100 * right), 0));
-    world.point(new Pointer(Optional.of(new Vector3d(right, 0, -1)), pressed));
+    world.point(new PointerState(Optional.of(new Vector3d(right, 0, -1)), pressed));
   }
 
   private static void button(SceneRun run, boolean pressed) {
@@ -125,7 +125,7 @@ class SceneInputTest {
         World world = step(run);
         point(run, world, 0, false);
         button(run, true);
-        world.point(new Pointer(Optional.of(new Vector3d(0, 0, -1)), true));
+        world.point(new PointerState(Optional.of(new Vector3d(0, 0, -1)), true));
         point(run, world, 0.5, true);
         step(run);
         step(run);
@@ -138,15 +138,15 @@ class SceneInputTest {
   void walkingIsNotEndedByAPointerThatPassesOverADragSensor() throws IOException {
     try (SceneRun run = run("<PlaneSensor/>" + PLATE)) {
       World world = step(run);
-      world.point(new Pointer(Optional.of(new Vector3d(5, 0, -1)), false));
+      world.point(new PointerState(Optional.of(new Vector3d(5, 0, -1)), false));
       step(run);
       button(run, true);
-      world.point(new Pointer(Optional.of(new Vector3d(5, 0, -1)), true));
+      world.point(new PointerState(Optional.of(new Vector3d(5, 0, -1)), true));
       for (int i = 0; i < 5; i++) {
         step(run);
       }
       double before = world.viewer().position().z();
-      world.point(new Pointer(Optional.of(new Vector3d(0, 0, -1)), true));
+      world.point(new PointerState(Optional.of(new Vector3d(0, 0, -1)), true));
       step(run);
       step(run);
       assertThat(world.viewer().position().z()).isLessThan(before - 0.15);
@@ -183,7 +183,7 @@ class SceneInputTest {
                 + "<ROUTE fromNode='K' fromField='actionKeyPress' toNode='T' toField='integerKey'/>")) {
       World world = step(run);
       run.input(new InputEvent.KeyInput(KeyboardKey.F1, true));
-      run.drawn(new Drawn(0, 0));
+      run.drawn(new FrameStatistics(0, 0));
       step(run);
       assertThat(run.overlay()).isNotEmpty();
       assertThat(world.scene().find("T").orElseThrow().integer("integerKey")).isEqualTo(1);

@@ -12,19 +12,19 @@ import java.util.OptionalDouble;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.app.clock.Pace;
 import org.selectiverenderer.app.clock.Stopwatch;
-import org.selectiverenderer.app.head.HeadSession;
+import org.selectiverenderer.app.clock.TimingMode;
+import org.selectiverenderer.app.head.HeadTrackingSession;
 import org.selectiverenderer.app.settings.HeadLogSettings;
 import org.selectiverenderer.app.settings.RunSettings;
 import org.selectiverenderer.app.settings.TrackerSettings;
 import org.selectiverenderer.app.timeline.TimelineEvent;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.control.SelectiveController;
 import org.selectiverenderer.experiment.headlog.HeadLogReader;
 import org.selectiverenderer.experiment.headlog.HeadSample;
-import org.selectiverenderer.runtime.render.Drawn;
+import org.selectiverenderer.runtime.render.FrameStatistics;
 
 /** The time of a run, which what is recorded carries. */
 class SceneRunTest {
@@ -53,7 +53,7 @@ class SceneRunTest {
 
   @Test
   void timeInAWindowBeginsWithTheFirstStep() throws IOException {
-    try (SceneRun run = run(Pace.WATCHED)) {
+    try (SceneRun run = run(TimingMode.WATCHED)) {
       assertThat(stepped(run)).isZero();
       drawnAfterTwoSeconds(run);
       assertThat(stepped(run)).isEqualTo(2);
@@ -68,7 +68,7 @@ class SceneRunTest {
 
   @Test
   void timeWithoutAWindowBeginsWithTheFirstPicture() throws IOException {
-    try (SceneRun run = run(Pace.UNWATCHED)) {
+    try (SceneRun run = run(TimingMode.UNWATCHED)) {
       assertThat(stepped(run)).isZero();
       drawnAfterTwoSeconds(run);
       assertThat(stepped(run)).isZero();
@@ -83,7 +83,7 @@ class SceneRunTest {
   @Test
   void aRowSaysWhenItsFrameWasSteppedAndWhetherItWasSeen() throws IOException {
     guide.darkness = 0.6;
-    try (SceneRun run = run(Pace.WATCHED)) {
+    try (SceneRun run = run(TimingMode.WATCHED)) {
       stepped(run);
       drawnAfterTwoSeconds(run);
       guide.darkness = 0.4;
@@ -104,7 +104,7 @@ class SceneRunTest {
 
   @Test
   void inAPauseTheLogsTimeStandsStillAndTheMachinesGoesOn() throws IOException {
-    try (SceneRun run = run(Pace.WATCHED)) {
+    try (SceneRun run = run(TimingMode.WATCHED)) {
       stepped(run);
       drawnAfterTwoSeconds(run);
       guide.paused = true;
@@ -144,9 +144,9 @@ class SceneRunTest {
             throw new AssertionError(text);
           }
         };
-    HeadSession head = HeadSession.open(settings, QUIET::problem);
+    HeadTrackingSession head = HeadTrackingSession.open(settings, QUIET::problem);
     try (SceneRun run =
-        new SceneRun(settings, listener, head, guide, Pace.WATCHED, new RunStop())) {
+        new SceneRun(settings, listener, head, guide, TimingMode.WATCHED, new RunCancellation())) {
       run.awaitScene();
       assertThat(run.step()).isEmpty();
       assertThat(run.finished()).isTrue();
@@ -157,13 +157,13 @@ class SceneRunTest {
   }
 
   private List<HeadSample> rows() throws IOException {
-    Problems problems = new Problems();
+    ProblemCollector problems = new ProblemCollector();
     List<HeadSample> rows = HeadLogReader.read(log, problems).orElseThrow().samples();
     assertThat(problems.list()).isEmpty();
     return rows;
   }
 
-  private static final class DimGuide implements RunGuide {
+  private static final class DimGuide implements RunController {
     private double darkness;
     private boolean paused;
 
@@ -178,7 +178,7 @@ class SceneRunTest {
     }
   }
 
-  private SceneRun run(Pace pace) throws IOException {
+  private SceneRun run(TimingMode pace) throws IOException {
     log = folder.resolve("log.csv");
     Path scene =
         Files.writeString(
@@ -192,10 +192,10 @@ class SceneRunTest {
         new SceneRun(
             settings,
             QUIET,
-            HeadSession.open(settings, QUIET::problem),
+            HeadTrackingSession.open(settings, QUIET::problem),
             guide,
             pace,
-            new RunStop(),
+            new RunCancellation(),
             Optional.empty(),
             new Stopwatch(nanos::get));
     run.awaitScene();
@@ -208,7 +208,7 @@ class SceneRunTest {
 
   private void drawnAfterTwoSeconds(SceneRun run) {
     nanos.addAndGet(2_000_000_000L);
-    run.drawn(new Drawn(1, 12));
+    run.drawn(new FrameStatistics(1, 12));
     run.submitted();
   }
 }

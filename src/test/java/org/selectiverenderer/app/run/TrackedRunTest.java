@@ -24,23 +24,23 @@ import org.selectiverenderer.app.settings.RunSettings;
 import org.selectiverenderer.app.settings.TrackerSettings;
 import org.selectiverenderer.app.timeline.TimelineEvent;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.control.SelectiveController;
 import org.selectiverenderer.experiment.headlog.HeadLogReader;
 import org.selectiverenderer.experiment.headlog.HeadSample;
+import org.selectiverenderer.hmd.DisplayConfiguration;
 import org.selectiverenderer.hmd.DisplayMode;
 import org.selectiverenderer.hmd.DisplayProfile;
 import org.selectiverenderer.hmd.EyeGeometry;
-import org.selectiverenderer.hmd.Presentation;
-import org.selectiverenderer.hmd.TrackedMotion.WhenLost;
+import org.selectiverenderer.hmd.HeadTrackedMotion.WhenLost;
 import org.selectiverenderer.runtime.render.context.Screenshot;
 import org.selectiverenderer.testing.RequiresDisplay;
 import org.selectiverenderer.tracker.TrackerOptions;
 import org.selectiverenderer.tracker.TrackerSpec;
-import org.selectiverenderer.tracker.emulate.EmulatedInterTrax2;
-import org.selectiverenderer.tracker.emulate.HeadMotion;
-import org.selectiverenderer.tracker.emulate.InterTrax2Emulator;
-import org.selectiverenderer.tracker.emulate.PseudoTerminal;
+import org.selectiverenderer.tracker.emulator.EmulatedInterTrax2;
+import org.selectiverenderer.tracker.emulator.HeadMotion;
+import org.selectiverenderer.tracker.emulator.InterTrax2Emulator;
+import org.selectiverenderer.tracker.emulator.PseudoTerminal;
 
 /** An emulated InterTrax2 on a pseudo-terminal turns the view of both eyes that is really drawn. */
 @RequiresDisplay
@@ -72,7 +72,7 @@ class TrackedRunTest {
     Files.writeString(scene, SCENE);
     DisplaySettings display =
         DisplaySettings.of(
-                new Presentation(
+                new DisplayConfiguration(
                     DisplayMode.SIDE_BY_SIDE,
                     new EyeGeometry(DisplayProfile.PROVIEW_50, 0.063),
                     false))
@@ -90,9 +90,9 @@ class TrackedRunTest {
   }
 
   /** A run on a thread of its own. */
-  private record Running(FutureTask<RunResult> result, Thread thread, RunStop stop) {
+  private record Running(FutureTask<RunResult> result, Thread thread, RunCancellation stop) {
     static Running start(RunSettings settings, RunListener listener) {
-      RunStop stop = new RunStop();
+      RunCancellation stop = new RunCancellation();
       FutureTask<RunResult> result =
           new FutureTask<>(() -> SceneRunner.offscreen(settings, listener, stop));
       Thread thread = new Thread(result, "tracked-run");
@@ -144,7 +144,9 @@ class TrackedRunTest {
   }
 
   private List<HeadSample> log() throws IOException {
-    return HeadLogReader.read(folder.resolve("head.csv"), new Problems()).orElseThrow().samples();
+    return HeadLogReader.read(folder.resolve("head.csv"), new ProblemCollector())
+        .orElseThrow()
+        .samples();
   }
 
   /** The colour in the middle of an eye's picture, and beside it along and across. */

@@ -23,7 +23,7 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.app.timeline.TimelineEvent;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.cli.Main;
 import org.selectiverenderer.control.SelectiveController.Settings;
 import org.selectiverenderer.runtime.sai.EmbeddedBrowserFactory;
@@ -129,7 +129,7 @@ class SaiRunnerTest {
                     "<NavigationInfo headlight='false' visibilityLimit='60' avatarSize='0.1 1 0.2'/>"
                         + "<Viewpoint"));
     Path path = Files.writeString(dir.resolve("p.csv"), "t,x,y,z\n0,0,0,6\n1,0,0,0\n");
-    CameraPath read = CameraPathReader.read(path, new Problems()).orElseThrow();
+    CameraPath read = CameraPathReader.read(path, new ProblemCollector()).orElseThrow();
     try (SaiRunner runner =
         SaiRunner.open(
             scene.toUri().toString(), Settings.SELECTIVE, Map.of(), lines::add, events::add)) {
@@ -151,13 +151,14 @@ class SaiRunnerTest {
   @Test
   void aPathBeginsWhenTheSceneIsUnderControlHoweverLateTheBrowserSaysSo() throws Exception {
     Path path = Files.writeString(dir.resolve("p.csv"), "t,x,y,z\n0,0,0,6\n0.3,0,0,0\n");
-    Process walk = process(LateBrowserFactory.class.getName(), "--path", path.toString()).start();
+    Process walk =
+        process(DelayedBrowserFactory.class.getName(), "--path", path.toString()).start();
     assertThat(output(walk).lines().map(line -> line.replaceFirst("^ *[0-9.]+ s  ", "")))
         .containsSubsequence(
             "start   Can: choice 1",
             "enter   Desk activates Near",
             "switch  Can: choice 1 -> 0 (Near)")
-        .doesNotContain(LateBrowserFactory.TOO_EARLY);
+        .doesNotContain(DelayedBrowserFactory.TOO_EARLY);
     assertThat(walk.exitValue()).isZero();
   }
 

@@ -29,21 +29,21 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.app.head.ChainTracker;
+import org.selectiverenderer.app.head.SharedHeadTracker;
 import org.selectiverenderer.app.run.RunListener;
 import org.selectiverenderer.app.timeline.TimelineEvent;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.base.problem.Problems;
-import org.selectiverenderer.enricher.driving.Hands;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.enricher.robot.GuiRobot;
 import org.selectiverenderer.experiment.session.Session;
 import org.selectiverenderer.experiment.session.SessionOptions;
 import org.selectiverenderer.experiment.session.StudyMaterial;
+import org.selectiverenderer.hmd.DisplayConfiguration;
 import org.selectiverenderer.hmd.DisplayMode;
 import org.selectiverenderer.hmd.DisplayProfile;
 import org.selectiverenderer.hmd.EyeGeometry;
-import org.selectiverenderer.hmd.Presentation;
-import org.selectiverenderer.testing.OpenWindow;
 import org.selectiverenderer.testing.ShowsWindows;
+import org.selectiverenderer.testing.WindowFinder;
 import org.selectiverenderer.tracker.TrackerOptions;
 
 /** A session with participant and experimenter at the windows; all that is shown is white. */
@@ -56,7 +56,7 @@ class AttendedSessionTest {
   private static final Rectangle WITHIN_THE_PICTURE = new Rectangle(60, 60, 80, 60);
 
   @TempDir Path folder;
-  private final Hands hands = new Hands();
+  private final GuiRobot hands = new GuiRobot();
   private final List<Boolean> flips = new CopyOnWriteArrayList<>();
   private final AtomicBoolean watching = new AtomicBoolean(true);
   private @Nullable StudyMaterial material;
@@ -85,35 +85,36 @@ class AttendedSessionTest {
          "display": {"width": 320, "height": 240},
          "questionnaires": [{"kind": "recognition", "items": "items.csv"}]}
         """);
-    material = StudyMaterial.read(folder.resolve("study.json"), new Problems()).orElseThrow();
+    material =
+        StudyMaterial.read(folder.resolve("study.json"), new ProblemCollector()).orElseThrow();
   }
 
   @AfterEach
   void leave() {
     watching.set(false);
-    OpenWindow.closeAll();
+    WindowFinder.closeAll();
   }
 
   @Test
   void fromTheFormToTheThanksWithAPauseAndWithoutAFlash() throws IOException {
-    FutureTask<SessionRunner.Outcome> session = OpenWindow.asking(() -> run(1));
-    FutureTask<Boolean> picture = OpenWindow.asking(this::watch);
+    FutureTask<SessionRunner.Outcome> session = WindowFinder.asking(() -> run(1));
+    FutureTask<Boolean> picture = WindowFinder.asking(this::watch);
     fillInTheForm();
     status("practice: 1 s so far");
     press("Go on (F9)", () -> shows("exposure-hall: "));
     press("Pause (F8)", () -> shows("exposure-hall: PAUSED"));
     press("Continue (F8)", () -> !shows("exposure-hall: PAUSED"));
-    JFrame questions = OpenWindow.named(hands, "questionnaire");
+    JFrame questions = WindowFinder.named(hands, "questionnaire");
     watching.set(false);
-    OpenWindow.answer(picture);
-    JToggleButton yes = Hands.named(questions, "Coat: Yes", JToggleButton.class);
-    OpenWindow.click(hands, yes, yes::isSelected);
-    JButton next = Hands.named(questions, "Continue", JButton.class);
-    OpenWindow.click(
-        hands, Hands.named(questions, "Coat: 5", JToggleButton.class), next::isEnabled);
-    OpenWindow.click(hands, next, () -> !questions.isShowing());
-    OpenWindow.close(OpenWindow.named(hands, "thanks"));
-    assertThat(OpenWindow.answer(session)).isEqualTo(SessionRunner.Outcome.FINISHED);
+    WindowFinder.answer(picture);
+    JToggleButton yes = GuiRobot.named(questions, "Coat: Yes", JToggleButton.class);
+    WindowFinder.click(hands, yes, yes::isSelected);
+    JButton next = GuiRobot.named(questions, "Continue", JButton.class);
+    WindowFinder.click(
+        hands, GuiRobot.named(questions, "Coat: 5", JToggleButton.class), next::isEnabled);
+    WindowFinder.click(hands, next, () -> !questions.isShowing());
+    WindowFinder.close(WindowFinder.named(hands, "thanks"));
+    assertThat(WindowFinder.answer(session)).isEqualTo(SessionRunner.Outcome.FINISHED);
     // Practice, hall until the pause, hall after it, bath: each comes once and goes once.
     assertThat(flips).containsExactly(true, false, true, false, true, false, true, false);
     assertThat(events(1))
@@ -129,20 +130,20 @@ class AttendedSessionTest {
 
   @Test
   void theExperimenterEndsASessionAtTheFormAndDuringAnExposure() throws IOException {
-    FutureTask<SessionRunner.Outcome> first = OpenWindow.asking(() -> run(1));
-    OpenWindow.named(hands, "questionnaire");
-    controls = OpenWindow.named(hands, "controls");
-    OpenWindow.move(controls, 640, 700); // Not over the picture.
+    FutureTask<SessionRunner.Outcome> first = WindowFinder.asking(() -> run(1));
+    WindowFinder.named(hands, "questionnaire");
+    controls = WindowFinder.named(hands, "controls");
+    WindowFinder.move(controls, 640, 700); // Not over the picture.
     abort();
-    assertThat(OpenWindow.answer(first)).isEqualTo(SessionRunner.Outcome.ABORTED);
+    assertThat(WindowFinder.answer(first)).isEqualTo(SessionRunner.Outcome.ABORTED);
     assertThat(events(1)).doesNotContain("refused").endsWith("aborted");
 
-    FutureTask<SessionRunner.Outcome> second = OpenWindow.asking(() -> run(2));
+    FutureTask<SessionRunner.Outcome> second = WindowFinder.asking(() -> run(2));
     fillInTheForm();
     status("practice: 1 s so far");
     press("Go on (F9)", () -> shows("exposure-hall: "));
     abort();
-    assertThat(OpenWindow.answer(second)).isEqualTo(SessionRunner.Outcome.ABORTED);
+    assertThat(WindowFinder.answer(second)).isEqualTo(SessionRunner.Outcome.ABORTED);
     assertThat(events(2)).endsWith("step-began", "scene", "shown", "aborted");
   }
 
@@ -153,20 +154,20 @@ class AttendedSessionTest {
                 "001",
                 number,
                 new SessionOptions(Optional.empty(), OptionalDouble.of(8), false, "test"),
-                new Problems());
-        ChainTracker tracker = new ChainTracker();
-        SessionDialogue dialogue = new WindowDialogue(material.wording(), SessionStage.DESK)) {
+                new ProblemCollector());
+        SharedHeadTracker tracker = new SharedHeadTracker();
+        SessionUi dialogue = new SwingSessionUi(material.wording(), OperatorViewSettings.DESK)) {
       return new SessionRunner(session, dialogue, show(), tracker, text -> {}).run();
     }
   }
 
-  private static SessionShow show() {
-    return new SessionShow(
-        new Presentation(
+  private static SessionDisplaySettings show() {
+    return new SessionDisplaySettings(
+        new DisplayConfiguration(
             DisplayMode.WINDOW, new EyeGeometry(DisplayProfile.PROVIEW_50, 0.063), false),
         TrackerOptions.NONE,
         false,
-        SessionStage.DESK,
+        OperatorViewSettings.DESK,
         new RunListener() {
           @Override
           public void problem(Problem problem) {
@@ -214,16 +215,16 @@ class AttendedSessionTest {
   }
 
   private void fillInTheForm() {
-    JFrame form = OpenWindow.named(hands, "questionnaire");
-    controls = OpenWindow.named(hands, "controls");
-    OpenWindow.move(controls, 640, 700); // Not over the picture.
-    JToggleButton age = Hands.named(form, "Age: 18-22", JToggleButton.class);
-    OpenWindow.click(hands, age, age::isSelected);
+    JFrame form = WindowFinder.named(hands, "questionnaire");
+    controls = WindowFinder.named(hands, "controls");
+    WindowFinder.move(controls, 640, 700); // Not over the picture.
+    JToggleButton age = GuiRobot.named(form, "Age: 18-22", JToggleButton.class);
+    WindowFinder.click(hands, age, age::isSelected);
     String asked = material.form().questions().get(0).text();
-    JToggleButton consent = Hands.named(form, asked + ": Yes", JToggleButton.class);
-    OpenWindow.click(hands, consent, consent::isSelected);
-    JButton begin = Hands.named(form, "Begin", JButton.class);
-    OpenWindow.click(hands, begin, () -> !form.isShowing());
+    JToggleButton consent = GuiRobot.named(form, asked + ": Yes", JToggleButton.class);
+    WindowFinder.click(hands, consent, consent::isSelected);
+    JButton begin = GuiRobot.named(form, "Begin", JButton.class);
+    WindowFinder.click(hands, begin, () -> !form.isShowing());
   }
 
   private void status(String begins) {
@@ -236,18 +237,18 @@ class AttendedSessionTest {
   }
 
   private void press(String button, BooleanSupplier effect) {
-    OpenWindow.click(
+    WindowFinder.click(
         hands,
         button.startsWith("Go on")
-            ? Hands.named(controls, button, JButton.class)
-            : Hands.named(controls, button, JToggleButton.class),
+            ? GuiRobot.named(controls, button, JButton.class)
+            : GuiRobot.named(controls, button, JToggleButton.class),
         effect);
   }
 
   private void abort() {
-    JButton abort = Hands.named(controls, "Abort ...", JButton.class);
-    OpenWindow.click(hands, abort, OpenWindow::asking);
-    OpenWindow.answerDialog(hands, "End the Session");
+    JButton abort = GuiRobot.named(controls, "Abort ...", JButton.class);
+    WindowFinder.click(hands, abort, WindowFinder::asking);
+    WindowFinder.answerDialog(hands, "End the Session");
   }
 
   private List<String> events(int number) throws IOException {

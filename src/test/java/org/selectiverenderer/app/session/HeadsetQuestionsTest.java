@@ -15,22 +15,22 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.selectiverenderer.app.headset.HeadsetAnswer;
+import org.selectiverenderer.app.headset.ControllerAnswer;
 import org.selectiverenderer.app.walk.Walkthrough;
 import org.selectiverenderer.control.SelectiveController;
-import org.selectiverenderer.experiment.session.OperatorControls;
+import org.selectiverenderer.experiment.session.ExperimenterControls;
 import org.selectiverenderer.experiment.session.Session;
 import org.selectiverenderer.experiment.session.SessionStep;
 import org.selectiverenderer.geometry.tessellate.TextMesher;
 import org.selectiverenderer.hmd.HeadsetLayout;
 import org.selectiverenderer.openxr.SpacePose;
 import org.selectiverenderer.runtime.camera.Camera;
-import org.selectiverenderer.runtime.camera.Mark;
-import org.selectiverenderer.runtime.camera.Panel;
-import org.selectiverenderer.runtime.render.Studio;
-import org.selectiverenderer.runtime.render.context.OffscreenTarget;
+import org.selectiverenderer.runtime.camera.Primitive2D;
+import org.selectiverenderer.runtime.camera.WorldSpacePanel;
+import org.selectiverenderer.runtime.render.TestImageRenderer;
+import org.selectiverenderer.runtime.render.context.OffscreenFramebuffer;
 import org.selectiverenderer.runtime.render.context.Screenshot;
-import org.selectiverenderer.runtime.render.sketch.SketchPainter;
+import org.selectiverenderer.runtime.render.graphics2d.Graphics2dRenderer;
 import org.selectiverenderer.testing.RequiresDisplay;
 
 /** What an eye sees of the questions inside the headset; for the manual, too. */
@@ -77,7 +77,7 @@ class HeadsetQuestionsTest {
              "questionnaires": [{"file": "flat.json", "when": "begin"}]}
             """
                 .formatted(language));
-    return BegunSession.of(study);
+    return StartedSession.of(study);
   }
 
   @ParameterizedTest
@@ -96,22 +96,22 @@ class HeadsetQuestionsTest {
                 event -> {},
                 text -> {})) {
       walk.step(0, (moved, time, dt) -> {});
-      QuestionGuide guide =
-          new QuestionGuide(
+      HeadsetQuestionController guide =
+          new HeadsetQuestionController(
               session,
               (SessionStep.Questions) session.remaining().get(0),
-              new OperatorControls(session.journal()),
+              new ExperimenterControls(session.journal()),
               new HeadsetLayout(1),
               true);
       guide.opened(walk);
       guide.panels();
       for (String key : chosen.split(";")) {
         point(guide, walk, key);
-        guide.answered(HeadsetAnswer.CHOOSE);
+        guide.answered(ControllerAnswer.CHOOSE);
       }
       Screenshot before = drawn(guide.panels());
       point(guide, walk, pointed);
-      List<Panel> panels = guide.panels();
+      List<WorldSpacePanel> panels = guide.panels();
       assertThat(texts(panels.get(0))).anyMatch(text -> text.startsWith(written));
       Screenshot shot = drawn(panels);
       assertThat(differing(before, shot)).as("pixels that the ray changes").isGreaterThan(1000);
@@ -120,20 +120,20 @@ class HeadsetQuestionsTest {
     }
   }
 
-  private static List<String> texts(Panel panel) {
+  private static List<String> texts(WorldSpacePanel panel) {
     return panel.marks().stream()
-        .filter(Mark.Text.class::isInstance)
-        .map(mark -> ((Mark.Text) mark).text())
+        .filter(Primitive2D.Text.class::isInstance)
+        .map(mark -> ((Primitive2D.Text) mark).text())
         .toList();
   }
 
   /** Points from the hand at a text of the panel, for two frames: what is lit can be chosen. */
-  private static void point(QuestionGuide guide, Walkthrough walk, String text) {
-    Panel panel = guide.panels().get(0);
-    Mark.Text mark =
+  private static void point(HeadsetQuestionController guide, Walkthrough walk, String text) {
+    WorldSpacePanel panel = guide.panels().get(0);
+    Primitive2D.Text mark =
         panel.marks().stream()
-            .filter(Mark.Text.class::isInstance)
-            .map(Mark.Text.class::cast)
+            .filter(Primitive2D.Text.class::isInstance)
+            .map(Primitive2D.Text.class::cast)
             .filter(each -> each.text().equals(text))
             .findFirst()
             .orElseThrow(() -> new AssertionError(text + " is not among " + texts(panel)));
@@ -152,14 +152,14 @@ class HeadsetQuestionsTest {
     guide.pointed(Optional.of(hand));
   }
 
-  private static Screenshot drawn(List<Panel> panels) {
-    try (Studio studio = new Studio()) {
+  private static Screenshot drawn(List<WorldSpacePanel> panels) {
+    try (TestImageRenderer studio = new TestImageRenderer()) {
       GL3 gl = studio.gl();
-      OffscreenTarget target = new OffscreenTarget(gl, WIDTH, HEIGHT, 4);
+      OffscreenFramebuffer target = new OffscreenFramebuffer(gl, WIDTH, HEIGHT, 4);
       target.bind(gl);
       gl.glClearColor((DARK >> 16) / 255f, (DARK >> 8 & 255) / 255f, (DARK & 255) / 255f, 1);
       gl.glClear(GL.GL_COLOR_BUFFER_BIT);
-      SketchPainter painter = new SketchPainter(new TextMesher());
+      Graphics2dRenderer painter = new Graphics2dRenderer(new TextMesher());
       Camera eye =
           new Camera(
               new Matrix4d().translation(0, -1.6, 0),

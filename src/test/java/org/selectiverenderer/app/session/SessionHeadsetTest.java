@@ -11,24 +11,24 @@ import java.util.Optional;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.app.headset.HeadsetLink;
+import org.selectiverenderer.app.headset.HeadsetConnection;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.hmd.HeadsetShown;
+import org.selectiverenderer.hmd.HeadsetViewSettings;
 import org.selectiverenderer.openxr.FakeHeadset;
 import org.selectiverenderer.openxr.HeadsetUnavailableException;
-import org.selectiverenderer.runtime.render.headset.ContextHandles;
+import org.selectiverenderer.runtime.render.headset.GlContextHandles;
 import org.selectiverenderer.tracker.HeadTracker;
 import org.selectiverenderer.tracker.PoseSample;
 import org.selectiverenderer.tracker.TrackerListener;
 
 /** One headset for all scenes of a session, and one tracker. */
 class SessionHeadsetTest {
-  private static final ContextHandles HANDLES = new ContextHandles.Wgl(1, 2);
+  private static final GlContextHandles HANDLES = new GlContextHandles.Wgl(1, 2);
 
   private final FakeHeadset device = new FakeHeadset();
   private final SessionHeadset headset =
       new SessionHeadset(
-          HeadsetShown.standing(), shown -> HeadsetLink.with(device.search(), shown));
+          HeadsetViewSettings.standing(), shown -> HeadsetConnection.with(device.search(), shown));
   private final List<Double> yaws = new ArrayList<>();
   private final TrackerListener hears =
       new TrackerListener() {
@@ -43,7 +43,7 @@ class SessionHeadsetTest {
         }
       };
 
-  private void look(HeadsetLink link, double yaw) {
+  private void look(HeadsetConnection link, double yaw) {
     device.head(new Vector3d(0, 1.7, 0), new Quaterniond().rotationY(Math.toRadians(yaw)));
     assertThat(link.next()).isPresent();
     link.begin();
@@ -73,7 +73,7 @@ class SessionHeadsetTest {
     try (HeadTracker tracker = headset.tracker(hears)) {
       assertThat(tracker.described()).contains("headset: not in use");
       for (double yaw : new double[] {30, -45}) {
-        try (HeadsetLink link = headset.connect()) {
+        try (HeadsetConnection link = headset.connect()) {
           link.open(HANDLES);
           device.wear();
           look(link, yaw);
@@ -99,7 +99,7 @@ class SessionHeadsetTest {
   void whereTheEyesLookComesWithTheFrame() throws IOException {
     device.withEyes();
     headset.tracker(hears).close();
-    try (HeadsetLink link = headset.connect()) {
+    try (HeadsetConnection link = headset.connect()) {
       assertThat(link.tracksEyes()).isTrue();
       link.open(HANDLES);
       device.wear();

@@ -21,7 +21,7 @@ class TimelineFormatsTest {
   }
 
   private static TimelineEvent told(double t, ControlEvent event) {
-    return new TimelineEvent.Told(t, event);
+    return new TimelineEvent.ControllerEvent(t, event);
   }
 
   @Test

@@ -13,14 +13,14 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class CsvTableTest {
   private final List<String> faults = new ArrayList<>();
-  private final CsvFaults hears = (at, message) -> faults.add(at + ": " + message);
+  private final CsvErrorHandler hears = (at, message) -> faults.add(at + ": " + message);
 
   private CsvTable table(String text) {
     return CsvTable.parse("a.csv", text, hears).orElseThrow();
   }
 
   private OptionalDouble number(CsvTable table, int row, String column) {
-    return CsvNumbers.number(table.rows().get(row), column, hears);
+    return CsvNumberParser.number(table.rows().get(row), column, hears);
   }
 
   @ParameterizedTest
@@ -49,8 +49,8 @@ class CsvTableTest {
         "`\"a\nb,c,d\";e\n`|SEMICOLON",
         "`a\tb,c\td`|TAB",
       })
-  void mostOutsideQuotesCounts(String text, Separator separator) {
-    assertThat(Separator.of(text)).isEqualTo(separator);
+  void mostOutsideQuotesCounts(String text, CsvDelimiter separator) {
+    assertThat(CsvDelimiter.of(text)).isEqualTo(separator);
   }
 
   @Test
@@ -135,17 +135,18 @@ class CsvTableTest {
     assertThat(faults).singleElement().asString().startsWith("a.csv:2:1: the file is not UTF-8");
   }
 
-  private CsvTable table(String text, CsvColumns form) {
+  private CsvTable table(String text, CsvColumnSpec form) {
     return CsvTable.parse("a.csv", text, form, hears).orElseThrow();
   }
 
   @Test
   void theSeparatorIsTheFirstThatDividesTheHeaderIntoWhatIsNeeded() {
     List<String> needed = List.of("t", "X", "y", "z");
-    assertThat(Separator.of("t,x,y,z,a;b;c;d;e;f\n", needed)).isEqualTo(Separator.COMMA);
-    assertThat(Separator.of("t;x;y;z;\"a\";b,c,d,e,f,g\n", needed)).isEqualTo(Separator.SEMICOLON);
-    assertThat(Separator.of("t\tx\ty\tz\tb,c,d,e,f,g\n", needed)).isEqualTo(Separator.TAB);
-    assertThat(Separator.of("t;x;y\n", needed)).isEqualTo(Separator.SEMICOLON);
+    assertThat(CsvDelimiter.of("t,x,y,z,a;b;c;d;e;f\n", needed)).isEqualTo(CsvDelimiter.COMMA);
+    assertThat(CsvDelimiter.of("t;x;y;z;\"a\";b,c,d,e,f,g\n", needed))
+        .isEqualTo(CsvDelimiter.SEMICOLON);
+    assertThat(CsvDelimiter.of("t\tx\ty\tz\tb,c,d,e,f,g\n", needed)).isEqualTo(CsvDelimiter.TAB);
+    assertThat(CsvDelimiter.of("t;x;y\n", needed)).isEqualTo(CsvDelimiter.SEMICOLON);
   }
 
   @Test
@@ -159,7 +160,7 @@ class CsvTableTest {
 
   @Test
   void aRowMayLackColumnsThatAreNotNeeded() {
-    CsvColumns form = CsvColumns.of(List.of("a", "b"));
+    CsvColumnSpec form = CsvColumnSpec.of(List.of("a", "b"));
     CsvTable table = table("a,b,note\n1,2\n3,4,x\n", form);
     assertThat(table.rows()).extracting(row -> row.cell("note")).containsExactly("", "x");
     assertThat(table.rows().get(0).location("note").line()).isEqualTo(2);
@@ -170,7 +171,7 @@ class CsvTableTest {
 
   @Test
   void rowsAreFilledUpAndTheLastColumnOfANameCountsWhereTheReaderSaysSo() {
-    CsvColumns form = new CsvColumns(List.of("a", "b"), true, true);
+    CsvColumnSpec form = new CsvColumnSpec(List.of("a", "b"), true, true);
     CsvTable table = table("a,b,a\n1,2,3\n4\n\n5,6", form);
     assertThat(table.require(form.needed(), "a,b")).isTrue();
     assertThat(table.rows()).extracting(row -> row.cell("a")).containsExactly("3", "", "");

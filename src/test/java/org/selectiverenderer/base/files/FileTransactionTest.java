@@ -27,7 +27,7 @@ class FileTransactionTest {
   @TempDir Path folder;
 
   /** A disk that is full from a certain step on, half-way through a file. */
-  private static final class FullDisk implements FileActions {
+  private static final class FullDisk implements FileOperations {
     private int left;
     private int done;
 
@@ -46,7 +46,7 @@ class FileTransactionTest {
     @Override
     public void createFolder(Path path) throws IOException {
       step();
-      FileActions.super.createFolder(path);
+      FileOperations.super.createFolder(path);
     }
 
     @Override
@@ -54,26 +54,26 @@ class FileTransactionTest {
       try {
         step();
       } catch (IOException e) {
-        FileActions.super.write(file, new byte[content.length / 2]);
+        FileOperations.super.write(file, new byte[content.length / 2]);
         throw e;
       }
-      FileActions.super.write(file, content);
+      FileOperations.super.write(file, content);
     }
 
     @Override
     public void keep(Path file, Path as) throws IOException {
       step();
-      FileActions.super.keep(file, as);
+      FileOperations.super.keep(file, as);
     }
 
     @Override
     public void move(Path from, Path to) throws IOException {
       step();
-      FileActions.super.move(from, to);
+      FileOperations.super.move(from, to);
     }
   }
 
-  private FileTransaction three(FileActions actions) {
+  private FileTransaction three(FileOperations actions) {
     FileTransaction writing = new FileTransaction(actions);
     writing.add(folder.resolve("new/folder/a.x3d"), "A".getBytes(UTF_8));
     writing.add(folder.resolve("b.x3d"), "B".getBytes(UTF_8));
@@ -96,7 +96,7 @@ class FileTransactionTest {
   void allFilesAreWrittenAndNothingElseIsLeft() throws IOException {
     Files.writeString(folder.resolve("b.x3d"), "old");
 
-    three(FileActions.REAL).commit();
+    three(FileOperations.REAL).commit();
 
     assertThat(everything().values()).containsExactlyInAnyOrder("", "", "", "A", "B", "C");
   }
@@ -127,14 +127,14 @@ class FileTransactionTest {
   @Test
   void whatCannotBeUndoneIsSaid() throws IOException {
     Files.writeString(folder.resolve("b.x3d"), "old b");
-    FileActions broken =
-        new FileActions() {
+    FileOperations broken =
+        new FileOperations() {
           @Override
           public void write(Path file, byte[] content) throws IOException {
             if (file.toString().contains("b.x3d")) {
               throw new IOException("broken");
             }
-            FileActions.REAL.write(file, content);
+            FileOperations.REAL.write(file, content);
           }
 
           @Override
@@ -163,7 +163,7 @@ class FileTransactionTest {
       Files.writeString(folder.resolve("taken"), "a file");
     }
     Map<Path, String> before = everything();
-    FileTransaction writing = new FileTransaction(FileActions.REAL);
+    FileTransaction writing = new FileTransaction(FileOperations.REAL);
     writing.add(folder.resolve("first.x3d"), new byte[1]);
     writing.add(folder.resolve(name), new byte[1]);
 
@@ -183,7 +183,7 @@ class FileTransactionTest {
     } catch (UnsupportedOperationException | IOException e) {
       return; // Some systems let no user make links.
     }
-    FileTransaction writing = new FileTransaction(FileActions.REAL);
+    FileTransaction writing = new FileTransaction(FileOperations.REAL);
     writing.add(link, "new".getBytes(UTF_8));
 
     writing.commit();
@@ -200,7 +200,7 @@ class FileTransactionTest {
     } catch (UnsupportedOperationException | IOException e) {
       return; // Some systems let no user make links.
     }
-    FileTransaction writing = new FileTransaction(FileActions.REAL);
+    FileTransaction writing = new FileTransaction(FileOperations.REAL);
     writing.add(link, "new".getBytes(UTF_8));
 
     writing.commit();
@@ -223,7 +223,7 @@ class FileTransactionTest {
                 throw new UncheckedIOException(e);
               }
             });
-    FileTransaction writing = new FileTransaction(FileActions.REAL);
+    FileTransaction writing = new FileTransaction(FileOperations.REAL);
     writing.add(pipe, "through".getBytes(UTF_8));
     writing.add(folder.resolve("b.x3d"), "B".getBytes(UTF_8));
 
@@ -239,8 +239,8 @@ class FileTransactionTest {
   @Test
   void anOldFileThatCannotBeDeletedIsToldAndNoFailure() throws IOException {
     Files.writeString(folder.resolve("b.x3d"), "old b");
-    FileActions keeping =
-        new FileActions() {
+    FileOperations keeping =
+        new FileOperations() {
           @Override
           public void delete(Path file) throws IOException {
             throw new IOException("broken");
@@ -259,13 +259,13 @@ class FileTransactionTest {
   void aFileHasItsNameAtEveryMoment() throws IOException {
     Path b = Files.writeString(folder.resolve("b.x3d"), "old b");
     Path c = Files.writeString(folder.resolve("c.x3d"), "old c");
-    FileActions watching =
-        new FileActions() {
+    FileOperations watching =
+        new FileOperations() {
           @Override
           public void move(Path from, Path to) throws IOException {
             assertThat(b).exists();
             assertThat(c).exists();
-            FileActions.super.move(from, to);
+            FileOperations.super.move(from, to);
           }
         };
 
@@ -278,8 +278,8 @@ class FileTransactionTest {
   void whereADiskHasNoLinksTheOldFileComesBackAllTheSame() throws IOException {
     Files.writeString(folder.resolve("b.x3d"), "old b");
     Map<Path, String> before = everything();
-    FileActions withoutLinks =
-        new FileActions() {
+    FileOperations withoutLinks =
+        new FileOperations() {
           @Override
           public void keep(Path file, Path as) throws IOException {
             move(file, as);
@@ -290,11 +290,11 @@ class FileTransactionTest {
             if (to.endsWith("c.x3d")) {
               throw new IOException("broken");
             }
-            FileActions.super.move(from, to);
+            FileOperations.super.move(from, to);
           }
         };
 
-    assertThatExceptionOfType(NotWritten.class)
+    assertThatExceptionOfType(FileWriteException.class)
         .isThrownBy(() -> three(withoutLinks).commit())
         .withMessageContaining("nothing has been changed");
     assertThat(everything()).isEqualTo(before);
@@ -307,7 +307,7 @@ class FileTransactionTest {
     writing.addNew(folder.resolve("a.x3d"), "A".getBytes(UTF_8));
     writing.addNew(b, "B".getBytes(UTF_8));
 
-    assertThatExceptionOfType(NotWritten.class)
+    assertThatExceptionOfType(FileWriteException.class)
         .isThrownBy(writing::commit)
         .withMessage(
             b
@@ -318,8 +318,8 @@ class FileTransactionTest {
 
   @Test
   void onlyWhatMustLastFailsWhereTheDiskDoesNotKeepNames() throws IOException {
-    FileActions networkFolder =
-        new FileActions() {
+    FileOperations networkFolder =
+        new FileOperations() {
           @Override
           public void forceFolder(Path forced) throws IOException {
             throw new IOException("Invalid argument");
@@ -332,7 +332,7 @@ class FileTransactionTest {
     FileTransaction lasting = new FileTransaction(networkFolder);
     lasting.addLasting(folder.resolve("c.x3d"), "C".getBytes(UTF_8));
 
-    assertThatExceptionOfType(NotWritten.class)
+    assertThatExceptionOfType(FileWriteException.class)
         .isThrownBy(lasting::commit)
         .withMessageContaining("Invalid argument");
     assertThat(everything().values()).containsExactlyInAnyOrder("", "A", "B");

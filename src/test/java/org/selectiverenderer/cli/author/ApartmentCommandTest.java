@@ -7,9 +7,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.cli.CommandRun;
+import org.selectiverenderer.cli.CommandTestCase;
 
-class ApartmentCommandTest extends CommandRun {
+class ApartmentCommandTest extends CommandTestCase {
   @TempDir private Path folder;
 
   @Test

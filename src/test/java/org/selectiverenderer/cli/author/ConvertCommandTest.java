@@ -9,9 +9,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.selectiverenderer.cli.CommandRun;
+import org.selectiverenderer.cli.CommandTestCase;
 
-class ConvertCommandTest extends CommandRun {
+class ConvertCommandTest extends CommandTestCase {
   @TempDir Path folder;
 
   private Path scene(String name, String text) throws IOException {

@@ -8,7 +8,7 @@ import java.nio.file.Path;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.cli.CommandRun;
+import org.selectiverenderer.cli.CommandTestCase;
 
 class EnrichCommandTest {
   private static final Pattern HEAD = Pattern.compile("(?s)<head>.*?</head>");
@@ -29,7 +29,7 @@ class EnrichCommandTest {
   private String err = "";
 
   private int run(String... args) {
-    CommandRun command = new CommandRun();
+    CommandTestCase command = new CommandTestCase();
     int status = command.execute(args);
     out = command.printed();
     err = command.messages();

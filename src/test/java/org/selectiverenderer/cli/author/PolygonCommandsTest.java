@@ -22,7 +22,7 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.selectiverenderer.cli.CommandRun;
+import org.selectiverenderer.cli.CommandTestCase;
 
 class PolygonCommandsTest {
   private static final String BALL =
@@ -40,7 +40,7 @@ class PolygonCommandsTest {
   }
 
   private int run(String... args) {
-    CommandRun command = new CommandRun();
+    CommandTestCase command = new CommandTestCase();
     int status = command.execute(args);
     out = command.printed();
     err = command.messages();

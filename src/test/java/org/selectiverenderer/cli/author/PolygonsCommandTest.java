@@ -7,9 +7,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.cli.CommandRun;
+import org.selectiverenderer.cli.CommandTestCase;
 
-class PolygonsCommandTest extends CommandRun {
+class PolygonsCommandTest extends CommandTestCase {
   private static final String TRASH_CAN = "scenes/trashcan.x3d";
 
   @TempDir Path folder;

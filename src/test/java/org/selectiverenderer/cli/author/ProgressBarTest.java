@@ -9,7 +9,7 @@ import java.time.Duration;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.cli.output.Console;
-import org.selectiverenderer.radiosity.work.WorkProgress;
+import org.selectiverenderer.radiosity.parallel.RadiosityProgress;
 
 class ProgressBarTest {
   private final ByteArrayOutputStream messages = new ByteArrayOutputStream();
@@ -24,7 +24,7 @@ class ProgressBarTest {
     waiting.start();
     long until = System.nanoTime() + 3 * patience.toNanos();
     while (System.nanoTime() < until) {
-      bar.at(WorkProgress.Stage.WRITING, 0.5);
+      bar.at(RadiosityProgress.Stage.WRITING, 0.5);
       TimeUnit.MILLISECONDS.sleep(1);
     }
     assertThat(bar.cancelled()).isTrue();

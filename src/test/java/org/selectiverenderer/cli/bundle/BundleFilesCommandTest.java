@@ -16,7 +16,7 @@ import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.cli.CommandRun;
+import org.selectiverenderer.cli.CommandTestCase;
 
 /** What a package has beside the program, written once for all tests. */
 class BundleFilesCommandTest {
@@ -24,7 +24,7 @@ class BundleFilesCommandTest {
 
   @BeforeAll
   static void write() {
-    assertThat(new CommandRun().execute("bundle-files", folder.toString())).isZero();
+    assertThat(new CommandTestCase().execute("bundle-files", folder.toString())).isZero();
   }
 
   @Test

@@ -18,9 +18,9 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.base.files.Sha256;
-import org.selectiverenderer.cli.CommandRun;
+import org.selectiverenderer.cli.CommandTestCase;
 
-class ExperimentCommandsTest extends CommandRun {
+class ExperimentCommandsTest extends CommandTestCase {
   @TempDir Path folder;
   private String data = "";
 

@@ -21,8 +21,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.base.problem.Problems;
-import org.selectiverenderer.cli.CommandRun;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.cli.CommandTestCase;
 import org.selectiverenderer.experiment.session.Session;
 import org.selectiverenderer.experiment.session.SessionOptions;
 import org.selectiverenderer.experiment.session.StudyMaterial;
@@ -31,7 +31,7 @@ import org.selectiverenderer.testing.ShowsWindows;
 /** What experiment run refuses before anybody is assigned, and what it flags. */
 @ShowsWindows
 @Timeout(value = 120, unit = TimeUnit.SECONDS)
-class ExperimentRunTest extends CommandRun {
+class ExperimentRunTest extends CommandTestCase {
   @TempDir Path folder;
   private Path study = Path.of("");
 
@@ -71,11 +71,11 @@ class ExperimentRunTest extends CommandRun {
 
   private Session held(String id) throws IOException {
     return Session.begin(
-        StudyMaterial.read(study, new Problems()).orElseThrow(),
+        StudyMaterial.read(study, new ProblemCollector()).orElseThrow(),
         id,
         1,
         new SessionOptions(Optional.empty(), OptionalDouble.empty(), true, "another window"),
-        new Problems());
+        new ProblemCollector());
   }
 
   @Test

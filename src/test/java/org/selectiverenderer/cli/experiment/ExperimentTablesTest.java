@@ -16,8 +16,8 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.base.problem.Problems;
-import org.selectiverenderer.cli.CommandRun;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.cli.CommandTestCase;
 import org.selectiverenderer.experiment.questionnaire.Answer;
 import org.selectiverenderer.experiment.questionnaire.Question;
 import org.selectiverenderer.experiment.session.Session;
@@ -27,7 +27,7 @@ import org.selectiverenderer.experiment.session.StudyMaterial;
 import org.selectiverenderer.testing.RequiresProgram;
 
 /** What becomes of the answers of a study with questionnaires of all kinds and moments. */
-class ExperimentTablesTest extends CommandRun {
+class ExperimentTablesTest extends CommandTestCase {
   private static final String NAME = "Evdokia Ntua";
 
   @TempDir Path folder;
@@ -97,14 +97,14 @@ class ExperimentTablesTest extends CommandRun {
 
   private void session(String id) throws IOException {
     StudyMaterial material =
-        StudyMaterial.read(study.resolve("study.json"), new Problems()).orElseThrow();
+        StudyMaterial.read(study.resolve("study.json"), new ProblemCollector()).orElseThrow();
     try (Session session =
         Session.begin(
             material,
             id,
             1,
             new SessionOptions(Optional.empty(), OptionalDouble.empty(), false, "test 1"),
-            new Problems())) {
+            new ProblemCollector())) {
       steps.clear();
       while (!session.remaining().isEmpty()) {
         SessionStep step = session.remaining().get(0);
@@ -173,7 +173,7 @@ class ExperimentTablesTest extends CommandRun {
             "memory-bath",
             "sus");
     StudyMaterial material =
-        StudyMaterial.read(study.resolve("study.json"), new Problems()).orElseThrow();
+        StudyMaterial.read(study.resolve("study.json"), new ProblemCollector()).orElseThrow();
     assertThat(material.questionnaires("001").get(2).questions().get(0).text())
         .isEqualTo("Did you like the bath?");
   }

@@ -15,8 +15,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.base.problem.Problems;
-import org.selectiverenderer.cli.CommandRun;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.cli.CommandTestCase;
 import org.selectiverenderer.cli.Main;
 import org.selectiverenderer.experiment.headlog.HeadLog;
 import org.selectiverenderer.experiment.headlog.HeadLogReader;
@@ -79,7 +79,7 @@ class KilledSessionTest {
             .findFirst()
             .orElseThrow();
     Path scene = folder.resolve("mine.x3d");
-    CommandRun enrich = new CommandRun();
+    CommandTestCase enrich = new CommandTestCase();
     // The pilot asks about more than this scene has; each is told.
     assertThat(
             enrich.execute(
@@ -125,7 +125,7 @@ class KilledSessionTest {
 
   /** In this process; returns all that was printed. */
   private static String here(int status, String... arguments) {
-    CommandRun command = new CommandRun();
+    CommandTestCase command = new CommandTestCase();
     List<String> all = new ArrayList<>(List.of("experiment"));
     all.addAll(List.of(arguments));
     assertThat(command.execute(all.toArray(String[]::new)))
@@ -145,7 +145,7 @@ class KilledSessionTest {
       assertThat(first.waitFor(20, TimeUnit.MILLISECONDS)).as(Files.readString(log)).isFalse();
     }
     first.destroyForcibly().waitFor();
-    HeadLog kept = HeadLogReader.read(head, new Problems()).orElseThrow();
+    HeadLog kept = HeadLogReader.read(head, new ProblemCollector()).orElseThrow();
     assertThat(kept.samples()).isNotEmpty();
     byte[] cut = Files.readAllBytes(head);
 

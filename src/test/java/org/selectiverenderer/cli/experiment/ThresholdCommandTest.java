@@ -10,10 +10,10 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.base.json.JsonTree;
-import org.selectiverenderer.cli.CommandRun;
+import org.selectiverenderer.cli.CommandTestCase;
 import org.selectiverenderer.testing.ShowsWindows;
 
-class ThresholdCommandTest extends CommandRun {
+class ThresholdCommandTest extends CommandTestCase {
   @TempDir private Path folder;
   private String pilot = "";
 

@@ -10,19 +10,19 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.base.files.FileActions;
+import org.selectiverenderer.base.files.FileOperations;
 
 class OutputFileTest {
-  private static final FileActions FOREIGN_FOLDER =
-      new FileActions() {
+  private static final FileOperations FOREIGN_FOLDER =
+      new FileOperations() {
         @Override
         public void write(Path file, byte[] content) throws IOException {
           throw new AccessDeniedException(file.toString());
         }
       };
 
-  private static final FileActions MOUNTED_FILE =
-      new FileActions() {
+  private static final FileOperations MOUNTED_FILE =
+      new FileOperations() {
         @Override
         public void move(Path from, Path to) throws IOException {
           throw new FileSystemException(from.toString(), to.toString(), "Device or resource busy");
@@ -34,7 +34,7 @@ class OutputFileTest {
   @Test
   void aFileWhoseNameNothingCanTakeIsWrittenInto() throws IOException {
     Path file = Files.writeString(folder.resolve("report.html"), "old and longer");
-    for (FileActions actions : new FileActions[] {FOREIGN_FOLDER, MOUNTED_FILE}) {
+    for (FileOperations actions : new FileOperations[] {FOREIGN_FOLDER, MOUNTED_FILE}) {
       Files.writeString(file, "old and longer");
       OutputFile.write(file, "new", actions);
       assertThat(file).hasContent("new");
@@ -67,8 +67,8 @@ class OutputFileTest {
   @Test
   void aFullDiskLeavesTheOldContent() throws IOException {
     Path file = Files.writeString(folder.resolve("report.html"), "old");
-    FileActions full =
-        new FileActions() {
+    FileOperations full =
+        new FileOperations() {
           @Override
           public void write(Path to, byte[] content) throws IOException {
             throw new IOException("No space left on device");

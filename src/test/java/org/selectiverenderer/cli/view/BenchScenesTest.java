@@ -7,10 +7,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.cli.CommandRun;
+import org.selectiverenderer.cli.CommandTestCase;
 
 /** The scenes that are measured, for other browsers. */
-class BenchScenesTest extends CommandRun {
+class BenchScenesTest extends CommandTestCase {
   private @TempDir Path dir;
 
   @Test

@@ -6,21 +6,21 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.cli.CommandRun;
+import org.selectiverenderer.cli.CommandTestCase;
 import org.selectiverenderer.cli.Main;
 import org.selectiverenderer.doctor.Diagnosis;
 import org.selectiverenderer.doctor.Probe;
-import org.selectiverenderer.doctor.run.ChildStarter;
 import org.selectiverenderer.doctor.run.Doctor;
+import org.selectiverenderer.doctor.run.ProbeProcess;
 import org.selectiverenderer.testing.RequiresDisplay;
 
 /** The real probes of libraries; to make all of them as users do takes a process for each. */
-class DoctorCommandTest extends CommandRun {
+class DoctorCommandTest extends CommandTestCase {
   private List<Diagnosis> probe(String name) {
     assertThat(execute("doctor", "--probe", name)).isZero();
     return printed()
         .lines()
-        .map(line -> Diagnosis.read(line.substring(ChildStarter.MARK.length())))
+        .map(line -> Diagnosis.read(line.substring(ProbeProcess.MARK.length())))
         .flatMap(Optional::stream)
         .toList();
   }
@@ -51,7 +51,7 @@ class DoctorCommandTest extends CommandRun {
   @Test
   void theProgramStartsItselfForAProbe() throws InterruptedException {
     Doctor doctor =
-        new Doctor(ChildStarter.of(Main.class.getName(), List.of("doctor", "--probe")), "");
+        new Doctor(ProbeProcess.of(Main.class.getName(), List.of("doctor", "--probe")), "");
     Probe fonts =
         new Probe("fonts", "fonts", true, Probe.Place.APART, Duration.ofSeconds(60), found -> {});
     assertThat(doctor.examine(List.of(fonts)))

@@ -19,10 +19,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.cli.Main;
 import org.selectiverenderer.testing.ShowsWindows;
-import org.selectiverenderer.tracker.emulate.EmulatedInterTrax2;
-import org.selectiverenderer.tracker.emulate.HeadMotion;
-import org.selectiverenderer.tracker.emulate.InterTrax2Emulator;
-import org.selectiverenderer.tracker.emulate.PseudoTerminal.Maker;
+import org.selectiverenderer.tracker.emulator.EmulatedInterTrax2;
+import org.selectiverenderer.tracker.emulator.HeadMotion;
+import org.selectiverenderer.tracker.emulator.InterTrax2Emulator;
+import org.selectiverenderer.tracker.emulator.PseudoTerminal.Maker;
 
 /** A run that is ended from outside (Ctrl-C, a session that logs out) leaves whole files. */
 @ShowsWindows

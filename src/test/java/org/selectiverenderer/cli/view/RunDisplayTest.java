@@ -14,13 +14,13 @@ import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.cli.CommandRun;
+import org.selectiverenderer.cli.CommandTestCase;
 import org.selectiverenderer.testing.ShowsWindows;
 
 /** {@code run} with two eyes, a head log and replays. */
 @ShowsWindows
 @Timeout(value = 120, unit = TimeUnit.SECONDS)
-class RunDisplayTest extends CommandRun {
+class RunDisplayTest extends CommandTestCase {
   @TempDir private Path folder;
 
   private int run(String... arguments) {
@@ -316,7 +316,7 @@ class RunDisplayTest extends CommandRun {
 
   @Test
   void quadBuffersThatTheDriverHasNotAreTold() throws IOException {
-    if (org.selectiverenderer.runtime.render.window.QuadBuffers.available()) {
+    if (org.selectiverenderer.runtime.render.window.QuadBufferSupport.available()) {
       return;
     }
     assertThat(

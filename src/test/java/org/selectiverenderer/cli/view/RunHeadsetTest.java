@@ -9,10 +9,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.selectiverenderer.cli.CommandRun;
+import org.selectiverenderer.cli.CommandTestCase;
 
 /** What {@code run --display openxr} refuses, before it looks for a headset. */
-class RunHeadsetTest extends CommandRun {
+class RunHeadsetTest extends CommandTestCase {
   @TempDir private Path folder;
 
   private void refused(String said, String... arguments) {

@@ -1,7 +1,7 @@
 package org.selectiverenderer.cli.view;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.selectiverenderer.cli.view.SceneFolder.BOX;
+import static org.selectiverenderer.cli.view.SimulateTestCase.BOX;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -21,23 +21,24 @@ import org.junit.jupiter.params.provider.CsvSource;
 /** Scenes with something wrong in them: one message each, and the rest is shown. */
 class SimulateBadSceneTest {
   @TempDir private Path temp;
-  private SceneFolder folder;
+  private SimulateTestCase folder;
 
   @BeforeEach
   void writePath() {
-    folder = new SceneFolder(temp);
+    folder = new SimulateTestCase(temp);
   }
 
   /** Something wrong, then a box, of which {@code polygons} in all are shown. */
   private void assertTold(String nodes, long polygons, String... messages) {
-    SceneFolder.Result result = folder.scene("scene.x3d", nodes + "\n" + BOX).simulate("scene.x3d");
+    SimulateTestCase.Result result =
+        folder.scene("scene.x3d", nodes + "\n" + BOX).simulate("scene.x3d");
     assertThat(result.messages()).containsExactly(messages);
     assertThat(result.polygons()).isEqualTo(polygons);
     assertThat(result.status()).isEqualTo(1);
   }
 
   private void assertNothingShown(byte[] bytes, String... messages) {
-    SceneFolder.Result result = folder.write("scene.x3d", bytes).simulate("scene.x3d");
+    SimulateTestCase.Result result = folder.write("scene.x3d", bytes).simulate("scene.x3d");
     assertThat(result.messages()).containsExactly(messages);
     assertThat(result.polygons()).isZero();
     assertThat(result.status()).isEqualTo(1);
@@ -45,7 +46,7 @@ class SimulateBadSceneTest {
 
   @Test
   void aMissingSceneIsAFailureOfFiles() {
-    SceneFolder.Result result = folder.simulate("none.x3d");
+    SimulateTestCase.Result result = folder.simulate("none.x3d");
     assertThat(result.messages())
         .containsExactly("selective-renderer simulate: no such file: none.x3d");
     assertThat(result.status()).isEqualTo(2);
@@ -55,7 +56,7 @@ class SimulateBadSceneTest {
   @Test
   void aFolderStandsForTheScenesInIt() {
     folder.write("scenes/a.x3d", "");
-    SceneFolder.Result result = folder.simulate("scenes");
+    SimulateTestCase.Result result = folder.simulate("scenes");
     assertThat(result.messages())
         .containsExactly("scenes/a.x3d: the file is empty; nothing can be shown");
     assertThat(result.status()).isEqualTo(1);
@@ -64,7 +65,7 @@ class SimulateBadSceneTest {
   @Test
   void aMissingPathIsAFailureOfFiles() {
     folder.scene("scene.x3d", BOX);
-    SceneFolder.Result result =
+    SimulateTestCase.Result result =
         folder.run(
             "simulate",
             folder.path("scene.x3d").toString(),
@@ -78,7 +79,7 @@ class SimulateBadSceneTest {
   @Test
   void aPathThatCannotBePlayedIsBadInput() {
     folder.scene("scene.x3d", BOX).write("path.csv", "t,x,y,z\n0,0,0,1\n1,0,here,1\n");
-    SceneFolder.Result result =
+    SimulateTestCase.Result result =
         folder.run(
             "simulate",
             folder.path("scene.x3d").toString(),
@@ -94,7 +95,7 @@ class SimulateBadSceneTest {
   @CsvSource({"0", "-1", "NaN", "Infinity"})
   void aRateMustBeAboveZero(String rate) {
     folder.scene("scene.x3d", BOX);
-    SceneFolder.Result result =
+    SimulateTestCase.Result result =
         folder.run(
             "simulate",
             folder.path("scene.x3d").toString(),
@@ -118,7 +119,7 @@ class SimulateBadSceneTest {
 
   @Test
   void aFileThatIsCutOffShowsWhatWasRead() {
-    SceneFolder.Result result =
+    SimulateTestCase.Result result =
         folder
             .write("scene.x3d", "<X3D><Scene>\n" + BOX + "\n<Shape><Box size='1 2")
             .simulate("scene.x3d");
@@ -164,7 +165,7 @@ class SimulateBadSceneTest {
   void nodesOnlyKeptAreToldOncePerTypeOrComponentAndAreNoProblem() {
     folder.scene(
         "scene.x3d", "<SignalPdu/><SignalPdu/><ReceiverPdu/>\n<NurbsSet/><NurbsSet/>" + BOX);
-    SceneFolder.Result result = folder.simulate("scene.x3d");
+    SimulateTestCase.Result result = folder.simulate("scene.x3d");
     assertThat(result.messages())
         .containsExactly(
             "scene.x3d:2:1: SignalPdu is kept in the scene, but this program "
@@ -178,7 +179,7 @@ class SimulateBadSceneTest {
   @Test
   void textIsDrawnAndNothingIsSaidOfIt() {
     folder.scene("scene.x3d", "<Shape><Text string='\"a\"'><FontStyle/></Text></Shape>");
-    SceneFolder.Result result = folder.simulate("scene.x3d");
+    SimulateTestCase.Result result = folder.simulate("scene.x3d");
     assertThat(result.messages()).isEmpty();
     assertThat(result.polygons()).isPositive();
     assertThat(result.status()).isZero();
@@ -214,7 +215,7 @@ class SimulateBadSceneTest {
       bomb.append("<!ENTITY e%d '&e%d;&e%d;&e%d;'>".formatted(i, i - 1, i - 1, i - 1));
     }
     bomb.append("<!ENTITY secret SYSTEM 'still.csv'>]>\n<X3D><Scene>\n").append(BOX);
-    SceneFolder.Result result =
+    SimulateTestCase.Result result =
         folder
             .write("scene.x3d", bomb + "\n<WorldInfo title='&e39;'/></Scene></X3D>")
             .simulate("scene.x3d");
@@ -276,7 +277,7 @@ class SimulateBadSceneTest {
       out.write((text + " --></Scene></X3D>").getBytes(StandardCharsets.UTF_8));
     }
     byte[] whole = bytes.toByteArray();
-    SceneFolder.Result result =
+    SimulateTestCase.Result result =
         folder.write("scene.x3dz", Arrays.copyOf(whole, whole.length / 2)).simulate("scene.x3dz");
     assertThat(result.messages())
         .containsExactly(
@@ -311,7 +312,7 @@ class SimulateBadSceneTest {
       nodes.append(
           "<Shape><IndexedFaceSet coordIndex='7'><Coordinate/></IndexedFaceSet></Shape>\n");
     }
-    SceneFolder.Result result = folder.scene("scene.x3d", nodes + BOX).simulate("scene.x3d");
+    SimulateTestCase.Result result = folder.scene("scene.x3d", nodes + BOX).simulate("scene.x3d");
     assertThat(result.messages()).hasSize(101);
     assertThat(result.messages().get(99)).startsWith("scene.x3d:101:8: IndexedFaceSet has a face");
     assertThat(result.messages().get(100))

@@ -2,7 +2,7 @@ package org.selectiverenderer.cli.view;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assumptions.assumeThat;
-import static org.selectiverenderer.cli.view.SceneFolder.BOX;
+import static org.selectiverenderer.cli.view.SimulateTestCase.BOX;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -21,23 +21,23 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** Which files a scene may inline, what is said of the others, and Inlines without end. */
 class SimulateInlinesTest {
   @TempDir private Path temp;
-  private SceneFolder folder;
+  private SimulateTestCase folder;
 
   @BeforeEach
   void writePath() {
-    folder = new SceneFolder(temp);
+    folder = new SimulateTestCase(temp);
   }
 
   private static String inline(String url) {
     return "<Inline url='\"" + url + "\"'/>\n";
   }
 
-  private SceneFolder.Result simulate(String nodes) {
+  private SimulateTestCase.Result simulate(String nodes) {
     return folder.scene("scenes/scene.x3d", nodes).simulate("scenes/scene.x3d");
   }
 
   private void assertLeftOut(String url, String reason) {
-    SceneFolder.Result result = simulate(BOX + inline(url));
+    SimulateTestCase.Result result = simulate(BOX + inline(url));
     assertThat(result.messages())
         .containsExactly(
             "scenes/scene.x3d:2:%d: Inline url '%s' %s; the Inline is left out"
@@ -55,7 +55,7 @@ class SimulateInlinesTest {
   }
 
   private void assertInlined(String url, long polygons) {
-    SceneFolder.Result result = simulate(inline(url));
+    SimulateTestCase.Result result = simulate(inline(url));
     assertThat(result.messages()).isEmpty();
     assertThat(result.polygons()).isEqualTo(polygons);
     assertThat(result.status()).isZero();
@@ -157,7 +157,7 @@ class SimulateInlinesTest {
   @Test
   void theFirstUrlThatCanBeReadIsTaken() {
     folder.scene("scenes/a.x3d", BOX);
-    SceneFolder.Result result =
+    SimulateTestCase.Result result =
         simulate("<Inline url='\"http://example.org/a.x3d\" \"none.x3d\" \"a.x3d\"'/>");
     assertThat(result.messages()).isEmpty();
     assertThat(result.polygons()).isEqualTo(12);
@@ -165,7 +165,7 @@ class SimulateInlinesTest {
 
   @Test
   void anInlineWithoutUrlIsEmptyAndNoProblem() {
-    SceneFolder.Result result = simulate(BOX + "<Inline/>");
+    SimulateTestCase.Result result = simulate(BOX + "<Inline/>");
     assertThat(result.messages())
         .containsExactly("scenes/scene.x3d:2:22: Inline has no url; the Inline is left out");
     assertThat(result.status()).isZero();
@@ -173,7 +173,7 @@ class SimulateInlinesTest {
 
   @Test
   void lineBreaksAndColoursInANameStayOutOfTheMessage() {
-    SceneFolder.Result result = simulate(BOX + inline("a&#10;b&#x9B;c"));
+    SimulateTestCase.Result result = simulate(BOX + inline("a&#10;b&#x9B;c"));
     assertThat(result.messages())
         .containsExactly(
             "scenes/scene.x3d:2:22: Inline url 'a?b?c' is missing; the Inline is left out");
@@ -187,7 +187,7 @@ class SimulateInlinesTest {
         .scene("inlineNodes/sub/part.x3d", BOX + inline("../part.x3d"))
         .scene("inlineNodes/curious.x3d", inline("../still.csv"));
     assertInlined("../inlineNodes/whole.x3d", 36);
-    SceneFolder.Result result = simulate(inline("../inlineNodes/curious.x3d"));
+    SimulateTestCase.Result result = simulate(inline("../inlineNodes/curious.x3d"));
     assertThat(result.messages())
         .containsExactly(
             "inlineNodes/curious.x3d:2:1: Inline url '../still.csv' points outside the folders"
@@ -219,7 +219,7 @@ class SimulateInlinesTest {
     folder.scene("scenes/a.x3d", BOX);
     assumeThat(folder.path("scenes/a.x3d").toFile().setReadable(false)).isTrue();
     assumeThat(Files.isReadable(folder.path("scenes/a.x3d"))).isFalse();
-    SceneFolder.Result result = simulate(BOX + inline("a.x3d"));
+    SimulateTestCase.Result result = simulate(BOX + inline("a.x3d"));
     assertThat(result.messages())
         .containsExactly(
             "scenes/scene.x3d:2:22: scenes/a.x3d cannot be read: no permission; the "
@@ -228,7 +228,7 @@ class SimulateInlinesTest {
 
   @Test
   void aSceneThatIncludesItselfStopsThere() {
-    SceneFolder.Result result = simulate(BOX + inline("scene.x3d"));
+    SimulateTestCase.Result result = simulate(BOX + inline("scene.x3d"));
     assertThat(result.messages())
         .containsExactly(
             "scenes/scene.x3d:2:22: scenes/scene.x3d includes itself; the Inline is left out");
@@ -241,7 +241,7 @@ class SimulateInlinesTest {
     folder
         .scene("scenes/b.x3d", BOX + inline("c.x3d"))
         .scene("scenes/c.x3d", BOX + inline("scene.x3d"));
-    SceneFolder.Result result = simulate(BOX + inline("b.x3d") + inline("c.x3d"));
+    SimulateTestCase.Result result = simulate(BOX + inline("b.x3d") + inline("c.x3d"));
     assertThat(result.messages())
         .containsExactly(
             "scenes/c.x3d:2:22: scenes/scene.x3d includes itself; the Inline is left out");
@@ -255,7 +255,7 @@ class SimulateInlinesTest {
       folder.scene("scenes/s%d.x3d".formatted(i), next + next);
     }
     folder.scene("scenes/s40.x3d", BOX);
-    SceneFolder.Result result = simulate(BOX + inline("s0.x3d"));
+    SimulateTestCase.Result result = simulate(BOX + inline("s0.x3d"));
     assertThat(result.messages()).hasSize(1);
     assertThat(result.messages().get(0))
         .matches(
@@ -270,7 +270,7 @@ class SimulateInlinesTest {
     for (int i = 0; i < 300; i++) {
       folder.scene("scenes/s%d.x3d".formatted(i), BOX + inline("s%d.x3d".formatted(i + 1)));
     }
-    SceneFolder.Result result = simulate(BOX + inline("s0.x3d"));
+    SimulateTestCase.Result result = simulate(BOX + inline("s0.x3d"));
     assertThat(result.messages())
         .containsExactly(
             "scenes/s99.x3d:2:22: Inlines are nested more than 100 deep; the Inline of"
@@ -286,7 +286,7 @@ class SimulateInlinesTest {
       folder.scene(
           "scenes/s%d.x3d".formatted(i), open + BOX + inline("s%d.x3d".formatted(i + 1)) + close);
     }
-    SceneFolder.Result result = simulate(BOX + inline("s0.x3d"));
+    SimulateTestCase.Result result = simulate(BOX + inline("s0.x3d"));
     assertThat(result.messages())
         .containsExactly(
             "scenes/s4.x3d:2:246: nodes and Inlines are nested more than 1000 deep; the Group is"

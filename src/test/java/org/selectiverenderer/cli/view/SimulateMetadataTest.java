@@ -1,7 +1,7 @@
 package org.selectiverenderer.cli.view;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.selectiverenderer.cli.view.SceneFolder.BOX;
+import static org.selectiverenderer.cli.view.SimulateTestCase.BOX;
 
 import java.nio.file.Path;
 import org.junit.jupiter.api.BeforeEach;
@@ -17,11 +17,11 @@ class SimulateMetadataTest {
           + "</MetadataSet></ProximitySensor>\n";
 
   @TempDir private Path temp;
-  private SceneFolder folder;
+  private SimulateTestCase folder;
 
   @BeforeEach
   void writePath() {
-    folder = new SceneFolder(temp);
+    folder = new SimulateTestCase(temp);
   }
 
   private static String part(String schema) {
@@ -44,13 +44,13 @@ class SimulateMetadataTest {
   private static final String GOOD =
       object("Good", part("\"A\"") + part("\"B\""), BOX + "<Group>" + BOX + BOX + "</Group>");
 
-  private SceneFolder.Result simulate(String nodes) {
+  private SimulateTestCase.Result simulate(String nodes) {
     return folder.scene("scene.x3d", nodes).simulate("scene.x3d");
   }
 
   @Test
   void aSwitchWithFewerChildrenThanMetadataSetsIgnoresTheRest() {
-    SceneFolder.Result result =
+    SimulateTestCase.Result result =
         simulate(SENSOR + object("Short", part("\"A\"") + part("\"B\""), BOX) + GOOD);
     assertThat(result.messages())
         .containsExactly(
@@ -64,7 +64,7 @@ class SimulateMetadataTest {
 
   @Test
   void metadataThatNamesNoSchemaIsTold() {
-    SceneFolder.Result result =
+    SimulateTestCase.Result result =
         simulate(SENSOR + object("Nameless", part("\"A\"") + part("\"\""), BOX + BOX) + GOOD);
     assertThat(result.messages())
         .containsExactly(
@@ -77,7 +77,7 @@ class SimulateMetadataTest {
 
   @Test
   void metadataWithoutTheVocabularyIsNobodysBusiness() {
-    SceneFolder.Result result =
+    SimulateTestCase.Result result =
         simulate(
             "<Switch whichChoice='0'><MetadataString name='author' value='\"me\"'/>"
                 + BOX

@@ -18,11 +18,11 @@ import org.junit.jupiter.api.io.TempDir;
 /** A texture that cannot be had is told; its shape is shown without. */
 class SimulateTexturesTest {
   @TempDir private Path temp;
-  private SceneFolder folder;
+  private SimulateTestCase folder;
 
   @BeforeEach
   void writePath() {
-    folder = new SceneFolder(temp);
+    folder = new SimulateTestCase(temp);
   }
 
   private static String textured(String texture) {
@@ -30,7 +30,8 @@ class SimulateTexturesTest {
   }
 
   private void assertLeftOut(String texture, String message) {
-    SceneFolder.Result result = folder.scene("scene.x3d", textured(texture)).simulate("scene.x3d");
+    SimulateTestCase.Result result =
+        folder.scene("scene.x3d", textured(texture)).simulate("scene.x3d");
     assertThat(result.messages())
         .containsExactly("scene.x3d:2:20: " + message + "; the texture is left out");
     assertThat(result.polygons()).isEqualTo(12);
@@ -110,7 +111,7 @@ class SimulateTexturesTest {
   @Test
   void aPixelTextureWithTooFewPixelsIsLeftOut() {
     folder.scene("scene.x3d", textured("<PixelTexture image='1000 1000 3 0xFF0000'/>"));
-    SceneFolder.Result result = folder.simulate("scene.x3d");
+    SimulateTestCase.Result result = folder.simulate("scene.x3d");
     assertThat(result.messages())
         .containsExactly(
             "scene.x3d:2:20: the image of the PixelTexture contains no image: it "

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.selectiverenderer.cli.CommandRun;
+import org.selectiverenderer.cli.CommandTestCase;
 
 /**
  * The time lines of the scenes that a user opens first, against golden files. Where one differs on
@@ -32,7 +32,7 @@ class SimulateTimelineTest {
 
   /** Runs a command that is to end well and say nothing on standard error. */
   private static String run(List<String> args) {
-    CommandRun command = new CommandRun();
+    CommandTestCase command = new CommandTestCase();
     int status = command.execute(args.toArray(String[]::new));
     assertThat(command.messages()).isEmpty();
     assertThat(status).isZero();

@@ -12,12 +12,12 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.cli.CommandRun;
-import org.selectiverenderer.tracker.emulate.EmulatedInterTrax2;
-import org.selectiverenderer.tracker.emulate.InterTrax2Emulator.Settings;
-import org.selectiverenderer.tracker.emulate.PseudoTerminal.Maker;
+import org.selectiverenderer.cli.CommandTestCase;
+import org.selectiverenderer.tracker.emulator.EmulatedInterTrax2;
+import org.selectiverenderer.tracker.emulator.InterTrax2Emulator.Settings;
+import org.selectiverenderer.tracker.emulator.PseudoTerminal.Maker;
 
-class TrackCommandTest extends CommandRun {
+class TrackCommandTest extends CommandTestCase {
   private static final String LOG =
       """
       t,yaw,pitch,roll

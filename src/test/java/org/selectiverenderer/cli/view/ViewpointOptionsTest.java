@@ -10,11 +10,11 @@ import org.junit.jupiter.api.io.TempDir;
 /** Viewpoints by their names. */
 class ViewpointOptionsTest {
   @TempDir private Path temp;
-  private SceneFolder folder;
+  private SimulateTestCase folder;
 
   @BeforeEach
   void writeScene() {
-    folder = new SceneFolder(temp);
+    folder = new SimulateTestCase(temp);
     folder.scene(
         "scene.x3d",
         """
@@ -25,7 +25,7 @@ class ViewpointOptionsTest {
         """);
   }
 
-  private SceneFolder.Result run(String command, String... more) {
+  private SimulateTestCase.Result run(String command, String... more) {
     String[] all = new String[more.length + 2];
     all[0] = command;
     all[1] = folder.path("scene.x3d").toString();
@@ -35,7 +35,7 @@ class ViewpointOptionsTest {
 
   @Test
   void theyAreListedWithoutADisplay() {
-    SceneFolder.Result result = run("run", "--viewpoints");
+    SimulateTestCase.Result result = run("run", "--viewpoints");
     assertThat(result.status()).isZero();
     assertThat(result.out().lines()).containsExactly("Door", "Desk\tAt the desk", "Window");
     assertThat(result.messages()).isEmpty();
@@ -44,7 +44,7 @@ class ViewpointOptionsTest {
   @Test
   void aWrongNameIsToldWithTheRightOnes() {
     String path = folder.path("still.csv").toString();
-    SceneFolder.Result result = run("simulate", "--path", path, "--viewpoint", "Desc");
+    SimulateTestCase.Result result = run("simulate", "--path", path, "--viewpoint", "Desc");
     assertThat(result.status()).isEqualTo(2);
     assertThat(result.messages())
         .containsExactly(

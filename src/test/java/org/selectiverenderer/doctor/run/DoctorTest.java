@@ -21,14 +21,14 @@ import org.selectiverenderer.doctor.Probe;
 class DoctorTest {
   private static final Duration AMPLE = Duration.ofSeconds(60);
 
-  private final Doctor doctor = new Doctor(new ChildStarter(DoctorTest::child), "/home/ada");
+  private final Doctor doctor = new Doctor(new ProbeProcess(DoctorTest::child), "/home/ada");
 
   static List<String> child(String name, List<String> flags) {
     List<String> command = new ArrayList<>();
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
     command.addAll(flags);
     command.addAll(List.of("-cp", System.getProperty("java.class.path")));
-    command.addAll(List.of(DoctorChild.class.getName(), name));
+    command.addAll(List.of(FaultyProbeProcess.class.getName(), name));
     return command;
   }
 
@@ -124,7 +124,7 @@ class DoctorTest {
   @Test
   void aProgramThatIsNotThereBecomesALine() throws InterruptedException {
     Doctor lost =
-        new Doctor(new ChildStarter((name, flags) -> List.of("/nowhere/at/all")), "/home/ada");
+        new Doctor(new ProbeProcess((name, flags) -> List.of("/nowhere/at/all")), "/home/ada");
     assertThat(lost.examine(List.of(apart("any", AMPLE))))
         .singleElement()
         .satisfies(line -> assertThat(line.found()).startsWith("no process can be started: "));

@@ -9,8 +9,8 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.document.Edit;
-import org.selectiverenderer.document.EditRefused;
-import org.selectiverenderer.document.enrichment.Scenes;
+import org.selectiverenderer.document.EditRejectedException;
+import org.selectiverenderer.document.enrichment.EnrichmentScenes;
 import org.selectiverenderer.schema.SensorSchemas;
 
 class AreaEditsTest {
@@ -26,8 +26,8 @@ class AreaEditsTest {
         <ROUTE fromNode='x' fromField='y' toNode='z' toField='w'/>
       """;
 
-  private static PlacedArea area(Scenes scene, String name) {
-    return PlacedAreas.of(scene.enrichment, scene.sensor(name)).orElseThrow();
+  private static PlacedArea area(EnrichmentScenes scene, String name) {
+    return AreaLocator.of(scene.enrichment, scene.sensor(name)).orElseThrow();
   }
 
   private static AreaBox box(double... b) {
@@ -45,7 +45,7 @@ class AreaEditsTest {
 
   @Test
   void anAreaUnderTransformsIsABoxOfTheSceneAndCanBePutElsewhere() {
-    Scenes scene = Scenes.with(LIBRARY);
+    EnrichmentScenes scene = EnrichmentScenes.with(LIBRARY);
     PlacedArea library = area(scene, "BookcaseProx");
     same(
         library.box(),
@@ -71,8 +71,9 @@ class AreaEditsTest {
 
   @Test
   void whatDoesNotChangeStaysAsItIsWritten() {
-    Scenes scene =
-        Scenes.with("<ProximitySensor DEF='P' center=\"1.23456 0 0.0\" size='2 2 2.00'/>\n");
+    EnrichmentScenes scene =
+        EnrichmentScenes.with(
+            "<ProximitySensor DEF='P' center=\"1.23456 0 0.0\" size='2 2 2.00'/>\n");
     AreaEdits edits = new AreaEdits(scene.enrichment);
     PlacedArea area = area(scene, "P");
     assertThat(edits.place(area, area.box(), "x").isEmpty()).isTrue();
@@ -83,8 +84,8 @@ class AreaEditsTest {
 
   @Test
   void widthIsWhatIsWideInTheSceneUnderARightAngleAndOtherAnglesAreToldApart() {
-    Scenes scene =
-        Scenes.with(
+    EnrichmentScenes scene =
+        EnrichmentScenes.with(
             """
             <Transform rotation='0 1 0 1.5707963' scale='1 1 2'>
               <ProximitySensor DEF='Right' size='1 2 3'/>
@@ -104,13 +105,13 @@ class AreaEditsTest {
     assertThat(turned.frame().turned()).isTrue();
     same(turned.box(), 9, 0, 0, 1, 2, 3);
     near(turned.frame().direction(0), Math.cos(0.5), 0, -Math.sin(0.5));
-    assertThat(PlacedAreas.of(scene.enrichment, scene.sensor("Unknown"))).isEmpty();
-    assertThat(PlacedAreas.of(scene.enrichment)).hasSize(2);
+    assertThat(AreaLocator.of(scene.enrichment, scene.sensor("Unknown"))).isEmpty();
+    assertThat(AreaLocator.of(scene.enrichment)).hasSize(2);
   }
 
   @Test
   void aNewAreaStandsBehindThoseThatAreThereWithTheirIndentation() {
-    Scenes scene = Scenes.with(LIBRARY);
+    EnrichmentScenes scene = EnrichmentScenes.with(LIBRARY);
     AreaEdits edits = new AreaEdits(scene.enrichment);
     Edit edit = edits.add("Desk", box(1, 2, 3, 4, 5, 6.5));
     assertThat(edit.name()).isEqualTo("Add the area Desk");
@@ -123,21 +124,21 @@ class AreaEditsTest {
     scene.document.history().undo();
     assertThat(scene.nodes()).isEqualTo(LIBRARY);
     assertThatThrownBy(() -> edits.add("boxLibrary", box(0, 0, 0, 1, 1, 1)))
-        .isInstanceOf(EditRefused.class);
+        .isInstanceOf(EditRejectedException.class);
     assertThatThrownBy(() -> edits.add("Flat", box(0, 0, 0, 1, 0, 1)))
         .hasMessageContaining("larger than 0");
   }
 
   @Test
   void theFirstAreaOfASceneStandsInFrontOfItsRoutesAndInTheLayerThatIsWalkedIn() {
-    Scenes plain = Scenes.with("  <Group/>\n  <ROUTE fromNode='a'/>\n");
+    EnrichmentScenes plain = EnrichmentScenes.with("  <Group/>\n  <ROUTE fromNode='a'/>\n");
     plain.perform(new AreaEdits(plain.enrichment).add("A", box(0, 0, 0, 1, 1, 1)));
     assertThat(plain.nodes())
         .isEqualTo(
             "  <Group/>\n  <ProximitySensor DEF='A' center='0 0 0' size='1 1 1'/>\n"
                 + "  <ROUTE fromNode='a'/>\n");
-    Scenes layers =
-        Scenes.with(
+    EnrichmentScenes layers =
+        EnrichmentScenes.with(
             """
               <LayerSet activeLayer='1'>
                 <Layer>
@@ -149,7 +150,7 @@ class AreaEditsTest {
     assertThat(layers.nodes())
         .contains("      <Group/>\n      <ProximitySensor DEF='A' ")
         .contains("/>\n    </Layer>");
-    Scenes empty = Scenes.of("<X3D>\n  <Scene/>\n</X3D>\n");
+    EnrichmentScenes empty = EnrichmentScenes.of("<X3D>\n  <Scene/>\n</X3D>\n");
     empty.perform(new AreaEdits(empty.enrichment).add("A", box(0, 0, 0, 1, 1, 1)));
     assertThat(empty.document.text().toString())
         .isEqualTo(
@@ -167,22 +168,22 @@ class AreaEditsTest {
 
   @Test
   void areasThatLieOverEachOtherAreFoundWithWhatTheyShare() {
-    Scenes scene = Scenes.with(TWO);
-    List<PlacedAreas.Overlap> overlaps =
-        PlacedAreas.overlaps(area(scene, "B"), PlacedAreas.of(scene.enrichment));
+    EnrichmentScenes scene = EnrichmentScenes.with(TWO);
+    List<AreaLocator.Overlap> overlaps =
+        AreaLocator.overlaps(area(scene, "B"), AreaLocator.of(scene.enrichment));
     assertThat(overlaps).extracting(each -> each.other().name()).containsExactly("A", "C");
     assertThat(overlaps.get(0).volume()).isCloseTo(4, within(1e-6));
     assertThat(overlaps.get(0).around()).isFalse();
     assertThat(overlaps.get(1).around()).isTrue();
     assertThat(overlaps.get(1).volume()).isCloseTo(1, within(1e-6));
-    Scenes turned =
-        Scenes.with(
+    EnrichmentScenes turned =
+        EnrichmentScenes.with(
             """
             <ProximitySensor DEF='A' size='2 2 2'/>
             <Transform rotation='0 1 0 0.7853982'><ProximitySensor DEF='B' size='2 2 2'/></Transform>
             """);
     assertThat(
-            PlacedAreas.overlaps(area(turned, "A"), PlacedAreas.of(turned.enrichment))
+            AreaLocator.overlaps(area(turned, "A"), AreaLocator.of(turned.enrichment))
                 .get(0)
                 .volume())
         .as("an octagon")
@@ -191,7 +192,7 @@ class AreaEditsTest {
 
   @Test
   void aCopyHasTheSameSchemasAndIsAnotherPartOfTheArea() {
-    Scenes scene = Scenes.with(TWO);
+    EnrichmentScenes scene = EnrichmentScenes.with(TWO);
     scene.perform(
         scene.edits().sensor(scene.sensor("A"), new SensorSchemas(List.of("Desk"), List.of())));
     AreaEdits edits = new AreaEdits(scene.enrichment);
@@ -199,9 +200,9 @@ class AreaEditsTest {
     PlacedArea copy = area(scene, "A_2");
     same(copy.box(), 0.5, 0, 0, 2, 2, 2);
     assertThat(copy.schemas().enter()).containsExactly("Desk");
-    List<PlacedArea> all = PlacedAreas.of(scene.enrichment);
-    assertThat(PlacedAreas.parts(copy, all)).extracting(PlacedArea::name).containsExactly("A");
-    assertThat(PlacedAreas.overlaps(copy, all))
+    List<PlacedArea> all = AreaLocator.of(scene.enrichment);
+    assertThat(AreaLocator.parts(copy, all)).extracting(PlacedArea::name).containsExactly("A");
+    assertThat(AreaLocator.overlaps(copy, all))
         .extracting(each -> each.other().name())
         .containsExactly("B", "C");
     assertThat(scene.nodes()).contains("    <MetadataSet", "DEF='MetadataSet_ADefinition_2'");
@@ -210,8 +211,8 @@ class AreaEditsTest {
 
   @Test
   void placesThatTakeAnAreaAlongByUseAreTold() {
-    Scenes scene =
-        Scenes.with(
+    EnrichmentScenes scene =
+        EnrichmentScenes.with(
             """
             <Transform DEF='Room'><ProximitySensor DEF='A' size='2 2 2'/></Transform>
             <Transform translation='5 0 0'><Transform USE='Room'/></Transform>

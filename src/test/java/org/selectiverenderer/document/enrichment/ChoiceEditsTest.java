@@ -5,16 +5,16 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.document.EditRefused;
+import org.selectiverenderer.document.EditRejectedException;
+import org.selectiverenderer.schema.ConsistencyDegree;
 import org.selectiverenderer.schema.ConsistencyType;
-import org.selectiverenderer.schema.Degree;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 class ChoiceEditsTest {
-  private static final ChoiceValues DESK =
-      ChoiceValues.NONE
+  private static final ChoiceMetadata DESK =
+      ChoiceMetadata.NONE
           .with(ConsistencyType.INCONSISTENT)
-          .with(Degree.LOW)
+          .with(ConsistencyDegree.LOW)
           .with(List.of("DeskSchema"));
 
   private static final String PLAIN =
@@ -41,8 +41,8 @@ class ChoiceEditsTest {
         </Switch>
       """;
 
-  private static Scenes described(String nodes, int choice, ChoiceValues values) {
-    Scenes scene = Scenes.with(nodes);
+  private static EnrichmentScenes described(String nodes, int choice, ChoiceMetadata values) {
+    EnrichmentScenes scene = EnrichmentScenes.with(nodes);
     EnrichedSwitch node = scene.enrichment.switches().get(0);
     scene.perform(scene.edits().choice(node, choice, values));
     assertThat(scene.enrichment.switches().get(0).values().get(choice)).isEqualTo(values);
@@ -56,7 +56,7 @@ class ChoiceEditsTest {
 
   @Test
   void undoingIsNamedAndGivesTheTextBack() {
-    Scenes scene = described(PLAIN, 0, DESK);
+    EnrichmentScenes scene = described(PLAIN, 0, DESK);
     assertThat(scene.document.history().undoName())
         .contains("Describe choice 0 of Switch_TrashCan");
     scene.document.history().undo();
@@ -66,13 +66,13 @@ class ChoiceEditsTest {
 
   @Test
   void sayingWhatIsSaidAlreadyIsNoStep() {
-    Scenes scene = described(ENRICHED, 0, DESK);
+    EnrichmentScenes scene = described(ENRICHED, 0, DESK);
     assertThat(scene.document.history().undoName()).isEmpty();
   }
 
   @Test
   void oneFieldChangesOneValue() {
-    assertThat(described(ENRICHED, 0, DESK.with(new Degree(0.25))).nodes())
+    assertThat(described(ENRICHED, 0, DESK.with(new ConsistencyDegree(0.25))).nodes())
         .isEqualTo(ENRICHED.replace("\"low\"", "\"0.25\""));
   }
 
@@ -88,7 +88,7 @@ class ChoiceEditsTest {
 
   @Test
   void theOtherChoiceFillsTheSetThatHeldItsPlace() {
-    ChoiceValues frame = ChoiceValues.NONE.with(ConsistencyType.FRAME);
+    ChoiceMetadata frame = ChoiceMetadata.NONE.with(ConsistencyType.FRAME);
     assertThat(described(ENRICHED, 1, frame).nodes())
         .isEqualTo(
             ENRICHED.replace(
@@ -101,13 +101,16 @@ class ChoiceEditsTest {
 
   @Test
   void clearingTheLastChoiceTakesTheMetadataAway() {
-    assertThat(described(ENRICHED, 0, ChoiceValues.NONE).nodes()).isEqualTo(PLAIN);
+    assertThat(described(ENRICHED, 0, ChoiceMetadata.NONE).nodes()).isEqualTo(PLAIN);
   }
 
   @Test
   void clearingOneFieldTakesItsLineAway() {
-    Scenes scene =
-        described(ENRICHED, 0, ChoiceValues.NONE.with(Degree.LOW).with(List.of("DeskSchema")));
+    EnrichmentScenes scene =
+        described(
+            ENRICHED,
+            0,
+            ChoiceMetadata.NONE.with(ConsistencyDegree.LOW).with(List.of("DeskSchema")));
     assertThat(scene.nodes())
         .isEqualTo(ENRICHED.replaceFirst("\n *<MetadataString [^\n]*consistencyType' [^\n]*", ""));
   }
@@ -126,7 +129,7 @@ class ChoiceEditsTest {
   @Test
   void switchesWithoutANameGetNamesThatDiffer() {
     String two = "<Switch><Shape/></Switch>\n<Switch><Shape/></Switch>\n";
-    Scenes scene = described(two, 0, DESK);
+    EnrichmentScenes scene = described(two, 0, DESK);
     EnrichedSwitch second = scene.enrichment.switches().get(1);
     assertThat(second.name()).isEqualTo("Switch#2");
     scene.perform(scene.edits().choice(second, 0, DESK));
@@ -158,7 +161,7 @@ class ChoiceEditsTest {
         "<MetadataSet name='author' containerField='metadata'><!-- x --><MetadataString name='who'"
             + " value='\"me\"'/></MetadataSet>";
     String nodes = PLAIN.replaceFirst("    <Inline", "    " + other + "\n    <Inline");
-    Scenes scene = described(nodes, 1, DESK);
+    EnrichmentScenes scene = described(nodes, 1, DESK);
     assertThat(scene.nodes()).contains("<MetadataSet name='author'", "<!-- x -->", "name='who'");
     assertThat(scene.enrichment.findings()).allMatch(f -> f.message().contains("DeskSchema"));
   }
@@ -167,7 +170,7 @@ class ChoiceEditsTest {
   void setsOfAnotherKindMoveIntoOursAfterTheChoices() {
     String other =
         "<MetadataSet name='a'><MetadataSet name='b'/><MetadataSet name='c'/></MetadataSet>";
-    Scenes scene =
+    EnrichmentScenes scene =
         described(PLAIN.replaceFirst("    <Inline", "    " + other + "\n    <Inline"), 0, DESK);
     assertThat(scene.nodes())
         .contains("      " + other.replace("name='a'", "name='a' containerField='value'") + "\n");
@@ -177,7 +180,7 @@ class ChoiceEditsTest {
   @Test
   void aStringOfAnotherKindMovesIntoOurs() {
     String other = "<MetadataString name='who' value='\"me\"' containerField=\"metadata\"/>";
-    Scenes scene =
+    EnrichmentScenes scene =
         described(PLAIN.replaceFirst("    <Inline", "    " + other + "\n    <Inline"), 0, DESK);
     assertThat(scene.nodes())
         .contains("      " + other.replace("\"metadata\"", "\"value\"") + "\n");
@@ -188,9 +191,9 @@ class ChoiceEditsTest {
     String loose =
         "<MetadataSet><MetadataString name='schemaBelonginess' value='\"A\"'/></MetadataSet>";
     String nodes = PLAIN.replaceFirst("    <Inline", "    " + loose + "\n    <Inline");
-    ChoiceValues b = ChoiceValues.NONE.with(List.of("B"));
+    ChoiceMetadata b = ChoiceMetadata.NONE.with(List.of("B"));
     assertThat(described(nodes, 0, b).nodes()).isEqualTo(nodes.replace("\"A\"", "\"B\""));
-    Scenes both = described(nodes, 1, b);
+    EnrichmentScenes both = described(nodes, 1, b);
     assertThat(both.switchNode("Switch_TrashCan").values().get(0).schemas()).containsExactly("A");
     assertThat(both.switchNode("Switch_TrashCan").findings()).isEmpty();
   }
@@ -206,10 +209,10 @@ class ChoiceEditsTest {
             + "  <Switch DEF='Other'><MetadataSet USE='M'/><Shape/></Switch>\n"
             + "  <Switch DEF='Third'><MetadataSet><MetadataSet><MetadataString"
             + " USE='N'/></MetadataSet></MetadataSet><Shape/></Switch>\n";
-    Scenes scene = Scenes.with(used);
+    EnrichmentScenes scene = EnrichmentScenes.with(used);
     assertThat(scene.switchNode("Other").values().get(0).schemas()).containsExactly("A");
     assertThatThrownBy(() -> scene.edits().choice(scene.switchNode("Switch_TrashCan"), 0, DESK))
-        .isInstanceOf(EditRefused.class)
+        .isInstanceOf(EditRejectedException.class)
         .hasMessageStartingWith("scene.x3d:4:")
         .hasMessageContaining("'N' is also used elsewhere");
     scene.perform(scene.edits().choice(scene.switchNode("Other"), 0, DESK));
@@ -221,8 +224,8 @@ class ChoiceEditsTest {
 
   @Test
   void unknownNodesAreNoChoicesAsForTheReader() {
-    Scenes scene =
-        Scenes.with(
+    EnrichmentScenes scene =
+        EnrichmentScenes.with(
             "<Switch DEF='S'><Unknown/><Shape/><ROUTE/><ProtoInstance name='p'/></Switch>\n");
     assertThat(scene.switchNode("S").choices())
         .extracting(choice -> choice.element().name())
@@ -231,7 +234,7 @@ class ChoiceEditsTest {
 
   @Test
   void theElementsAroundAnEditStayTheSameObjects() {
-    Scenes scene = Scenes.with(PLAIN + PLAIN.replace("TrashCan", "Mug"));
+    EnrichmentScenes scene = EnrichmentScenes.with(PLAIN + PLAIN.replace("TrashCan", "Mug"));
     List<DocumentElement> before =
         List.of(
             scene.switchNode("Switch_TrashCan").element(),
@@ -246,10 +249,10 @@ class ChoiceEditsTest {
 
   @Test
   void aBrokenTextIsNotEdited() {
-    Scenes scene = Scenes.of("<X3D><Scene></X3D>");
+    EnrichmentScenes scene = EnrichmentScenes.of("<X3D><Scene></X3D>");
     assertThat(scene.enrichment.switches()).isEmpty();
     assertThatThrownBy(() -> scene.edits().renameSchema("A", "B"))
-        .isInstanceOf(EditRefused.class)
+        .isInstanceOf(EditRejectedException.class)
         .hasMessageContaining("correct it in the source view first");
   }
 }

@@ -7,9 +7,9 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.document.Edit;
-import org.selectiverenderer.schema.Degree;
+import org.selectiverenderer.schema.ConsistencyDegree;
 
 class MetadataTableTest {
   private static final String NODES =
@@ -21,16 +21,16 @@ class MetadataTableTest {
       <ProximitySensor DEF='Prox'/>
       """;
 
-  private final Problems problems = new Problems();
+  private final ProblemCollector problems = new ProblemCollector();
 
-  private Optional<Edit> edit(Scenes scene, String table) {
+  private Optional<Edit> edit(EnrichmentScenes scene, String table) {
     return MetadataTable.edit(
         scene.enrichment, "m.csv", table.getBytes(StandardCharsets.UTF_8), problems);
   }
 
   @Test
   void rowsSayWhatNodesAreToSay() {
-    Scenes scene = Scenes.with(NODES);
+    EnrichmentScenes scene = EnrichmentScenes.with(NODES);
     scene.perform(
         edit(
                 scene,
@@ -44,14 +44,15 @@ class MetadataTableTest {
             .orElseThrow());
     assertThat(problems.list()).isEmpty();
     assertThat(scene.switchNode("Switch_A").values().get(1))
-        .isEqualTo(ChoiceValues.NONE.with(Degree.HIGH).with(List.of("Office", "Lounge")));
+        .isEqualTo(
+            ChoiceMetadata.NONE.with(ConsistencyDegree.HIGH).with(List.of("Office", "Lounge")));
     assertThat(scene.sensor("Prox").schemas().enter()).containsExactly("Desk");
     assertThat(scene.document.history().undoName()).contains("Apply m.csv");
   }
 
   @Test
   void fieldsThatTheTableDoesNotNameStayAndAnEmptyValueClears() {
-    Scenes scene = Scenes.with(NODES);
+    EnrichmentScenes scene = EnrichmentScenes.with(NODES);
     scene.perform(
         edit(
                 scene,
@@ -65,12 +66,12 @@ class MetadataTableTest {
         edit(scene, "\ufeffNode, Choice, Field, Value\nSwitch_A,0,degreeOfConsistency,\n")
             .orElseThrow());
     assertThat(scene.switchNode("Switch_A").values().get(0))
-        .isEqualTo(ChoiceValues.NONE.with(List.of("Desk")));
+        .isEqualTo(ChoiceMetadata.NONE.with(List.of("Desk")));
   }
 
   @Test
   void aRowThatCannotBeUnderstoodAppliesNothing() {
-    Scenes scene = Scenes.with(NODES);
+    EnrichmentScenes scene = EnrichmentScenes.with(NODES);
     Optional<Edit> edit =
         edit(
             scene,
@@ -102,7 +103,7 @@ class MetadataTableTest {
 
   @Test
   void aTableWithoutItsColumnsIsNone() {
-    assertThat(edit(Scenes.with(NODES), "a,b\n1,2\n")).isEmpty();
+    assertThat(edit(EnrichmentScenes.with(NODES), "a,b\n1,2\n")).isEmpty();
     assertThat(problems.list())
         .extracting(Problem::toString)
         .containsExactly(
@@ -112,7 +113,7 @@ class MetadataTableTest {
 
   @Test
   void aTableMayBeOfASpreadsheetAndItsRowsShortOrLong() {
-    Scenes scene = Scenes.with(NODES);
+    EnrichmentScenes scene = EnrichmentScenes.with(NODES);
     byte[] table =
         "node\tchoice\tfield\tvalue\tfield\t\nSwitch_A\t0\t\tK\u00fcche\tschemaBelonginess\t\t\n"
             .getBytes(StandardCharsets.UTF_16);

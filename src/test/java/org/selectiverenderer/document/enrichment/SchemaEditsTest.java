@@ -6,15 +6,16 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.document.EditRefused;
+import org.selectiverenderer.document.EditRejectedException;
 import org.selectiverenderer.document.ElementFinding;
-import org.selectiverenderer.schema.Degree;
+import org.selectiverenderer.schema.ConsistencyDegree;
 import org.selectiverenderer.schema.SensorSchemas;
 
 class SchemaEditsTest {
   @Test
   void aSensorThatWasAnEmptyElementOpens() {
-    Scenes scene = Scenes.with("  <ProximitySensor DEF='DeskProx' size='1 1 1'/>\n");
+    EnrichmentScenes scene =
+        EnrichmentScenes.with("  <ProximitySensor DEF='DeskProx' size='1 1 1'/>\n");
     scene.perform(
         scene
             .edits()
@@ -40,7 +41,7 @@ class SchemaEditsTest {
   @Test
   void aSensorThatWasAnEmptyElementStaysTheSameElementThatItsFormStandsFor() {
     String nodes = "  <ProximitySensor DEF='DeskProx' size='1 1 1'/>\n";
-    Scenes scene = Scenes.with(nodes);
+    EnrichmentScenes scene = EnrichmentScenes.with(nodes);
     EnrichedSensor before = scene.sensor("DeskProx");
     SensorSchemas wanted = new SensorSchemas(List.of("Desk"), List.of());
     scene.perform(scene.edits().sensor(before, wanted));
@@ -53,8 +54,8 @@ class SchemaEditsTest {
 
   @Test
   void aSchemaOfItsOwnLineGetsOneMore() {
-    Scenes scene =
-        Scenes.with(
+    EnrichmentScenes scene =
+        EnrichmentScenes.with(
             """
             <ProximitySensor DEF='P'>
              <MetadataSet>
@@ -89,19 +90,20 @@ class SchemaEditsTest {
         <Switch DEF='S'><MetadataSet><MetadataString name='schemaBelonginess' value=' A'/><MetadataString name='title' value='"A"'/></MetadataSet><Shape/></Switch>
         <!-- A -->
         """;
-    Scenes scene = Scenes.with(nodes);
+    EnrichmentScenes scene = EnrichmentScenes.with(nodes);
     scene.perform(scene.edits().renameSchema("A", "Z"));
     assertThat(scene.nodes())
         .isEqualTo(nodes.replace("\"A\" \"B\"", "\"Z\" \"B\"").replace("' A'", "'\"Z\"'"));
     scene.perform(scene.edits().renameSchema("Z", "B"));
     assertThat(scene.sensor("P").schemas().enter()).containsExactly("B");
     assertThat(scene.document.history().names()).containsExactly("Rename A to Z", "Rename Z to B");
-    assertThatThrownBy(() -> scene.edits().renameSchema("B", " ")).isInstanceOf(EditRefused.class);
+    assertThatThrownBy(() -> scene.edits().renameSchema("B", " "))
+        .isInstanceOf(EditRejectedException.class);
   }
 
   @Test
   void removingASchemaTakesItOutEverywhere() {
-    Scenes scene = Scenes.with(SMALL);
+    EnrichmentScenes scene = EnrichmentScenes.with(SMALL);
     scene.perform(scene.edits().removeSchema("Desk"));
     assertThat(scene.enrichment.schemas()).containsExactly("Dest", "Office");
   }
@@ -109,8 +111,9 @@ class SchemaEditsTest {
   @Test
   void aChoiceThatBelongedToARemovedSchemaOnlySaysNothingAnyMore() {
     String plain = "  <Switch DEF='S' whichChoice='0'>\n    <Shape/>\n    <Shape/>\n  </Switch>\n";
-    Scenes scene = Scenes.with(plain);
-    ChoiceValues desk = new ChoiceValues(Optional.empty(), Optional.of(Degree.HIGH), List.of("D"));
+    EnrichmentScenes scene = EnrichmentScenes.with(plain);
+    ChoiceMetadata desk =
+        new ChoiceMetadata(Optional.empty(), Optional.of(ConsistencyDegree.HIGH), List.of("D"));
     scene.perform(scene.edits().choice(scene.switchNode("S"), 1, desk));
     scene.perform(scene.edits().removeSchema("D"));
     assertThat(scene.nodes()).isEqualTo(plain);
@@ -130,7 +133,7 @@ class SchemaEditsTest {
 
   @Test
   void aSlipInANameIsFoundAndMended() {
-    Scenes scene = Scenes.with(SMALL);
+    EnrichmentScenes scene = EnrichmentScenes.with(SMALL);
     List<ElementFinding> findings = scene.enrichment.findings();
     assertThat(findings)
         .extracting(ElementFinding::message)
@@ -146,7 +149,7 @@ class SchemaEditsTest {
 
   @Test
   void findingsMoveWithTheText() {
-    Scenes scene = Scenes.with(SMALL);
+    EnrichmentScenes scene = EnrichmentScenes.with(SMALL);
     scene.enrichment.findings();
     scene.document.type(0, 0, "\n\n");
     assertThat(scene.enrichment.findings().get(1).located(scene.document).location().line())

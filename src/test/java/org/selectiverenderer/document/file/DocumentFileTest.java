@@ -15,7 +15,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.base.files.FileActions;
+import org.selectiverenderer.base.files.FileOperations;
 
 class DocumentFileTest {
   private static final String SCENE = "<X3D><Scene/></X3D>\n";
@@ -43,7 +43,7 @@ class DocumentFileTest {
     assertThat(file.document().modified()).isFalse();
     assertThat(path).hasContent("<!-- 1 -->" + SCENE);
     assertThat(file.backup()).hasContent(SCENE);
-    assertThat(file.guard().state()).isEqualTo(DiskState.SAME);
+    assertThat(file.guard().state()).isEqualTo(FileState.SAME);
     assertThat(files()).isEqualTo(2);
     file.document().history().undo();
     assertThat(file.document().modified()).isTrue();
@@ -56,15 +56,15 @@ class DocumentFileTest {
     DocumentFile file = DocumentFile.open(path);
     file.document().type(0, 0, " ");
     Files.writeString(path, "<X3D/>");
-    assertThat(file.guard().state()).isEqualTo(DiskState.CHANGED);
+    assertThat(file.guard().state()).isEqualTo(FileState.CHANGED);
     assertThatThrownBy(file::save)
-        .isInstanceOf(FileChanged.class)
+        .isInstanceOf(FileChangedException.class)
         .hasMessage(
             path
                 + ": another program has changed the file since it was opened; it is not"
                 + " overwritten");
     assertThat(path).hasContent("<X3D/>");
-    Writing over = file.writing().over();
+    SaveOperation over = file.writing().over();
     over.write();
     file.written(over);
     assertThat(path).hasContent(" " + SCENE);
@@ -76,21 +76,21 @@ class DocumentFileTest {
     DocumentFile file = DocumentFile.open(path);
     Files.writeString(path, SCENE);
     Files.setLastModifiedTime(path, FileTime.fromMillis(1));
-    assertThat(file.guard().state()).isEqualTo(DiskState.SAME);
+    assertThat(file.guard().state()).isEqualTo(FileState.SAME);
   }
 
   @Test
   void aFileThatIsGoneIsWrittenAgain() throws IOException {
     DocumentFile file = DocumentFile.open(path);
     Files.delete(path);
-    assertThat(file.guard().state()).isEqualTo(DiskState.GONE);
+    assertThat(file.guard().state()).isEqualTo(FileState.GONE);
     file.save();
     assertThat(path).hasContent(SCENE);
   }
 
   @Test
   void aFullDiskChangesNothing() throws IOException {
-    FileActions full = new FullDisk();
+    FileOperations full = new FullDisk();
     DocumentFile file = DocumentFile.open(path, full);
     file.document().type(0, 0, " ");
     assertThatThrownBy(file::save)
@@ -106,7 +106,7 @@ class DocumentFileTest {
   }
 
   /** Takes half of what is written. */
-  private static final class FullDisk implements FileActions {
+  private static final class FullDisk implements FileOperations {
     @Override
     public void write(Path file, byte[] content) throws IOException {
       Files.write(file, Arrays.copyOf(content, content.length / 2));
@@ -122,13 +122,13 @@ class DocumentFileTest {
 
   @Test
   void unsavedWorkIsFoundAgainAndCanBeUndone() throws IOException {
-    Recovery recovery = new Recovery(folder.resolve("settings/recovery"));
+    CrashRecovery recovery = new CrashRecovery(folder.resolve("settings/recovery"));
     DocumentFile file = DocumentFile.open(path);
     int at = SCENE.indexOf("</X3D>");
     file.document().type(at, at, "<!-- \u00fcber -->");
     recovery.keep(path, file.document().snapshot());
     assertThat(recovery.found()).as("this session still has it").isEmpty();
-    Recovery later = new Recovery(folder.resolve("settings/recovery"));
+    CrashRecovery later = new CrashRecovery(folder.resolve("settings/recovery"));
     assertThat(later.found()).hasSize(1);
     DocumentFile again = later.open(later.found().get(0));
     assertThat(again.path()).isEqualTo(path.toAbsolutePath());
@@ -137,11 +137,11 @@ class DocumentFileTest {
     again.document().history().undo();
     assertThat(again.document().text().toString()).isEqualTo(SCENE);
     Files.delete(path);
-    Recovery latest = new Recovery(folder.resolve("settings/recovery"));
+    CrashRecovery latest = new CrashRecovery(folder.resolve("settings/recovery"));
     DocumentFile alone = latest.open(latest.found().get(0));
     assertThat(alone.document().modified()).isTrue();
     latest.forget(path);
-    assertThat(new Recovery(folder.resolve("settings/recovery")).found()).isEmpty();
+    assertThat(new CrashRecovery(folder.resolve("settings/recovery")).found()).isEmpty();
   }
 
   @Test
@@ -149,22 +149,22 @@ class DocumentFileTest {
     Path kept = folder.resolve("recovery");
     DocumentFile file = DocumentFile.open(path);
     file.document().type(0, 0, "<!-- first -->");
-    new Recovery(kept).keep(path, file.document().snapshot());
-    Recovery second = new Recovery(kept);
+    new CrashRecovery(kept).keep(path, file.document().snapshot());
+    CrashRecovery second = new CrashRecovery(kept);
     second.keep(path, DocumentFile.open(path).document().snapshot());
     second.forget(path);
-    List<Recovery.Kept> found = new Recovery(kept).found();
+    List<CrashRecovery.RecoveryCopy> found = new CrashRecovery(kept).found();
     assertThat(found).hasSize(1);
     assertThat(found.get(0).content()).hasContent("<!-- first -->" + SCENE);
     second.forget(found.get(0));
-    assertThat(new Recovery(kept).found()).isEmpty();
+    assertThat(new CrashRecovery(kept).found()).isEmpty();
   }
 
   @Test
   void whatIsTypedWhileTheFileIsWrittenIsUnsaved() throws IOException {
     DocumentFile file = DocumentFile.open(path);
     file.document().type(0, 0, "<!-- 1 -->");
-    Writing writing = file.writing();
+    SaveOperation writing = file.writing();
     file.document().type(0, 0, "<!-- 2 -->");
     writing.write();
     file.written(writing);

@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.document.Edit;
-import org.selectiverenderer.document.EditRefused;
-import org.selectiverenderer.document.enrichment.Scenes;
+import org.selectiverenderer.document.EditRejectedException;
+import org.selectiverenderer.document.enrichment.EnrichmentScenes;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 class NodeEditsTest {
@@ -27,7 +27,7 @@ class NodeEditsTest {
         <EXPORT localDEF='Box'/>
       """;
 
-  private final Scenes scene = Scenes.with(NODES);
+  private final EnrichmentScenes scene = EnrichmentScenes.with(NODES);
   private final NodeEdits edits = new NodeEdits(scene.document);
 
   private DocumentElement named(String def) {
@@ -60,18 +60,19 @@ class NodeEditsTest {
   @Test
   void whatEveryScenesHasAndWhatStandsForOthersIsLeftAlone() {
     DocumentElement sceneElement = named("Box").parent().orElseThrow();
-    assertThatThrownBy(() -> edits.remove(sceneElement)).isInstanceOf(EditRefused.class);
-    assertThatThrownBy(() -> edits.copy(sceneElement, "Other")).isInstanceOf(EditRefused.class);
+    assertThatThrownBy(() -> edits.remove(sceneElement)).isInstanceOf(EditRejectedException.class);
+    assertThatThrownBy(() -> edits.copy(sceneElement, "Other"))
+        .isInstanceOf(EditRejectedException.class);
     DocumentElement use = sceneElement.children().get(3).children().get(0);
     assertThatThrownBy(() -> edits.rename(use, "Other"))
-        .isInstanceOf(EditRefused.class)
+        .isInstanceOf(EditRejectedException.class)
         .hasMessageContaining("rename that one");
   }
 
   @Test
   void namesOfPrototypesAreOthers() {
-    Scenes with =
-        Scenes.with(
+    EnrichmentScenes with =
+        EnrichmentScenes.with(
             """
             <ProtoDeclare name='P'><ProtoBody><Group DEF='A'/><Group USE='A'/></ProtoBody></ProtoDeclare>
             <Group DEF='B'/>
@@ -84,7 +85,7 @@ class NodeEditsTest {
   @Test
   void aNameThatIsNoneOrTakenIsRefusedWithWhatToDo() {
     assertThatThrownBy(() -> edits.rename(named("Box"), "my box"))
-        .isInstanceOf(EditRefused.class)
+        .isInstanceOf(EditRejectedException.class)
         .hasMessageContaining("'my box' is not a valid DEF name")
         .hasMessageContaining("Nmy_box");
     assertThatThrownBy(() -> edits.rename(named("Box"), "T"))
@@ -112,7 +113,7 @@ class NodeEditsTest {
   @Test
   void whatIsTakenOutTakesItsRoutesAlongAndIsKeptWhileSomethingStandsForIt() {
     assertThatThrownBy(() -> edits.remove(named("Box")))
-        .isInstanceOf(EditRefused.class)
+        .isInstanceOf(EditRejectedException.class)
         .hasMessageContaining("USE in line 10");
     scene.perform(edits.remove(named("T")));
     assertThat(scene.nodes()).doesNotContain("ROUTE").doesNotContain("TimeSensor");
@@ -135,7 +136,7 @@ class NodeEditsTest {
           <ProximitySensor DEF='Q' size='1 1 1'/>
         </Transform>
         """;
-    Scenes with = Scenes.with(nodes);
+    EnrichmentScenes with = EnrichmentScenes.with(nodes);
     NodeEdits of = new NodeEdits(with.document);
     with.perform(of.remove(with.sensor("P").element()));
     assertThat(with.nodes()).startsWith("<Group/>\n<Transform>\n  <!-- of").contains("DEF='Q'");

@@ -12,21 +12,21 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.base.problem.Problems;
-import org.selectiverenderer.document.enrichment.ChoiceValues;
-import org.selectiverenderer.document.enrichment.Scenes;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.document.enrichment.ChoiceMetadata;
+import org.selectiverenderer.document.enrichment.EnrichmentScenes;
 import org.selectiverenderer.document.ratings.ObjectMatching.How;
 import org.selectiverenderer.document.ratings.ObjectMatching.Match;
+import org.selectiverenderer.schema.ConsistencyDegree;
 import org.selectiverenderer.schema.ConsistencyType;
-import org.selectiverenderer.schema.Degree;
 
 class RatingPlanTest {
-  private static final ChoiceValues LOW =
-      ChoiceValues.NONE.with(ConsistencyType.INCONSISTENT).with(Degree.LOW);
-  private static final ChoiceValues HIGH =
-      ChoiceValues.NONE.with(ConsistencyType.CONSISTENT).with(Degree.HIGH);
+  private static final ChoiceMetadata LOW =
+      ChoiceMetadata.NONE.with(ConsistencyType.INCONSISTENT).with(ConsistencyDegree.LOW);
+  private static final ChoiceMetadata HIGH =
+      ChoiceMetadata.NONE.with(ConsistencyType.CONSISTENT).with(ConsistencyDegree.HIGH);
 
-  private final Problems problems = new Problems();
+  private final ProblemCollector problems = new ProblemCollector();
 
   private Optional<Ratings> ratings(String rows) {
     String table = "object,schema,rating\n" + rows;
@@ -37,7 +37,7 @@ class RatingPlanTest {
     return "<Switch DEF='Switch_" + name + "'>" + "<Shape/>".repeat(versions) + "</Switch>\n";
   }
 
-  private RatingPlan plan(Scenes scene, String rows) {
+  private RatingPlan plan(EnrichmentScenes scene, String rows) {
     Ratings ratings = ratings(rows).orElseThrow();
     ObjectMatching matching =
         new ObjectMatching(ratings.means().keySet(), scene.enrichment.switches());
@@ -70,7 +70,8 @@ class RatingPlanTest {
 
   @Test
   void anObjectThatTheDeskTurnsIsShownByItsFirstVersionThere() {
-    Scenes scene = Scenes.with(object("TrashCan", 2) + "<ProximitySensor DEF='DeskProx'/>\n");
+    EnrichmentScenes scene =
+        EnrichmentScenes.with(object("TrashCan", 2) + "<ProximitySensor DEF='DeskProx'/>\n");
     RatingPlan plan = plan(scene, "trash can,OfficeSchema,5.04\ntrash can,DeskSchema,1.39\n");
     scene.perform(plan.edit("Import ratings"));
     assertThat(scene.switchNode("Switch_TrashCan").values())
@@ -82,25 +83,26 @@ class RatingPlanTest {
 
   @Test
   void whereTheDeskTurnsNothingItIsNotNamed() {
-    Scenes scene = Scenes.with(object("Mug", 2) + "<ProximitySensor DEF='DeskProx'/>\n");
+    EnrichmentScenes scene =
+        EnrichmentScenes.with(object("Mug", 2) + "<ProximitySensor DEF='DeskProx'/>\n");
     scene.perform(plan(scene, "mug,OfficeSchema,3.5\nmug,DeskSchema,4\n").edit("Import"));
     assertThat(scene.switchNode("Switch_Mug").values())
-        .containsExactly(ChoiceValues.NONE, HIGH.with(List.of("OfficeSchema")));
+        .containsExactly(ChoiceMetadata.NONE, HIGH.with(List.of("OfficeSchema")));
   }
 
   @Test
   void ofManyVersionsNeutralObjectsShowOneBetween() {
-    Scenes scene = Scenes.with(object("A", 4) + object("B", 4));
+    EnrichmentScenes scene = EnrichmentScenes.with(object("A", 4) + object("B", 4));
     scene.perform(plan(scene, "a,Room,3.1\nb,Room,3.9\n").edit("Import"));
     assertThat(scene.switchNode("Switch_A").values().get(1).schemas()).containsExactly("Room");
     assertThat(scene.switchNode("Switch_B").values().get(2))
-        .isEqualTo(HIGH.with(new Degree(2.0 / 3)).with(List.of("Room")));
+        .isEqualTo(HIGH.with(new ConsistencyDegree(2.0 / 3)).with(List.of("Room")));
   }
 
   @Test
   void whatWasNotRatedFollowsTheRoomThatItStandsIn() {
-    Scenes scene =
-        Scenes.with(
+    EnrichmentScenes scene =
+        EnrichmentScenes.with(
             "<Group>"
                 + object("A", 2)
                 + object("B", 2)
@@ -117,7 +119,7 @@ class RatingPlanTest {
 
   @Test
   void similarNamesAreProposedButNotTaken() {
-    Scenes scene = Scenes.with(object("CoffeeMug", 2));
+    EnrichmentScenes scene = EnrichmentScenes.with(object("CoffeeMug", 2));
     ObjectMatching matching =
         new ObjectMatching(
             ratings("mug,Desk,1\nsword,Desk,1\n").orElseThrow().means().keySet(),

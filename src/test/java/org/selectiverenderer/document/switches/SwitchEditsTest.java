@@ -5,9 +5,9 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.document.EditRefused;
+import org.selectiverenderer.document.EditRejectedException;
 import org.selectiverenderer.document.enrichment.EnrichedSwitch;
-import org.selectiverenderer.document.enrichment.Scenes;
+import org.selectiverenderer.document.enrichment.EnrichmentScenes;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
@@ -41,15 +41,15 @@ class SwitchEditsTest {
         </Switch>
       """;
 
-  private static SwitchEdits edits(Scenes scene) {
+  private static SwitchEdits edits(EnrichmentScenes scene) {
     return new SwitchEdits(scene.enrichment, NodeCatalogue.load());
   }
 
-  private static DocumentElement named(Scenes scene, String def) {
+  private static DocumentElement named(EnrichmentScenes scene, String def) {
     return scene.document.tree().orElseThrow().named(def).orElseThrow();
   }
 
-  private static List<String> told(Scenes scene) {
+  private static List<String> told(EnrichmentScenes scene) {
     EnrichedSwitch node = scene.switchNode("Switch_Vase");
     return node.choices().stream()
         .map(
@@ -60,7 +60,7 @@ class SwitchEditsTest {
         .toList();
   }
 
-  private static void clean(Scenes scene, String before) {
+  private static void clean(EnrichmentScenes scene, String before) {
     assertThat(scene.enrichment.switches().get(0).findings()).isEmpty();
     scene.document.history().undo();
     assertThat(scene.nodes()).isEqualTo(before);
@@ -68,7 +68,7 @@ class SwitchEditsTest {
 
   @Test
   void aNodeIsWrappedWithItsLayoutAndUnwrappedToTheSameBytes() {
-    Scenes scene = Scenes.with(PLAIN);
+    EnrichmentScenes scene = EnrichmentScenes.with(PLAIN);
     DocumentElement node = named(scene, "Transform_Vase");
     assertThat(edits(scene).proposedName(node)).isEqualTo("Switch_Vase");
     scene.perform(edits(scene).wrap(node, "Switch_Vase"));
@@ -95,15 +95,15 @@ class SwitchEditsTest {
 
   @Test
   void whatIsNotShownByItselfIsNotWrapped() {
-    Scenes scene = Scenes.with("<Shape><Box DEF='B'/></Shape>\n");
+    EnrichmentScenes scene = EnrichmentScenes.with("<Shape><Box DEF='B'/></Shape>\n");
     assertThatThrownBy(() -> edits(scene).wrap(named(scene, "B"), "S"))
-        .isInstanceOf(EditRefused.class)
+        .isInstanceOf(EditRejectedException.class)
         .hasMessageContaining("choose a Transform, Group, Shape or Inline, not Box");
   }
 
   @Test
   void choicesAreAddedWithMetadataThatSaysNothing() {
-    Scenes scene = Scenes.with(VERSIONS);
+    EnrichmentScenes scene = EnrichmentScenes.with(VERSIONS);
     scene.perform(edits(scene).addEmpty(scene.switchNode("Switch_Vase")));
     assertThat(told(scene)).containsExactly("Low[Office]", "*High[Desk]", "Group[]");
     assertThat(scene.nodes()).contains("\n    <Group/>\n  </Switch>");
@@ -118,7 +118,7 @@ class SwitchEditsTest {
 
   @Test
   void aChoiceGoesWithWhatIsSaidOfItAndTheOtherGoesOnShowing() {
-    Scenes scene = Scenes.with(VERSIONS);
+    EnrichmentScenes scene = EnrichmentScenes.with(VERSIONS);
     scene.perform(edits(scene).remove(scene.switchNode("Switch_Vase"), 0));
     assertThat(told(scene)).containsExactly("*High[Desk]");
     clean(scene, VERSIONS);
@@ -131,7 +131,7 @@ class SwitchEditsTest {
 
   @Test
   void choicesChangePlacesWithWhatIsSaidOfThem() {
-    Scenes scene = Scenes.with(VERSIONS);
+    EnrichmentScenes scene = EnrichmentScenes.with(VERSIONS);
     scene.perform(edits(scene).swap(scene.switchNode("Switch_Vase"), 1, 0));
     assertThat(told(scene)).containsExactly("*High[Desk]", "Low[Office]");
     clean(scene, VERSIONS);
@@ -141,15 +141,16 @@ class SwitchEditsTest {
 
   @Test
   void theShownChoiceTakesTheSwitchsPlaceAndRoutesToItGo() {
-    Scenes scene =
-        Scenes.with(
+    EnrichmentScenes scene =
+        EnrichmentScenes.with(
             VERSIONS
                 + "  <ROUTE fromNode='T' fromField='x' toNode='Switch_Vase' toField='whichChoice'/>\n");
     scene.perform(edits(scene).unwrap(scene.switchNode("Switch_Vase")));
     assertThat(scene.nodes()).isEqualTo("  <Inline DEF='High' url='\"high.x3d\"'/>\n");
-    Scenes shared = Scenes.with(VERSIONS + "  <Group><Inline USE='Low'/></Group>\n");
+    EnrichmentScenes shared =
+        EnrichmentScenes.with(VERSIONS + "  <Group><Inline USE='Low'/></Group>\n");
     assertThatThrownBy(() -> edits(shared).unwrap(shared.switchNode("Switch_Vase")))
-        .isInstanceOf(EditRefused.class)
+        .isInstanceOf(EditRejectedException.class)
         .hasMessageContaining("Low is used elsewhere");
   }
 }

@@ -8,10 +8,10 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.selectiverenderer.polygon.simplify.Goal;
+import org.selectiverenderer.polygon.simplify.SimplificationTarget;
 
 /** What versions and their files are called, beside others of the same names. */
-class VersionNamesTest extends SceneOfAVase {
+class VersionNamesTest extends VaseScene {
   @Test
   void namesThatNoFileMayHaveAreReplaced() throws IOException {
     make(scene(SCENE.replace("'Vase'", "'a/../b:c'")), "a/../b:c");
@@ -23,10 +23,10 @@ class VersionNamesTest extends SceneOfAVase {
   void anotherScenesObjectOfTheSameNameKeepsItsFiles() throws IOException {
     Path a = other("a.x3d", shape("Sh", "<Sphere/>"));
     Path b = other("b.x3d", shape("Sh", "<Cone/>"));
-    make(a, "Sh", new Goal.VertexPercent(10));
+    make(a, "Sh", new SimplificationTarget.VertexPercent(10));
     String original = Files.readString(folder.resolve("inlineNodes/Sh_v1.x3d"));
 
-    make(b, "Sh", new Goal.VertexPercent(50));
+    make(b, "Sh", new SimplificationTarget.VertexPercent(50));
 
     assertThat(folder.resolve("inlineNodes/Sh_v1.x3d")).hasContent(original);
     assertThat(folder.resolve("inlineNodes/Sh2_v1.x3d")).content().contains("<Cone");
@@ -38,9 +38,9 @@ class VersionNamesTest extends SceneOfAVase {
   @Test
   void namesThatComeToTheSameFileNameGetFilesOfTheirOwn() throws IOException {
     Path scene = other("s.x3d", shape("A/b", "<Sphere/>") + shape("A_b", "<Cone/>"));
-    make(scene, "A/b", new Goal.VertexPercent(10));
+    make(scene, "A/b", new SimplificationTarget.VertexPercent(10));
 
-    make(scene, "A_b", new Goal.VertexPercent(50));
+    make(scene, "A_b", new SimplificationTarget.VertexPercent(50));
 
     assertThat(folder.resolve("inlineNodes/A_b_v1.x3d")).content().contains("<Sphere");
     assertThat(folder.resolve("inlineNodes/A_b2_v1.x3d")).content().contains("<Cone");
@@ -61,10 +61,10 @@ class VersionNamesTest extends SceneOfAVase {
   @Test
   void anotherTryWithTheSameSceneUpdatesItsOwnFiles() throws IOException {
     Path scene = scene(SCENE);
-    make(scene, "Vase", new Goal.Polygons(200));
+    make(scene, "Vase", new SimplificationTarget.Polygons(200));
     scene(SCENE);
 
-    make(scene, "Vase", new Goal.Polygons(100));
+    make(scene, "Vase", new SimplificationTarget.Polygons(100));
 
     assertThat(polygons("inlineNodes/Vase_v2.x3d")).isBetween(98, 102);
     assertThat(folder.resolve("inlineNodes/Vase2_v1.x3d")).doesNotExist();
@@ -73,10 +73,16 @@ class VersionNamesTest extends SceneOfAVase {
   @Test
   void aFurtherVersionDoesNotReplaceAFileByHand() throws IOException {
     Path scene = scene(SCENE);
-    make(scene, "Vase", new Goal.Polygons(200));
+    make(scene, "Vase", new SimplificationTarget.Polygons(200));
     Path hand = Files.writeString(folder.resolve("inlineNodes/Vase_v3.x3d"), "by hand");
 
-    assertThat(plan(scene, "Vase", new Goal.Polygons(200), new Goal.Polygons(90))).isEmpty();
+    assertThat(
+            plan(
+                scene,
+                "Vase",
+                new SimplificationTarget.Polygons(200),
+                new SimplificationTarget.Polygons(90)))
+        .isEmpty();
 
     assertThat(problems.list().toString()).contains("Vase_v3.x3d");
     assertThat(hand).hasContent("by hand");
@@ -85,9 +91,13 @@ class VersionNamesTest extends SceneOfAVase {
   @Test
   void anObjectNamedLikeAVersionKeepsItsName() throws IOException {
     Path scene = other("s.x3d", shape("Car_v2", "<Sphere/>"));
-    make(scene, "Car_v2", new Goal.VertexPercent(10));
+    make(scene, "Car_v2", new SimplificationTarget.VertexPercent(10));
 
-    make(scene, "Car_v2", new Goal.VertexPercent(10), new Goal.VertexPercent(30));
+    make(
+        scene,
+        "Car_v2",
+        new SimplificationTarget.VertexPercent(10),
+        new SimplificationTarget.VertexPercent(30));
 
     assertThat(scene)
         .content()
@@ -98,14 +108,18 @@ class VersionNamesTest extends SceneOfAVase {
   @Test
   void aFurtherInlineHasANameOfItsOwn() throws IOException {
     Path scene = scene(SCENE);
-    make(scene, "Vase", new Goal.Polygons(200));
+    make(scene, "Vase", new SimplificationTarget.Polygons(200));
     Files.writeString(
         scene,
         Files.readString(scene)
             .replace("DEF='Inline_Vase_v2'", "DEF='Low'")
             .replace("DEF='Touch'", "DEF='Low_v3'"));
 
-    make(scene, "Vase", new Goal.Polygons(200), new Goal.Polygons(90));
+    make(
+        scene,
+        "Vase",
+        new SimplificationTarget.Polygons(200),
+        new SimplificationTarget.Polygons(90));
 
     assertThat(scene)
         .content()

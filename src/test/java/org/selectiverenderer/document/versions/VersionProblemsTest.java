@@ -11,10 +11,10 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.selectiverenderer.polygon.simplify.Goal;
+import org.selectiverenderer.polygon.simplify.SimplificationTarget;
 
 /** What is refused, and what is said of the versions that are made. */
-class VersionProblemsTest extends SceneOfAVase {
+class VersionProblemsTest extends VaseScene {
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',
@@ -40,7 +40,7 @@ class VersionProblemsTest extends SceneOfAVase {
     Path scene = scene("<X3D version='4.0'><Scene>" + content + "</Scene></X3D>");
     Map<Path, String> before = files();
 
-    assertThat(plan(scene, object, new Goal.Polygons(6))).isEmpty();
+    assertThat(plan(scene, object, new SimplificationTarget.Polygons(6))).isEmpty();
 
     assertThat(problems.list().toString()).contains(message).contains("scene.x3d");
     assertThat(files()).isEqualTo(before);
@@ -48,7 +48,7 @@ class VersionProblemsTest extends SceneOfAVase {
 
   @Test
   void moreThanTheOriginalHasIsRefused() throws IOException {
-    assertThat(plan(scene(SCENE), "Vase", new Goal.Polygons(961))).isEmpty();
+    assertThat(plan(scene(SCENE), "Vase", new SimplificationTarget.Polygons(961))).isEmpty();
     assertThat(problems.list().toString()).contains("'Vase' has 960 polygons");
   }
 
@@ -66,7 +66,7 @@ class VersionProblemsTest extends SceneOfAVase {
     Path scene = scene(SCENE.replace("</Shape>", ""));
 
     assertThatExceptionOfType(IOException.class)
-        .isThrownBy(() -> plan(scene, "Vase", new Goal.Polygons(6)))
+        .isThrownBy(() -> plan(scene, "Vase", new SimplificationTarget.Polygons(6)))
         .withMessageContaining("scene.x3d:");
   }
 
@@ -77,7 +77,7 @@ class VersionProblemsTest extends SceneOfAVase {
     Path scene = scene(bytes);
 
     assertThatExceptionOfType(IOException.class)
-        .isThrownBy(() -> plan(scene, "Vase", new Goal.Polygons(6)))
+        .isThrownBy(() -> plan(scene, "Vase", new SimplificationTarget.Polygons(6)))
         .withMessageContaining("not changed");
     assertThat(scene).hasBinaryContent(bytes);
   }
@@ -118,7 +118,7 @@ class VersionProblemsTest extends SceneOfAVase {
                 + content
                 + "\n</Group></Group>\n");
 
-    assertThat(plan(scene, "A", new Goal.Polygons(100))).isPresent();
+    assertThat(plan(scene, "A", new SimplificationTarget.Polygons(100))).isPresent();
 
     assertThat(problems.list().toString()).contains("s.x3d:4:5").contains("the " + node + " here");
   }
@@ -130,7 +130,7 @@ class VersionProblemsTest extends SceneOfAVase {
             "s.x3d",
             shape("A", "<TriangleSet><Coordinate point='0 0 0 1 0 0 0 1 0'/></TriangleSet>"));
 
-    assertThat(plan(scene, "A", new Goal.Polygons(2))).isEmpty();
+    assertThat(plan(scene, "A", new SimplificationTarget.Polygons(2))).isEmpty();
     assertThat(problems.list().toString()).contains("has 1 polygon and 3 vertices");
   }
 }

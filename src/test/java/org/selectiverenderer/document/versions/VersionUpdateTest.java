@@ -9,10 +9,10 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.selectiverenderer.polygon.simplify.Goal;
+import org.selectiverenderer.polygon.simplify.SimplificationTarget;
 
 /** Versions made again, and other ones, of an object that has some. */
-class VersionUpdateTest extends SceneOfAVase {
+class VersionUpdateTest extends VaseScene {
   private static String metadata(int versions) {
     return "      <MetadataSet containerField='metadata' name='Vase'>\n"
         + "        <MetadataSet containerField='value' name='one'/>\n".repeat(versions)
@@ -26,7 +26,8 @@ class VersionUpdateTest extends SceneOfAVase {
     make(scene, "Vase");
     String original = Files.readString(folder.resolve("inlineNodes/Vase_v1.x3d"));
 
-    make(scene, name, new Goal.Polygons(200), new Goal.Polygons(40));
+    make(
+        scene, name, new SimplificationTarget.Polygons(200), new SimplificationTarget.Polygons(40));
 
     assertThat(scene).hasContent(CHANGED);
     assertThat(folder.resolve("inlineNodes/Vase_v1.x3d")).hasContent(original);
@@ -53,7 +54,7 @@ class VersionUpdateTest extends SceneOfAVase {
     make(scene, "Vase");
     String third = "        <Inline DEF='Inline_Vase_v3' url='\"inlineNodes/Vase_v3.x3d\"'/>\n";
 
-    make(scene, "Vase", new Goal.Polygons(200));
+    make(scene, "Vase", new SimplificationTarget.Polygons(200));
     assertThat(scene).hasContent(CHANGED.replace(third, ""));
 
     make(scene, "Vase");
@@ -67,7 +68,7 @@ class VersionUpdateTest extends SceneOfAVase {
     Files.writeString(scene, CHANGED.replace("whichChoice='0'", "whichChoice='2'"));
     Map<Path, String> before = files();
 
-    assertThat(plan(scene, "Vase", new Goal.Polygons(200))).isEmpty();
+    assertThat(plan(scene, "Vase", new SimplificationTarget.Polygons(200))).isEmpty();
 
     assertThat(problems.list().toString()).contains("scene.x3d:8:").contains("whichChoice");
     assertThat(files()).isEqualTo(before);
@@ -80,11 +81,11 @@ class VersionUpdateTest extends SceneOfAVase {
     String open = "<Switch DEF='Switch_Vase' whichChoice='0'>\n";
     Files.writeString(scene, CHANGED.replace(open, open + metadata(3)));
 
-    assertThat(plan(scene, "Vase", new Goal.Polygons(200))).isEmpty();
+    assertThat(plan(scene, "Vase", new SimplificationTarget.Polygons(200))).isEmpty();
     assertThat(problems.list().toString()).contains("scene.x3d:12:").contains("metadata");
 
     Files.writeString(scene, CHANGED.replace(open, open + metadata(2)));
-    assertThat(plan(scene, "Vase", new Goal.Polygons(200))).isPresent();
+    assertThat(plan(scene, "Vase", new SimplificationTarget.Polygons(200))).isPresent();
   }
 
   @Test
@@ -98,7 +99,7 @@ class VersionUpdateTest extends SceneOfAVase {
             "<ROUTE fromNode='Touch' fromField='isOver' toNode='Inline_Vase_v3'"
                 + " toField='load'/></Scene>"));
 
-    assertThat(plan(scene, "Vase", new Goal.Polygons(200))).isEmpty();
+    assertThat(plan(scene, "Vase", new SimplificationTarget.Polygons(200))).isEmpty();
     assertThat(problems.list().toString()).contains("Inline_Vase_v3");
   }
 
@@ -107,7 +108,7 @@ class VersionUpdateTest extends SceneOfAVase {
     Path scene = scene(SCENE);
     make(scene, "Vase");
 
-    make(scene, "Vase", new Goal.Polygons(200));
+    make(scene, "Vase", new SimplificationTarget.Polygons(200));
 
     assertThat(problems.list().toString()).contains("Vase_v3.x3d").contains("no longer");
     assertThat(folder.resolve("inlineNodes/Vase_v3.x3d")).exists();

@@ -9,12 +9,12 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.base.problem.Problems;
-import org.selectiverenderer.document.EditRefused;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.document.EditRejectedException;
 import org.selectiverenderer.document.SceneDocument;
-import org.selectiverenderer.document.enrichment.Enrichment;
+import org.selectiverenderer.document.enrichment.DocumentEnrichment;
 import org.selectiverenderer.document.file.DocumentFile;
-import org.selectiverenderer.polygon.simplify.Goal;
+import org.selectiverenderer.polygon.simplify.SimplificationTarget;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 
 class VersionsEditTest {
@@ -27,9 +27,12 @@ class VersionsEditTest {
     return VersionsEdit.plan(
             file.document().snapshot(),
             new VersionsEdit.Request(
-                file.path(), "Ball", List.of(new Goal.Polygons(100)), "inlineNodes"),
+                file.path(),
+                "Ball",
+                List.of(new SimplificationTarget.Polygons(100)),
+                "inlineNodes"),
             NodeCatalogue.load(),
-            new Problems())
+            new ProblemCollector())
         .orElseThrow();
   }
 
@@ -44,7 +47,7 @@ class VersionsEditTest {
     versions.apply(document);
     assertThat(folder.resolve("inlineNodes/Ball_v2.x3d")).exists();
     assertThat(file.path()).hasContent(SCENE);
-    assertThat(new Enrichment(document, NodeCatalogue.load()).switches().get(0).choices())
+    assertThat(new DocumentEnrichment(document, NodeCatalogue.load()).switches().get(0).choices())
         .extracting(choice -> choice.url())
         .containsExactly("inlineNodes/Ball_v1.x3d", "inlineNodes/Ball_v2.x3d");
     assertThat(document.history().undoName()).contains("Make versions of Ball");
@@ -57,7 +60,8 @@ class VersionsEditTest {
     DocumentFile file = DocumentFile.open(Files.writeString(folder.resolve("ball.x3d"), SCENE));
     VersionsEdit versions = plan(file);
     file.document().type(0, 0, " ");
-    assertThatThrownBy(() -> versions.apply(file.document())).isInstanceOf(EditRefused.class);
+    assertThatThrownBy(() -> versions.apply(file.document()))
+        .isInstanceOf(EditRejectedException.class);
     assertThat(folder.resolve("inlineNodes")).doesNotExist();
   }
 

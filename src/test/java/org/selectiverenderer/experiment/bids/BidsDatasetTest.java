@@ -20,9 +20,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.base.json.JsonTree;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.base.problem.Problems;
-import org.selectiverenderer.experiment.dataset.RecordedFolder;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.experiment.dataset.RecordedStudy;
+import org.selectiverenderer.experiment.dataset.RecordedStudyFixture;
 import org.selectiverenderer.testing.RequiresProgram;
 
 class BidsDatasetTest {
@@ -30,18 +30,18 @@ class BidsDatasetTest {
       new BidsDataset.Origin("selective-renderer", "2.0", List.of("A. Zotos", "N. N."));
 
   @TempDir private Path folder = Path.of("");
-  private final Problems problems = new Problems();
+  private final ProblemCollector problems = new ProblemCollector();
   private Path study = Path.of("");
   private Path dataset = Path.of("");
 
   @BeforeEach
   void write() throws IOException {
     study = Files.createDirectory(folder.resolve("study"));
-    RecordedFolder.write(study);
+    RecordedStudyFixture.write(study);
     dataset = folder.resolve("dataset");
     BidsDataset written =
         BidsDataset.write(
-            RecordedStudy.read(RecordedFolder.material(study), problems),
+            RecordedStudy.read(RecordedStudyFixture.material(study), problems),
             ORIGIN,
             dataset,
             problems);
@@ -102,7 +102,10 @@ class BidsDatasetTest {
             + "0.51,0,0,0,2,2026-03-01T08:00:12.510Z,100.51,,,\n");
     dataset = folder.resolve("placed");
     BidsDataset.write(
-        RecordedStudy.read(RecordedFolder.material(study), problems), ORIGIN, dataset, problems);
+        RecordedStudy.read(RecordedStudyFixture.material(study), problems),
+        ORIGIN,
+        dataset,
+        problems);
     String stem = "sub-P2/ses-01/motion/sub-P2_ses-01_task-exposurehall_tracksys-tracker_run-01";
     assertThat(text(stem + "_motion.tsv"))
         .isEqualTo(
@@ -173,7 +176,10 @@ class BidsDatasetTest {
         """);
     Path other = folder.resolve("other");
     BidsDataset.write(
-        RecordedStudy.read(RecordedFolder.material(study), problems), ORIGIN, other, problems);
+        RecordedStudy.read(RecordedStudyFixture.material(study), problems),
+        ORIGIN,
+        other,
+        problems);
     assertThat(other.resolve("sub-N3/sub-N3_sessions.tsv")).content().contains("\trefused\t");
     assertThat(other.resolve("sub-N3/ses-01/beh")).doesNotExist();
   }
@@ -214,7 +220,8 @@ class BidsDatasetTest {
 
   @Test
   void aFolderWithFilesIsNotMixedWithADataset() throws IOException {
-    RecordedStudy recorded = RecordedStudy.read(RecordedFolder.material(study), new Problems());
+    RecordedStudy recorded =
+        RecordedStudy.read(RecordedStudyFixture.material(study), new ProblemCollector());
     assertThatThrownBy(() -> BidsDataset.write(recorded, ORIGIN, study, problems))
         .isInstanceOf(IOException.class)
         .hasMessage(study + ": is not empty; a dataset needs a folder of its own, name a new one");

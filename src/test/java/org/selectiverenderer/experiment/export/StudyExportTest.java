@@ -15,9 +15,9 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.base.json.JsonTree;
-import org.selectiverenderer.base.problem.Problems;
-import org.selectiverenderer.experiment.dataset.RecordedFolder;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.experiment.dataset.RecordedStudy;
+import org.selectiverenderer.experiment.dataset.RecordedStudyFixture;
 import org.selectiverenderer.experiment.session.CollectedAnswers;
 import org.selectiverenderer.experiment.session.PaperAnswers;
 import org.selectiverenderer.experiment.session.StudyMaterial;
@@ -25,16 +25,17 @@ import org.selectiverenderer.testing.RequiresProgram;
 
 class StudyExportTest {
   @TempDir private Path folder = Path.of("");
-  private final Problems problems = new Problems();
+  private final ProblemCollector problems = new ProblemCollector();
   private Path tables = Path.of("");
 
   @BeforeEach
   void export() throws IOException {
     Path study = Files.createDirectory(folder.resolve("study"));
-    RecordedFolder.write(study);
-    StudyMaterial material = RecordedFolder.material(study);
+    RecordedStudyFixture.write(study);
+    StudyMaterial material = RecordedStudyFixture.material(study);
     CollectedAnswers answers =
-        CollectedAnswers.of(material, OptionalInt.empty(), PaperAnswers.none(), new Problems());
+        CollectedAnswers.of(
+            material, OptionalInt.empty(), PaperAnswers.none(), new ProblemCollector());
     tables = folder.resolve("tables");
     StudyExport written =
         StudyExport.write(

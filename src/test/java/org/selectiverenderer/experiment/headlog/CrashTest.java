@@ -11,7 +11,7 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 
 @Timeout(value = 60, unit = TimeUnit.SECONDS)
 class CrashTest {
@@ -25,7 +25,7 @@ class CrashTest {
                 ProcessHandle.current().info().command().orElse("java"),
                 "-cp",
                 System.getProperty("java.class.path"),
-                KilledSession.class.getName(),
+                LoggingProcess.class.getName(),
                 file.toString())
             .redirectError(ProcessBuilder.Redirect.INHERIT)
             .start();
@@ -42,7 +42,8 @@ class CrashTest {
         added = line.length() < 5 ? added : Double.parseDouble(line);
       }
     }
-    List<HeadSample> samples = HeadLogReader.read(file, new Problems()).orElseThrow().samples();
+    List<HeadSample> samples =
+        HeadLogReader.read(file, new ProblemCollector()).orElseThrow().samples();
     assertThat(samples.get(samples.size() - 1).t()).isBetween(added - 1, added + 1);
     assertThat(samples).isSortedAccordingTo((a, b) -> Double.compare(a.t(), b.t()));
   }

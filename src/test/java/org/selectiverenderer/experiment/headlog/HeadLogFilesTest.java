@@ -50,7 +50,8 @@ class HeadLogFilesTest {
         .close();
     assertThat(csv)
         .hasContent(
-            String.join(",", Column.of(false).stream().map(Column::header).toList()) + "\n");
+            String.join(",", HeadLogColumn.of(false).stream().map(HeadLogColumn::header).toList())
+                + "\n");
     assertThat(folder.resolve("p01.json")).isNotEmptyFile();
   }
 

@@ -15,7 +15,7 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 
 class HeadLogTest {
   private static final SceneMap MAP =
@@ -105,7 +105,7 @@ class HeadLogTest {
   }
 
   private HeadLog read(Path file) throws IOException {
-    Problems problems = new Problems();
+    ProblemCollector problems = new ProblemCollector();
     HeadLog log = HeadLogReader.read(file, problems).orElseThrow();
     assertThat(problems.any()).isFalse();
     return log;
@@ -158,7 +158,7 @@ class HeadLogTest {
   void aLineCutOffByACrashIsLeftOut() throws IOException {
     Path file = write(List.of(sample(0, 0, 0, "A"), sample(0.1, 0, 0, "A")));
     Files.writeString(file, "0.2,1,2", StandardOpenOption.APPEND);
-    Problems problems = new Problems();
+    ProblemCollector problems = new ProblemCollector();
     assertThat(HeadLogReader.read(file, problems).orElseThrow().samples()).hasSize(2);
     assertThat(problems.any()).isFalse();
     assertThat(problems.list().get(0).toString()).contains("session.csv", "cut off");
@@ -168,7 +168,7 @@ class HeadLogTest {
   void anotherKindOfFileIsRefusedInASentence() throws IOException {
     Path file = folder.resolve("other.csv");
     Files.writeString(file, "t,x\n1,2\n");
-    Problems problems = new Problems();
+    ProblemCollector problems = new ProblemCollector();
     assertThat(HeadLogReader.read(file, problems)).isEmpty();
     assertThat(problems.list().get(0).toString()).contains("other.csv:1:1", "lacks y");
   }
@@ -234,7 +234,7 @@ class HeadLogTest {
         .extracting(Dwell::object)
         .containsExactly("Switch_Desk", "Leg", "Switch_Shelf", "Switch_Desk");
     assertThat(analysis.head().all().get(0).end()).isCloseTo(2, within(1e-9));
-    LookSummary.ObjectView desk = analysis.head().objects().get(0);
+    DwellSummary.ObjectView desk = analysis.head().objects().get(0);
     assertThat(desk.object()).isEqualTo("Switch_Desk");
     assertThat(desk.looks()).isEqualTo(2);
     assertThat(desk.seconds()).isCloseTo(3, within(1e-9));
@@ -255,15 +255,15 @@ class HeadLogTest {
     assertThat(analysis.unshown().samples()).isEqualTo(22);
     assertThat(analysis.unshown().seconds()).isCloseTo(2.2, within(1e-9));
     assertThat(analysis.unshown().pauses()).isZero();
-    LookSummary.ObjectView desk = analysis.head().objects().get(0);
+    DwellSummary.ObjectView desk = analysis.head().objects().get(0);
     assertThat(desk.seconds()).isCloseTo(1.8, within(1e-9));
     assertThat(desk.first()).isCloseTo(1, within(1e-9));
     assertThat(desk.looks()).isEqualTo(2);
     assertThat(analysis.head().unseen()).isEqualTo(Map.of("Office", List.of("Switch_Clock")));
     assertThat(analysis.rooms().get(0).seconds()).isCloseTo(1.8, within(1e-9));
-    assertThat(AnalysisFormats.text(analysis))
+    assertThat(HeadLogReport.text(analysis))
         .contains("1.8 s in view, 18 samples", "left out: 2.2 s, 22 samples without a picture");
-    assertThat(new ObjectMapper().readTree(AnalysisFormats.json(analysis)).at("/left_out/seconds"))
+    assertThat(new ObjectMapper().readTree(HeadLogReport.json(analysis)).at("/left_out/seconds"))
         .hasToString("2.2");
     assertThat(HeadLogPlot.svg(analysis)).contains("grey: no picture");
   }
@@ -279,7 +279,7 @@ class HeadLogTest {
     assertThat(analysis.unshown().pauses()).isOne();
     assertThat(analysis.unshown().paused()).isCloseTo(60, within(1e-6));
     assertThat(analysis.head().objects().get(0).looks()).isEqualTo(2);
-    assertThat(AnalysisFormats.text(analysis)).contains("paused: 1 time, 60.0 s together");
+    assertThat(HeadLogReport.text(analysis)).contains("paused: 1 time, 60.0 s together");
   }
 
   @Test
@@ -293,7 +293,7 @@ class HeadLogTest {
     assertThat(Files.readAllLines(file).get(0)).endsWith(",frame_ms");
     HeadLog log = read(file);
     assertThat(log.samples()).extracting(HeadSample::moment).containsOnly(HeadSample.Moment.UNTOLD);
-    assertThat(AnalysisFormats.text(HeadLogAnalysis.of(log))).doesNotContain("left out", "paused");
+    assertThat(HeadLogReport.text(HeadLogAnalysis.of(log))).doesNotContain("left out", "paused");
   }
 
   @Test
@@ -302,7 +302,7 @@ class HeadLogTest {
     List<String> lines = new ArrayList<>(Files.readAllLines(file));
     lines.set(2, lines.get(2).replace(",1,2026-01-01T", ",1,2026-01-01 "));
     Files.write(file, lines);
-    Problems problems = new Problems();
+    ProblemCollector problems = new ProblemCollector();
     assertThat(HeadLogReader.read(file, problems).orElseThrow().samples()).hasSize(1);
     assertThat(problems.list().get(0).toString())
         .contains("session.csv:3:", "2026-01-01 00:00:01.100Z", "is not a date and time such as");
@@ -314,7 +314,7 @@ class HeadLogTest {
     for (int i = 0; i <= 36; i++) {
       samples.add(sample(i * 0.1, 10 * i - 180, 0, ""));
     }
-    RoomView room = HeadLogAnalysis.of(read(write(samples))).rooms().get(0);
+    RoomCoverage room = HeadLogAnalysis.of(read(write(samples))).rooms().get(0);
     assertThat(room.room()).isEqualTo("Office");
     assertThat(room.seconds()).isCloseTo(3.7, within(1e-6));
     assertThat(room.seen()).isBetween(0.2, 0.5);
@@ -323,7 +323,7 @@ class HeadLogTest {
 
   @Test
   void whoLooksStraightAheadSeesOneWallOnly() throws IOException {
-    RoomView room =
+    RoomCoverage room =
         HeadLogAnalysis.of(read(write(List.of(sample(0, 0, 0, ""), sample(1, 0, 0, "")))))
             .rooms()
             .get(0);
@@ -338,7 +338,7 @@ class HeadLogTest {
         samples.add(sample(samples.size() * 0.01, yaw, pitch, ""));
       }
     }
-    RoomView room = HeadLogAnalysis.of(read(write(samples))).rooms().get(0);
+    RoomCoverage room = HeadLogAnalysis.of(read(write(samples))).rooms().get(0);
     assertThat(room.seen()).isEqualTo(1);
     assertThat(room.unseen()).isEmpty();
   }
@@ -346,7 +346,7 @@ class HeadLogTest {
   @Test
   void bidsDataAreMetresAndQuaternionsAsTheChannelsSay() throws IOException {
     HeadLog log = read(write(List.of(sample(2, 90, 0, "A"), sample(2.5, 90, 0, "A"))));
-    Path data = Bids.write(log, folder.resolve("bids"), "07");
+    Path data = BidsMotionFiles.write(log, folder.resolve("bids"), "07");
     assertThat(data.getFileName()).hasToString("sub-07_task-viewing_tracksys-head_motion.tsv");
     assertThat(Files.readAllLines(data))
         .containsExactly(

@@ -16,38 +16,42 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.base.problem.Problems;
-import org.selectiverenderer.experiment.questionnaire.paper.PaperPage;
-import org.selectiverenderer.experiment.questionnaire.read.ItemsReader;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.experiment.questionnaire.paper.PaperQuestionnaireHtml;
+import org.selectiverenderer.experiment.questionnaire.read.ItemListReader;
 import org.selectiverenderer.experiment.study.StudyTemplate;
 
 class QuestionnaireTest {
   @TempDir Path folder;
 
-  private Optional<List<Questionnaire>> items(ItemsKind kind, String text, Problems problems)
-      throws IOException {
+  private Optional<List<Questionnaire>> items(
+      ItemQuestionnaireKind kind, String text, ProblemCollector problems) throws IOException {
     Path file = folder.resolve("items.csv");
     Files.writeString(file, text);
-    return ItemsReader.read(kind, file, kind.spelling(), english(), problems);
+    return ItemListReader.read(kind, file, kind.spelling(), english(), problems);
   }
 
-  private Wording english() throws IOException {
-    return Wording.of("en", folder, new Problems()).orElseThrow();
+  private ParticipantMessages english() throws IOException {
+    return ParticipantMessages.of("en", folder, new ProblemCollector()).orElseThrow();
   }
 
   @Test
   void bothStudiesItemsHaveNamesInBothLanguages() throws IOException {
     StudyTemplate.write(folder, Path.of("scenes/apartment.x3d"));
-    Problems problems = new Problems();
-    for (ItemsKind kind : ItemsKind.values()) {
+    ProblemCollector problems = new ProblemCollector();
+    for (ItemQuestionnaireKind kind : ItemQuestionnaireKind.values()) {
       Path file =
           folder.resolve(
-              kind == ItemsKind.RECOGNITION ? "recognition.csv" : "pilot/expectancy.csv");
+              kind == ItemQuestionnaireKind.RECOGNITION
+                  ? "recognition.csv"
+                  : "pilot/expectancy.csv");
       for (String language : List.of("en", "el")) {
-        Wording wording = Wording.of(language, folder, problems).orElseThrow();
+        ParticipantMessages wording =
+            ParticipantMessages.of(language, folder, problems).orElseThrow();
         List<Questionnaire> areas =
-            ItemsReader.read(kind, file, kind.spelling(), wording, problems).orElseThrow();
-        assertThat(areas).hasSize(kind == ItemsKind.RECOGNITION ? 6 : 7); // And the example.
+            ItemListReader.read(kind, file, kind.spelling(), wording, problems).orElseThrow();
+        assertThat(areas)
+            .hasSize(kind == ItemQuestionnaireKind.RECOGNITION ? 6 : 7); // And the example.
       }
     }
     assertThat(problems.list()).isEmpty();
@@ -55,10 +59,10 @@ class QuestionnaireTest {
 
   @Test
   void badItemsAreErrorsAtTheirPlaces() throws IOException {
-    Problems problems = new Problems();
+    ProblemCollector problems = new ProblemCollector();
     assertThat(
             items(
-                ItemsKind.RECOGNITION,
+                ItemQuestionnaireKind.RECOGNITION,
                 """
                 area,object,consistency,present,en
                 hall,coat,usual,yes,Coat
@@ -81,7 +85,9 @@ class QuestionnaireTest {
     StringBuilder text = new StringBuilder("area,schema,object,en\n");
     IntStream.range(0, 12).forEach(i -> text.append("hall,HallSchema,o" + i + ",O" + i + "\n"));
     Questionnaire hall =
-        items(ItemsKind.EXPECTANCY, text.toString(), new Problems()).orElseThrow().get(0);
+        items(ItemQuestionnaireKind.EXPECTANCY, text.toString(), new ProblemCollector())
+            .orElseThrow()
+            .get(0);
     List<Question> one = hall.ordered(1, "001").questions();
     assertThat(hall.ordered(1, "001").questions()).isEqualTo(one);
     assertThat(hall.ordered(1, "002").questions())
@@ -95,7 +101,9 @@ class QuestionnaireTest {
     StringBuilder text = new StringBuilder("area,object,consistency,present,en\n");
     IntStream.range(0, 8).forEach(i -> text.append("hall,o" + i + ",consistent,yes,O" + i + "\n"));
     Questionnaire hall =
-        items(ItemsKind.RECOGNITION, text.toString(), new Problems()).orElseThrow().get(0);
+        items(ItemQuestionnaireKind.RECOGNITION, text.toString(), new ProblemCollector())
+            .orElseThrow()
+            .get(0);
     assertThat(hall.ordered(2009, "007").questions())
         .extracting(Question::id)
         .containsExactly("o2", "o6", "o5", "o3", "o4", "o0", "o1", "o7");
@@ -111,7 +119,8 @@ class QuestionnaireTest {
     try (Reader reader =
         new InputStreamReader(
             Objects.requireNonNull(
-                Wording.class.getResourceAsStream("messages_" + language + ".properties")),
+                ParticipantMessages.class.getResourceAsStream(
+                    "messages_" + language + ".properties")),
             StandardCharsets.UTF_8)) {
       words.load(reader);
     }
@@ -120,11 +129,11 @@ class QuestionnaireTest {
 
   @Test
   void aTranslationIsAFileBesideTheStudy() throws IOException {
-    Problems problems = new Problems();
-    assertThat(Wording.of("fr", folder, problems)).isEmpty();
+    ProblemCollector problems = new ProblemCollector();
+    assertThat(ParticipantMessages.of("fr", folder, problems)).isEmpty();
     assertThat(problems.list()).singleElement().asString().contains("messages_fr.properties");
     Files.writeString(folder.resolve("messages_fr.properties"), "yes = Oui\n");
-    Wording french = Wording.of("fr", folder, problems).orElseThrow();
+    ParticipantMessages french = ParticipantMessages.of("fr", folder, problems).orElseThrow();
     assertThat(french.of("yes")).isEqualTo("Oui");
     assertThat(french.of("no")).isEqualTo("No");
   }
@@ -133,11 +142,11 @@ class QuestionnaireTest {
   void thePageToPrintAsksTheSameAndIsWhole() throws IOException {
     List<Questionnaire> asked =
         items(
-                ItemsKind.RECOGNITION,
+                ItemQuestionnaireKind.RECOGNITION,
                 "area,object,consistency,present,en\nhall,coat,consistent,yes,Coat & <hat>\n",
-                new Problems())
+                new ProblemCollector())
             .orElseThrow();
-    String page = PaperPage.html(asked, english(), "001");
+    String page = PaperQuestionnaireHtml.html(asked, english(), "001");
     assertThat(page)
         .startsWith("<!DOCTYPE html>")
         .contains(
@@ -152,10 +161,10 @@ class QuestionnaireTest {
     for (String separator : List.of(";", "\t")) {
       List<Questionnaire> asked =
           items(
-                  ItemsKind.RECOGNITION,
+                  ItemQuestionnaireKind.RECOGNITION,
                   "\uFEFFarea,object,consistency,present,en\r\nhall,coat,consistent,yes,Coat\r\n"
                       .replace(",", separator),
-                  new Problems())
+                  new ProblemCollector())
               .orElseThrow();
       assertThat(asked.get(0).questions()).extracting(Question::text).containsExactly("Coat");
     }

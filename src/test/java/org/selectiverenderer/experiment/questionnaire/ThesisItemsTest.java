@@ -19,7 +19,7 @@ import java.util.stream.Collectors;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.base.csv.CsvColumns;
+import org.selectiverenderer.base.csv.CsvColumnSpec;
 import org.selectiverenderer.base.csv.CsvRow;
 import org.selectiverenderer.base.csv.CsvTable;
 import org.selectiverenderer.experiment.study.StudyTemplate;
@@ -59,7 +59,7 @@ class ThesisItemsTest {
   private List<CsvRow> rows(String name, String columns) throws IOException {
     return CsvTable.read(
             folder.resolve(name),
-            CsvColumns.of(Arrays.asList(columns.split(","))),
+            CsvColumnSpec.of(Arrays.asList(columns.split(","))),
             (at, message) -> {
               throw new AssertionError(at + message);
             })
@@ -176,7 +176,7 @@ class ThesisItemsTest {
         .containsEntry("desk", 14L)
         .containsEntry("bookcase", 15L)
         .containsEntry("sofa", 10L);
-    assertThat(expectancy.get(0).cell("schema")).isEqualTo(QuestionItem.EXAMPLE);
+    assertThat(expectancy.get(0).cell("schema")).isEqualTo(StimulusItem.EXAMPLE);
     assertThat(expectancy.subList(0, 2))
         .extracting(row -> row.cell("en"))
         .containsExactly("table", "bed");

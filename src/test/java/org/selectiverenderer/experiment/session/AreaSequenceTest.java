@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.experiment.study.Study;
 
 class AreaSequenceTest {
@@ -48,7 +48,7 @@ class AreaSequenceTest {
   void theGroupsHaveAllOrdersEquallyOften() throws IOException {
     Study study = material("counterbalanced").study();
     Map<String, Integer> orders = new HashMap<>();
-    Schedule schedule = new Schedule(study);
+    RandomizationSchedule schedule = new RandomizationSchedule(study);
     for (int place = 1; place <= 36; place++) {
       List<String> order = names(study, "p" + place, AreaSequence.turn(study, place));
       orders.merge(schedule.condition(place) + " " + order, 1, Integer::sum);
@@ -75,16 +75,24 @@ class AreaSequenceTest {
     List<String> first;
     try (Session session =
         Session.begin(
-            material("counterbalanced"), "001", 1, TwoRoomsStudy.OPTIONS, new Problems())) {
-      assertThat(TwoRoomsStudy.left(session))
+            material("counterbalanced"),
+            "001",
+            1,
+            TwoRoomStudyFixture.OPTIONS,
+            new ProblemCollector())) {
+      assertThat(TwoRoomStudyFixture.left(session))
           .containsExactly("form", "exposure-hall", "exposure-bath", "exposure-attic");
-      TwoRoomsStudy.form(session);
-      first = TwoRoomsStudy.left(session);
+      TwoRoomStudyFixture.form(session);
+      first = TwoRoomStudyFixture.left(session);
     }
     try (Session session =
         Session.begin(
-            material("counterbalanced"), "002", 1, TwoRoomsStudy.OPTIONS, new Problems())) {
-      TwoRoomsStudy.form(session);
+            material("counterbalanced"),
+            "002",
+            1,
+            TwoRoomStudyFixture.OPTIONS,
+            new ProblemCollector())) {
+      TwoRoomStudyFixture.form(session);
     }
     String events = Files.readString(folder.resolve("sub-001/ses-01/events.jsonl"));
     assertThat(events).containsOnlyOnce("\"event\":\"area-order\"");
@@ -93,8 +101,9 @@ class AreaSequenceTest {
     assertThat(events)
         .contains("\"order\":\"counterbalanced\"", "\"areas\":[" + String.join(",", said) + "]");
     try (Session session =
-        Session.resume(material("fixed"), "001", 1, TwoRoomsStudy.OPTIONS, new Problems())) {
-      assertThat(TwoRoomsStudy.left(session)).isEqualTo(first);
+        Session.resume(
+            material("fixed"), "001", 1, TwoRoomStudyFixture.OPTIONS, new ProblemCollector())) {
+      assertThat(TwoRoomStudyFixture.left(session)).isEqualTo(first);
     }
   }
 
@@ -117,6 +126,6 @@ class AreaSequenceTest {
                        {"name": "attic", "viewpoint": "Here", "seconds": 1}]}
             """
                 .formatted(order));
-    return StudyMaterial.read(file, new Problems()).orElseThrow();
+    return StudyMaterial.read(file, new ProblemCollector()).orElseThrow();
   }
 }

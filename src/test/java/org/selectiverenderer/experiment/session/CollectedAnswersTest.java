@@ -12,15 +12,15 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.document.ratings.Ratings;
 import org.selectiverenderer.experiment.study.SessionFlag;
-import org.selectiverenderer.schema.Band;
+import org.selectiverenderer.schema.RatingBand;
 import org.selectiverenderer.statistics.data.Responses;
 import org.selectiverenderer.statistics.data.ResponsesReader;
 
 /** What the sessions of a study come to. */
-class CollectedAnswersTest extends TwoRoomsStudy {
+class CollectedAnswersTest extends TwoRoomStudyFixture {
   @Test
   void aWholeSessionLeavesAnswersThatTheStatisticsAndTheEnricherRead() throws IOException {
     try (Session session = begin("001")) {
@@ -32,7 +32,7 @@ class CollectedAnswersTest extends TwoRoomsStudy {
       answerAll(session, "2", 0);
       session.end();
     }
-    Problems problems = new Problems();
+    ProblemCollector problems = new ProblemCollector();
     CollectedAnswers collected =
         CollectedAnswers.of(material(), OptionalInt.empty(), PaperAnswers.none(), problems);
     assertThat(collected.responses())
@@ -43,14 +43,15 @@ class CollectedAnswersTest extends TwoRoomsStudy {
     Ratings ratings =
         Ratings.read("ratings.csv", collected.ratings().getBytes(StandardCharsets.UTF_8), problems)
             .orElseThrow();
-    assertThat(ratings.means().get("coat").get("HallSchema").band()).isEqualTo(Band.NON_EXPECTANT);
+    assertThat(ratings.means().get("coat").get("HallSchema").band())
+        .isEqualTo(RatingBand.NON_EXPECTANT);
     assertThat(collected.bands())
         .contains("hall,HallSchema,coat,2.000000,1,non-expectant,inconsistent");
     assertThat(problems.list()).isEmpty();
   }
 
   private List<String> collecting(OptionalInt session, int lines) throws IOException {
-    Problems problems = new Problems();
+    ProblemCollector problems = new ProblemCollector();
     assertThat(CollectedAnswers.of(material(), session, PaperAnswers.none(), problems).responses())
         .hasLineCount(lines);
     return problems.list().stream()
@@ -66,7 +67,7 @@ class CollectedAnswersTest extends TwoRoomsStudy {
       answerAll(session, "yes", 4);
     }
     assertThat(collecting(OptionalInt.empty(), 3)).isEmpty();
-    try (Session session = Session.begin(material(), "001", 2, OPTIONS, new Problems())) {
+    try (Session session = Session.begin(material(), "001", 2, OPTIONS, new ProblemCollector())) {
       form(session);
       answerAll(session, "yes", 4);
       answerAll(session, "yes", 4);
@@ -120,7 +121,7 @@ class CollectedAnswersTest extends TwoRoomsStudy {
       session.end();
     }
 
-    Problems problems = new Problems();
+    ProblemCollector problems = new ProblemCollector();
     CollectedAnswers collected =
         CollectedAnswers.of(material(), OptionalInt.empty(), PaperAnswers.none(), problems);
 
@@ -133,7 +134,7 @@ class CollectedAnswersTest extends TwoRoomsStudy {
 
   @Test
   void aParticipantWithAConditionAndNoSessionIsSaidToBeMissing() throws IOException {
-    new Participants(material().study()).assign("009", Optional.empty(), "18-22", false);
+    new ParticipantsFile(material().study()).assign("009", Optional.empty(), "18-22", false);
     assertThat(collecting(OptionalInt.empty(), 1))
         .singleElement()
         .asString()
@@ -145,7 +146,7 @@ class CollectedAnswersTest extends TwoRoomsStudy {
   }
 
   private void whole(String id, int number, SessionFlag... flags) throws IOException {
-    try (Session session = Session.begin(material(), id, number, OPTIONS, new Problems())) {
+    try (Session session = Session.begin(material(), id, number, OPTIONS, new ProblemCollector())) {
       form(session);
       for (SessionFlag flag : flags) {
         session.journal().flag(flag, Map.of("step", "exposure-hall"));
@@ -161,7 +162,7 @@ class CollectedAnswersTest extends TwoRoomsStudy {
   void aFlaggedSessionIsSaidAndKeptUnlessTheStudyExcludesIt() throws IOException {
     whole("001", SessionFlag.REPEATED_EXPOSURE, SessionFlag.LOW_FRAME_RATE);
     whole("002");
-    Problems kept = new Problems();
+    ProblemCollector kept = new ProblemCollector();
     assertThat(
             CollectedAnswers.of(material(), OptionalInt.empty(), PaperAnswers.none(), kept)
                 .participants())
@@ -176,7 +177,7 @@ class CollectedAnswersTest extends TwoRoomsStudy {
                 + " study does not exclude it");
 
     exclude("repeated-exposure", "low-frame-rate", "simulated");
-    Problems excluded = new Problems();
+    ProblemCollector excluded = new ProblemCollector();
     CollectedAnswers answers =
         CollectedAnswers.of(material(), OptionalInt.empty(), PaperAnswers.none(), excluded);
     assertThat(answers.participants()).isEqualTo(1);

@@ -10,11 +10,11 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 
 /** Answers that were given on paper and typed into a table. */
-class PaperAnswersTest extends TwoRoomsStudy {
-  private CollectedAnswers withPaper(String text, Problems problems) throws IOException {
+class PaperAnswersTest extends TwoRoomStudyFixture {
+  private CollectedAnswers withPaper(String text, ProblemCollector problems) throws IOException {
     Path table = folder.resolve("typed.csv");
     Files.writeString(table, text);
     return CollectedAnswers.of(
@@ -33,7 +33,7 @@ class PaperAnswersTest extends TwoRoomsStudy {
       answerAll(session, "yes", 4);
       session.abort("recognition-bath");
     }
-    Problems problems = new Problems();
+    ProblemCollector problems = new ProblemCollector();
     CollectedAnswers collected =
         withPaper(
             """
@@ -54,7 +54,7 @@ class PaperAnswersTest extends TwoRoomsStudy {
 
   @Test
   void whoAnsweredOnPaperAloneNeedsAConditionTypedIn() throws IOException {
-    Problems problems = new Problems();
+    ProblemCollector problems = new ProblemCollector();
     CollectedAnswers collected =
         withPaper(
             """
@@ -77,8 +77,8 @@ class PaperAnswersTest extends TwoRoomsStudy {
 
   @Test
   void aSpreadsheetThatDropsZerosDoesNotMakeAnotherParticipant() throws IOException {
-    new Participants(material().study()).assign("001", Optional.empty(), "18-22", false);
-    Problems problems = new Problems();
+    new ParticipantsFile(material().study()).assign("001", Optional.empty(), "18-22", false);
+    ProblemCollector problems = new ProblemCollector();
     CollectedAnswers collected =
         withPaper(
             "participant,condition,area,object,response,confidence\n1,high,hall,coat,yes,5\n",
@@ -96,7 +96,7 @@ class PaperAnswersTest extends TwoRoomsStudy {
       form(session);
       answerAll(session, "yes", 4);
     }
-    Problems problems = new Problems();
+    ProblemCollector problems = new ProblemCollector();
     CollectedAnswers collected =
         withPaper(
             """
@@ -127,7 +127,7 @@ class PaperAnswersTest extends TwoRoomsStudy {
 
   @Test
   void ratingsOnPaperCountWithTheOthers() throws IOException {
-    Problems problems = new Problems();
+    ProblemCollector problems = new ProblemCollector();
     Path table = folder.resolve("typed.csv");
     Files.writeString(
         table,

@@ -6,7 +6,7 @@ import java.io.IOException;
 import org.junit.jupiter.api.Test;
 
 /** Ids that are easily typed for each other. */
-class ParticipantIdsTest extends TwoRoomsStudy {
+class ParticipantIdsTest extends TwoRoomStudyFixture {
   @Test
   void capitalsLeadingZerosAndAPrefixMakeNoOtherPerson() {
     assertThat(ParticipantIds.alike("1", "001")).isTrue();

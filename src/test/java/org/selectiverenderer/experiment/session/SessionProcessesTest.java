@@ -17,11 +17,11 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 
 /** What several programs may do to a session at the same time, in processes of their own. */
 @Timeout(value = 120, unit = TimeUnit.SECONDS)
-class SessionProcessesTest extends TwoRoomsStudy {
+class SessionProcessesTest extends TwoRoomStudyFixture {
   private final List<Process> started = new ArrayList<>();
 
   @AfterEach
@@ -37,7 +37,7 @@ class SessionProcessesTest extends TwoRoomsStudy {
             ProcessHandle.current().info().command().orElse("java"),
             "-cp",
             System.getProperty("java.class.path"),
-            HeldSession.class.getName(),
+            SessionHoldingProcess.class.getName(),
             file.toString(),
             id,
             how);
@@ -65,8 +65,9 @@ class SessionProcessesTest extends TwoRoomsStudy {
       form(session);
       session.began(session.remaining().get(0), false);
       // Reading the journal must not let go of the lock.
-      StudyStatus.of(material(), new Problems());
-      CollectedAnswers.of(material(), OptionalInt.empty(), PaperAnswers.none(), new Problems());
+      StudyStatus.of(material(), new ProblemCollector());
+      CollectedAnswers.of(
+          material(), OptionalInt.empty(), PaperAnswers.none(), new ProblemCollector());
       String events = Files.readString(session.folder().journal());
       for (String how : List.of("resume", "begin")) {
         assertThat(said(process("", "001", how)))
@@ -112,7 +113,7 @@ class SessionProcessesTest extends TwoRoomsStudy {
     assertThat(said(filling))
         .startsWith(events + ": an event could not be written (")
         .endsWith("--resume continues the session once the disk can be written");
-    JournalText text = JournalText.read(events);
+    JournalContent text = JournalContent.read(events);
     assertThat(text.tail()).isZero();
     assertThat(text.damaged()).isEmpty();
     assertThat(text.events()).hasSizeGreaterThan(10);

@@ -14,13 +14,13 @@ import java.util.OptionalInt;
 import java.util.OptionalLong;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.control.Condition;
 import org.selectiverenderer.experiment.questionnaire.Answer;
 import org.selectiverenderer.experiment.questionnaire.Question;
 
 /** Sessions that are begun, cut off, resumed and finished. */
-class SessionTest extends TwoRoomsStudy {
+class SessionTest extends TwoRoomStudyFixture {
   @Test
   void aHeadLogThatIsThereIsNotWrittenOver() throws IOException {
     try (Session session = begin("001")) {
@@ -80,7 +80,7 @@ class SessionTest extends TwoRoomsStudy {
         .doesNotContain("recog\"");
     assertThat(folder.resolve("sub-001/ses-01/events-cut-off-01.txt"))
         .hasContent("{\"event\":\"step-finished\",\"step\":\"recog");
-    assertThat(JournalText.read(events).damaged()).isEmpty();
+    assertThat(JournalContent.read(events).damaged()).isEmpty();
   }
 
   @Test
@@ -90,12 +90,12 @@ class SessionTest extends TwoRoomsStudy {
     }
     Path events = folder.resolve("sub-001/ses-01/events.jsonl");
     Files.writeString(events, Files.readString(events).stripTrailing());
-    Problems problems = new Problems();
+    ProblemCollector problems = new ProblemCollector();
     try (Session session = Session.resume(material(), "001", 1, OPTIONS, problems)) {
       assertThat(left(session)).first().isEqualTo("recognition-hall");
     }
     assertThat(problems.list()).isEmpty();
-    assertThat(JournalText.read(events).damaged()).isEmpty();
+    assertThat(JournalContent.read(events).damaged()).isEmpty();
     assertThat(folder.resolve("sub-001/ses-01/events-cut-off-01.txt")).doesNotExist();
   }
 
@@ -114,7 +114,7 @@ class SessionTest extends TwoRoomsStudy {
     lines[hit] = lines[hit].replace("\"value\":\"yes\"", "\"value\":\u0001yes");
     String damaged = String.join("\n", lines) + "\n";
     Files.writeString(events, damaged);
-    Problems problems = new Problems();
+    ProblemCollector problems = new ProblemCollector();
     try (Session session = Session.resume(material(), "001", 1, OPTIONS, problems)) {
       assertThat(left(session)).first().isEqualTo("recognition-bath");
     }
@@ -126,7 +126,7 @@ class SessionTest extends TwoRoomsStudy {
         .content()
         .startsWith(damaged)
         .contains("\"damaged_lines\":[" + (hit + 1) + "]");
-    Problems collected = new Problems();
+    ProblemCollector collected = new ProblemCollector();
     CollectedAnswers answers =
         CollectedAnswers.of(material(), OptionalInt.empty(), PaperAnswers.none(), collected);
     assertThat(answers.answers()).isEqualTo(1);
@@ -195,7 +195,7 @@ class SessionTest extends TwoRoomsStudy {
   void aStudyThatChangedMeanwhileIsSaid() throws IOException {
     begin("001").close();
     Files.writeString(file, Files.readString(file).replace("Two rooms", "Two other rooms"));
-    Problems problems = new Problems();
+    ProblemCollector problems = new ProblemCollector();
     Session.resume(material(), "001", 1, OPTIONS, problems).close();
     assertThat(problems.list())
         .extracting(Problem::message)
@@ -210,7 +210,7 @@ class SessionTest extends TwoRoomsStudy {
     begin("001").close();
     Path items = folder.resolve("r.csv");
     Files.writeString(items, Files.readString(items).replace("hall,boat", "hall,ship"));
-    Problems problems = new Problems();
+    ProblemCollector problems = new ProblemCollector();
     Session.resume(material(), "001", 1, OPTIONS, problems).close();
     assertThat(problems.list())
         .extracting(Problem::message)
@@ -232,7 +232,7 @@ class SessionTest extends TwoRoomsStudy {
     Condition other = own == Condition.HIGH ? Condition.SELECTIVE : Condition.HIGH;
     SessionOptions options =
         new SessionOptions(Optional.of(other), OptionalDouble.empty(), false, "test");
-    Problems problems = new Problems();
+    ProblemCollector problems = new ProblemCollector();
     Session.resume(material(), "001", 1, options, problems).close();
     Session.begin(material(), "001", 2, options, problems).close();
     assertThat(problems.list())

@@ -12,11 +12,11 @@ import org.assertj.core.api.Assertions;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.base.json.JsonTree;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.experiment.study.SessionFlag;
 
 /** Who is done, and what is missing. */
-class StudyStatusTest extends TwoRoomsStudy {
+class StudyStatusTest extends TwoRoomStudyFixture {
   @Test
   void statusTellsWhoIsDoneAndWhatIsMissing() throws IOException {
     try (Session session = begin("001")) {
@@ -25,7 +25,7 @@ class StudyStatusTest extends TwoRoomsStudy {
       session.abort("recognition-bath");
     }
     begin("002").close();
-    StudyStatus status = StudyStatus.of(material(), new Problems());
+    StudyStatus status = StudyStatus.of(material(), new ProblemCollector());
     assertThat(status.sessions())
         .extracting(StudyStatus.Row::participant, StudyStatus.Row::state)
         .containsExactly(
@@ -37,7 +37,7 @@ class StudyStatusTest extends TwoRoomsStudy {
         .extracting(StudyStatus.Group::assigned)
         .containsExactlyInAnyOrder(0, 1);
     assertThat(status.text()).contains("0 of 4 planned participants have finished a session");
-    Problems problems = new Problems();
+    ProblemCollector problems = new ProblemCollector();
     assertThat(
             CollectedAnswers.of(material(), OptionalInt.empty(), PaperAnswers.none(), problems)
                 .responses())
@@ -53,7 +53,7 @@ class StudyStatusTest extends TwoRoomsStudy {
       session.began(step, true);
       session.finished(step, Map.of("head_log_incomplete", true));
     }
-    StudyStatus status = StudyStatus.of(material(), new Problems());
+    StudyStatus status = StudyStatus.of(material(), new ProblemCollector());
     assertThat(status.sessions().get(0).notes()).containsExactly("head log of form incomplete");
     assertThat(status.text()).contains("1 session, 0 finished");
   }
@@ -64,7 +64,7 @@ class StudyStatusTest extends TwoRoomsStudy {
       session.journal().flag(SessionFlag.LOW_FRAME_RATE, Map.of("step", "exposure-hall", "fps", 9));
       session.journal().flag(SessionFlag.TRACKER_ABSENT, Map.of());
     }
-    StudyStatus status = StudyStatus.of(material(), new Problems());
+    StudyStatus status = StudyStatus.of(material(), new ProblemCollector());
     assertThat(status.text())
         .contains("(exposure-hall: too few frames per second, without the study's tracker)")
         .doesNotContain("LEFT OUT");
@@ -88,7 +88,7 @@ class StudyStatusTest extends TwoRoomsStudy {
       answerAll(session, "3", 0);
       session.end();
     }
-    StudyStatus status = StudyStatus.of(material(), new Problems());
+    StudyStatus status = StudyStatus.of(material(), new ProblemCollector());
     assertThat(status.groups()).extracting(StudyStatus.Group::finished).containsOnlyOnce(1);
     assertThat(status.groups()).extracting(StudyStatus.Group::counting).containsOnly(0);
     assertThat(status.text())
@@ -102,7 +102,7 @@ class StudyStatusTest extends TwoRoomsStudy {
     begin("001").close();
     Path events = folder.resolve("sub-001/ses-01/events.jsonl");
     Files.writeString(events, "{\"event\":\"no\n" + Files.readString(events) + "{\"event\":\"ha");
-    Problems problems = new Problems();
+    ProblemCollector problems = new ProblemCollector();
     StudyStatus.of(material(), problems);
     assertThat(problems.list())
         .extracting(Problem::toString)
@@ -123,6 +123,6 @@ class StudyStatusTest extends TwoRoomsStudy {
     Path stray = folder.resolve("sub-001/ses-99999999999");
     Files.createDirectories(stray);
     Files.writeString(stray.resolve("events.jsonl"), "");
-    assertThat(StudyStatus.of(material(), new Problems()).sessions()).isEmpty();
+    assertThat(StudyStatus.of(material(), new ProblemCollector()).sessions()).isEmpty();
   }
 }

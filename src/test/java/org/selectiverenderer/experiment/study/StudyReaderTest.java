@@ -24,9 +24,9 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.control.Condition;
-import org.selectiverenderer.experiment.questionnaire.ItemsKind;
+import org.selectiverenderer.experiment.questionnaire.ItemQuestionnaireKind;
 
 class StudyReaderTest {
   @TempDir Path folder;
@@ -41,7 +41,7 @@ class StudyReaderTest {
 
   private List<String> problems(String study) throws IOException {
     Files.writeString(file, study);
-    Problems problems = new Problems();
+    ProblemCollector problems = new ProblemCollector();
     Optional<Study> read = StudyReader.read(file, problems);
     assertThat(read.isEmpty()).isEqualTo(problems.any());
     return problems.list().stream()
@@ -52,7 +52,7 @@ class StudyReaderTest {
 
   @Test
   void aNewStudyIsTheThesiss() throws IOException {
-    Study study = StudyReader.read(file, new Problems()).orElseThrow();
+    Study study = StudyReader.read(file, new ProblemCollector()).orElseThrow();
     assertThat(study.conditions())
         .containsExactly(Condition.HIGH, Condition.HIGH_LOW, Condition.SELECTIVE);
     assertThat(study.participants()).isEqualTo(54);
@@ -66,14 +66,14 @@ class StudyReaderTest {
         .filteredOn(StudyQuestionnaires.Content.Items.class::isInstance)
         .containsExactly(
             new StudyQuestionnaires.Content.Items(
-                ItemsKind.RECOGNITION, folder.resolve("recognition.csv")));
+                ItemQuestionnaireKind.RECOGNITION, folder.resolve("recognition.csv")));
   }
 
   @Test
   void aStudyMayLeaveOutTheSoundsOfItsScenes() throws IOException {
-    assertThat(StudyReader.read(file, new Problems()).orElseThrow().mute()).isFalse();
+    assertThat(StudyReader.read(file, new ProblemCollector()).orElseThrow().mute()).isFalse();
     Files.writeString(file, text.replaceFirst("\\{", "{\"mute\": true, "));
-    assertThat(StudyReader.read(file, new Problems()).orElseThrow().mute()).isTrue();
+    assertThat(StudyReader.read(file, new ProblemCollector()).orElseThrow().mute()).isTrue();
   }
 
   @Test
@@ -89,21 +89,22 @@ class StudyReaderTest {
         .asString()
         .contains("\"questions\" needs \"mode\": \"openxr\"");
     assertThat(problems(study.formatted("openxr"))).isEmpty();
-    assertThat(StudyReader.read(file, new Problems()).orElseThrow().display().worn().asked())
+    assertThat(
+            StudyReader.read(file, new ProblemCollector()).orElseThrow().display().worn().asked())
         .isTrue();
   }
 
   @Test
   void thePilotStudyShowsNothingAndAsksAboutExpectancy() throws IOException {
     Study pilot =
-        StudyReader.read(folder.resolve("pilot/study.json"), new Problems()).orElseThrow();
+        StudyReader.read(folder.resolve("pilot/study.json"), new ProblemCollector()).orElseThrow();
     assertThat(pilot.scene()).isEmpty();
     assertThat(pilot.areas()).isEmpty();
     assertThat(pilot.questionnaires().list())
         .extracting(StudyQuestionnaires.Source::content)
         .containsExactly(
             new StudyQuestionnaires.Content.Items(
-                ItemsKind.EXPECTANCY, folder.resolve("pilot/expectancy.csv")));
+                ItemQuestionnaireKind.EXPECTANCY, folder.resolve("pilot/expectancy.csv")));
   }
 
   @Test
@@ -191,7 +192,7 @@ class StudyReaderTest {
   void anotherEncodingIsAnErrorWithTheFilesName() throws IOException {
     for (Charset charset : List.of(StandardCharsets.UTF_16, Charset.forName("windows-1253"))) {
       Files.writeString(file, text.replace("memory", "μνήμη"), charset);
-      Problems problems = new Problems();
+      ProblemCollector problems = new ProblemCollector();
       assertThat(StudyReader.read(file, problems)).isEmpty();
       assertThat(problems.list())
           .singleElement()
@@ -202,8 +203,8 @@ class StudyReaderTest {
   @Test
   void theQualityOfSessionsMayBeLeftOut() throws IOException {
     assertThat(problems(text.replaceFirst("(?m)^ *\"quality\".*$", ""))).isEmpty();
-    assertThat(StudyReader.read(file, new Problems()).orElseThrow().quality())
-        .isEqualTo(StudyQuality.DEFAULT);
+    assertThat(StudyReader.read(file, new ProblemCollector()).orElseThrow().quality())
+        .isEqualTo(QualityCriteria.DEFAULT);
   }
 
   @Test
@@ -211,9 +212,9 @@ class StudyReaderTest {
     String quality =
         "\"quality\": {\"min_fps\": 24, \"exclude\": [\"simulated\", \"tracker-lost\"]},";
     assertThat(problems(text.replaceFirst("\"quality\".*", quality))).isEmpty();
-    assertThat(StudyReader.read(file, new Problems()).orElseThrow().quality())
+    assertThat(StudyReader.read(file, new ProblemCollector()).orElseThrow().quality())
         .isEqualTo(
-            new StudyQuality(
+            new QualityCriteria(
                 OptionalDouble.of(24),
                 0.1,
                 1,
@@ -236,14 +237,14 @@ class StudyReaderTest {
 
   @Test
   void tooFewFramesAreToldByMeanAndByShare() {
-    StudyQuality quality = new StudyQuality(OptionalDouble.of(30), 0.1, 1, Set.of());
+    QualityCriteria quality = new QualityCriteria(OptionalDouble.of(30), 0.1, 1, Set.of());
     assertThat(quality.tooSlow(30, 0.1)).isEmpty();
     assertThat(quality.tooSlow(22.46, 0.1))
         .containsExactly("22.5 frames per second on average, less than 30");
     assertThat(quality.tooSlow(40, 0.123))
         .containsExactly("12.3 % of the frames slower than 30 per second, more than 10 %");
     assertThat(quality.tooSlow(10, 0.9)).hasSize(2);
-    assertThat(StudyQuality.DEFAULT.tooSlow(0.1, 1)).isEmpty();
+    assertThat(QualityCriteria.DEFAULT.tooSlow(0.1, 1)).isEmpty();
   }
 
   @Test

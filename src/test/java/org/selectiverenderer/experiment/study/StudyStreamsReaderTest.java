@@ -12,11 +12,11 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 
 class StudyStreamsReaderTest {
   @TempDir private Path folder = Path.of("");
-  private final Problems problems = new Problems();
+  private final ProblemCollector problems = new ProblemCollector();
 
   private Optional<Study> read(String streams) throws IOException {
     Path file = StudyTemplate.write(folder.resolve("study"), Path.of("scenes/apartment.x3d"));

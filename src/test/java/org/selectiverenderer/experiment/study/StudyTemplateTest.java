@@ -6,15 +6,15 @@ import java.io.IOException;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.base.files.FileActions;
+import org.selectiverenderer.base.files.FileOperations;
 
 class StudyTemplateTest {
   @TempDir private Path folder;
 
   @Test
   void aNetworkFolderThatDoesNotForceNamesIsAsGoodAsAny() throws IOException {
-    FileActions networkFolder =
-        new FileActions() {
+    FileOperations networkFolder =
+        new FileOperations() {
           @Override
           public void forceFolder(Path forced) throws IOException {
             throw new IOException("Invalid argument");

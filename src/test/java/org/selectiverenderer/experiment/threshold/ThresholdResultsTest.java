@@ -13,7 +13,7 @@ import org.selectiverenderer.base.json.JsonTree;
 import org.selectiverenderer.experiment.threshold.ThresholdEstimate.Kind;
 
 /** What the participants of a pilot come to. */
-class ThresholdResultsTest extends PilotFolder {
+class ThresholdResultsTest extends ThresholdPilotFixture {
   private void participants(int count, double share) throws IOException {
     ThresholdStudy study = study();
     for (int i = 1; i <= count; i++) {
@@ -86,7 +86,7 @@ class ThresholdResultsTest extends PilotFolder {
   void manyObserversComeToTheThresholdThatTheyHave() throws IOException {
     participants(20, 0.1);
 
-    JsonNode tree = JsonTree.parse(ThresholdTables.json(ThresholdResults.read(study(), problems)));
+    JsonNode tree = JsonTree.parse(ThresholdReport.json(ThresholdResults.read(study(), problems)));
 
     assertThat(told()).isEmpty();
     assertThat(tree.path("participants").asInt()).isEqualTo(20);
@@ -113,7 +113,7 @@ class ThresholdResultsTest extends PilotFolder {
                 line.matches(
                     "\\./selective-renderer versions 'my room\\.x3d' --object \\w+"
                         + " --polygons \\d+"));
-    assertThat(ThresholdTables.text(results, "selective-renderer", "room.x3d"))
+    assertThat(ThresholdReport.text(results, "selective-renderer", "room.x3d"))
         .contains("Pilot: 2 participants; polygons at which 70.7 % of the answers")
         .contains("\nselective-renderer versions room.x3d --object Vase --polygons ");
   }
@@ -159,7 +159,7 @@ class ThresholdResultsTest extends PilotFolder {
   @Test
   void aPilotWithoutParticipantsHasNoThresholds() throws IOException {
     assertThat(
-            ThresholdTables.text(
+            ThresholdReport.text(
                 ThresholdResults.read(study(), problems), "selective-renderer", "room.x3d"))
         .startsWith("Pilot: 0 participants")
         .contains("# Vase: nobody's threshold is known yet");

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Timeout;
 import org.selectiverenderer.base.json.JsonTree;
 
 /** What a participant has answered is never lost, and what comes next follows from it. */
-class ThresholdSessionTest extends PilotFolder {
+class ThresholdSessionTest extends ThresholdPilotFixture {
   private static List<ThresholdTrial> all(ThresholdSession session, SimulatedObserver observer)
       throws IOException {
     List<ThresholdTrial> trials = new ArrayList<>();
@@ -104,7 +104,7 @@ class ThresholdSessionTest extends PilotFolder {
     ThresholdStudy study = study();
     List<List<ThresholdTrial>> trials = new ArrayList<>();
     for (String participant : List.of("001", "001", "002")) {
-      ThresholdPilot pilot = new ThresholdPilot(study, ladders(study), participant);
+      InterleavedTracks pilot = new InterleavedTracks(study, ladders(study), participant);
       List<ThresholdTrial> own = new ArrayList<>();
       for (int i = 0; i < 40; i++) {
         ThresholdTrial trial = pilot.next().orElseThrow();
@@ -179,7 +179,7 @@ class ThresholdSessionTest extends PilotFolder {
                 ProcessHandle.current().info().command().orElse("java"),
                 "-cp",
                 System.getProperty("java.class.path"),
-                HeldPilot.class.getName(),
+                PilotHoldingProcess.class.getName(),
                 file.toString(),
                 "001")
             .redirectError(ProcessBuilder.Redirect.INHERIT)

@@ -17,15 +17,15 @@ import javax.swing.JLabel;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.base.problem.Problems;
-import org.selectiverenderer.enricher.driving.Hands;
-import org.selectiverenderer.experiment.questionnaire.Wording;
-import org.selectiverenderer.experiment.session.OperatorControls;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.enricher.robot.GuiRobot;
+import org.selectiverenderer.experiment.questionnaire.ParticipantMessages;
+import org.selectiverenderer.experiment.session.ExperimenterControls;
 import org.selectiverenderer.experiment.session.Session;
 import org.selectiverenderer.experiment.session.SessionOptions;
 import org.selectiverenderer.experiment.session.StudyMaterial;
-import org.selectiverenderer.testing.OpenWindow;
 import org.selectiverenderer.testing.ShowsWindows;
+import org.selectiverenderer.testing.WindowFinder;
 
 /** The experimenter's window, where windows are put, and the last one. */
 @ShowsWindows
@@ -33,9 +33,9 @@ class ControlWindowTest extends SessionWindowFixture {
   @Test
   void windowsArePutIntoTheMiddleOfTheMonitorThatIsNotBeforeAnEye() {
     // As beside an eye's monitor of 290 pixels.
-    DesktopPlace beside = new DesktopPlace(0, 290, 0, 990, 700);
+    MonitorBounds beside = new MonitorBounds(0, 290, 0, 990, 700);
     Rectangle window =
-        Hands.onEdt(
+        GuiRobot.onEdt(
             () -> {
               JFrame frame = new JFrame(beside.configuration());
               frame.setSize(500, 300);
@@ -56,33 +56,33 @@ class ControlWindowTest extends SessionWindowFixture {
             "001",
             1,
             new SessionOptions(Optional.empty(), OptionalDouble.empty(), false, "test"),
-            new Problems())) {
-      OperatorControls controls = new OperatorControls(session.journal());
+            new ProblemCollector())) {
+      ExperimenterControls controls = new ExperimenterControls(session.journal());
       assertThat(controls.askAbort()).as("nobody there to ask").isFalse();
-      ControlWindow opened = ControlWindow.open(controls, DesktopPlace.USUAL);
+      ControlWindow opened = ControlWindow.open(controls, MonitorBounds.USUAL);
       try {
-        JFrame window = OpenWindow.named(hands, "controls");
+        JFrame window = WindowFinder.named(hands, "controls");
         controls.status("exposure-kitchen: 12 s left");
-        JTextField note = Hands.named(window, "Note to keep", JTextField.class);
-        OpenWindow.click(hands, note, note::isFocusOwner);
+        JTextField note = GuiRobot.named(window, "Note to keep", JTextField.class);
+        WindowFinder.click(hands, note, note::isFocusOwner);
         hands.type("7");
         hands.await("the note", () -> note.getText().equals("7"));
         hands.press(KeyEvent.VK_ENTER);
-        JToggleButton pause = Hands.named(window, "Pause (F8)", JToggleButton.class);
-        OpenWindow.click(hands, pause, controls::paused);
+        JToggleButton pause = GuiRobot.named(window, "Pause (F8)", JToggleButton.class);
+        WindowFinder.click(hands, pause, controls::paused);
         JLabel status =
-            Hands.onEdt(
+            GuiRobot.onEdt(
                 () ->
                     (JLabel)
                         ((BorderLayout) window.getContentPane().getLayout())
                             .getLayoutComponent(BorderLayout.NORTH));
         hands.await("the status", () -> status.getText().startsWith("exposure-kitchen: 12 s left"));
         pictures(window, "session-controls");
-        OpenWindow.click(hands, pause, () -> !controls.paused());
+        WindowFinder.click(hands, pause, () -> !controls.paused());
         AtomicBoolean went = new AtomicBoolean(); // Taken once.
-        OpenWindow.click(
+        WindowFinder.click(
             hands,
-            Hands.named(window, "Go on (F9)", JButton.class),
+            GuiRobot.named(window, "Go on (F9)", JButton.class),
             () -> {
               if (controls.takeGoOn()) {
                 went.set(true);
@@ -90,9 +90,9 @@ class ControlWindowTest extends SessionWindowFixture {
               return went.get();
             });
         AtomicBoolean reset = new AtomicBoolean(); // Taken once.
-        OpenWindow.click(
+        WindowFinder.click(
             hands,
-            Hands.named(window, "Reset Heading (F4)", JButton.class),
+            GuiRobot.named(window, "Reset Heading (F4)", JButton.class),
             () -> {
               if (controls.takeResetHeading()) {
                 reset.set(true);
@@ -104,15 +104,15 @@ class ControlWindowTest extends SessionWindowFixture {
         hands.await("the button", () -> pause.getText().equals("Continue (F8)"));
         hands.press(KeyEvent.VK_F8);
         hands.await("no pause", () -> !controls.paused());
-        OpenWindow.click(
-            hands, Hands.named(window, "Abort ...", JButton.class), OpenWindow::asking);
-        OpenWindow.answerDialog(hands, "Continue the Session");
+        WindowFinder.click(
+            hands, GuiRobot.named(window, "Abort ...", JButton.class), WindowFinder::asking);
+        WindowFinder.answerDialog(hands, "Continue the Session");
         assertThat(controls.aborted()).isFalse();
-        OpenWindow.close(window);
-        OpenWindow.answerDialog(hands, "Continue the Session");
+        WindowFinder.close(window);
+        WindowFinder.answerDialog(hands, "Continue the Session");
         assertThat(controls.askAbort()).isTrue();
         assertThat(controls.askAbort()).as("asked once").isTrue();
-        OpenWindow.answerDialog(hands, "End the Session");
+        WindowFinder.answerDialog(hands, "End the Session");
         hands.await("the end", controls::aborted);
       } finally {
         opened.close();
@@ -135,16 +135,16 @@ class ControlWindowTest extends SessionWindowFixture {
 
   @Test
   void thanksGoWhenTheyAreClosed() throws IOException {
-    Wording wording = material("en").wording();
+    ParticipantMessages wording = material("en").wording();
     FutureTask<Boolean> shown =
-        OpenWindow.asking(
+        WindowFinder.asking(
             () -> {
               ThanksWindow.show(wording, desk);
               return true;
             });
-    JFrame thanks = OpenWindow.named(hands, "thanks");
+    JFrame thanks = WindowFinder.named(hands, "thanks");
     pictures(thanks, "session-thanks");
-    OpenWindow.close(thanks);
-    assertThat(OpenWindow.answer(shown)).isTrue();
+    WindowFinder.close(thanks);
+    assertThat(WindowFinder.answer(shown)).isTrue();
   }
 }

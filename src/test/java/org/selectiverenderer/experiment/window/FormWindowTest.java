@@ -10,10 +10,10 @@ import java.util.concurrent.FutureTask;
 import javax.swing.JButton;
 import javax.swing.JFrame;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.enricher.driving.Hands;
+import org.selectiverenderer.enricher.robot.GuiRobot;
 import org.selectiverenderer.experiment.session.StudyMaterial;
-import org.selectiverenderer.testing.OpenWindow;
 import org.selectiverenderer.testing.ShowsWindows;
+import org.selectiverenderer.testing.WindowFinder;
 
 /** The form before a session. */
 @ShowsWindows
@@ -23,19 +23,19 @@ class FormWindowTest extends SessionWindowFixture {
     StudyMaterial material = form("en");
     List<String> heard = new CopyOnWriteArrayList<>();
     FutureTask<Boolean> asked = asking(material, material.form(), true, heard);
-    JFrame form = OpenWindow.named(hands, "questionnaire");
-    JButton begin = Hands.named(form, "Begin", JButton.class);
+    JFrame form = WindowFinder.named(hands, "questionnaire");
+    JButton begin = GuiRobot.named(form, "Begin", JButton.class);
     choose(form, "Age: 28-32", heard);
-    assertThat(Hands.onEdt(begin::isEnabled)).isFalse();
+    assertThat(GuiRobot.onEdt(begin::isEnabled)).isFalse();
     String consent = material.form().questions().get(0).text();
     choose(form, consent + ": No", heard);
-    assertThat(Hands.onEdt(begin::isEnabled)).as("who does not consent").isFalse();
+    assertThat(GuiRobot.onEdt(begin::isEnabled)).as("who does not consent").isFalse();
     pictures(form, "session-form-refused");
     choose(form, consent + ": Yes", heard);
     hands.await("Begin", begin::isEnabled);
     pictures(form, "session-form");
-    OpenWindow.click(hands, begin, () -> !form.isShowing());
-    assertThat(OpenWindow.answer(asked)).isTrue();
+    WindowFinder.click(hands, begin, () -> !form.isShowing());
+    assertThat(WindowFinder.answer(asked)).isTrue();
     assertThat(heard).containsExactly("age 28-32", "consent no", "consent yes");
     assertThat(places).containsExactly(2, 1, 1);
   }
@@ -44,9 +44,10 @@ class FormWindowTest extends SessionWindowFixture {
   void theTemplatesConsentStandsOnAPageOfItsOwnAndMustBeGivenInFull() throws IOException {
     StudyMaterial material = material("en");
     FutureTask<Boolean> asked = asking(material, material.form(), true, new ArrayList<>());
-    JFrame form = OpenWindow.named(hands, "questionnaire");
+    JFrame form = WindowFinder.named(hands, "questionnaire");
     assertThat(pages).hasSize(1);
-    assertThat(Hands.onEdt(Hands.named(form, "Continue", JButton.class)::isEnabled)).isFalse();
+    assertThat(GuiRobot.onEdt(GuiRobot.named(form, "Continue", JButton.class)::isEnabled))
+        .isFalse();
     pictures(form, "session-consent");
     assertThat(asked.isDone()).isFalse();
   }
@@ -55,24 +56,24 @@ class FormWindowTest extends SessionWindowFixture {
   void theFormSaysWhoDoesNotTakePart() throws IOException {
     StudyMaterial material = form("el");
     FutureTask<Boolean> asked = asking(material, material.form(), true, new ArrayList<>());
-    JFrame form = OpenWindow.named(hands, "questionnaire");
+    JFrame form = WindowFinder.named(hands, "questionnaire");
     pictures(form, "session-form-greek");
-    JButton cancel = Hands.named(form, material.wording().of("form.cancel"), JButton.class);
-    OpenWindow.click(hands, cancel, () -> !form.isShowing());
-    assertThat(OpenWindow.answer(asked)).isFalse();
+    JButton cancel = GuiRobot.named(form, material.wording().of("form.cancel"), JButton.class);
+    WindowFinder.click(hands, cancel, () -> !form.isShowing());
+    assertThat(WindowFinder.answer(asked)).isFalse();
   }
 
   @Test
   void closingTheFormAsksAndTheFormGoesWithTheSessionOnly() throws IOException {
     StudyMaterial material = form("en");
     FutureTask<Boolean> asked = asking(material, material.form(), true, new ArrayList<>());
-    JFrame form = OpenWindow.named(hands, "questionnaire");
-    OpenWindow.close(form);
+    JFrame form = WindowFinder.named(hands, "questionnaire");
+    WindowFinder.close(form);
     hands.await("the question", () -> closings.get() == 1);
-    assertThat(Hands.onEdt(form::isShowing)).isTrue();
+    assertThat(GuiRobot.onEdt(form::isShowing)).isTrue();
     assertThat(asked.isDone()).isFalse();
     over.set(true);
-    assertThat(OpenWindow.answer(asked)).isFalse();
+    assertThat(WindowFinder.answer(asked)).isFalse();
     hands.await("the form to go", () -> !form.isShowing());
   }
 }

@@ -20,13 +20,13 @@ import javax.swing.text.JTextComponent;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.selectiverenderer.base.problem.Problems;
-import org.selectiverenderer.enricher.driving.Hands;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.enricher.robot.GuiRobot;
 import org.selectiverenderer.experiment.questionnaire.Question;
 import org.selectiverenderer.experiment.questionnaire.Questionnaire;
 import org.selectiverenderer.experiment.session.StudyMaterial;
-import org.selectiverenderer.testing.OpenWindow;
 import org.selectiverenderer.testing.ShowsWindows;
+import org.selectiverenderer.testing.WindowFinder;
 
 /** Pages of questions, answered by keys and by the mouse. */
 @ShowsWindows
@@ -41,24 +41,24 @@ class QuestionnaireWindowTest extends SessionWindowFixture {
             .orElseThrow();
     List<String> heard = new CopyOnWriteArrayList<>();
     FutureTask<Boolean> asked = asking(material, closing, false, heard);
-    JFrame window = OpenWindow.named(hands, "questionnaire");
+    JFrame window = WindowFinder.named(hands, "questionnaire");
     Question changes = closing.questions().get(1);
     choose(window, changes.text() + ": Yes", heard);
-    JTextComponent which = Hands.named(window, "What changed?", JTextComponent.class);
+    JTextComponent which = GuiRobot.named(window, "What changed?", JTextComponent.class);
     hands.await("what changed", which::isShowing);
     JScrollPane rows =
-        Hands.onEdt(
+        GuiRobot.onEdt(
             () ->
                 (JScrollPane)
                     SwingUtilities.getAncestorOfClass(
                         JScrollPane.class,
                         SwingUtilities.getAncestorOfClass(JScrollPane.class, which)));
-    assertThat(Hands.onEdt(rows.getVerticalScrollBar()::isShowing)).isFalse();
-    String read = Hands.onEdt(() -> texts(window.getContentPane()));
+    assertThat(GuiRobot.onEdt(rows.getVerticalScrollBar()::isShowing)).isFalse();
+    String read = GuiRobot.onEdt(() -> texts(window.getContentPane()));
     assertThat(read).as("Enter begins a line").contains("Ctrl+Enter");
     pictures(window, "session-closing");
     over.set(true);
-    assertThat(OpenWindow.answer(asked)).isFalse();
+    assertThat(WindowFinder.answer(asked)).isFalse();
   }
 
   private static String texts(Container in) {
@@ -77,7 +77,7 @@ class QuestionnaireWindowTest extends SessionWindowFixture {
     Questionnaire screen = desk(material);
     List<String> heard = new CopyOnWriteArrayList<>();
     FutureTask<Boolean> asked = asking(material, screen, false, heard);
-    JFrame window = OpenWindow.named(hands, "questionnaire");
+    JFrame window = WindowFinder.named(hands, "questionnaire");
     focus(window);
     List<String> expected = new ArrayList<>();
     for (int row = 0; row < screen.questions().size(); row++) {
@@ -96,7 +96,7 @@ class QuestionnaireWindowTest extends SessionWindowFixture {
       }
     }
     hands.press(KeyEvent.VK_ENTER);
-    assertThat(OpenWindow.answer(asked)).isTrue();
+    assertThat(WindowFinder.answer(asked)).isTrue();
     assertThat(heard).isEqualTo(expected);
     assertThat(times).allMatch(ms -> ms >= 0);
     assertThat(places.get(places.size() - 1)).isEqualTo(screen.questions().size());
@@ -116,28 +116,30 @@ class QuestionnaireWindowTest extends SessionWindowFixture {
     Question last = screen.questions().get(screen.questions().size() - 1);
     List<String> heard = new CopyOnWriteArrayList<>();
     FutureTask<Boolean> asked = asking(material, screen, false, heard);
-    JFrame window = OpenWindow.named(hands, "questionnaire");
+    JFrame window = WindowFinder.named(hands, "questionnaire");
     for (String button : List.of(": Yes", ": 3", ": No")) {
       choose(window, last.text() + button, heard);
     }
     assertThat(heard).containsExactly(last.id() + " yes", last.id() + " yes3", last.id() + " no3");
-    assertThat(Hands.onEdt(Hands.named(window, "Continue", JButton.class)::isEnabled)).isFalse();
-    OpenWindow.close(window);
+    assertThat(GuiRobot.onEdt(GuiRobot.named(window, "Continue", JButton.class)::isEnabled))
+        .isFalse();
+    WindowFinder.close(window);
     hands.await("the question", () -> closings.get() == 1);
     assertThat(asked.isDone()).isFalse();
     over.set(true);
-    assertThat(OpenWindow.answer(asked)).isFalse();
+    assertThat(WindowFinder.answer(asked)).isFalse();
   }
 
   @Test
   void expectancyIsRatedFromOneToSix() throws IOException {
     material("en");
     StudyMaterial pilot =
-        StudyMaterial.read(folder.resolve("study/pilot/study.json"), new Problems()).orElseThrow();
+        StudyMaterial.read(folder.resolve("study/pilot/study.json"), new ProblemCollector())
+            .orElseThrow();
     Questionnaire screen = pilot.questionnaires("001").get(1); // The first is the example.
     List<String> heard = new CopyOnWriteArrayList<>();
     FutureTask<Boolean> asked = asking(pilot, screen, false, heard);
-    JFrame window = OpenWindow.named(hands, "questionnaire");
+    JFrame window = WindowFinder.named(hands, "questionnaire");
     focus(window);
     hands.press(KeyEvent.VK_6);
     hands.press(KeyEvent.VK_7);
@@ -149,7 +151,7 @@ class QuestionnaireWindowTest extends SessionWindowFixture {
         .containsExactly(
             screen.questions().get(0).id() + " 6", screen.questions().get(2).id() + " 1");
     over.set(true);
-    assertThat(OpenWindow.answer(asked)).isFalse();
+    assertThat(WindowFinder.answer(asked)).isFalse();
   }
 
   private StudyMaterial ofKinds(String questionnaire) throws IOException {
@@ -161,7 +163,7 @@ class QuestionnaireWindowTest extends SessionWindowFixture {
         {"name": "Kinds", "conditions": ["high"], "participants": 1,
          "questionnaires": [{"file": "all.json"}]}
         """);
-    return StudyMaterial.read(file, new Problems()).orElseThrow();
+    return StudyMaterial.read(file, new ProblemCollector()).orElseThrow();
   }
 
   @Test
@@ -190,7 +192,7 @@ class QuestionnaireWindowTest extends SessionWindowFixture {
     List<String> heard = new CopyOnWriteArrayList<>();
     FutureTask<Boolean> asked =
         asking(material, material.questionnaires("001").get(0), false, heard);
-    JFrame window = OpenWindow.named(hands, "questionnaire");
+    JFrame window = WindowFinder.named(hands, "questionnaire");
     focus(window);
     hands.press(KeyEvent.VK_ENTER);
     hands.await("the second page", () -> pages.size() == 2);
@@ -233,11 +235,11 @@ class QuestionnaireWindowTest extends SessionWindowFixture {
     hands.press(KeyEvent.VK_1);
     hands.await("small", () -> heard.contains("size 1"));
     hands.press(KeyEvent.VK_ENTER);
-    assertThat(OpenWindow.answer(asked)).isTrue();
+    assertThat(WindowFinder.answer(asked)).isTrue();
     assertThat(pages).containsExactly("read", "ask", "feel", "ask", "feel");
   }
 
   private static JTextComponent named(JFrame window, String name) {
-    return Hands.named(window, name, JTextComponent.class);
+    return GuiRobot.named(window, name, JTextComponent.class);
   }
 }

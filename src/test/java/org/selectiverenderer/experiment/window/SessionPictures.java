@@ -17,16 +17,16 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.selectiverenderer.base.problem.Problems;
-import org.selectiverenderer.enricher.driving.Hands;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.enricher.robot.GuiRobot;
 import org.selectiverenderer.experiment.questionnaire.Questionnaire;
-import org.selectiverenderer.experiment.session.OperatorControls;
+import org.selectiverenderer.experiment.session.ExperimenterControls;
 import org.selectiverenderer.experiment.session.Session;
 import org.selectiverenderer.experiment.session.SessionOptions;
 import org.selectiverenderer.experiment.session.StudyMaterial;
 import org.selectiverenderer.experiment.study.StudyTemplate;
-import org.selectiverenderer.testing.OpenWindow;
 import org.selectiverenderer.testing.ShowsWindows;
+import org.selectiverenderer.testing.WindowFinder;
 
 /**
  * Pictures of a session's windows with the template's study, for the manual: {@code
@@ -40,7 +40,7 @@ class SessionPictures extends SessionWindowFixture {
 
   private StudyMaterial template() throws IOException {
     Path file = StudyTemplate.write(folder.resolve("study"), Path.of("scenes/apartment.x3d"));
-    return StudyMaterial.read(file, new Problems()).orElseThrow();
+    return StudyMaterial.read(file, new ProblemCollector()).orElseThrow();
   }
 
   private static Questionnaire asked(StudyMaterial material, String id) {
@@ -65,13 +65,13 @@ class SessionPictures extends SessionWindowFixture {
     Questionnaire shown = asked(material, questionnaire);
     List<String> heard = new CopyOnWriteArrayList<>();
     asking(material, shown, questionnaire.equals("form"), heard);
-    JFrame window = OpenWindow.named(hands, "questionnaire");
+    JFrame window = WindowFinder.named(hands, "questionnaire");
     if (!answer.isEmpty()) {
       choose(window, shown.questions().get(1).text() + answer, heard);
       hands.rest(500);
     }
     assertThat(pages).isNotEmpty();
-    Hands.picture(window.getContentPane(), name, SCALE);
+    GuiRobot.picture(window.getContentPane(), name, SCALE);
   }
 
   @Test
@@ -82,16 +82,16 @@ class SessionPictures extends SessionWindowFixture {
             "001",
             1,
             new SessionOptions(Optional.empty(), OptionalDouble.empty(), false, "test"),
-            new Problems())) {
-      OperatorControls controls = new OperatorControls(session.journal());
-      ControlWindow opened = ControlWindow.open(controls, DesktopPlace.USUAL);
+            new ProblemCollector())) {
+      ExperimenterControls controls = new ExperimenterControls(session.journal());
+      ControlWindow opened = ControlWindow.open(controls, MonitorBounds.USUAL);
       try {
-        JFrame window = OpenWindow.named(hands, "controls");
+        JFrame window = WindowFinder.named(hands, "controls");
         controls.status("exposure-kitchen: 20 s left");
-        JToggleButton pause = Hands.named(window, "Pause (F8)", JToggleButton.class);
+        JToggleButton pause = GuiRobot.named(window, "Pause (F8)", JToggleButton.class);
         hands.rest(1000);
-        assertThat(Hands.onEdt(pause::isShowing)).isTrue();
-        Hands.picture(window.getContentPane(), "session-controls", SCALE);
+        assertThat(GuiRobot.onEdt(pause::isShowing)).isTrue();
+        GuiRobot.picture(window.getContentPane(), "session-controls", SCALE);
       } finally {
         opened.close();
       }

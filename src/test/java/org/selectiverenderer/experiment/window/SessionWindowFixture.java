@@ -21,17 +21,17 @@ import javax.swing.JToggleButton;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.base.problem.Problems;
-import org.selectiverenderer.enricher.driving.Hands;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.enricher.robot.GuiRobot;
 import org.selectiverenderer.experiment.questionnaire.Answer;
-import org.selectiverenderer.experiment.questionnaire.Page;
 import org.selectiverenderer.experiment.questionnaire.Question;
 import org.selectiverenderer.experiment.questionnaire.Questionnaire;
-import org.selectiverenderer.experiment.questionnaire.QuestionnaireCourse;
+import org.selectiverenderer.experiment.questionnaire.QuestionnairePage;
+import org.selectiverenderer.experiment.questionnaire.QuestionnaireProgress;
 import org.selectiverenderer.experiment.session.StudyMaterial;
 import org.selectiverenderer.experiment.study.StudyTemplate;
-import org.selectiverenderer.testing.OpenWindow;
 import org.selectiverenderer.testing.RequiresDisplay;
+import org.selectiverenderer.testing.WindowFinder;
 
 /** Studies whose windows are driven as people drive them, and what was heard of the answers. */
 @RequiresDisplay
@@ -39,25 +39,25 @@ abstract class SessionWindowFixture {
   @TempDir Path folder;
   private static final int FEW_ROWS = 8;
 
-  final Hands hands = new Hands();
+  final GuiRobot hands = new GuiRobot();
   final AtomicBoolean over = new AtomicBoolean();
   final List<String> pages = new CopyOnWriteArrayList<>();
   final List<Integer> places = new CopyOnWriteArrayList<>();
   final List<Long> times = new CopyOnWriteArrayList<>();
-  final DesktopPlace desk = DesktopPlace.USUAL;
+  final MonitorBounds desk = MonitorBounds.USUAL;
   final AtomicInteger closings = new AtomicInteger();
-  final SessionEnd end = new SessionEnd(over::get, closings::incrementAndGet);
+  final SessionEndWatcher end = new SessionEndWatcher(over::get, closings::incrementAndGet);
 
   @BeforeEach
   void look() {
-    OpenWindow.closeAll();
-    Hands.onEdt(FlatLightLaf::setup);
+    WindowFinder.closeAll();
+    GuiRobot.onEdt(FlatLightLaf::setup);
   }
 
   @AfterEach
   void closeAll() {
     over.set(true);
-    OpenWindow.closeAll();
+    WindowFinder.closeAll();
   }
 
   StudyMaterial material(String language) throws IOException {
@@ -68,7 +68,7 @@ abstract class SessionWindowFixture {
             .replace("\"language\": \"en\"", "\"language\": \"" + language + "\""));
     shorten(file.resolveSibling("recognition.csv"), "desk,");
     shorten(file.resolveSibling("pilot/expectancy.csv"), "kitchen,");
-    return StudyMaterial.read(file, new Problems()).orElseThrow();
+    return StudyMaterial.read(file, new ProblemCollector()).orElseThrow();
   }
 
   /** Leaves few rows of a long list: each costs a robot's second. */
@@ -97,24 +97,24 @@ abstract class SessionWindowFixture {
          "questionnaires": [{"kind": "recognition", "items": "i.csv"}]}
         """
             .formatted(language));
-    return StudyMaterial.read(file, new Problems()).orElseThrow();
+    return StudyMaterial.read(file, new ProblemCollector()).orElseThrow();
   }
 
   static void pictures(JFrame frame, String name) {
-    Hands.picture(frame.getContentPane(), name, 1);
-    Hands.picture(frame.getContentPane(), name + "-200", 2);
+    GuiRobot.picture(frame.getContentPane(), name, 1);
+    GuiRobot.picture(frame.getContentPane(), name + "-200", 2);
   }
 
   FutureTask<Boolean> asking(
       StudyMaterial material, Questionnaire asked, boolean mayRefuse, List<String> heard) {
-    return OpenWindow.asking(
+    return WindowFinder.asking(
         () ->
             QuestionnaireWindow.ask(
                 new QuestionnaireWindow.Asking(
                     asked, material.wording(), "007", Map.of(), Optional.empty(), mayRefuse),
-                new QuestionnaireCourse.Listener() {
+                new QuestionnaireProgress.Listener() {
                   @Override
-                  public void shown(Page page, List<Question> questions) {
+                  public void shown(QuestionnairePage page, List<Question> questions) {
                     pages.add(page.id());
                   }
 
@@ -135,18 +135,18 @@ abstract class SessionWindowFixture {
 
   void choose(JFrame window, String name, List<String> heard) {
     int before = heard.size();
-    JToggleButton button = Hands.named(window, name, JToggleButton.class);
-    Hands.onEdt(
+    JToggleButton button = GuiRobot.named(window, name, JToggleButton.class);
+    GuiRobot.onEdt(
         () -> {
           button.scrollRectToVisible(new Rectangle(button.getSize()));
           return true;
         });
-    OpenWindow.click(hands, button, () -> heard.size() > before);
+    WindowFinder.click(hands, button, () -> heard.size() > before);
   }
 
   void focus(JFrame window) {
-    JLabel title = Hands.named(window, window.getTitle(), JLabel.class);
+    JLabel title = GuiRobot.named(window, window.getTitle(), JLabel.class);
     hands.click(title);
-    OpenWindow.click(hands, title, window::isFocused);
+    WindowFinder.click(hands, title, window::isFocused);
   }
 }

@@ -18,26 +18,26 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.base.problem.Problems;
-import org.selectiverenderer.enricher.driving.Hands;
-import org.selectiverenderer.experiment.questionnaire.Wording;
-import org.selectiverenderer.testing.OpenWindow;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.enricher.robot.GuiRobot;
+import org.selectiverenderer.experiment.questionnaire.ParticipantMessages;
 import org.selectiverenderer.testing.ShowsWindows;
+import org.selectiverenderer.testing.WindowFinder;
 
 @ShowsWindows
 class TrialWindowTest {
   @TempDir private Path folder;
-  private final Hands hands = new Hands();
+  private final GuiRobot hands = new GuiRobot();
 
   @BeforeEach
   void look() {
-    OpenWindow.closeAll();
-    Hands.onEdt(FlatLightLaf::setup);
+    WindowFinder.closeAll();
+    GuiRobot.onEdt(FlatLightLaf::setup);
   }
 
   @AfterEach
   void closeAll() {
-    OpenWindow.closeAll();
+    WindowFinder.closeAll();
   }
 
   private static TrialPage page(List<String> names) {
@@ -53,8 +53,9 @@ class TrialWindowTest {
   }
 
   private FutureTask<Optional<TrialWindow.Reply>> asking(TrialPage page) throws IOException {
-    Wording wording = Wording.of("en", folder, new Problems()).orElseThrow();
-    return OpenWindow.asking(
+    ParticipantMessages wording =
+        ParticipantMessages.of("en", folder, new ProblemCollector()).orElseThrow();
+    return WindowFinder.asking(
         () -> {
           TrialWindow window = TrialWindow.open(wording, "Pilot");
           return window.introduce("Which?", "Look at the pictures.")
@@ -64,9 +65,9 @@ class TrialWindowTest {
   }
 
   private JFrame begun() {
-    JFrame frame = OpenWindow.named(hands, "trial");
-    JButton begin = Hands.named(frame, "Begin", JButton.class);
-    OpenWindow.click(hands, begin, () -> !begin.isShowing());
+    JFrame frame = WindowFinder.named(hands, "trial");
+    JButton begin = GuiRobot.named(frame, "Begin", JButton.class);
+    WindowFinder.click(hands, begin, () -> !begin.isShowing());
     hands.await("the pictures", () -> shows(frame, "picture-1"));
     hands.rest(200);
     return frame;
@@ -89,7 +90,7 @@ class TrialWindowTest {
     hands.press(KeyEvent.VK_1); // Means nothing here.
     hands.press(KeyEvent.VK_RIGHT);
 
-    TrialWindow.Reply reply = OpenWindow.answer(asked).orElseThrow();
+    TrialWindow.Reply reply = WindowFinder.answer(asked).orElseThrow();
 
     assertThat(reply.choice()).isEqualTo(1);
     assertThat(reply.ms()).isPositive();
@@ -100,21 +101,21 @@ class TrialWindowTest {
     FutureTask<Optional<TrialWindow.Reply>> asked = asking(page(List.of("a", "b", "c", "d")));
     begun();
     hands.press(KeyEvent.VK_3);
-    assertThat(OpenWindow.answer(asked).orElseThrow().choice()).isEqualTo(2);
-    OpenWindow.closeAll();
+    assertThat(WindowFinder.answer(asked).orElseThrow().choice()).isEqualTo(2);
+    WindowFinder.closeAll();
 
     FutureTask<Optional<TrialWindow.Reply>> again = asking(page(List.of("a", "b", "c", "d")));
     begun();
     hands.press(KeyEvent.VK_0);
-    assertThat(OpenWindow.answer(again).orElseThrow().choice()).isEqualTo(TrialPage.NONE);
+    assertThat(WindowFinder.answer(again).orElseThrow().choice()).isEqualTo(TrialPage.NONE);
   }
 
   @Test
   void closingAsksWhetherThePilotIsToEnd() throws IOException {
     FutureTask<Optional<TrialWindow.Reply>> asked = asking(page(List.of()));
     JFrame frame = begun();
-    OpenWindow.close(frame);
-    OpenWindow.answerDialog(hands, "Yes");
-    assertThat(OpenWindow.answer(asked)).isEmpty();
+    WindowFinder.close(frame);
+    WindowFinder.answerDialog(hands, "Yes");
+    assertThat(WindowFinder.answer(asked)).isEmpty();
   }
 }

@@ -7,11 +7,11 @@ import java.util.Arrays;
 import java.util.Random;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
-class IndexedFaceSetTest extends GeometryTest {
+class IndexedFaceSetTest extends AbstractTessellatorTest {
   private static final float[] CUBE = {
     -1, -1, -1, 1, -1, -1, 1, 1, -1, -1, 1, -1, -1, -1, 1, 1, -1, 1, 1, 1, 1, -1, 1, 1
   };
@@ -31,9 +31,9 @@ class IndexedFaceSetTest extends GeometryTest {
     Mesh cube = cube();
     assertThat(cube.polygons()).isEqualTo(12);
     assertThat(cube.vertexCount()).isEqualTo(24);
-    assertThat(Measures.volume(cube)).isCloseTo(8, within(1e-6));
-    assertThat(Measures.euler(cube)).isEqualTo(2);
-    Measures.assertNormalsAgreeWithWinding(cube);
+    assertThat(MeshProperties.volume(cube)).isCloseTo(8, within(1e-6));
+    assertThat(MeshProperties.euler(cube)).isEqualTo(2);
+    MeshProperties.assertNormalsAgreeWithWinding(cube);
   }
 
   @Test
@@ -48,9 +48,9 @@ class IndexedFaceSetTest extends GeometryTest {
       assertThat(cube.vertexCount()).isEqualTo(8);
       double third = Math.sqrt(1.0 / 3);
       for (int i = 0; i < cube.indices().length; i++) {
-        double[] point = Measures.point(cube, i);
+        double[] point = MeshProperties.point(cube, i);
         // Weighting by angle makes it the diagonal, however the squares are split.
-        assertThat(Measures.normal(cube, i))
+        assertThat(MeshProperties.normal(cube, i))
             .containsExactly(
                 new double[] {point[0] * third, point[1] * third, point[2] * third}, within(1e-4));
       }
@@ -60,8 +60,8 @@ class IndexedFaceSetTest extends GeometryTest {
   @Test
   void clockwiseFacesAreTurnedRound() {
     Mesh cube = cube("ccw", false, "solid", false);
-    assertThat(Measures.volume(cube)).isCloseTo(-8, within(1e-6));
-    Measures.assertNormalsAgreeWithWinding(cube);
+    assertThat(MeshProperties.volume(cube)).isCloseTo(-8, within(1e-6));
+    MeshProperties.assertNormalsAgreeWithWinding(cube);
     assertThat(cube.solid()).isFalse();
   }
 
@@ -77,7 +77,7 @@ class IndexedFaceSetTest extends GeometryTest {
             "creaseAngle",
             3.2f);
     assertThat(both.vertexCount()).isEqualTo(8);
-    Measures.assertNormalsAgreeWithWinding(both);
+    MeshProperties.assertNormalsAgreeWithWinding(both);
   }
 
   @Test
@@ -92,11 +92,11 @@ class IndexedFaceSetTest extends GeometryTest {
               new int[] {4, 5, 0, 1, 2, 3, -1},
               "convex",
               convex);
-      assertThat(Measures.area(l)).isCloseTo(5, within(1e-6));
+      assertThat(MeshProperties.area(l)).isCloseTo(5, within(1e-6));
       assertThat(l.polygons()).isEqualTo(4);
       assertThat(l.vertexCount()).isEqualTo(6);
-      assertThat(Measures.normal(l, 0)).containsExactly(0, 0, 1);
-      Measures.assertNormalsAgreeWithWinding(l);
+      assertThat(MeshProperties.normal(l, 0)).containsExactly(0, 0, 1);
+      MeshProperties.assertNormalsAgreeWithWinding(l);
     }
   }
 
@@ -116,9 +116,9 @@ class IndexedFaceSetTest extends GeometryTest {
               coordinate(point),
               "coordIndex",
               new int[] {0, 1, 2, 3, 4, 5});
-      assertThat(Measures.area(l)).isCloseTo(5, within(1e-6));
-      assertThat(Measures.normal(l, 0)[(axis + 2) % 3]).isEqualTo(-1);
-      Measures.assertNormalsAgreeWithWinding(l);
+      assertThat(MeshProperties.area(l)).isCloseTo(5, within(1e-6));
+      assertThat(MeshProperties.normal(l, 0)[(axis + 2) % 3]).isEqualTo(-1);
+      MeshProperties.assertNormalsAgreeWithWinding(l);
     }
   }
 
@@ -144,7 +144,7 @@ class IndexedFaceSetTest extends GeometryTest {
     Mesh cube = cube("color", color(1, 0, 0, 0, 0, 1), "colorIndex", colorIndex);
     for (int i = 0; i < cube.indices().length; i++) {
       float blue = cube.colors()[4 * cube.indices()[i] + 2];
-      assertThat((double) blue).isEqualTo(Measures.point(cube, i)[2] > 0 ? 1 : 0);
+      assertThat((double) blue).isEqualTo(MeshProperties.point(cube, i)[2] > 0 ? 1 : 0);
     }
   }
 
@@ -189,9 +189,9 @@ class IndexedFaceSetTest extends GeometryTest {
             false,
             "normalIndex",
             new int[] {1, 0});
-    assertThat(Measures.normal(perFace, 0))
+    assertThat(MeshProperties.normal(perFace, 0))
         .containsExactly(new double[] {0, 0.6, 0.8}, within(1e-6));
-    assertThat(Measures.normal(perFace, 3)).containsExactly(0, 0, 1);
+    assertThat(MeshProperties.normal(perFace, 3)).containsExactly(0, 0, 1);
     assertThat(perFace.vertexCount()).isEqualTo(6);
   }
 
@@ -207,9 +207,9 @@ class IndexedFaceSetTest extends GeometryTest {
                 new int[] {0, 1, 2, -1},
                 "normal",
                 node("Normal", "vector", new float[] {0, 1, 0, 0, 0, 0, Float.NaN, 0, 0})));
-    assertThat(Measures.normal(mesh, 0)).containsExactly(0, 1, 0);
-    assertThat(Measures.normal(mesh, 1)).containsExactly(0, 0, 1);
-    assertThat(Measures.normal(mesh, 2)).containsExactly(0, 0, 1);
+    assertThat(MeshProperties.normal(mesh, 0)).containsExactly(0, 1, 0);
+    assertThat(MeshProperties.normal(mesh, 1)).containsExactly(0, 0, 1);
+    assertThat(MeshProperties.normal(mesh, 2)).containsExactly(0, 0, 1);
     assertThat(messages()).hasSize(1);
   }
 
@@ -310,7 +310,7 @@ class IndexedFaceSetTest extends GeometryTest {
             coordinate(0, 0, 0, 1, 0, 0, 1, 1, 0, 0.1f, 0.1f, 0.1f, 0.7f, 0.7f, 0.7f),
             "coordIndex",
             new int[] {0, 1, 2, -1, 0, 1, 1, -1, 0, 3, 4, -1});
-    Tessellation tessellation = tessellator.examine(node, problems).orElseThrow();
+    Tessellator.Tessellation tessellation = tessellator.examine(node, problems).orElseThrow();
     assertThat(tessellation.degenerateFaces()).isEqualTo(2);
     assertThat(tessellation.mesh().polygons()).isEqualTo(1);
     assertThat(problems.list()).isEmpty();
@@ -320,7 +320,7 @@ class IndexedFaceSetTest extends GeometryTest {
   void doubleCoordinatesAreDrawnToo() {
     NodeView coord = node("CoordinateDouble", "point", new double[] {0, 0, 0, 1, 0, 0, 0, 2, 0});
     Mesh mesh = mesh("IndexedFaceSet", "coord", coord, "coordIndex", new int[] {0, 1, 2});
-    assertThat(Measures.area(mesh)).isEqualTo(1);
+    assertThat(MeshProperties.area(mesh)).isEqualTo(1);
   }
 
   @Test
@@ -344,7 +344,7 @@ class IndexedFaceSetTest extends GeometryTest {
                     new int[] {0, 1, 2},
                     "normal",
                     node("Normal", "vector", normals)),
-                new Problems())
+                new ProblemCollector())
             .orElseThrow();
     assertThat(mesh.positions()).isSameAs(points);
     assertThat(mesh.normals()).isSameAs(normals);
@@ -386,7 +386,7 @@ class IndexedFaceSetTest extends GeometryTest {
       xyz[3 * i + 1] = (float) (radii[i % 3] * Math.sin(angle));
     }
     double area = 1000 * (0.9 + 0.18 + 0.2) * Math.sin(2 * Math.PI / 6000);
-    assertThat(Measures.area(face(xyz))).isCloseTo(area, within(1e-4));
+    assertThat(MeshProperties.area(face(xyz))).isCloseTo(area, within(1e-4));
     assertThat(messages()).isEmpty();
   }
 }

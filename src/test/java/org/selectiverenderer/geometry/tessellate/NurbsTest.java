@@ -10,7 +10,7 @@ import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
-class NurbsTest extends GeometryTest {
+class NurbsTest extends AbstractTessellatorTest {
   private static final float HALF = (float) Math.sqrt(0.5);
 
   /** The nine control points of a quarter of a sphere, as a revolved arc, homogeneous. */

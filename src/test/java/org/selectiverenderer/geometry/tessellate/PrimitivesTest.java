@@ -8,7 +8,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.geometry.mesh.Mesh;
 
-class PrimitivesTest extends GeometryTest {
+class PrimitivesTest extends AbstractTessellatorTest {
   /** Area of the polygon of 32 sides in a unit circle. */
   private static final double DISK = 16 * Math.sin(Math.PI / 16);
 
@@ -17,9 +17,9 @@ class PrimitivesTest extends GeometryTest {
     Mesh box = mesh("Box", "size", new float[] {2, 3, 4});
     assertThat(box.polygons()).isEqualTo(12);
     assertThat(box.vertexCount()).isEqualTo(24);
-    assertThat(Measures.volume(box)).isCloseTo(24, within(1e-5));
-    assertThat(Measures.area(box)).isCloseTo(52, within(1e-5));
-    assertThat(Measures.euler(box)).isEqualTo(2);
+    assertThat(MeshProperties.volume(box)).isCloseTo(24, within(1e-5));
+    assertThat(MeshProperties.area(box)).isCloseTo(52, within(1e-5));
+    assertThat(MeshProperties.euler(box)).isEqualTo(2);
     assertThat(box.bounds()).containsExactly(-1, -1.5f, -2, 1, 1.5f, 2);
     assertThat(box.solid()).isTrue();
   }
@@ -28,18 +28,18 @@ class PrimitivesTest extends GeometryTest {
   @ValueSource(strings = {"Box", "Sphere", "Cone", "Cylinder"})
   void closedShapesAreClosedWithNormalsOutwards(String type) {
     Mesh mesh = mesh(type);
-    assertThat(Measures.euler(mesh)).isEqualTo(2);
-    assertThat(Measures.volume(mesh)).isPositive();
-    Measures.assertNormalsAgreeWithWinding(mesh);
+    assertThat(MeshProperties.euler(mesh)).isEqualTo(2);
+    assertThat(MeshProperties.volume(mesh)).isPositive();
+    MeshProperties.assertNormalsAgreeWithWinding(mesh);
   }
 
   @Test
   void volumesComeCloseToTheRoundOnes() {
-    assertThat(Measures.volume(mesh("Sphere", "radius", 2f)))
+    assertThat(MeshProperties.volume(mesh("Sphere", "radius", 2f)))
         .isCloseTo(4.0 / 3 * Math.PI * 8, within(1.0));
-    assertThat(Measures.volume(mesh("Cylinder", "radius", 2f, "height", 3f)))
+    assertThat(MeshProperties.volume(mesh("Cylinder", "radius", 2f, "height", 3f)))
         .isCloseTo(4 * DISK * 3, within(1e-4));
-    assertThat(Measures.volume(mesh("Cone", "bottomRadius", 2f, "height", 3f)))
+    assertThat(MeshProperties.volume(mesh("Cone", "bottomRadius", 2f, "height", 3f)))
         .isCloseTo(4 * DISK, within(1e-4));
   }
 
@@ -54,9 +54,9 @@ class PrimitivesTest extends GeometryTest {
   void partsCanBeLeftOut() {
     assertThat(mesh("Cylinder", "top", false).polygons()).isEqualTo(94);
     assertThat(mesh("Cylinder", "bottom", false, "side", false).polygons()).isEqualTo(30);
-    assertThat(Measures.normal(mesh("Cylinder", "bottom", false, "side", false), 0))
+    assertThat(MeshProperties.normal(mesh("Cylinder", "bottom", false, "side", false), 0))
         .containsExactly(0, 1, 0);
-    assertThat(Measures.normal(mesh("Cone", "side", false), 0)).containsExactly(0, -1, 0);
+    assertThat(MeshProperties.normal(mesh("Cone", "side", false), 0)).containsExactly(0, -1, 0);
     assertThat(mesh("Cone", "side", false, "bottom", false).isEmpty()).isTrue();
   }
 

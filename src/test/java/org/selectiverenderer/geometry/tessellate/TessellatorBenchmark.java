@@ -13,12 +13,15 @@ import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
-/** Triangles per microsecond of an IndexedFaceSet of 10,000 triangles: a sphere without poles. */
+/**
+ * Triangles per microsecond of an Tessellator.IndexedFaceSetTessellator of 10,000 triangles: a
+ * sphere without poles.
+ */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.Throughput)
 @OutputTimeUnit(TimeUnit.MICROSECONDS)
@@ -34,7 +37,7 @@ public class TessellatorBenchmark {
   public String normals;
 
   private final Tessellator tessellator = new Tessellator();
-  private final Problems problems = new Problems();
+  private final ProblemCollector problems = new ProblemCollector();
   private NodeView sphere;
 
   @Setup
@@ -58,10 +61,15 @@ public class TessellatorBenchmark {
       }
     }
     ParsedNode node =
-        GeometryTest.node(
-            "IndexedFaceSet", "coord", GeometryTest.coordinate(points), "coordIndex", index);
+        AbstractTessellatorTest.node(
+            "IndexedFaceSet",
+            "coord",
+            AbstractTessellatorTest.coordinate(points),
+            "coordIndex",
+            index);
     if (normals.equals("given")) {
-      node.put(node.type().indexOf("normal"), GeometryTest.node("Normal", "vector", points));
+      node.put(
+          node.type().indexOf("normal"), AbstractTessellatorTest.node("Normal", "vector", points));
     } else {
       node.put(node.type().indexOf("creaseAngle"), Float.valueOf(normals));
     }

@@ -9,7 +9,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.selectiverenderer.chart.ChartFile;
+import org.selectiverenderer.chart.ChartFileWriter;
 import org.selectiverenderer.polygon.count.SceneStatistics.ObjectCount;
 import org.selectiverenderer.polygon.count.SceneStatistics.ScopeCount;
 import org.selectiverenderer.polygon.count.SceneStatistics.StateCount;
@@ -51,11 +51,11 @@ final class PolygonsPage {
     for (ScopeCount room : statistics.scopes()) {
       String name = "polygons-" + room.scope().toLowerCase(Locale.ROOT) + ".svg";
       Path file = scratch.resolve(name);
-      ChartFile.of(file)
+      ChartFileWriter.of(file)
           .orElseThrow()
           .write(
               "Polygons of " + Path.of(statistics.scene()).getFileName(),
-              StatisticsCharts.of(
+              SceneStatisticsCharts.of(
                   new SceneStatistics(
                       statistics.scene(),
                       statistics.totalHigh(),
@@ -104,7 +104,7 @@ final class PolygonsPage {
     paragraph("%s of the thesis, and ours:".formatted(tables));
     row("state", "printed", "sum of the objects", "ours", "printed %", "ours %");
     row("---", "---:", "---:", "---:", "---:", "---:");
-    for (Thesis.Total total : Thesis.totals()) {
+    for (ThesisPolygonCounts.Total total : ThesisPolygonCounts.totals()) {
       if (total.area().equals(room)) {
         state(total, scope);
       }
@@ -116,7 +116,7 @@ final class PolygonsPage {
     Map<String, ObjectCount> ours =
         statistics.objectsOf(scope).stream()
             .collect(Collectors.toMap(ObjectCount::switchName, object -> object));
-    for (Thesis.Counted counted : Thesis.objects()) {
+    for (ThesisPolygonCounts.ThesisObject counted : ThesisPolygonCounts.objects()) {
       if (counted.area().equals(room)) {
         ObjectCount object = ours.get("Switch_" + title(counted.object()));
         row(
@@ -131,7 +131,7 @@ final class PolygonsPage {
     page.append('\n');
   }
 
-  private void state(Thesis.Total total, ScopeCount scope) {
+  private void state(ThesisPolygonCounts.Total total, ScopeCount scope) {
     String schemas = schemas(total.state());
     StateCount state =
         scope.states().stream()
@@ -162,7 +162,7 @@ final class PolygonsPage {
         """);
     row("state", "printed", "is, of 291,489", "printed %", "sum", "is, of 291,489");
     row("---", "---:", "---:", "---:", "---:", "---:");
-    for (Thesis.Total total : Thesis.totals()) {
+    for (ThesisPolygonCounts.Total total : ThesisPolygonCounts.totals()) {
       if (total.misprint()) {
         row(
             total.state(),

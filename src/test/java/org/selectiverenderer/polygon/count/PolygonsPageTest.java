@@ -10,7 +10,7 @@ import java.util.Map;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 
 /** docs/polygons.md and its pictures are what the program counts now. */
 class PolygonsPageTest {
@@ -24,8 +24,8 @@ class PolygonsPageTest {
   @BeforeAll
   static void makeAndUpdate() throws IOException {
     boolean standIn = Files.notExists(APARTMENT);
-    Path scene = standIn ? StandInApartment.write(folder) : APARTMENT;
-    SceneStatistics statistics = PolygonStatistics.of(scene, List.of(), new Problems());
+    Path scene = standIn ? SyntheticApartment.write(folder) : APARTMENT;
+    SceneStatistics statistics = ScenePolygonCounter.of(scene, List.of(), new ProblemCollector());
     files = new PolygonsPage(statistics).files(standIn, folder);
     if (Boolean.getBoolean("polygons.update")) {
       for (Map.Entry<String, String> file : files.entrySet()) {

@@ -5,7 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.polygon.count.SceneStatistics.ScopeCount;
 import org.selectiverenderer.polygon.count.SceneStatistics.StateCount;
 
@@ -25,13 +25,13 @@ final class SmallScene {
         + "\n</Scene></X3D>\n";
   }
 
-  static SceneStatistics count(Path folder, Problems problems, String... content)
+  static SceneStatistics count(Path folder, ProblemCollector problems, String... content)
       throws IOException {
-    return PolygonStatistics.of(write(folder, content), List.of(), problems);
+    return ScenePolygonCounter.of(write(folder, content), List.of(), problems);
   }
 
   static String shape(int triangles) {
-    return StandInApartment.band(triangles);
+    return SyntheticApartment.band(triangles);
   }
 
   /** A Switch that shows its last version; each version is "schemas:triangles". */

@@ -46,7 +46,7 @@ class StatisticsFormatsTest {
 
   @Test
   void text() {
-    assertThat(StatisticsText.of(SCENE))
+    assertThat(SceneStatisticsTextWriter.of(SCENE))
         .isEqualTo(
             """
             office.x3d: 291,500 polygons with all objects high
@@ -70,7 +70,7 @@ class StatisticsFormatsTest {
 
   @Test
   void csv() {
-    assertThat(StatisticsCsv.of(SCENE))
+    assertThat(SceneStatisticsCsvWriter.of(SCENE))
         .isEqualTo(
             """
             kind,scope,name,version,polygons,percent
@@ -88,7 +88,7 @@ class StatisticsFormatsTest {
 
   @Test
   void json() {
-    assertThat(StatisticsJson.of(SCENE))
+    assertThat(SceneStatisticsJsonWriter.of(SCENE))
         .isEqualToNormalizingWhitespace(
             """
             { "scene" : "office.x3d", "total_high" : 291500, "objects" : [ {

@@ -14,7 +14,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.polygon.count.SceneStatistics.ObjectCount;
 import org.selectiverenderer.polygon.count.SceneStatistics.ScopeCount;
 
@@ -38,8 +38,8 @@ class ThesisTablesTest {
 
   @BeforeAll
   static void count() throws IOException {
-    Problems problems = new Problems();
-    standIn = PolygonStatistics.of(StandInApartment.write(folder), List.of(), problems);
+    ProblemCollector problems = new ProblemCollector();
+    standIn = ScenePolygonCounter.of(SyntheticApartment.write(folder), List.of(), problems);
     assertThat(problems.list()).isEmpty();
   }
 
@@ -75,10 +75,13 @@ class ThesisTablesTest {
 
   @Test
   void twoPrintedTotalsAreMisprintsThatTheirOwnPercentagesContradict() {
-    List<Thesis.Total> misprints = Thesis.totals().stream().filter(Thesis.Total::misprint).toList();
+    List<ThesisPolygonCounts.Total> misprints =
+        ThesisPolygonCounts.totals().stream().filter(ThesisPolygonCounts.Total::misprint).toList();
 
-    assertThat(misprints).extracting(Thesis.Total::printed).containsExactly(76968L, 163608L);
-    for (Thesis.Total total : misprints) {
+    assertThat(misprints)
+        .extracting(ThesisPolygonCounts.Total::printed)
+        .containsExactly(76968L, 163608L);
+    for (ThesisPolygonCounts.Total total : misprints) {
       double printedPercent = PRINTED_PERCENT.get(schemas(total));
       assertThat(totals(standIn).get(key(total)))
           .isEqualTo(total.recomputed())
@@ -94,9 +97,9 @@ class ThesisTablesTest {
     assertThat(APARTMENT)
         .as("the apartment of the thesis; run the tests from the project's own folder")
         .isRegularFile();
-    Problems problems = new Problems();
+    ProblemCollector problems = new ProblemCollector();
 
-    SceneStatistics apartment = PolygonStatistics.of(APARTMENT, List.of(), problems);
+    SceneStatistics apartment = ScenePolygonCounter.of(APARTMENT, List.of(), problems);
 
     assertThat(problems.any()).as(problems.list().toString()).isFalse();
     assertThat(apartment.objects()).containsExactlyInAnyOrderElementsOf(objectsOfTheThesis());
@@ -104,7 +107,7 @@ class ThesisTablesTest {
   }
 
   private static List<ObjectCount> objectsOfTheThesis() {
-    return Thesis.objects().stream()
+    return ThesisPolygonCounts.objects().stream()
         .map(
             counted ->
                 new ObjectCount(
@@ -132,16 +135,16 @@ class ThesisTablesTest {
   }
 
   private static Map<String, Long> totalsOfTheThesis() {
-    return Thesis.totals().stream()
-        .collect(Collectors.toMap(ThesisTablesTest::key, Thesis.Total::recomputed));
+    return ThesisPolygonCounts.totals().stream()
+        .collect(Collectors.toMap(ThesisTablesTest::key, ThesisPolygonCounts.Total::recomputed));
   }
 
-  private static String key(Thesis.Total total) {
+  private static String key(ThesisPolygonCounts.Total total) {
     return title(total.area()) + ": " + schemas(total);
   }
 
   /** "DeskSchema and BookcaseSchema" in the order in which the sensors stand in the file. */
-  private static String schemas(Thesis.Total total) {
+  private static String schemas(ThesisPolygonCounts.Total total) {
     if (total.state().equals("all objects high")) {
       return "high";
     }

@@ -19,7 +19,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.catalogue.NodeView;
@@ -31,7 +31,7 @@ class ModelReaderTest {
 
   @TempDir Path folder;
 
-  private final Problems problems = new Problems();
+  private final ProblemCollector problems = new ProblemCollector();
   private final ModelReader reader = new ModelReader(NodeCatalogue.load());
 
   private Path write(String name, String text) throws IOException {
@@ -97,7 +97,7 @@ class ModelReaderTest {
 
     Mesh mesh = model.parts().get(0).mesh();
     for (int i = 0; i < mesh.indices().length; i += 3) {
-      double[] face = FaceNormal.of(mesh.positions(), mesh.indices(), i);
+      double[] face = MeshWriter.FaceNormal.of(mesh.positions(), mesh.indices(), i);
       int at = 3 * mesh.indices()[i];
       double outwards = 0;
       for (int axis = 0; axis < 3; axis++) {

@@ -8,14 +8,14 @@ import java.nio.file.Path;
 import java.util.Locale;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.scenes.X3dDocument;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 
 class ModelWriterTest {
   @TempDir Path folder;
 
-  private final Problems problems = new Problems();
+  private final ProblemCollector problems = new ProblemCollector();
   private final ModelReader reader = new ModelReader(NodeCatalogue.load());
   private final ModelWriter writer = new ModelWriter();
 

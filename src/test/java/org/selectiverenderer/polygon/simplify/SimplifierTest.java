@@ -15,28 +15,30 @@ import org.selectiverenderer.geometry.mesh.Mesh;
 class SimplifierTest {
   private final Simplifier simplifier = new Simplifier();
 
-  private Simplified reduce(Mesh mesh, Goal goal) {
+  private SimplificationResult reduce(Mesh mesh, SimplificationTarget goal) {
     return simplifier.simplify(List.of(mesh), goal);
   }
 
   @ParameterizedTest
   @ValueSource(ints = {1000, 500, 100, 20, 4})
   void aBallMeetsItsCountAndStaysClosed(int polygons) {
-    Simplified reduced = reduce(Shapes.ball(29, 40), new Goal.Polygons(polygons));
+    SimplificationResult reduced =
+        reduce(TestMeshes.ball(29, 40), new SimplificationTarget.Polygons(polygons));
 
     assertThat(reduced.met()).isTrue();
     assertThat(reduced.polygons()).isCloseTo(polygons, within(Math.max(2, polygons / 100)));
     Mesh mesh = reduced.parts().get(0);
     assertThat(mesh.polygons()).isEqualTo(reduced.polygons());
-    assertThat(Shapes.edges(mesh).values()).containsOnly(2);
+    assertThat(TestMeshes.edges(mesh).values()).containsOnly(2);
   }
 
   @Test
   void aBallOf200PolygonsIsStillABall() {
-    Simplified reduced = reduce(Shapes.ball(29, 40), new Goal.Polygons(200));
+    SimplificationResult reduced =
+        reduce(TestMeshes.ball(29, 40), new SimplificationTarget.Polygons(200));
 
     Mesh mesh = reduced.parts().get(0);
-    assertThat(Shapes.volume(mesh)).isCloseTo(4.0 / 3 * Math.PI, within(0.25));
+    assertThat(TestMeshes.volume(mesh)).isCloseTo(4.0 / 3 * Math.PI, within(0.25));
     assertThat(reduced.error()).isBetween(0.001, 0.03);
     for (int v = 0; v < mesh.vertexCount(); v++) {
       double cosine = 0;
@@ -52,13 +54,14 @@ class SimplifierTest {
 
   @Test
   void aCubeComesDownToItsTwelveTrianglesWithoutError() {
-    Simplified reduced = reduce(Shapes.cube(10), new Goal.Polygons(12));
+    SimplificationResult reduced =
+        reduce(TestMeshes.cube(10), new SimplificationTarget.Polygons(12));
 
     assertThat(reduced.polygons()).isEqualTo(12);
     assertThat(reduced.vertices()).isEqualTo(8);
     assertThat(reduced.error()).isLessThan(1e-6);
     Mesh mesh = reduced.parts().get(0);
-    assertThat(Shapes.volume(mesh)).isCloseTo(1, within(1e-6));
+    assertThat(TestMeshes.volume(mesh)).isCloseTo(1, within(1e-6));
     for (int v = 0; v < mesh.vertexCount(); v++) {
       float[] normal = Arrays.copyOfRange(mesh.normals(), 3 * v, 3 * v + 3);
       assertThat(Math.abs(normal[0]) + Math.abs(normal[1]) + Math.abs(normal[2]))
@@ -69,10 +72,11 @@ class SimplifierTest {
 
   @Test
   void aFlatPartGivesMoreThanOneWithForm() {
-    Mesh flat = Shapes.field(0, 20, (x, z) -> 0, false);
-    Mesh waves = Shapes.field(3, 20, (x, z) -> 0.1 * Math.sin(9 * x) * Math.sin(9 * z), false);
+    Mesh flat = TestMeshes.field(0, 20, (x, z) -> 0, false);
+    Mesh waves = TestMeshes.field(3, 20, (x, z) -> 0.1 * Math.sin(9 * x) * Math.sin(9 * z), false);
 
-    Simplified reduced = simplifier.simplify(List.of(flat, waves), new Goal.Polygons(300));
+    SimplificationResult reduced =
+        simplifier.simplify(List.of(flat, waves), new SimplificationTarget.Polygons(300));
 
     assertThat(reduced.met()).isTrue();
     assertThat(reduced.parts().get(0).polygons()).isLessThan(20);
@@ -81,11 +85,13 @@ class SimplifierTest {
 
   @Test
   void materialsThatMeetStillMeetWithoutAGap() {
-    Shapes.Height hill = (x, z) -> 0.3 * Math.exp(-4 * ((x - 1) * (x - 1) + (z - 0.5) * (z - 0.5)));
-    Mesh left = Shapes.field(0, 20, hill, false);
-    Mesh right = Shapes.field(1, 20, hill, false);
+    TestMeshes.Height hill =
+        (x, z) -> 0.3 * Math.exp(-4 * ((x - 1) * (x - 1) + (z - 0.5) * (z - 0.5)));
+    Mesh left = TestMeshes.field(0, 20, hill, false);
+    Mesh right = TestMeshes.field(1, 20, hill, false);
 
-    Simplified reduced = simplifier.simplify(List.of(left, right), new Goal.Polygons(200));
+    SimplificationResult reduced =
+        simplifier.simplify(List.of(left, right), new SimplificationTarget.Polygons(200));
 
     assertThat(reduced.met()).isTrue();
     assertThat(border(reduced.parts().get(0)))
@@ -97,16 +103,16 @@ class SimplifierTest {
   private static List<String> border(Mesh mesh) {
     return IntStream.of(mesh.indices())
         .filter(v -> Math.abs(mesh.positions()[3 * v] - 1) < 0.01)
-        .mapToObj(v -> Shapes.point(mesh, v))
+        .mapToObj(v -> TestMeshes.point(mesh, v))
         .distinct()
         .toList();
   }
 
   @Test
   void aTextureStaysWhereItWas() {
-    Mesh field = Shapes.field(0, 24, (x, z) -> 0.1 * Math.sin(7 * x), true);
+    Mesh field = TestMeshes.field(0, 24, (x, z) -> 0.1 * Math.sin(7 * x), true);
 
-    Mesh mesh = reduce(field, new Goal.Polygons(150)).parts().get(0);
+    Mesh mesh = reduce(field, new SimplificationTarget.Polygons(150)).parts().get(0);
 
     for (int v = 0; v < mesh.vertexCount(); v++) {
       assertThat(mesh.texCoords()[2 * v]).isCloseTo(mesh.positions()[3 * v], within(0.03f));
@@ -116,14 +122,15 @@ class SimplifierTest {
 
   @Test
   void whereColoursChangeTheyStillChange() {
-    Mesh field = Shapes.field(0, 20, (x, z) -> 0, false);
+    Mesh field = TestMeshes.field(0, 20, (x, z) -> 0, false);
     float[] colors = new float[4 * field.vertexCount()];
     for (int v = 0; v < field.vertexCount(); v++) {
       colors[4 * v + (field.positions()[3 * v] < 0.475 ? 0 : 2)] = 1;
       colors[4 * v + 3] = 1;
     }
 
-    Simplified reduced = reduce(Shapes.with(field, colors, null), new Goal.Polygons(60));
+    SimplificationResult reduced =
+        reduce(TestMeshes.with(field, colors, null), new SimplificationTarget.Polygons(60));
 
     Mesh mesh = reduced.parts().get(0);
     for (int v = 0; v < mesh.vertexCount(); v++) {
@@ -136,13 +143,14 @@ class SimplifierTest {
 
   @Test
   void verticesAreDistinctPositions() {
-    assertThat(ModelSize.of(List.of(Shapes.cube(1)))).isEqualTo(new ModelSize(8, 12));
+    assertThat(ModelSize.of(List.of(TestMeshes.cube(1)))).isEqualTo(new ModelSize(8, 12));
   }
 
   @ParameterizedTest
   @ValueSource(ints = {600, 117, 12})
   void aNumberOfVerticesIsMet(int vertices) {
-    Simplified reduced = reduce(Shapes.ball(29, 40), new Goal.Vertices(vertices));
+    SimplificationResult reduced =
+        reduce(TestMeshes.ball(29, 40), new SimplificationTarget.Vertices(vertices));
 
     assertThat(reduced.met()).isTrue();
     assertThat(reduced.vertices()).isCloseTo(vertices, within(Math.max(2, vertices / 100)));
@@ -151,10 +159,13 @@ class SimplifierTest {
   @Test
   void aNumberOfVerticesIsMetByPiecesToo() {
     List<Mesh> pieces =
-        IntStream.range(0, 40).mapToObj(i -> Shapes.field(2 * i, 2, (x, z) -> 0, false)).toList();
+        IntStream.range(0, 40)
+            .mapToObj(i -> TestMeshes.field(2 * i, 2, (x, z) -> 0, false))
+            .toList();
 
     for (int vertices : new int[] {300, 161, 77, 12}) {
-      Simplified reduced = simplifier.simplify(pieces, new Goal.Vertices(vertices));
+      SimplificationResult reduced =
+          simplifier.simplify(pieces, new SimplificationTarget.Vertices(vertices));
       assertThat(reduced.met()).as("%d vertices", vertices).isTrue();
       assertThat(ModelSize.of(reduced.parts()).vertices()).isEqualTo(reduced.vertices());
     }
@@ -162,16 +173,17 @@ class SimplifierTest {
 
   @Test
   void aPercentageOfVerticesIsMet() {
-    Simplified reduced = reduce(Shapes.ball(29, 40), new Goal.VertexPercent(25));
+    SimplificationResult reduced =
+        reduce(TestMeshes.ball(29, 40), new SimplificationTarget.VertexPercent(25));
 
     assertThat(reduced.vertices()).isCloseTo(1162 / 4, within(3));
   }
 
   @Test
   void aHundredPercentIsTheModelItself() {
-    Mesh ball = Shapes.ball(9, 12);
+    Mesh ball = TestMeshes.ball(9, 12);
 
-    Simplified same = reduce(ball, new Goal.VertexPercent(100));
+    SimplificationResult same = reduce(ball, new SimplificationTarget.VertexPercent(100));
 
     assertThat(same.error()).isZero();
     assertThat(same.polygons()).isEqualTo(ball.polygons());
@@ -180,9 +192,9 @@ class SimplifierTest {
   @ParameterizedTest
   @ValueSource(doubles = {0.001, 0.01, 0.1, 2})
   void anErrorIsNotExceeded(double error) {
-    Mesh ball = Shapes.ball(29, 40);
+    Mesh ball = TestMeshes.ball(29, 40);
 
-    Simplified reduced = reduce(ball, new Goal.LargestError(error));
+    SimplificationResult reduced = reduce(ball, new SimplificationTarget.LargestError(error));
 
     assertThat(reduced.error()).isLessThanOrEqualTo(error);
     assertThat(reduced.polygons()).isBetween(1, error < 0.01 ? 2320 : 900);
@@ -192,7 +204,8 @@ class SimplifierTest {
   @ParameterizedTest
   @CsvSource({"0.001, 1960", "0.01, 340", "0.05, 75", "0.15, 30"})
   void anErrorAllowedIsMadeUseOf(double error, int polygons) {
-    Simplified reduced = reduce(Shapes.ball(29, 40), new Goal.LargestError(error));
+    SimplificationResult reduced =
+        reduce(TestMeshes.ball(29, 40), new SimplificationTarget.LargestError(error));
 
     assertThat(reduced.error()).isLessThanOrEqualTo(error);
     assertThat(reduced.polygons()).isLessThanOrEqualTo(polygons);
@@ -201,23 +214,23 @@ class SimplifierTest {
   /** As programs write a pole that compute sin(pi): a ring of vertices, each a hair off. */
   @Test
   void verticesThatAreNearlyTheSameCountAsOne() {
-    Mesh nearly = Shapes.ballWithPoleOfMany(30, 40, 1e-16);
-    Mesh exact = Shapes.ballWithPoleOfMany(30, 40, 0);
+    Mesh nearly = TestMeshes.ballWithPoleOfMany(30, 40, 1e-16);
+    Mesh exact = TestMeshes.ballWithPoleOfMany(30, 40, 0);
 
     for (int polygons : new int[] {100, 90, 80}) {
-      Simplified reduced = reduce(nearly, new Goal.Polygons(polygons));
+      SimplificationResult reduced = reduce(nearly, new SimplificationTarget.Polygons(polygons));
       assertThat(reduced.error())
           .as("%d polygons", polygons)
-          .isLessThan(1.5 * reduce(exact, new Goal.Polygons(polygons)).error());
+          .isLessThan(1.5 * reduce(exact, new SimplificationTarget.Polygons(polygons)).error());
     }
   }
 
   @Test
   void exactlyMeansExactly() {
-    Mesh field = Shapes.field(0, 12, (x, z) -> 0.1 * Math.sin(9 * x + 5 * z), false);
+    Mesh field = TestMeshes.field(0, 12, (x, z) -> 0.1 * Math.sin(9 * x + 5 * z), false);
 
     for (int polygons = 90; polygons < 100; polygons++) {
-      Simplified reduced = reduce(field, new Goal.Exactly(polygons));
+      SimplificationResult reduced = reduce(field, new SimplificationTarget.Exactly(polygons));
       assertThat(reduced.polygons()).isEqualTo(polygons);
       assertThat(reduced.met()).isTrue();
     }
@@ -225,7 +238,8 @@ class SimplifierTest {
 
   @Test
   void aClosedSurfaceCannotHaveAnOddCount() {
-    Simplified reduced = reduce(Shapes.ball(9, 12), new Goal.Exactly(101));
+    SimplificationResult reduced =
+        reduce(TestMeshes.ball(9, 12), new SimplificationTarget.Exactly(101));
 
     assertThat(reduced.met()).isFalse();
     assertThat(reduced.polygons()).isIn(100, 102);
@@ -234,9 +248,12 @@ class SimplifierTest {
   @Test
   void manyPiecesAreReducedBelowTheirNumber() {
     List<Mesh> pieces =
-        IntStream.range(0, 40).mapToObj(i -> Shapes.field(2 * i, 1, (x, z) -> 0, false)).toList();
+        IntStream.range(0, 40)
+            .mapToObj(i -> TestMeshes.field(2 * i, 1, (x, z) -> 0, false))
+            .toList();
 
-    Simplified reduced = simplifier.simplify(pieces, new Goal.Polygons(20));
+    SimplificationResult reduced =
+        simplifier.simplify(pieces, new SimplificationTarget.Polygons(20));
 
     assertThat(reduced.met()).isTrue();
     assertThat(reduced.parts()).hasSize(40).anyMatch(Mesh::isEmpty).anyMatch(m -> !m.isEmpty());
@@ -244,13 +261,16 @@ class SimplifierTest {
 
   @Test
   void theSameComesOutEveryTimeOnEveryThread() {
-    Mesh ball = Shapes.ball(20, 30);
-    Mesh once = reduce(ball, new Goal.Polygons(150)).parts().get(0);
+    Mesh ball = TestMeshes.ball(20, 30);
+    Mesh once = reduce(ball, new SimplificationTarget.Polygons(150)).parts().get(0);
 
     List<Mesh> others =
         IntStream.range(0, 8)
             .parallel()
-            .mapToObj(i -> new Simplifier().simplify(List.of(ball), new Goal.Polygons(150)))
+            .mapToObj(
+                i ->
+                    new Simplifier()
+                        .simplify(List.of(ball), new SimplificationTarget.Polygons(150)))
             .map(result -> result.parts().get(0))
             .toList();
 

@@ -8,12 +8,12 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import org.selectiverenderer.radiosity.LightStore;
-import org.selectiverenderer.radiosity.LitResults;
+import org.selectiverenderer.radiosity.LightStorageSettings;
+import org.selectiverenderer.radiosity.LightingFixtures;
 import org.selectiverenderer.radiosity.RadiositySettings;
-import org.selectiverenderer.radiosity.bake.Lit;
-import org.selectiverenderer.radiosity.scene.LightScene;
-import org.selectiverenderer.radiosity.scene.UnlitSceneException;
+import org.selectiverenderer.radiosity.bake.LightingResult;
+import org.selectiverenderer.radiosity.scene.RadiosityException;
+import org.selectiverenderer.radiosity.scene.RadiosityScene;
 
 /**
  * Renders a scene's light by path tracing and by radiosity from one viewpoint and tells how far
@@ -43,16 +43,16 @@ final class CompareLight {
   public static void main(String[] args) {
     try {
       new CompareLight(System.out).run(args);
-    } catch (IOException | UnlitSceneException | IllegalArgumentException e) {
+    } catch (IOException | RadiosityException | IllegalArgumentException e) {
       System.err.println("compare-light: " + e.getMessage());
       System.exit(2);
     }
   }
 
-  private void run(String[] args) throws IOException, UnlitSceneException {
+  private void run(String[] args) throws IOException, RadiosityException {
     Map<String, String> options = options(args);
-    SceneFile file = SceneFile.read(Path.of(options.get("")));
-    LightScene scene = file.scene();
+    ReferenceScene file = ReferenceScene.read(Path.of(options.get("")));
+    RadiosityScene scene = file.scene();
     String[] size = options.getOrDefault("--size", "480x320").split("x");
     if (size.length != 2) {
       throw new IllegalArgumentException("--size is WIDTHxHEIGHT in pixels, such as 480x320");
@@ -67,8 +67,8 @@ final class CompareLight {
     Path folder = Files.createDirectories(Path.of(options.getOrDefault("--out", "compare-light")));
     int seed = number("--seed", options.getOrDefault("--seed", "1"));
     int samples = number("--samples", options.getOrDefault("--samples", "256"));
-    ReferencePicture reference = trace(scene, hits, seed, samples, folder);
-    ComparisonPictures pictures = new ComparisonPictures(hits);
+    ReferenceImage reference = trace(scene, hits, seed, samples, folder);
+    ComparisonImages pictures = new ComparisonImages(hits);
     double[] wanted = reference.light();
     Files.write(folder.resolve("reference.pfm"), pictures.floats(wanted));
     String store = options.getOrDefault("--store", "textures");
@@ -81,10 +81,10 @@ final class CompareLight {
         usual.with(
             number("--rays", options.getOrDefault("--rays", "" + usual.rays())),
             percent(options.getOrDefault("--quality", "" + usual.quality())));
-    Lit lit = lit(scene, store, settings);
+    LightingResult lit = lit(scene, store, settings);
     out.printf(Locale.ROOT, "lit in %.0f s%n", (System.nanoTime() - begun) / 1e9);
-    double[] ours = LitPicture.reflected(scene, hits, Irradiance.of(lit));
-    double[] glow = LitPicture.glowing(scene, hits);
+    double[] ours = LightingResultRenderer.reflected(scene, hits, Irradiance.of(lit));
+    double[] glow = LightingResultRenderer.glowing(scene, hits);
     byte[] left = pictures.shown(sum(ours, glow), lit.curve());
     byte[] middle = pictures.shown(sum(wanted, glow), lit.curve());
     byte[] right = pictures.difference(ours, wanted);
@@ -92,30 +92,32 @@ final class CompareLight {
     Files.write(folder.resolve("reference.png"), pictures.png(middle));
     Files.write(folder.resolve("difference-" + store + ".png"), pictures.png(right));
     Files.write(folder.resolve("compared-" + store + ".png"), pictures.beside(left, middle, right));
-    out.print(Comparison.of(hits, ours, reference).text());
-    out.print(ObjectErrors.text(scene, hits, ours, wanted));
+    out.print(ImageErrorMetrics.of(hits, ours, reference).text());
+    out.print(SurfaceErrorReport.text(scene, hits, ours, wanted));
   }
 
-  private static Lit lit(LightScene scene, String store, RadiositySettings settings)
-      throws UnlitSceneException {
+  private static LightingResult lit(RadiosityScene scene, String store, RadiositySettings settings)
+      throws RadiosityException {
     return switch (store) {
-      case "textures" -> LitResults.inTextures(scene, settings);
-      case "vertices" -> LitResults.atVertices(scene, settings.with(LightStore.VERTICES));
+      case "textures" -> LightingFixtures.inTextures(scene, settings);
+      case "vertices" ->
+          LightingFixtures.atVertices(scene, settings.with(LightStorageSettings.VERTICES));
       default ->
           throw new IllegalArgumentException("--store is textures, vertices or none, not " + store);
     };
   }
 
   /** Goes on with what is in the folder until there are enough samples. */
-  private ReferencePicture trace(
-      LightScene scene, PrimaryHits hits, int seed, long samples, Path folder) throws IOException {
-    ReferencePicture picture = new ReferencePicture(scene, hits, seed);
+  private ReferenceImage trace(
+      RadiosityScene scene, PrimaryHits hits, int seed, long samples, Path folder)
+      throws IOException {
+    ReferenceImage picture = new ReferenceImage(scene, hits, seed);
     Path sums = folder.resolve("reference.sums");
     if (Files.exists(sums)) {
       picture.load(sums);
     }
     // Two at least, as noise is told by comparing halves.
-    int perPass = ReferencePicture.PATHS * hits.places();
+    int perPass = ReferenceImage.PATHS * hits.places();
     while (picture.samples() < Math.max(samples, 2 * perPass)) {
       long begun = System.nanoTime();
       picture.pass();

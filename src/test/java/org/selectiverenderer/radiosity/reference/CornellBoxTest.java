@@ -9,11 +9,11 @@ import java.util.List;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.radiosity.LightStore;
-import org.selectiverenderer.radiosity.LitResults;
+import org.selectiverenderer.radiosity.LightStorageSettings;
+import org.selectiverenderer.radiosity.LightingFixtures;
 import org.selectiverenderer.radiosity.RadiositySettings;
-import org.selectiverenderer.radiosity.bake.Lit;
-import org.selectiverenderer.radiosity.scene.LightScene;
+import org.selectiverenderer.radiosity.bake.LightingResult;
+import org.selectiverenderer.radiosity.scene.RadiosityScene;
 
 /** The Cornell box: its colours, its walls, and its light against paths. */
 class CornellBoxTest {
@@ -62,7 +62,7 @@ class CornellBoxTest {
 
   @Test
   void everySurfaceFacesTheInside() throws Exception {
-    LightScene scene = read().scene();
+    RadiosityScene scene = read().scene();
     double[] inside = {0.278, 0.27, 0.01};
     double[] blocks = {0.186, 0.08, 0.169, 0.368, 0.16, 0.351};
     for (int i = 0; i < scene.triangles().count(); i++) {
@@ -84,27 +84,29 @@ class CornellBoxTest {
 
   @Test
   void itsLightIsThatOfPathsWhereverItIsStored() throws Exception {
-    SceneFile box = read();
-    LightScene scene = box.scene();
+    ReferenceScene box = read();
+    RadiosityScene scene = box.scene();
     PrimaryHits hits = PrimaryHits.of(scene, box.view("Camera"), 16, 16, 2);
-    ReferencePicture reference = new ReferencePicture(scene, hits, 1);
+    ReferenceImage reference = new ReferenceImage(scene, hits, 1);
     for (int i = 0; i < 12; i++) {
       reference.pass();
     }
-    LightStore textures = new LightStore(LightStore.Kind.TEXTURES, OptionalDouble.of(60), 1, false);
-    for (Lit lit :
+    LightStorageSettings textures =
+        new LightStorageSettings(
+            LightStorageSettings.Kind.TEXTURES, OptionalDouble.of(60), 1, false);
+    for (LightingResult lit :
         List.of(
-            LitResults.atVertices(scene, QUICK),
-            LitResults.inTextures(scene, QUICK.with(textures)))) {
-      double[] ours = LitPicture.reflected(scene, hits, Irradiance.of(lit));
-      Comparison comparison = Comparison.of(hits, ours, reference);
+            LightingFixtures.atVertices(scene, QUICK),
+            LightingFixtures.inTextures(scene, QUICK.with(textures)))) {
+      double[] ours = LightingResultRenderer.reflected(scene, hits, Irradiance.of(lit));
+      ImageErrorMetrics comparison = ImageErrorMetrics.of(hits, ours, reference);
       String told = lit.getClass().getSimpleName() + "\n" + comparison.text();
       assertThat(comparison.error()).as(told).isLessThan(0.02 + comparison.noise());
       assertThat(comparison.bias()).as(told).isBetween(-0.02, 0.02);
     }
   }
 
-  private SceneFile read() throws Exception {
-    return SceneFile.read(Files.writeString(folder.resolve("box.x3d"), CornellBox.x3d()));
+  private ReferenceScene read() throws Exception {
+    return ReferenceScene.read(Files.writeString(folder.resolve("box.x3d"), CornellBox.x3d()));
   }
 }

@@ -1,8 +1,8 @@
 package org.selectiverenderer.radiosity.reference;
 
-import org.selectiverenderer.radiosity.bake.Lit;
-import org.selectiverenderer.radiosity.bake.LitScene;
-import org.selectiverenderer.radiosity.bake.TexelScene;
+import org.selectiverenderer.radiosity.bake.LightingResult;
+import org.selectiverenderer.radiosity.bake.LightmappedScene;
+import org.selectiverenderer.radiosity.bake.VertexLitScene;
 
 /** The light that a lit result has on the scene's surfaces. For several threads. */
 @FunctionalInterface
@@ -17,9 +17,9 @@ interface Irradiance {
   void at(int triangle, double u, double v, double[] out);
 
   /** The light of a result, wherever it is stored. */
-  static Irradiance of(Lit lit) {
-    return lit instanceof TexelScene texels
+  static Irradiance of(LightingResult lit) {
+    return lit instanceof LightmappedScene texels
         ? new PageIrradiance(texels)
-        : new VertexIrradiance((LitScene) lit);
+        : new VertexIrradiance((VertexLitScene) lit);
   }
 }

@@ -1,13 +1,13 @@
 package org.selectiverenderer.radiosity.reference;
 
 import org.selectiverenderer.radiosity.atlas.Atlas;
-import org.selectiverenderer.radiosity.bake.TexelScene;
+import org.selectiverenderer.radiosity.bake.LightmappedScene;
 
 /** Light at texels, between four of them as it is drawn. */
 final class PageIrradiance implements Irradiance {
-  private final TexelScene lit;
+  private final LightmappedScene lit;
 
-  PageIrradiance(TexelScene lit) {
+  PageIrradiance(LightmappedScene lit) {
     this.lit = lit;
   }
 

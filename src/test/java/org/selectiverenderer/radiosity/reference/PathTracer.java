@@ -1,9 +1,9 @@
 package org.selectiverenderer.radiosity.reference;
 
 import java.util.SplittableRandom;
-import org.selectiverenderer.radiosity.scene.LightScene;
+import org.selectiverenderer.radiosity.scene.RadiosityScene;
+import org.selectiverenderer.radiosity.trace.ObjectVersions;
 import org.selectiverenderer.radiosity.trace.Ray;
-import org.selectiverenderer.radiosity.trace.Versions;
 
 /**
  * Follows paths of light backwards (Kajiya 1986): at every surface a lamp is tried and a direction
@@ -20,11 +20,11 @@ final class PathTracer {
   private static final double LEAST_CHANCE = 0.05;
   private static final double MOST_CHANCE = 0.95;
 
-  private final LightScene scene;
-  private final Lights lights;
+  private final RadiosityScene scene;
+  private final SceneEmitters lights;
   private final Ray ray = new Ray();
   private final SurfacePoint at;
-  private final LightDraw draw = new LightDraw();
+  private final EmitterSample draw = new EmitterSample();
   private final double[] weights;
   private final double[] share = new double[3];
   private final double[] start = new double[3];
@@ -36,7 +36,7 @@ final class PathTracer {
   /** The random numbers of the first surface, which a caller may spread evenly. */
   record First(double lamp, double lampS, double lampT, double s, double t) {}
 
-  PathTracer(LightScene scene, Lights lights) {
+  PathTracer(RadiosityScene scene, SceneEmitters lights) {
     this.scene = scene;
     this.lights = lights;
     at = new SurfacePoint(scene);
@@ -70,8 +70,8 @@ final class PathTracer {
         start[axis] = at.place[axis] + scene.offset() * at.flat[axis];
       }
       tryLamp(numbers, sum);
-      Vectors.cosine(at.normal, numbers.s(), numbers.t(), direction);
-      if (Vectors.dot(direction, at.flat) <= 0 || !follow(random.nextDouble(), sum)) {
+      VectorMath.cosine(at.normal, numbers.s(), numbers.t(), direction);
+      if (VectorMath.dot(direction, at.flat) <= 0 || !follow(random.nextDouble(), sum)) {
         return;
       }
       for (int i = 0; i < 3; i++) {
@@ -115,14 +115,15 @@ final class PathTracer {
     if (!lights.get(lamp).draw(start, numbers.lampS(), numbers.lampT(), draw)) {
       return;
     }
-    double cosine = Vectors.dot(draw.towards, at.normal);
-    if (cosine <= 0 || Vectors.dot(draw.towards, at.flat) <= 0) {
+    double cosine = VectorMath.dot(draw.towards, at.normal);
+    if (cosine <= 0 || VectorMath.dot(draw.towards, at.flat) <= 0) {
       return;
     }
     ray.from(start, draw.towards);
     // A glowing surface is not in its own way.
     ray.length = draw.distance - 4 * scene.offset();
-    double passed = ray.length > 0 ? scene.visibility().transmittance(ray, Versions.FIXED) : 1;
+    double passed =
+        ray.length > 0 ? scene.visibility().transmittance(ray, ObjectVersions.FIXED) : 1;
     double chance = weights[lamp] / weightSum;
     double density = draw.density > 0 ? chance * draw.density + cosine / Math.PI : chance;
     for (int i = 0; i < 3; i++) {
@@ -135,11 +136,11 @@ final class PathTracer {
     ray.from(start, direction);
     ray.length = Double.POSITIVE_INFINITY;
     ray.pass = pass;
-    scene.visibility().nearest(ray, Versions.FIXED);
+    scene.visibility().nearest(ray, ObjectVersions.FIXED);
     boolean any = ray.triangle != Ray.NOTHING;
-    double density = Vectors.dot(direction, at.normal) / Math.PI;
+    double density = VectorMath.dot(direction, at.normal) / Math.PI;
     for (int lamp : lights.rectangles()) {
-      Light.Rectangle rectangle = lights.rectangle(lamp);
+      Emitter.Rectangle rectangle = lights.rectangle(lamp);
       double distance = rectangle.crossing(start, direction);
       if (distance < (any ? ray.length : Double.POSITIVE_INFINITY)) {
         double other = chance(lamp) * rectangle.density(distance, direction);
@@ -159,9 +160,10 @@ final class PathTracer {
       return false;
     }
     int lamp = lights.ofBody(at.body);
-    if (lamp != Lights.NONE) {
-      double area = ((Light.Glow) lights.get(lamp)).body().area();
-      double other = chance(lamp) * distance * distance / (area * -Vectors.dot(direction, at.flat));
+    if (lamp != SceneEmitters.NONE) {
+      double area = ((Emitter.Glow) lights.get(lamp)).body().area();
+      double other =
+          chance(lamp) * distance * distance / (area * -VectorMath.dot(direction, at.flat));
       for (int i = 0; i < 3; i++) {
         sum[i] += share[i] * at.glow[i] * density / (density + other);
       }

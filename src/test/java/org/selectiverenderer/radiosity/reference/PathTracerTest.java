@@ -2,14 +2,14 @@ package org.selectiverenderer.radiosity.reference;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
-import static org.selectiverenderer.radiosity.SmallScene.quad;
-import static org.selectiverenderer.radiosity.SmallScene.room;
+import static org.selectiverenderer.radiosity.TestScenes.quad;
+import static org.selectiverenderer.radiosity.TestScenes.room;
 
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.radiosity.SmallScene;
-import org.selectiverenderer.radiosity.scene.LightScene;
+import org.selectiverenderer.radiosity.TestScenes;
 import org.selectiverenderer.radiosity.scene.Photometry;
+import org.selectiverenderer.radiosity.scene.RadiosityScene;
 
 /** The reference itself against closed forms, conservation and the law of large numbers. */
 class PathTracerTest {
@@ -20,15 +20,15 @@ class PathTracerTest {
 
   /** Follows paths from evenly drawn places of some triangles. */
   private static final class Places {
-    final LightScene scene;
+    final RadiosityScene scene;
     final PathTracer tracer;
     final SplittableRandom random;
     final double[] sums;
     double area;
 
-    Places(LightScene scene, int from, int to, long seed) {
+    Places(RadiosityScene scene, int from, int to, long seed) {
       this.scene = scene;
-      tracer = new PathTracer(scene, new Lights(scene));
+      tracer = new PathTracer(scene, new SceneEmitters(scene));
       random = new SplittableRandom(seed);
       sums = new double[to - from];
       double[] normal = new double[3];
@@ -65,8 +65,8 @@ class PathTracerTest {
         random.nextDouble());
   }
 
-  private static double at(LightScene scene, double u, double v, int paths) {
-    PathTracer tracer = new PathTracer(scene, new Lights(scene));
+  private static double at(RadiosityScene scene, double u, double v, int paths) {
+    PathTracer tracer = new PathTracer(scene, new SceneEmitters(scene));
     SplittableRandom random = new SplittableRandom(1);
     double[] sum = new double[3];
     for (int i = 0; i < paths; i++) {
@@ -77,8 +77,8 @@ class PathTracerTest {
 
   @Test
   void inAFurnaceEverySurfaceHasTheSameLight() throws Exception {
-    LightScene scene =
-        SmallScene.read(room(0, 0, 0, 2, GREY + " emissiveColor='0.735 0.735 0.735'"));
+    RadiosityScene scene =
+        TestScenes.read(room(0, 0, 0, 2, GREY + " emissiveColor='0.735 0.735 0.735'"));
     double expected = Math.PI * HALF * Photometry.WHITE / (1 - HALF);
     for (int wall = 0; wall < 6; wall++) {
       double light = new Places(scene, 2 * wall, 2 * wall + 2, wall).irradiance(2 * wall, 20_000);
@@ -89,8 +89,8 @@ class PathTracerTest {
   /** Howell, A Catalog of Radiation Heat Transfer Configuration Factors, C-11: 0.19982. */
   @Test
   void lightBetweenParallelSquaresIsThatOfTheCatalogue() throws Exception {
-    LightScene scene =
-        SmallScene.read(
+    RadiosityScene scene =
+        TestScenes.read(
             quad("1 1 1, 2 1 1, 2 2 1, 1 2 1", BLACK)
                 + quad("1 1 2, 1 2 2, 2 2 2, 2 1 2", BLACK + " emissiveColor='1 1 1'"));
     double light = new Places(scene, 0, 2, 5).irradiance(0, 50_000);
@@ -100,7 +100,7 @@ class PathTracerTest {
 
   @Test
   void aPointLightFallsOffWithTheSquareAndTheCosine() throws Exception {
-    LightScene scene = SmallScene.read(FLOOR + "<PointLight location='3 4 0'/>");
+    RadiosityScene scene = TestScenes.read(FLOOR + "<PointLight location='3 4 0'/>");
     // The middle of the floor's diagonal, five metres from the lamp.
     double expected = 250 * Math.PI / 25 * 4 / 5;
     assertThat(at(scene, 0, 0.5, 10)).isCloseTo(expected, within(1e-3 * expected));
@@ -115,7 +115,7 @@ class PathTracerTest {
             + "<MetadataFloat containerField='value' name='size' value='2 2'/>"
             + "<MetadataFloat containerField='value' name='luminance' value='1000'/>"
             + "</MetadataSet></SpotLight>";
-    LightScene scene = SmallScene.read(FLOOR + lamp);
+    RadiosityScene scene = TestScenes.read(FLOOR + lamp);
     // Four quarters with sides of one metre, two centimetres away.
     double x = 1 / 0.02;
     double root = Math.sqrt(1 + x * x);
@@ -127,15 +127,16 @@ class PathTracerTest {
   void aPaneLetsThroughItsShare() throws Exception {
     String sun = "<DirectionalLight direction='0 -1 0'/>";
     String pane = quad("-5 1 5, 5 1 5, 5 1 -5, -5 1 -5", BLACK + " transparency='0.75'");
-    double free = at(SmallScene.read(FLOOR + sun), 0.3, 0.4, 10);
-    double less = at(SmallScene.read(FLOOR + pane + sun), 0.3, 0.4, 2000);
+    double free = at(TestScenes.read(FLOOR + sun), 0.3, 0.4, 10);
+    double less = at(TestScenes.read(FLOOR + pane + sun), 0.3, 0.4, 2000);
     assertThat(free).isCloseTo(250 * Math.PI, within(0.1));
     assertThat(less).isCloseTo(0.75 * free, within(1e-3 * free));
   }
 
   @Test
   void noLightIsLostInAClosedRoom() throws Exception {
-    LightScene scene = SmallScene.read(room(0, 0, 0, 4, GREY) + "<PointLight location='2 3 1'/>");
+    RadiosityScene scene =
+        TestScenes.read(room(0, 0, 0, 4, GREY) + "<PointLight location='2 3 1'/>");
     Places walls = new Places(scene, 0, 12, 9);
     double absorbed = (1 - HALF) * walls.irradiance(0, 60_000) * walls.area;
     assertThat(absorbed).isCloseTo(scene.lumens(), within(0.01 * scene.lumens()));
@@ -144,7 +145,8 @@ class PathTracerTest {
   /** Sixteen times as many paths have a quarter of the error, as white noise has. */
   @Test
   void theErrorFallsWithTheRootOfThePaths() throws Exception {
-    LightScene scene = SmallScene.read(room(0, 0, 0, 4, GREY) + "<PointLight location='2 3 1'/>");
+    RadiosityScene scene =
+        TestScenes.read(room(0, 0, 0, 4, GREY) + "<PointLight location='2 3 1'/>");
     Places walls = new Places(scene, 0, 2, 3);
     double few = deviation(walls, 32);
     double many = deviation(walls, 512);

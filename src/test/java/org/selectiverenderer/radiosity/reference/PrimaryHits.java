@@ -2,9 +2,9 @@ package org.selectiverenderer.radiosity.reference;
 
 import java.util.stream.IntStream;
 import org.joml.Vector3d;
-import org.selectiverenderer.radiosity.scene.LightScene;
+import org.selectiverenderer.radiosity.scene.RadiosityScene;
+import org.selectiverenderer.radiosity.trace.ObjectVersions;
 import org.selectiverenderer.radiosity.trace.Ray;
-import org.selectiverenderer.radiosity.trace.Versions;
 
 /**
  * What a picture shows: the places that rays through each pixel meet. Both the reference and the
@@ -21,7 +21,8 @@ record PrimaryHits(
   /** A step beyond a surface that shows nothing from behind, as a share of the extent. */
   private static final double STEP = 1e-6;
 
-  static PrimaryHits of(LightScene scene, SceneFile.View view, int width, int height, int side) {
+  static PrimaryHits of(
+      RadiosityScene scene, ReferenceScene.View view, int width, int height, int side) {
     int count = width * height * side * side;
     PrimaryHits hits =
         new PrimaryHits(
@@ -54,7 +55,7 @@ record PrimaryHits(
     return (double) met / places();
   }
 
-  private void look(LightScene scene, SceneFile.View view, int row) {
+  private void look(RadiosityScene scene, ReferenceScene.View view, int row) {
     Ray ray = new Ray();
     for (int column = 0; column < width; column++) {
       for (int k = 0; k < places(); k++) {
@@ -74,12 +75,12 @@ record PrimaryHits(
   }
 
   /** What is solid is not drawn from behind (X3D 4.0, 11.2.3 solid). */
-  private static void look(LightScene scene, Ray ray, Vector3d eye, Vector3d direction) {
+  private static void look(RadiosityScene scene, Ray ray, Vector3d eye, Vector3d direction) {
     Vector3d from = new Vector3d(eye);
     do {
       ray.from(from, direction);
       ray.length = Double.POSITIVE_INFINITY;
-      scene.visibility().nearest(ray, Versions.FIXED);
+      scene.visibility().nearest(ray, ObjectVersions.FIXED);
       if (ray.triangle != Ray.NOTHING) {
         from.fma(ray.length + STEP * scene.extent(), direction);
       }

@@ -2,7 +2,7 @@ package org.selectiverenderer.radiosity.reference;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
-import static org.selectiverenderer.radiosity.SmallScene.room;
+import static org.selectiverenderer.radiosity.TestScenes.room;
 
 import java.io.IOException;
 import java.nio.file.Path;
@@ -10,36 +10,36 @@ import java.util.concurrent.ForkJoinPool;
 import org.joml.Matrix4d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.radiosity.SmallScene;
-import org.selectiverenderer.radiosity.scene.LightScene;
+import org.selectiverenderer.radiosity.TestScenes;
+import org.selectiverenderer.radiosity.scene.RadiosityScene;
 
 /** Sums of passes: the same however they were come by. */
 class ReferencePictureTest {
-  private static final SceneFile.View VIEW =
-      new SceneFile.View("", "", new Matrix4d().translation(2, 2, 3.5), 1);
+  private static final ReferenceScene.View VIEW =
+      new ReferenceScene.View("", "", new Matrix4d().translation(2, 2, 3.5), 1);
 
   @TempDir private Path folder;
 
-  private static LightScene scene() throws Exception {
-    return SmallScene.read(
+  private static RadiosityScene scene() throws Exception {
+    return TestScenes.read(
         room(0, 0, 0, 4, "diffuseColor='0.7 0.5 0.3'") + "<PointLight location='2 3 1'/>");
   }
 
-  private static ReferencePicture picture(LightScene scene, int seed) {
-    return new ReferencePicture(scene, PrimaryHits.of(scene, VIEW, 6, 4, 2), seed);
+  private static ReferenceImage picture(RadiosityScene scene, int seed) {
+    return new ReferenceImage(scene, PrimaryHits.of(scene, VIEW, 6, 4, 2), seed);
   }
 
   @Test
   void whatIsGoneOnWithIsWhatWouldHaveBeen() throws Exception {
-    LightScene scene = scene();
-    ReferencePicture straight = picture(scene, 1);
+    RadiosityScene scene = scene();
+    ReferenceImage straight = picture(scene, 1);
     straight.pass();
     straight.pass();
     straight.pass();
-    ReferencePicture begun = picture(scene, 1);
+    ReferenceImage begun = picture(scene, 1);
     begun.pass();
     begun.save(folder.resolve("sums"));
-    ReferencePicture later = picture(scene, 1);
+    ReferenceImage later = picture(scene, 1);
     later.load(folder.resolve("sums"));
     later.pass();
     later.pass();
@@ -49,10 +49,10 @@ class ReferencePictureTest {
 
   @Test
   void oneProcessorGivesTheSameSumsAsMany() throws Exception {
-    LightScene scene = scene();
-    ReferencePicture many = picture(scene, 1);
+    RadiosityScene scene = scene();
+    ReferenceImage many = picture(scene, 1);
     many.pass();
-    ReferencePicture one = picture(scene, 1);
+    ReferenceImage one = picture(scene, 1);
     ForkJoinPool pool = new ForkJoinPool(1);
     try {
       pool.submit(one::pass).get();
@@ -64,8 +64,8 @@ class ReferencePictureTest {
 
   @Test
   void sumsOfAnotherSeedAreRefused() throws Exception {
-    LightScene scene = scene();
-    ReferencePicture one = picture(scene, 1);
+    RadiosityScene scene = scene();
+    ReferenceImage one = picture(scene, 1);
     one.pass();
     Path sums = folder.resolve("sums");
     one.save(sums);

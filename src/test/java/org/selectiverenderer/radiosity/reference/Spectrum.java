@@ -68,7 +68,7 @@ final class Spectrum {
     }
     double[] rgb = new double[3];
     for (int row = 0; row < 3; row++) {
-      rgb[row] = Vectors.dot(RGB[row], xyz) / white;
+      rgb[row] = VectorMath.dot(RGB[row], xyz) / white;
     }
     return rgb;
   }

@@ -1,7 +1,7 @@
 package org.selectiverenderer.radiosity.reference;
 
 import org.selectiverenderer.radiosity.scene.Body;
-import org.selectiverenderer.radiosity.scene.LightScene;
+import org.selectiverenderer.radiosity.scene.RadiosityScene;
 import org.selectiverenderer.radiosity.trace.Ray;
 
 /** A place on a surface, as seen from one of its sides; used again and again by one thread. */
@@ -24,9 +24,9 @@ final class SurfacePoint {
   /** False when it is seen from behind and has one side only: then it throws back nothing. */
   boolean front;
 
-  private final LightScene scene;
+  private final RadiosityScene scene;
 
-  SurfacePoint(LightScene scene) {
+  SurfacePoint(RadiosityScene scene) {
     this.scene = scene;
   }
 

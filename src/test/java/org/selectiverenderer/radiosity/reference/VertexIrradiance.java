@@ -1,19 +1,19 @@
 package org.selectiverenderer.radiosity.reference;
 
-import org.selectiverenderer.radiosity.bake.LitScene;
-import org.selectiverenderer.radiosity.mesh.Facets;
+import org.selectiverenderer.radiosity.bake.VertexLitScene;
+import org.selectiverenderer.radiosity.mesh.RadiosityMesh;
 import org.selectiverenderer.radiosity.trace.SceneTriangles;
 
 /** Light at the vertices of facets, interpolated between them as it is drawn. */
 final class VertexIrradiance implements Irradiance {
-  private final LitScene lit;
+  private final VertexLitScene lit;
 
   /** The facets of each triangle: where they begin in the list, and the list. */
   private final int[] first;
 
   private final int[] facets;
 
-  VertexIrradiance(LitScene lit) {
+  VertexIrradiance(VertexLitScene lit) {
     this.lit = lit;
     int[] source = lit.facets().source();
     first = new int[lit.scene().triangles().count() + 1];
@@ -36,7 +36,7 @@ final class VertexIrradiance implements Irradiance {
     double[] weights = new double[2];
     double[] own = new double[2];
     lit.scene().triangles().point(triangle, u, v, point);
-    Facets all = lit.facets();
+    RadiosityMesh all = lit.facets();
     int best = -1;
     double least = Double.POSITIVE_INFINITY;
     for (int i = first[triangle]; i < first[triangle + 1]; i++) {

@@ -4,8 +4,8 @@
  *
  * <pre>
  * scene, viewpoint -> PrimaryHits: what each pixel shows, at 16 places of it
- *   -> PathTracer, Lights: paths from there -> ReferencePicture: sums, kept in a file
- *   -> LitPicture: the light that the lit result has at the same places
+ *   -> PathTracer, Lights: paths from there -> ReferenceImage: sums, kept in a file
+ *   -> LightingResultRenderer: the light that the lit result has at the same places
  *   -> Comparison: errors, and pictures side by side
  * </pre>
  *

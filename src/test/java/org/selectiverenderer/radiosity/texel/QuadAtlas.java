@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.selectiverenderer.radiosity.atlas.Atlas;
-import org.selectiverenderer.radiosity.atlas.TexelMap;
+import org.selectiverenderer.radiosity.atlas.AtlasPage;
 import org.selectiverenderer.radiosity.scene.Body;
-import org.selectiverenderer.radiosity.scene.LightScene;
+import org.selectiverenderer.radiosity.scene.RadiosityScene;
 import org.selectiverenderer.radiosity.trace.SceneTriangles;
 
 /**
@@ -14,10 +14,10 @@ import org.selectiverenderer.radiosity.trace.SceneTriangles;
  * chart per rectangle, one above the other, with a row of no chart in between.
  */
 final class QuadAtlas {
-  private final LightScene scene;
+  private final RadiosityScene scene;
   private final double density;
 
-  private QuadAtlas(LightScene scene, double density) {
+  private QuadAtlas(RadiosityScene scene, double density) {
     this.scene = scene;
     this.density = density;
   }
@@ -25,9 +25,9 @@ final class QuadAtlas {
   /**
    * @param density texels per metre
    */
-  static Atlas of(LightScene scene, double density) {
+  static Atlas of(RadiosityScene scene, double density) {
     QuadAtlas maker = new QuadAtlas(scene, density);
-    List<TexelMap> pages = new ArrayList<>();
+    List<AtlasPage> pages = new ArrayList<>();
     List<Atlas.Layout> layouts = new ArrayList<>();
     for (Body body : scene.bodies()) {
       maker.page(body, pages, layouts);
@@ -76,7 +76,7 @@ final class QuadAtlas {
     return new Quad(across, up, corners);
   }
 
-  private void page(Body body, List<TexelMap> pages, List<Atlas.Layout> layouts) {
+  private void page(Body body, List<AtlasPage> pages, List<Atlas.Layout> layouts) {
     List<Quad> quads = new ArrayList<>();
     int width = 1;
     int height = 0;
@@ -91,8 +91,8 @@ final class QuadAtlas {
     float[] u = new float[width * height];
     float[] v = new float[width * height];
     float[] st = new float[6 * body.triangles()];
-    Arrays.fill(triangle, TexelMap.NONE);
-    Arrays.fill(chart, TexelMap.NONE);
+    Arrays.fill(triangle, AtlasPage.NONE);
+    Arrays.fill(chart, AtlasPage.NONE);
     int bottom = 0;
     double[] weights = new double[2];
     for (int q = 0; q < quads.size(); q++) {
@@ -120,6 +120,6 @@ final class QuadAtlas {
       bottom += quad.up() + 1;
     }
     layouts.add(new Atlas.Layout(pages.size(), st));
-    pages.add(new TexelMap(width, height, triangle, u, v, chart));
+    pages.add(new AtlasPage(width, height, triangle, u, v, chart));
   }
 }

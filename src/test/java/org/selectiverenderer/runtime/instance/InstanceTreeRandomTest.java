@@ -7,14 +7,14 @@ import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.selectiverenderer.runtime.Nodes;
+import org.selectiverenderer.runtime.TestNodes;
 import org.selectiverenderer.runtime.nodes.group.GroupingNode;
 import org.selectiverenderer.runtime.scene.Node;
 
 /** Random edits of a scene, several between updates, against a tree that is built afresh. */
 class InstanceTreeRandomTest {
-  private final Nodes nodes = new Nodes();
-  private final CountingAssets assets = new CountingAssets();
+  private final TestNodes nodes = new TestNodes();
+  private final CountingAssetProvider assets = new CountingAssetProvider();
   private final List<Node> groups = new ArrayList<>();
   private final List<Node> shapes = new ArrayList<>();
 

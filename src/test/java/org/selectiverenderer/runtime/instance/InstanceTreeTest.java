@@ -7,7 +7,7 @@ import java.util.Map;
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.runtime.Nodes;
+import org.selectiverenderer.runtime.TestNodes;
 import org.selectiverenderer.runtime.nodes.group.GroupingNode;
 import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.scene.Node;
@@ -15,8 +15,8 @@ import org.selectiverenderer.runtime.scene.Scene;
 
 class InstanceTreeTest {
   private static final Vector3d UP = new Vector3d(0, 1, 0);
-  private final Nodes nodes = new Nodes();
-  private final CountingAssets assets = new CountingAssets();
+  private final TestNodes nodes = new TestNodes();
+  private final CountingAssetProvider assets = new CountingAssetProvider();
 
   private InstanceTree tree(Node root) {
     return new InstanceTree((GroupingNode) root, assets);
@@ -306,8 +306,8 @@ class InstanceTreeTest {
 
   @Test
   void theBackdropLeavesOutWhatHasNoPartner() {
-    BackdropReader reader = new BackdropReader(assets);
-    Backdrop backdrop =
+    BackgroundReader reader = new BackgroundReader(assets);
+    Background backdrop =
         reader.read(
             nodes.node(
                 "Background",
@@ -324,7 +324,7 @@ class InstanceTreeTest {
     assertThat(backdrop.groundAngle()).isEmpty();
     assertThat(
             reader.read(nodes.node("TextureBackground", "skyColor", new float[0]), new Matrix4d()))
-        .extracting(Backdrop::plain)
+        .extracting(Background::plain)
         .isEqualTo(true);
   }
 }

@@ -24,7 +24,7 @@ import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.runtime.instance.Texture;
-import org.selectiverenderer.x3d.files.Content;
+import org.selectiverenderer.x3d.url.UrlContent;
 
 class ImageDecoderTest {
   @TempDir private Path folder;
@@ -35,7 +35,7 @@ class ImageDecoderTest {
     Path file = folder.resolve("a.png");
     ImageIO.write(image, "png", file.toFile());
     return ImageDecoder.read(
-        new Content.OfFile(file, file.toString()), new AtomicLong(Long.MAX_VALUE));
+        new UrlContent.OfFile(file, file.toString()), new AtomicLong(Long.MAX_VALUE));
   }
 
   @Test
@@ -65,7 +65,7 @@ class ImageDecoderTest {
             () -> {
               try {
                 return ImageDecoder.read(
-                    new Content.OfFile(pipe, "a.jpg"), new AtomicLong(Long.MAX_VALUE));
+                    new UrlContent.OfFile(pipe, "a.jpg"), new AtomicLong(Long.MAX_VALUE));
               } catch (IOException e) {
                 throw new UncheckedIOException(e);
               }
@@ -80,7 +80,7 @@ class ImageDecoderTest {
     Path file = folder.resolve("grey.png");
     ImageIO.write(image, "png", file.toFile());
     return ImageDecoder.read(
-        new Content.OfFile(file, file.toString()), new AtomicLong(Long.MAX_VALUE));
+        new UrlContent.OfFile(file, file.toString()), new AtomicLong(Long.MAX_VALUE));
   }
 
   @Test
@@ -107,7 +107,7 @@ class ImageDecoderTest {
     }
     Texture.Image image =
         ImageDecoder.read(
-            new Content.OfFile(file, file.toString()), new AtomicLong(Long.MAX_VALUE));
+            new UrlContent.OfFile(file, file.toString()), new AtomicLong(Long.MAX_VALUE));
     // Cyan, and a fifth of black.
     assertThat(image.components()).isEqualTo(3);
     assertThat(image.rgba()[0] & 0xff).isLessThan(4);
@@ -120,9 +120,10 @@ class ImageDecoderTest {
     AtomicLong budget = new AtomicLong(60);
     Path file = folder.resolve("a.png");
     ImageIO.write(new BufferedImage(2, 2, BufferedImage.TYPE_INT_RGB), "png", file.toFile());
-    assertThat(ImageDecoder.read(new Content.OfFile(file, file.toString()), budget).width())
+    assertThat(ImageDecoder.read(new UrlContent.OfFile(file, file.toString()), budget).width())
         .isEqualTo(2);
-    assertThatThrownBy(() -> ImageDecoder.read(new Content.OfFile(file, file.toString()), budget))
+    assertThatThrownBy(
+            () -> ImageDecoder.read(new UrlContent.OfFile(file, file.toString()), budget))
         .hasMessage("has 4 pixels, for which there is not enough memory");
     assertThat(budget).hasValue(12);
   }

@@ -11,15 +11,15 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.x3d.files.Content;
-import org.selectiverenderer.x3d.files.ContentBase;
+import org.selectiverenderer.x3d.url.BaseUrl;
+import org.selectiverenderer.x3d.url.UrlContent;
 
 class MovieReaderTest {
   private static final Path GIF =
       Path.of("src/test/resources/conformance/texturing/_movies/parts.gif");
 
   private static Optional<Movie> read(byte[] bytes, long budget) throws IOException {
-    Content content = new Content.OfBytes("key", "film", ContentBase.folder(Path.of("")), bytes);
+    UrlContent content = new UrlContent.OfBytes("key", "film", BaseUrl.folder(Path.of("")), bytes);
     return MovieReader.read(content, new AtomicLong(budget));
   }
 

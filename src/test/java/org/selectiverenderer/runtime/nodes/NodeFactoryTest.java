@@ -7,9 +7,9 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.geometry.tessellate.Tessellator;
-import org.selectiverenderer.runtime.Nodes;
+import org.selectiverenderer.runtime.TestNodes;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 class NodeFactoryTest {
@@ -17,15 +17,15 @@ class NodeFactoryTest {
 
   @Test
   void aNodeOfEveryTypeCanBeMade() {
-    for (NodeType type : Nodes.CATALOGUE.all()) {
-      assertThat(factory.make(type, null, Location.of("test")).type()).isSameAs(type);
+    for (NodeType type : TestNodes.CATALOGUE.all()) {
+      assertThat(factory.make(type, null, SourceLocation.of("test")).type()).isSameAs(type);
     }
   }
 
   @Test
   void whatIsTessellatedCountsAsActedOnAndNoOtherGeometryDoes() {
     Tessellator tessellator = new Tessellator();
-    for (NodeType type : Nodes.CATALOGUE.all()) {
+    for (NodeType type : TestNodes.CATALOGUE.all()) {
       if (type.is("X3DGeometryNode")) {
         assertThat(factory.actsOn(type)).as(type.name()).isEqualTo(tessellator.handles(type));
       }
@@ -55,7 +55,7 @@ class NodeFactoryTest {
 
   private String kept() {
     Map<String, List<NodeType>> components =
-        Nodes.CATALOGUE.all().stream()
+        TestNodes.CATALOGUE.all().stream()
             .collect(Collectors.groupingBy(NodeType::component, TreeMap::new, Collectors.toList()));
     StringBuilder text = new StringBuilder();
     components.forEach(

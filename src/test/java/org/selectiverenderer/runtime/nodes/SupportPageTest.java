@@ -16,7 +16,7 @@ import java.util.TreeMap;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.x3d.catalogue.FieldAccess;
+import org.selectiverenderer.x3d.catalogue.AccessType;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.catalogue.NodeType;
@@ -104,7 +104,7 @@ class SupportPageTest {
     for (NodeType type : catalogue.all()) {
       for (FieldDefinition field : type.fields()) {
         // An input that is no field of its own is taken by what it sets.
-        if (field.access() != FieldAccess.INPUT_ONLY
+        if (field.access() != AccessType.INPUT_ONLY
             && factory.actsOn(type)
             && isActedOn(type, field)
             && !named.contains(field.name())

@@ -11,12 +11,12 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.runtime.camera.Camera;
-import org.selectiverenderer.runtime.instance.Backdrop;
+import org.selectiverenderer.runtime.instance.Background;
 import org.selectiverenderer.testing.RequiresDisplay;
 
 @RequiresDisplay
 class CullingTest {
-  @AutoClose private final Studio studio = new Studio();
+  @AutoClose private final TestImageRenderer studio = new TestImageRenderer();
 
   private static TestScene balls() {
     Random random = new Random(7);
@@ -87,8 +87,8 @@ class CullingTest {
     Matrix4d all = new Matrix4d().setOrtho(-99, 99, -99, 99, -99, 99);
     long spared = 0;
     for (int trial = 0; trial < 20; trial++) {
-      Camera camera = Studio.perspective(looking(random));
-      byte[] culled = studio.shoot(scene, camera, Backdrop.BLACK, false, 0).rgba();
+      Camera camera = TestImageRenderer.perspective(looking(random));
+      byte[] culled = studio.shoot(scene, camera, Background.BLACK, false, 0).rgba();
       long few = studio.renderer.cull(List.of(camera)).indices();
       Camera everything = new Camera(new Matrix4d(), all, 0, 0, 64, 64);
       Camera behind = new Camera(new Matrix4d().rotateY(Math.PI), all, 0, 0, 64, 64);
@@ -101,10 +101,11 @@ class CullingTest {
 
   private byte[] shoot(TestScene scene, List<Camera> eyes) {
     GL3 gl = studio.gl();
-    var target = new org.selectiverenderer.runtime.render.context.OffscreenTarget(gl, 64, 64, 0);
+    var target =
+        new org.selectiverenderer.runtime.render.context.OffscreenFramebuffer(gl, 64, 64, 0);
     target.bind(gl);
     studio.renderer.prepare(gl, scene.tree());
-    studio.renderer.draw(gl, studio.renderer.cull(eyes), eyes.get(0), Backdrop.BLACK, false);
+    studio.renderer.draw(gl, studio.renderer.cull(eyes), eyes.get(0), Background.BLACK, false);
     byte[] rgba = target.read(gl).rgba();
     target.dispose(gl);
     return rgba;
@@ -116,8 +117,8 @@ class CullingTest {
     Random random = new Random(5);
     for (int trial = 0; trial < 10; trial++) {
       Matrix4d view = looking(random);
-      Camera left = Studio.perspective(view.translateLocal(0.5, 0, 0, new Matrix4d()));
-      Camera right = Studio.perspective(view.translateLocal(-0.5, 0, 0, new Matrix4d()));
+      Camera left = TestImageRenderer.perspective(view.translateLocal(0.5, 0, 0, new Matrix4d()));
+      Camera right = TestImageRenderer.perspective(view.translateLocal(-0.5, 0, 0, new Matrix4d()));
       assertThat(shoot(scene, List.of(left, right))).isEqualTo(shoot(scene, List.of(left)));
       assertThat(shoot(scene, List.of(right, left))).isEqualTo(shoot(scene, List.of(right)));
     }
@@ -129,9 +130,9 @@ class CullingTest {
         TestScene.of(
             "<Switch DEF='S' whichChoice='-1'><Shape><Box/></Shape></Switch><Shape><Box/></Shape>");
     studio.renderer.prepare(studio.gl(), scene.tree());
-    assertThat(studio.renderer.cull(List.of(Studio.parallel())).shapes()).isEqualTo(1);
+    assertThat(studio.renderer.cull(List.of(TestImageRenderer.parallel())).shapes()).isEqualTo(1);
     scene.set("S", "whichChoice", 0);
     studio.renderer.prepare(studio.gl(), scene.tree());
-    assertThat(studio.renderer.cull(List.of(Studio.parallel())).shapes()).isEqualTo(2);
+    assertThat(studio.renderer.cull(List.of(TestImageRenderer.parallel())).shapes()).isEqualTo(2);
   }
 }

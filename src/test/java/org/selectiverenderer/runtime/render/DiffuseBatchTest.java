@@ -7,9 +7,9 @@ import java.util.Locale;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import org.selectiverenderer.runtime.instance.Backdrop;
+import org.selectiverenderer.runtime.instance.Background;
 import org.selectiverenderer.runtime.render.context.Screenshot;
-import org.selectiverenderer.runtime.render.draw.Visible;
+import org.selectiverenderer.runtime.render.draw.VisibleSet;
 import org.selectiverenderer.testing.RequiresDisplay;
 
 /** Small lit shapes that differ in nothing but their diffuse colours. */
@@ -35,7 +35,7 @@ class DiffuseBatchTest {
 
   @ParameterizedTest
   @EnumSource(names = {"VERTEX", "PIXEL"})
-  void areDrawnTogetherEachInItsColour(Shading shading) {
+  void areDrawnTogetherEachInItsColour(ShadingMode shading) {
     TestScene scene =
         TestScene.of(
             square(-2, 0, "diffuseColor='1 0 0'")
@@ -44,9 +44,10 @@ class DiffuseBatchTest {
                 + square(2, 2, "diffuseColor='1 0 0' emissiveColor='0 0 .2'")
                 + square(-2, 2, "diffuseColor='0 .4 0' emissiveColor='0 0 .2'")
                 + square(0, 2, "diffuseColor='1 0 0' specularColor='0 0 1'"));
-    try (Studio studio = new Studio(shading)) {
-      Screenshot shot = studio.shoot(scene, Studio.parallel(), Backdrop.BLACK, true, 0);
-      assertThat(studio.renderer.cull(List.of(Studio.parallel())).calls())
+    try (TestImageRenderer studio = new TestImageRenderer(shading)) {
+      Screenshot shot =
+          studio.shoot(scene, TestImageRenderer.parallel(), Background.BLACK, true, 0);
+      assertThat(studio.renderer.cull(List.of(TestImageRenderer.parallel())).calls())
           .as("three plain ones, two that glow, one that shines")
           .isEqualTo(3);
       assertThat(List.of(at(shot, -2, 0), at(shot, 0, 0), at(shot, 2, 0)))
@@ -57,16 +58,17 @@ class DiffuseBatchTest {
 
   @ParameterizedTest
   @EnumSource(names = {"VERTEX", "PIXEL"})
-  void anotherColourTakesAShapeOutOfTheBatch(Shading shading) {
+  void anotherColourTakesAShapeOutOfTheBatch(ShadingMode shading) {
     TestScene scene =
         TestScene.of(
             square(-2, 0, "DEF='M' diffuseColor='1 0 0'")
                 + square(0, 0, "diffuseColor='0 1 0'")
                 + square(2, 0, "diffuseColor='0 0 1'"));
-    try (Studio studio = new Studio(shading)) {
-      studio.shoot(scene, Studio.parallel(), Backdrop.BLACK, true, 0);
+    try (TestImageRenderer studio = new TestImageRenderer(shading)) {
+      studio.shoot(scene, TestImageRenderer.parallel(), Background.BLACK, true, 0);
       scene.set("M", "diffuseColor", new float[] {1, 1, 0});
-      Screenshot shot = studio.shoot(scene, Studio.parallel(), Backdrop.BLACK, true, 0);
+      Screenshot shot =
+          studio.shoot(scene, TestImageRenderer.parallel(), Background.BLACK, true, 0);
       assertThat(List.of(at(shot, -2, 0), at(shot, 0, 0), at(shot, 2, 0)))
           .containsExactly(0xffff00, 0x00ff00, 0x0000ff);
     }
@@ -78,10 +80,15 @@ class DiffuseBatchTest {
     for (int i = 0; i < 8; i++) {
       scene.append(octahedron(2 * (i % 4) - 3, 2 * (i / 4) - 1, 0.1 * i));
     }
-    try (Studio studio = new Studio(Shading.VERTEX)) {
+    try (TestImageRenderer studio = new TestImageRenderer(ShadingMode.VERTEX)) {
       Screenshot shot =
-          studio.shoot(TestScene.of(scene.toString()), Studio.parallel(), Backdrop.BLACK, true, 0);
-      Visible seen = studio.renderer.cull(List.of(Studio.parallel()));
+          studio.shoot(
+              TestScene.of(scene.toString()),
+              TestImageRenderer.parallel(),
+              Background.BLACK,
+              true,
+              0);
+      VisibleSet seen = studio.renderer.cull(List.of(TestImageRenderer.parallel()));
       assertThat(seen.shapes()).isEqualTo(8);
       assertThat(seen.calls()).as("2,000 triangles at their finest, 64 from afar").isEqualTo(1);
       assertThat(at(shot, -3, -1) & 0xff).isPositive().isLessThan(at(shot, 3, 1) & 0xff);

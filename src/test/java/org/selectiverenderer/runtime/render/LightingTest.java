@@ -14,7 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.selectiverenderer.runtime.camera.Camera;
-import org.selectiverenderer.runtime.instance.Backdrop;
+import org.selectiverenderer.runtime.instance.Background;
 import org.selectiverenderer.runtime.render.context.Screenshot;
 import org.selectiverenderer.testing.RequiresDisplay;
 
@@ -27,12 +27,12 @@ class LightingTest {
   private static final double DIFFUSE = 0.6;
   private static final double AMBIENT = 0.5;
 
-  @Parameter private Shading shading = Shading.PIXEL;
-  @AutoClose private Studio studio;
+  @Parameter private ShadingMode shading = ShadingMode.PIXEL;
+  @AutoClose private TestImageRenderer studio;
 
   @BeforeEach
   void open() {
-    studio = new Studio(shading);
+    studio = new TestImageRenderer(shading);
   }
 
   /** A wall in the plane z = 0 that fills the picture. */
@@ -161,8 +161,9 @@ class LightingTest {
 
   @Test
   void theHeadlightShinesAlongTheLineOfSight() {
-    Camera camera = Studio.perspective(new Matrix4d().translation(0, 0, -5).rotateY(0.5));
-    Screenshot shot = studio.shoot(TestScene.of(wall("")), camera, Backdrop.BLACK, true, 0);
+    Camera camera =
+        TestImageRenderer.perspective(new Matrix4d().translation(0, 0, -5).rotateY(0.5));
+    Screenshot shot = studio.shoot(TestScene.of(wall("")), camera, Background.BLACK, true, 0);
     assertThat(shot.rgb(32, 32) & 0xff).isCloseTo(level(DIFFUSE * Math.cos(0.5)), within(2));
   }
 

@@ -5,13 +5,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.runtime.camera.Camera;
-import org.selectiverenderer.runtime.instance.Backdrop;
+import org.selectiverenderer.runtime.instance.Background;
 import org.selectiverenderer.runtime.render.context.Screenshot;
 import org.selectiverenderer.testing.RequiresDisplay;
 
 @RequiresDisplay
 class ScenePicturesTest {
-  @AutoClose private final Studio studio = new Studio();
+  @AutoClose private final TestImageRenderer studio = new TestImageRenderer();
 
   /** A square of two by two units in the plane z = 0, its corner at the origin. */
   private static String square(String appearance, String more) {
@@ -192,7 +192,7 @@ class ScenePicturesTest {
   @Test
   void farFromTheOriginNothingJitters() {
     String far = "<Transform translation='10000000 0 0'>" + square(RED, "") + "</Transform>";
-    Camera near = Studio.parallel();
+    Camera near = TestImageRenderer.parallel();
     Camera camera =
         new Camera(
             near.view().translate(-10000000, 0, 0, new org.joml.Matrix4d()),
@@ -201,7 +201,7 @@ class ScenePicturesTest {
             0,
             64,
             64);
-    Screenshot shot = studio.shoot(TestScene.of(far), camera, Backdrop.BLACK, false, 0);
+    Screenshot shot = studio.shoot(TestScene.of(far), camera, Background.BLACK, false, 0);
     assertThat(count(shot, 0xff0000)).isEqualTo(16 * 16);
   }
 
@@ -225,14 +225,14 @@ class ScenePicturesTest {
     String leaning = "<Transform rotation='0 0 1 0.3'>" + square(RED, "") + "</Transform>";
     TestScene scene = TestScene.of(leaning);
     Screenshot hard = studio.shoot(scene);
-    Screenshot soft = studio.shoot(scene, Studio.parallel(), Backdrop.BLACK, false, 4);
+    Screenshot soft = studio.shoot(scene, TestImageRenderer.parallel(), Background.BLACK, false, 4);
     assertThat(count(hard, 0xff0000) + count(hard, 0)).isEqualTo(64 * 64);
     assertThat(count(soft, 0xff0000) + count(soft, 0)).isLessThan(64 * 64 - 20);
   }
 
   @Test
   void aViewportLeavesTheRestAlone() {
-    Camera whole = Studio.parallel();
+    Camera whole = TestImageRenderer.parallel();
     Camera right = new Camera(whole.view(), whole.projection(), 64, 0, 64, 64);
     Screenshot shot = studio.shoot(TestScene.of(square(RED, "")), right, white(), false, 0);
     assertThat(shot.rgb(64 + 40, 40)).isEqualTo(0xff0000);
@@ -241,8 +241,8 @@ class ScenePicturesTest {
     assertThat(shot.rgb(63, 0)).isNotEqualTo(0xffffff);
   }
 
-  private static Backdrop white() {
+  private static Background white() {
     float[] none = {};
-    return new Backdrop(new float[] {1, 1, 1}, none, none, none, 0);
+    return new Background(new float[] {1, 1, 1}, none, none, none, 0);
   }
 }

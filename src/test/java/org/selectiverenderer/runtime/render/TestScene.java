@@ -5,19 +5,19 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.loading.LoadedScene;
 import org.selectiverenderer.runtime.loading.SceneLoader;
 import org.selectiverenderer.runtime.nodes.NodeFactory;
 import org.selectiverenderer.runtime.nodes.group.GroupingNode;
-import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.runtime.scene.EventCascade;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.ReadLimits;
 
 /** A scene written in a test, or read from a file, with its instance tree. */
-public record TestScene(LoadedScene loaded, InstanceTree tree, Cascade cascade) {
+public record TestScene(LoadedScene loaded, InstanceTree tree, EventCascade cascade) {
 
   /** The scene with these nodes, in X3D's XML encoding. */
   public static TestScene of(String nodes) {
@@ -28,7 +28,7 @@ public record TestScene(LoadedScene loaded, InstanceTree tree, Cascade cascade) 
   public static TestScene of(String version, String nodes) {
     String text =
         "<X3D profile='Full' version='%s'><Scene>%s</Scene></X3D>".formatted(version, nodes);
-    Problems problems = new Problems();
+    ProblemCollector problems = new ProblemCollector();
     try (SceneLoader loader = loader(problems)) {
       byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
       TestScene scene =
@@ -43,7 +43,7 @@ public record TestScene(LoadedScene loaded, InstanceTree tree, Cascade cascade) 
   }
 
   public static TestScene load(Path file) {
-    Problems problems = new Problems();
+    ProblemCollector problems = new ProblemCollector();
     try (SceneLoader loader = loader(problems)) {
       return of(loader.load(file), problems);
     } catch (IOException e) {
@@ -51,14 +51,15 @@ public record TestScene(LoadedScene loaded, InstanceTree tree, Cascade cascade) 
     }
   }
 
-  private static SceneLoader loader(Problems problems) {
+  private static SceneLoader loader(ProblemCollector problems) {
     return new SceneLoader(
         NodeCatalogue.load(), new NodeFactory(), ReadLimits.standard(), problems);
   }
 
-  private static TestScene of(LoadedScene loaded, Problems problems) {
+  private static TestScene of(LoadedScene loaded, ProblemCollector problems) {
     GroupingNode root = (GroupingNode) loaded.scene().root();
-    return new TestScene(loaded, new InstanceTree(root, loaded.assets()), new Cascade(problems));
+    return new TestScene(
+        loaded, new InstanceTree(root, loaded.assets()), new EventCascade(problems));
   }
 
   /** Sends an event and lets the tree follow. */

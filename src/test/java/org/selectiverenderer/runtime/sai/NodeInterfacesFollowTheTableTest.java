@@ -14,7 +14,7 @@ import java.util.TreeSet;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.x3d.catalogue.FieldAccess;
+import org.selectiverenderer.x3d.catalogue.AccessType;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.catalogue.NodeType;
@@ -150,14 +150,14 @@ class NodeInterfacesFollowTheTableTest {
     String x = Character.toUpperCase(name.charAt(0)) + name.substring(1);
     String java = java(field.type());
     List<String> methods = new ArrayList<>();
-    if (field.access() != FieldAccess.INPUT_ONLY) {
+    if (field.access() != AccessType.INPUT_ONLY) {
       methods.add(
           java.endsWith("[]") ? "void get" + x + "(" + java + ")" : java + " get" + x + "()");
       if (field.type().multiple()) {
         methods.add("int getNum" + x + "()");
       }
     }
-    if (field.access() != FieldAccess.OUTPUT_ONLY) {
+    if (field.access() != AccessType.OUTPUT_ONLY) {
       methods.add("void " + (name.endsWith("Children") ? name : "set" + x) + "(" + java + ")");
     }
     return methods;

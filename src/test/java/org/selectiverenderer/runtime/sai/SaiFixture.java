@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.joml.Vector3d;
-import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.loading.LoadedScene;
 import org.selectiverenderer.runtime.loading.SceneLoader;
@@ -21,7 +21,7 @@ import org.web3d.x3d.sai.X3DScene;
 /** An embedded browser whose world the test steps. */
 final class SaiFixture implements AutoCloseable {
   final NodeCatalogue catalogue = NodeCatalogue.load();
-  final Problems problems = new Problems();
+  final ProblemCollector problems = new ProblemCollector();
   final List<String> printed = new ArrayList<>();
   final World world;
   final EmbeddedBrowser browser;
@@ -30,7 +30,7 @@ final class SaiFixture implements AutoCloseable {
 
   SaiFixture() {
     loader = new SceneLoader(catalogue, new NodeFactory(), ReadLimits.standard(), problems);
-    Node root = loader.factory().make(catalogue.get("Group"), null, Location.of("(empty)"));
+    Node root = loader.factory().make(catalogue.get("Group"), null, SourceLocation.of("(empty)"));
     Scene empty = new Scene(root, "", "4.0", "Full", Map.of(), 1);
     world = new World(new LoadedScene(empty, loader), problems);
     world.epoch(0); // So that tests may name the times of their frames.

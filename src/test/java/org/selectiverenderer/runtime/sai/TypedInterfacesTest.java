@@ -17,7 +17,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import org.selectiverenderer.x3d.catalogue.FieldAccess;
+import org.selectiverenderer.x3d.catalogue.AccessType;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.web3d.x3d.sai.InvalidOperationTimingException;
@@ -102,7 +102,7 @@ class TypedInterfacesTest {
     NodeType type = sai.catalogue.get(node.getNodeName());
     String x = Character.toLowerCase(name.charAt(3)) + name.substring(4);
     return type.field(x)
-        .filter(field -> field.access() != FieldAccess.OUTPUT_ONLY)
+        .filter(field -> field.access() != AccessType.OUTPUT_ONLY)
         .or(() -> type.field("set_" + x))
         .orElseThrow(() -> new AssertionError(type + " has no field for " + name));
   }
@@ -178,7 +178,7 @@ class TypedInterfacesTest {
           X3DField described = node.getField(field.name());
           assertThat(described.getDefinition().getName()).isEqualTo(field.name());
           assertThat(described.getDefinition().getFieldTypeString()).isEqualTo(field.type().name());
-          assertThat(described.isReadable()).isEqualTo(field.access() != FieldAccess.INPUT_ONLY);
+          assertThat(described.isReadable()).isEqualTo(field.access() != AccessType.INPUT_ONLY);
         }
       }
     }

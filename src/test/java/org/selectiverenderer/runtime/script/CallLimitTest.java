@@ -14,7 +14,7 @@ class CallLimitTest {
     byte[] much = new byte[8 << 20];
 
     assertThatThrownBy(limit::check)
-        .isInstanceOf(Stopped.class)
+        .isInstanceOf(ScriptStoppedError.class)
         .hasMessageContaining("more than 1 MB of memory");
     assertThat(much).hasSize(8 << 20);
   }

@@ -13,16 +13,16 @@ class VoiceMixerTest {
 
   private final VoiceMixer mixer = new VoiceMixer(8);
 
-  private static Recording mono(double rate, int... samples) {
+  private static AudioBuffer mono(double rate, int... samples) {
     short[] shorts = new short[samples.length];
     for (int i = 0; i < samples.length; i++) {
       shorts[i] = (short) samples[i];
     }
-    return new Recording(shorts, 1, rate);
+    return new AudioBuffer(shorts, 1, rate);
   }
 
   private static Voice voice(
-      Object source, Recording recording, double position, boolean loop, double... gains) {
+      Object source, AudioBuffer recording, double position, boolean loop, double... gains) {
     return new Voice(source, recording, position, 1, loop, gains[0], gains[1], false, RANK);
   }
 
@@ -53,7 +53,7 @@ class VoiceMixerTest {
 
   @Test
   void theChannelsOfAStereoRecordingAreMixedOrKeptApart() {
-    Recording stereo = new Recording(new short[] {HALF, 0, HALF, 0}, 2, 8);
+    AudioBuffer stereo = new AudioBuffer(new short[] {HALF, 0, HALF, 0}, 2, 8);
     mixer.voices(List.of(new Voice("a", stereo, 0, 1, true, 1, 1, false, RANK)));
     assertMixed(mix(1), 0.25, 0.25);
     mixer.voices(List.of(new Voice("b", stereo, 0, 1, true, 1, 1, true, RANK)));
@@ -63,7 +63,7 @@ class VoiceMixerTest {
 
   @Test
   void itGoesOnByItselfAndBeginsAnewInALoopOnly() {
-    Recording recording = mono(8, HALF, 0, 0);
+    AudioBuffer recording = mono(8, HALF, 0, 0);
     mixer.voices(
         List.of(voice("once", recording, 0, false, 1, 0), voice("loop", recording, 0, true, 0, 1)));
     assertMixed(mix(4), 0.5, 0.5, 0, 0, 0, 0, 0, 0.5);
@@ -72,7 +72,7 @@ class VoiceMixerTest {
   /** What a frame says of the position is no more exact than the frame is. */
   @Test
   void onlyAJumpOfTheSceneMovesIt() {
-    Recording recording = mono(8, HALF, 0, 0, 0, 0, 0, 0, 0);
+    AudioBuffer recording = mono(8, HALF, 0, 0, 0, 0, 0, 0, 0);
     mixer.voices(List.of(voice("a", recording, 0, true, 1, 1)));
     assertMixed(mix(2), 0.5, 0.5, 0, 0);
     mixer.voices(List.of(voice("a", recording, 0.125, true, 1, 1)));
@@ -93,7 +93,7 @@ class VoiceMixerTest {
 
   @Test
   void gainsChangeWithinABlock() {
-    Recording recording = mono(8, HALF);
+    AudioBuffer recording = mono(8, HALF);
     mixer.voices(List.of(voice("a", recording, 0, true, 1, 0)));
     mixer.voices(List.of(voice("a", recording, 0, true, 0, 1)));
     assertMixed(mix(2), 0.5, 0, 0.25, 0.25);

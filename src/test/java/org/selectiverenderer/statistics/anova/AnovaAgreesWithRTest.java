@@ -19,7 +19,7 @@ import org.selectiverenderer.statistics.GoldenTable;
  */
 class AnovaAgreesWithRTest {
   private static final AnovaOptions OPTIONS =
-      AnovaOptions.DEFAULT.withRawBound(0.5).withSphericity(SphericityChoice.NONE);
+      AnovaOptions.DEFAULT.withRawBound(0.5).withSphericity(SphericityCorrection.NONE);
   private static final double TOLERANCE = 1e-8;
 
   @Test
@@ -77,7 +77,7 @@ class AnovaAgreesWithRTest {
       figures.put(key + "low", mean.low());
       figures.put(key + "high", mean.high());
     }
-    for (Comparison pair : anova.comparisons()) {
+    for (PairwiseComparison pair : anova.comparisons()) {
       String key =
           String.join("|", "pair", pair.factor(), pair.at().orElse(""), pair.first(), pair.second())
               + "|";

@@ -27,7 +27,7 @@ class AnovaTest {
     assertThat(group.df2()).isEqualTo(4);
     assertThat(group.f()).isEqualTo(3.375, EXACT);
     assertThat(group.partialEta().value()).isEqualTo(13.5 / 29.5, EXACT);
-    Comparison pair = anova.comparisons().get(0);
+    PairwiseComparison pair = anova.comparisons().get(0);
     assertThat(pair.difference()).isEqualTo(-3, EXACT);
     assertThat(pair.t() * pair.t()).isEqualTo(3.375, EXACT);
     assertThat(pair.p()).isEqualTo(group.p(), EXACT);
@@ -75,7 +75,7 @@ class AnovaTest {
     assertThat(
             anova.comparisons().stream()
                 .filter(pair -> pair.factor().equals("level"))
-                .map(Comparison::t))
+                .map(PairwiseComparison::t))
         .isNotEmpty()
         .allMatch(t -> t.isNaN());
   }
@@ -131,7 +131,7 @@ class AnovaTest {
                 new Subject("4", 1, List.of(1.2, 1.5)),
                 new Subject("5", 1, List.of(1.0, 0.5))));
     Anova anova = Anova.of(design, AnovaOptions.DEFAULT);
-    Comparison last = anova.comparisons().get(anova.comparisons().size() - 1);
+    PairwiseComparison last = anova.comparisons().get(anova.comparisons().size() - 1);
     Effect interaction = anova.effect(EffectKind.INTERACTION).orElseThrow();
     assertThat(last.factor()).isEqualTo("level x group");
     assertThat(last.first()).isEqualTo("x (a − b)");
@@ -141,9 +141,9 @@ class AnovaTest {
 
   @Test
   void holmTakesTheSmallestPTimesTheirNumberAndNeverFallsBack() {
-    assertThat(Holm.adjusted(List.of(0.04, 0.01, 0.03)))
+    assertThat(HolmCorrection.adjusted(List.of(0.04, 0.01, 0.03)))
         .containsExactly(new double[] {0.06, 0.03, 0.06}, EXACT);
-    assertThat(Holm.adjusted(List.of(0.9, 0.8))).containsExactly(1, 1);
+    assertThat(HolmCorrection.adjusted(List.of(0.9, 0.8))).containsExactly(1, 1);
   }
 
   /** Difference 0 with SE 0.2 and bounds of 0.5: both tests have t = 2.5. */
@@ -213,13 +213,13 @@ class AnovaTest {
             new Factor("group", List.of("all")),
             subjects);
     Effect level = Anova.of(design, AnovaOptions.DEFAULT).effects().get(0);
-    CorrectedDf corrected = level.correction().orElseThrow();
-    assertThat(corrected.by()).isEqualTo(SphericityChoice.GREENHOUSE_GEISSER);
+    CorrectedDegreesOfFreedom corrected = level.correction().orElseThrow();
+    assertThat(corrected.by()).isEqualTo(SphericityCorrection.GREENHOUSE_GEISSER);
     assertThat(corrected.epsilon()).isBetween(0.5, 0.52);
     assertThat(level.testDf1()).isEqualTo(2 * corrected.epsilon(), EXACT);
     assertThat(level.p()).isEqualTo(level.correctedP(corrected.epsilon()), EXACT);
     Effect as =
-        Anova.of(design, AnovaOptions.DEFAULT.withSphericity(SphericityChoice.NONE))
+        Anova.of(design, AnovaOptions.DEFAULT.withSphericity(SphericityCorrection.NONE))
             .effects()
             .get(0);
     assertThat(as.correction()).isEmpty();
@@ -227,10 +227,10 @@ class AnovaTest {
     assertThat(as.equivalence().p()).isNotEqualTo(level.equivalence().p());
     assertThat(as.partialEta().high()).isNotEqualTo(level.partialEta().high());
     Effect huynh =
-        Anova.of(design, AnovaOptions.DEFAULT.withSphericity(SphericityChoice.HUYNH_FELDT))
+        Anova.of(design, AnovaOptions.DEFAULT.withSphericity(SphericityCorrection.HUYNH_FELDT))
             .effects()
             .get(0);
-    assertThat(huynh.correction().orElseThrow().by()).isEqualTo(SphericityChoice.HUYNH_FELDT);
+    assertThat(huynh.correction().orElseThrow().by()).isEqualTo(SphericityCorrection.HUYNH_FELDT);
   }
 
   @Test

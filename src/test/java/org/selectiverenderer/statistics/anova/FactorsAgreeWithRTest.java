@@ -14,9 +14,9 @@ import java.util.stream.Stream;
 import org.apache.commons.csv.CSVRecord;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.statistics.GoldenTable;
-import org.selectiverenderer.statistics.assumption.Assumptions;
-import org.selectiverenderer.statistics.assumption.Levene;
-import org.selectiverenderer.statistics.assumption.ShapiroWilk;
+import org.selectiverenderer.statistics.assumption.AssumptionChecks;
+import org.selectiverenderer.statistics.assumption.LeveneTest;
+import org.selectiverenderer.statistics.assumption.ShapiroWilkTest;
 
 /**
  * Holds designs of several factors and covariates, corrections for sphericity, corrections of
@@ -109,7 +109,7 @@ class FactorsAgreeWithRTest {
         figures.put(key + "se", mean.standardError());
       }
     }
-    for (Comparison pair : anova.comparisons()) {
+    for (PairwiseComparison pair : anova.comparisons()) {
       if (pair.at().isEmpty() && !pair.factor().contains(" x ")) {
         pair(pair, figures);
       }
@@ -140,7 +140,7 @@ class FactorsAgreeWithRTest {
     }
   }
 
-  private static void pair(Comparison pair, Map<String, Double> figures) {
+  private static void pair(PairwiseComparison pair, Map<String, Double> figures) {
     String key = String.join("|", "pair", pair.factor(), pair.first(), pair.second()) + "|";
     figures.put(key + "difference", pair.difference());
     figures.put(key + "t", pair.t());
@@ -155,14 +155,14 @@ class FactorsAgreeWithRTest {
   }
 
   private static void checks(Anova anova, Map<String, Double> figures) {
-    Assumptions found = Assumptions.of(anova);
+    AssumptionChecks found = AssumptionChecks.of(anova);
     for (int i = 0; i < found.levene().size(); i++) {
-      Levene test = found.levene().get(i);
+      LeveneTest test = found.levene().get(i);
       figures.put("levene|" + (i + 1) + "|F", test.f());
       figures.put("levene|" + (i + 1) + "|p", test.p());
     }
     for (int i = 0; i < found.shapiro().size(); i++) {
-      ShapiroWilk test = found.shapiro().get(i);
+      ShapiroWilkTest test = found.shapiro().get(i);
       figures.put("shapiro|" + (i + 1) + "|W", test.w());
       figures.put("shapiro|" + (i + 1) + "|p", test.p());
     }

@@ -36,7 +36,7 @@ class ThesisKitchenTest {
   void constructedDataHaveThePrintedMeansAndDeviations(String measure) throws IOException {
     Anova anova = anova(measure);
     for (CSVRecord row : rows("kitchen-means.csv", measure)) {
-      Descriptive cell =
+      CellDescriptives cell =
           anova.descriptives().stream()
               .filter(found -> found.within().orElseThrow().equals(row.get("level")))
               .filter(found -> found.between().orElse("").equals(row.get("group")))

@@ -17,19 +17,19 @@ class ApaTextTest {
   @ParameterizedTest
   @CsvSource({"0.109,.109", "0.0004,< .001", "0.001,.001", "0.9996,> .999", "1,> .999", "NaN,–"})
   void pHasNoZeroBeforeThePointAndIsNeverZero(double p, String text) {
-    assertThat(ApaNumber.p(p)).isEqualTo(text);
+    assertThat(ApaNumberFormat.p(p)).isEqualTo(text);
   }
 
   @Test
   void whatCanExceedOneKeepsItsZero() {
-    assertThat(ApaNumber.of(-0.345, 2)).isEqualTo("−0.35");
-    assertThat(ApaNumber.share(-0.345, 2)).isEqualTo("−.35");
-    assertThat(ApaNumber.share(1, 2)).isEqualTo("1.00");
-    assertThat(ApaNumber.of(-0.001, 2)).isEqualTo("0.00");
-    assertThat(ApaNumber.df(51)).isEqualTo("51");
-    assertThat(ApaNumber.df(1.634)).isEqualTo("1.63");
-    assertThat(ApaNumber.bayes(123456)).isEqualTo("1.2e+05");
-    assertThat(ApaNumber.withP("p", 0.0001)).isEqualTo("p < .001");
+    assertThat(ApaNumberFormat.of(-0.345, 2)).isEqualTo("−0.35");
+    assertThat(ApaNumberFormat.share(-0.345, 2)).isEqualTo("−.35");
+    assertThat(ApaNumberFormat.share(1, 2)).isEqualTo("1.00");
+    assertThat(ApaNumberFormat.of(-0.001, 2)).isEqualTo("0.00");
+    assertThat(ApaNumberFormat.df(51)).isEqualTo("51");
+    assertThat(ApaNumberFormat.df(1.634)).isEqualTo("1.63");
+    assertThat(ApaNumberFormat.bayes(123456)).isEqualTo("1.2e+05");
+    assertThat(ApaNumberFormat.withP("p", 0.0001)).isEqualTo("p < .001");
   }
 
   @Test

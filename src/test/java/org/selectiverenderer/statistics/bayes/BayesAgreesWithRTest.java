@@ -21,15 +21,15 @@ import org.selectiverenderer.statistics.anova.Design;
 import org.selectiverenderer.statistics.anova.EffectPrior;
 import org.selectiverenderer.statistics.anova.Factor;
 import org.selectiverenderer.statistics.anova.Subject;
-import org.selectiverenderer.statistics.data.DataFile;
+import org.selectiverenderer.statistics.data.DataSource;
 import org.selectiverenderer.statistics.data.Responses;
-import org.selectiverenderer.statistics.detection.ConfidenceLevel;
-import org.selectiverenderer.statistics.detection.Measure;
-import org.selectiverenderer.statistics.detection.Scoring;
-import org.selectiverenderer.statistics.simulation.ObjectList;
-import org.selectiverenderer.statistics.simulation.SimulatedStudy;
-import org.selectiverenderer.statistics.simulation.StudyModel;
-import org.selectiverenderer.statistics.study.AreaStudy;
+import org.selectiverenderer.statistics.detection.ConfidenceThreshold;
+import org.selectiverenderer.statistics.detection.DetectionMeasure;
+import org.selectiverenderer.statistics.detection.DetectionScorer;
+import org.selectiverenderer.statistics.simulation.RecognitionListSpec;
+import org.selectiverenderer.statistics.simulation.SimulationModel;
+import org.selectiverenderer.statistics.simulation.StudySimulator;
+import org.selectiverenderer.statistics.study.AreaAnalyser;
 
 /**
  * Holds Bayes factors of effects against R's BayesFactor, and against a brute-force integral in R
@@ -49,7 +49,7 @@ class BayesAgreesWithRTest {
     Map<String, List<CSVRecord>> data = new LinkedHashMap<>();
     GoldenTable.read(BayesAgreesWithRTest.class, "bayes-data.csv.gz")
         .forEach(row -> data.computeIfAbsent(row.get("set"), set -> new ArrayList<>()).add(row));
-    Map<String, EffectEvidence> ours = new LinkedHashMap<>();
+    Map<String, EffectBayesFactors> ours = new LinkedHashMap<>();
     data.forEach(
         (set, rows) ->
             new BayesianAnova(Anova.of(design(rows), AnovaOptions.DEFAULT))
@@ -62,7 +62,7 @@ class BayesAgreesWithRTest {
         continue;
       }
       String key = row.get("set") + " " + row.get("effect");
-      EffectEvidence found = Objects.requireNonNull(ours.get(key), key);
+      EffectBayesFactors found = Objects.requireNonNull(ours.get(key), key);
       double theirs = Double.parseDouble(row.get("bf01"));
       double error = Double.parseDouble(row.get("error"));
       double allowed =
@@ -85,8 +85,8 @@ class BayesAgreesWithRTest {
    */
   @Test
   void theShippedExamplesCondition() {
-    StudyModel model =
-        new StudyModel(
+    SimulationModel model =
+        new SimulationModel(
             List.of("high", "high-low", "selective"),
             List.of(1.1, 1.1, 1.1),
             List.of(0.0, 0.0, 0.0),
@@ -94,17 +94,17 @@ class BayesAgreesWithRTest {
             0.25,
             0,
             0.4,
-            ObjectList.THESIS);
+            RecognitionListSpec.THESIS);
     Responses responses =
         new Responses(
-            DataFile.none("simulated"), SimulatedStudy.responses(model, 54, 2009), List.of());
+            DataSource.none("simulated"), StudySimulator.responses(model, 54, 2009), List.of());
     Anova anova =
-        AreaStudy.of(responses, Scoring.DEFAULT, "kitchen")
-            .analysis(ConfidenceLevel.ALL, Measure.D_PRIME, AnovaOptions.DEFAULT)
+        AreaAnalyser.of(responses, DetectionScorer.DEFAULT, "kitchen")
+            .analysis(ConfidenceThreshold.ALL, DetectionMeasure.D_PRIME, AnovaOptions.DEFAULT)
             .anova()
             .orElseThrow();
     assertThat(anova.effects().get(0).f()).isEqualTo(0.028, within(0.0005));
-    EffectEvidence condition = new BayesianAnova(anova).effects().get(0);
+    EffectBayesFactors condition = new BayesianAnova(anova).effects().get(0);
     assertThat(condition.alone().bf01()).isEqualTo(1 / 0.1222936, within(0.08));
     assertThat(condition.bf01()).isEqualTo(7.0413115 / 0.8961229, within(0.25));
   }
@@ -130,7 +130,8 @@ class BayesAgreesWithRTest {
             List.of(new Factor("A", List.of("0", "1")), new Factor("B", List.of("0", "1", "2"))),
             List.of(),
             subjects);
-    EffectEvidence a = new BayesianAnova(Anova.of(design, AnovaOptions.DEFAULT)).effects().get(0);
+    EffectBayesFactors a =
+        new BayesianAnova(Anova.of(design, AnovaOptions.DEFAULT)).effects().get(0);
     assertThat(a.bf01()).isEqualTo(31978.118 / 54080.442, within(0.012));
     assertThat(a.alone().bf01()).isEqualTo(1 / 0.5493748, within(1e-3));
   }
@@ -169,7 +170,7 @@ class BayesAgreesWithRTest {
   void thePriorsWidthIsAnOption(double width, double bf01) {
     Design design = equalGroups(0.576, 18, 3);
     EffectPrior prior = EffectPrior.MEDIUM.withFixed(width);
-    EffectEvidence found =
+    EffectBayesFactors found =
         new BayesianAnova(Anova.of(design, AnovaOptions.DEFAULT.withPrior(prior)))
             .withRobustness()
             .get(0);
@@ -196,10 +197,10 @@ class BayesAgreesWithRTest {
             List.of(new Factor("a", List.of("1", "2")), new Factor("b", List.of("1", "2"))),
             List.of(),
             subjects);
-    EffectEvidence once = interaction(design, 1);
+    EffectBayesFactors once = interaction(design, 1);
     assertThat(interaction(design, 1)).isEqualTo(once);
     assertThat(once.error()).isBetween(1e-6, 0.01);
-    EffectEvidence other = interaction(design, 2);
+    EffectBayesFactors other = interaction(design, 2);
     assertThat(other.bf01()).isNotEqualTo(once.bf01());
     assertThat(other.bf01() / once.bf01())
         .isEqualTo(1, within(6 * once.error() + 6 * other.error()));
@@ -226,7 +227,7 @@ class BayesAgreesWithRTest {
         .allSatisfy(found -> assertThat(found.bf01()).isNaN());
   }
 
-  private static EffectEvidence interaction(Design design, long seed) {
+  private static EffectBayesFactors interaction(Design design, long seed) {
     EffectPrior prior = new EffectPrior(0.5, 1, seed);
     return new BayesianAnova(Anova.of(design, AnovaOptions.DEFAULT.withPrior(prior)))
         .effects()

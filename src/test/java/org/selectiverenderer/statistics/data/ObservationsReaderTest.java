@@ -7,7 +7,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.statistics.anova.Subject;
 import org.selectiverenderer.statistics.data.ObservationsReader.Columns;
 
@@ -16,7 +16,7 @@ class ObservationsReaderTest {
       new Columns("score", "id", Optional.of("type"), Optional.of("group"));
   private static final String GOOD = "id,group,type,score\na,x,one,1.5\nb,y,one,2\nb,y,two,-3e-1\n";
 
-  private final Problems problems = new Problems();
+  private final ProblemCollector problems = new ProblemCollector();
 
   @Test
   void rowsBecomeSubjectsInTheOrderOfTheFile() {

@@ -14,7 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.base.files.Sha256;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.statistics.detection.Response;
 
 class ResponsesReaderTest {
@@ -23,7 +23,7 @@ class ResponsesReaderTest {
   private static final String CUP = "p1,high,kitchen,cup,consistent,yes,yes,4\n";
   private static final String KITE = "p1,high,kitchen,kite,inconsistent,no,no,2\n";
 
-  private final Problems problems = new Problems();
+  private final ProblemCollector problems = new ProblemCollector();
 
   @Test
   void goodAnswersAreReadWithoutAWord() {
@@ -120,7 +120,7 @@ class ResponsesReaderTest {
   void participantsThatTheRosterDoesNotKnowAreLeftOut(@TempDir Path folder) throws IOException {
     Path file = folder.resolve("participants.csv");
     Files.writeString(file, "participant,condition\np1,high\np3,selective\n");
-    Roster roster = Roster.read(file, problems).orElseThrow();
+    ParticipantRoster roster = ParticipantRoster.read(file, problems).orElseThrow();
     Responses found =
         ResponsesReader.parse(
                 "r.csv",
@@ -228,7 +228,7 @@ class ResponsesReaderTest {
     assertThat(found.usable()).hasSize(2);
     Path file = folder.resolve("r.csv");
     Files.writeString(file, text);
-    Problems none = new Problems();
+    ProblemCollector none = new ProblemCollector();
     assertThat(ResponsesReader.read(file, Optional.empty(), true, none)).isPresent();
     assertThat(none.list()).isEmpty();
   }
@@ -279,7 +279,7 @@ class ResponsesReaderTest {
   void theFilesChecksumIsKept(@TempDir Path folder) throws IOException {
     Path file = folder.resolve("r.csv");
     Files.writeString(file, HEADER + CUP);
-    DataFile source =
+    DataSource source =
         ResponsesReader.read(file, Optional.empty(), false, problems).orElseThrow().source();
     assertThat(source.name()).isEqualTo("r.csv");
     assertThat(source.sha256()).hasValue(Sha256.of(Files.readAllBytes(file)));

@@ -55,10 +55,10 @@ class RatingAgreesWithRTest {
 
   private static Map<String, Double> figures(RatingCounts ratings) {
     Map<String, Double> figures = new HashMap<>();
-    Roc roc = Roc.of(ratings);
+    EmpiricalRoc roc = EmpiricalRoc.of(ratings);
     figures.put("auc", roc.area());
     figures.put("auc_se", roc.standardError());
-    RatingFit fit = RatingFit.of(ratings);
+    UnequalVarianceFit fit = UnequalVarianceFit.of(ratings);
     assertThat(fit.flaw()).isEmpty();
     put(figures, "a", fit.intercept());
     put(figures, "b", fit.slope());
@@ -76,7 +76,8 @@ class RatingAgreesWithRTest {
     return figures;
   }
 
-  private static void put(Map<String, Double> figures, String key, RatingFit.Estimate estimate) {
+  private static void put(
+      Map<String, Double> figures, String key, UnequalVarianceFit.Estimate estimate) {
     figures.put(key, estimate.value());
     figures.put(key + "_se", estimate.standardError());
   }

@@ -54,7 +54,7 @@ class NoncentralTTest {
   @Test
   void theRangeOfTwoIsThatOfT() {
     assertThat(new StudentizedRange(2, 12).upper(7 * Math.sqrt(2)))
-        .isEqualTo(Tails.tTwoSided(7, 12), within(1e-14));
+        .isEqualTo(TailProbabilities.tTwoSided(7, 12), within(1e-14));
     assertThat(new StudentizedRange(3, 12).upper(0)).isEqualTo(1);
   }
 }

@@ -18,21 +18,21 @@ import java.util.stream.IntStream;
 import org.apache.commons.csv.CSVFormat;
 import org.apache.commons.csv.CSVRecord;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.statistics.anova.AnovaOptions;
 import org.selectiverenderer.statistics.anova.Design;
 import org.selectiverenderer.statistics.anova.Factor;
 import org.selectiverenderer.statistics.anova.Subject;
-import org.selectiverenderer.statistics.data.DataFile;
+import org.selectiverenderer.statistics.data.DataSource;
 import org.selectiverenderer.statistics.data.Responses;
-import org.selectiverenderer.statistics.detection.ConfidenceLevel;
-import org.selectiverenderer.statistics.detection.Measure;
+import org.selectiverenderer.statistics.detection.ConfidenceThreshold;
+import org.selectiverenderer.statistics.detection.DetectionMeasure;
+import org.selectiverenderer.statistics.detection.DetectionScorer;
 import org.selectiverenderer.statistics.detection.Response;
-import org.selectiverenderer.statistics.detection.Scoring;
-import org.selectiverenderer.statistics.report.Block.Table;
+import org.selectiverenderer.statistics.report.ReportBlock.Table;
+import org.selectiverenderer.statistics.study.AreaAnalyser;
 import org.selectiverenderer.statistics.study.AreaAnalysis;
-import org.selectiverenderer.statistics.study.AreaStudy;
-import org.selectiverenderer.statistics.study.FamilyCorrection;
+import org.selectiverenderer.statistics.study.MultipleTestingCorrection;
 import org.selectiverenderer.statistics.study.StudyAnalysis;
 
 /**
@@ -71,9 +71,9 @@ class MemoryTablesTest {
 
   @Test
   void theLayoutIsThatOfTheThesis() throws IOException {
-    List<Block> tables = new ArrayList<>();
+    List<ReportBlock> tables = new ArrayList<>();
     AREAS.forEach(area -> tables.add(ScoresTable.of(study(area), area)));
-    String text = TextPage.of("Tables 6 to 11", tables, true);
+    String text = TextReportWriter.of("Tables 6 to 11", tables, true);
     if (Boolean.getBoolean("reports.update")) {
       Files.writeString(GOLDEN, text);
     }
@@ -148,9 +148,10 @@ class MemoryTablesTest {
             .filter(type -> printed.containsKey(area + ' ' + objects(type) + " high"))
             .toList();
     List<AreaAnalysis> analyses = new ArrayList<>();
-    for (ConfidenceLevel level : ConfidenceLevel.values()) {
-      for (Measure measure : List.of(Measure.D_PRIME, Measure.LOG_BETA)) {
-        String column = column(2 * level.ordinal() + (measure == Measure.D_PRIME ? 0 : 1));
+    for (ConfidenceThreshold level : ConfidenceThreshold.values()) {
+      for (DetectionMeasure measure :
+          List.of(DetectionMeasure.D_PRIME, DetectionMeasure.LOG_BETA)) {
+        String column = column(2 * level.ordinal() + (measure == DetectionMeasure.D_PRIME ? 0 : 1));
         analyses.add(
             new AreaAnalysis(
                 area, level, measure, design(area, types, column), Optional.empty(), List.of()));
@@ -158,14 +159,14 @@ class MemoryTablesTest {
     }
     List<Response> answers = answers(area, types);
     return new StudyAnalysis(
-        new Responses(DataFile.none("thesis"), answers, List.of()),
-        Scoring.DEFAULT,
+        new Responses(DataSource.none("thesis"), answers, List.of()),
+        DetectionScorer.DEFAULT,
         AnovaOptions.DEFAULT,
         CONDITIONS,
         List.of(area),
-        Scoring.DEFAULT.scores(answers),
+        DetectionScorer.DEFAULT.scores(answers),
         analyses,
-        FamilyCorrection.NONE,
+        MultipleTestingCorrection.NONE,
         List.of(),
         List.of());
   }
@@ -190,8 +191,8 @@ class MemoryTablesTest {
     }
     return new Design(
         column,
-        new Factor(AreaStudy.WITHIN, types),
-        new Factor(AreaStudy.BETWEEN, CONDITIONS),
+        new Factor(AreaAnalyser.WITHIN, types),
+        new Factor(AreaAnalyser.BETWEEN, CONDITIONS),
         subjects);
   }
 
@@ -215,7 +216,7 @@ class MemoryTablesTest {
                         object < present,
                         true,
                         5,
-                        Location.of("thesis")))
+                        SourceLocation.of("thesis")))
             .forEach(answers::add);
       }
     }

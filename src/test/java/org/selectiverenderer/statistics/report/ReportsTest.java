@@ -11,20 +11,20 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.statistics.anova.Anova;
 import org.selectiverenderer.statistics.anova.AnovaOptions;
 import org.selectiverenderer.statistics.anova.Design;
 import org.selectiverenderer.statistics.anova.Factor;
 import org.selectiverenderer.statistics.anova.Subject;
-import org.selectiverenderer.statistics.data.DataFile;
-import org.selectiverenderer.statistics.data.ResponsesCsv;
+import org.selectiverenderer.statistics.data.DataSource;
+import org.selectiverenderer.statistics.data.ResponsesCsvWriter;
 import org.selectiverenderer.statistics.data.ResponsesReader;
-import org.selectiverenderer.statistics.detection.Scoring;
-import org.selectiverenderer.statistics.simulation.ObjectList;
-import org.selectiverenderer.statistics.simulation.SimulatedStudy;
-import org.selectiverenderer.statistics.simulation.StudyModel;
-import org.selectiverenderer.statistics.study.FamilyCorrection;
+import org.selectiverenderer.statistics.detection.DetectionScorer;
+import org.selectiverenderer.statistics.simulation.RecognitionListSpec;
+import org.selectiverenderer.statistics.simulation.SimulationModel;
+import org.selectiverenderer.statistics.simulation.StudySimulator;
+import org.selectiverenderer.statistics.study.MultipleTestingCorrection;
 import org.selectiverenderer.statistics.study.StudyAnalysis;
 
 /**
@@ -35,7 +35,7 @@ class ReportsTest {
   static final Provenance MADE =
       new Provenance("selective-renderer", "0.1.0", LocalDate.of(2026, 1, 15), false);
 
-  private static final DataFile DATA = DataFile.none("data.csv");
+  private static final DataSource DATA = DataSource.none("data.csv");
   private static final Path GOLDEN =
       Path.of("src/test/resources/org/selectiverenderer/statistics/report");
 
@@ -119,9 +119,9 @@ class ReportsTest {
     StudyAnalysis study =
         StudyAnalysis.of(
             ResponsesReader.parse(
-                    "r.csv", answers(List.of("high")), Optional.empty(), new Problems())
+                    "r.csv", answers(List.of("high")), Optional.empty(), new ProblemCollector())
                 .orElseThrow(),
-            Scoring.DEFAULT,
+            DetectionScorer.DEFAULT,
             AnovaOptions.DEFAULT);
     assertThat(StudyReport.json(study, MADE))
         .contains("There is one condition only, high: no effect of condition.")
@@ -174,17 +174,17 @@ class ReportsTest {
             answers(List.of("high", "selective"))
                 .replace(",kitchen,", ",Kitchen / 1,")
                 .replace(",office,", ",kitchen 1,"));
-    assertThat(StudyFiles.figures(study).keySet())
+    assertThat(ManuscriptFiles.figures(study).keySet())
         .contains(
             "kitchen-1-d_prime-all.svg",
             "kitchen-1-2-log_beta-confidence-3-5.svg",
             "kitchen-1-inconsistent-roc.svg",
             "kitchen-1-2-neutral-roc.svg");
-    assertThat(StudyFiles.figures(study).values()).allMatch(svg -> svg.startsWith("<?xml"));
-    assertThat(StudyFiles.tables(study, MADE).keySet())
+    assertThat(ManuscriptFiles.figures(study).values()).allMatch(svg -> svg.startsWith("<?xml"));
+    assertThat(ManuscriptFiles.tables(study, MADE).keySet())
         .contains(
             "kitchen-1-means.html", "kitchen-1-2-effects.tex", "sentences.txt", "methods.txt");
-    assertThat(StudyFiles.tables(study, MADE).values())
+    assertThat(ManuscriptFiles.tables(study, MADE).values())
         .noneMatch(text -> text.contains("NaN") || text.contains("Infinity"));
   }
 
@@ -192,7 +192,10 @@ class ReportsTest {
   void aCorrectionOverTheStudyIsAColumnAndIsStated() {
     StudyAnalysis study =
         StudyAnalysis.of(
-            study().responses(), Scoring.DEFAULT, AnovaOptions.DEFAULT, FamilyCorrection.HOLM);
+            study().responses(),
+            DetectionScorer.DEFAULT,
+            AnovaOptions.DEFAULT,
+            MultipleTestingCorrection.HOLM);
     assertThat(StudyReport.text(study, MADE).replaceAll("\\s+", " "))
         .contains("p corrected", "all areas at one level of confidence together: Holm (1979)");
     assertThat(StudyReport.text(study(), MADE)).doesNotContain("p corrected");
@@ -231,15 +234,16 @@ class ReportsTest {
 
   private static StudyAnalysis read(String text) {
     return StudyAnalysis.of(
-        ResponsesReader.parse("r.csv", text, Optional.empty(), new Problems()).orElseThrow(),
-        Scoring.DEFAULT,
+        ResponsesReader.parse("r.csv", text, Optional.empty(), new ProblemCollector())
+            .orElseThrow(),
+        DetectionScorer.DEFAULT,
         AnovaOptions.DEFAULT);
   }
 
   private static String answers(List<String> conditions) {
     List<Double> ones = conditions.stream().map(name -> 1.0).toList();
-    StudyModel model =
-        new StudyModel(
+    SimulationModel model =
+        new SimulationModel(
             conditions,
             ones,
             ones.stream().map(one -> 0.1).toList(),
@@ -248,10 +252,10 @@ class ReportsTest {
             -0.2,
             0.3,
             List.of(
-                new ObjectList("kitchen", "consistent", 6),
-                new ObjectList("kitchen", "inconsistent", 4),
-                new ObjectList("office", "neutral", 5)));
-    return ResponsesCsv.of(SimulatedStudy.responses(model, 14, 5));
+                new RecognitionListSpec("kitchen", "consistent", 6),
+                new RecognitionListSpec("kitchen", "inconsistent", 4),
+                new RecognitionListSpec("office", "neutral", 5)));
+    return ResponsesCsvWriter.of(StudySimulator.responses(model, 14, 5));
   }
 
   private static void assertGolden(String name, String text) throws IOException {

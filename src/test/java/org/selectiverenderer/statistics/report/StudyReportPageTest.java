@@ -9,14 +9,14 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.statistics.anova.AnovaOptions;
-import org.selectiverenderer.statistics.data.ResponsesCsv;
+import org.selectiverenderer.statistics.data.ResponsesCsvWriter;
 import org.selectiverenderer.statistics.data.ResponsesReader;
-import org.selectiverenderer.statistics.detection.Scoring;
-import org.selectiverenderer.statistics.simulation.ObjectList;
-import org.selectiverenderer.statistics.simulation.SimulatedStudy;
-import org.selectiverenderer.statistics.simulation.StudyModel;
+import org.selectiverenderer.statistics.detection.DetectionScorer;
+import org.selectiverenderer.statistics.simulation.RecognitionListSpec;
+import org.selectiverenderer.statistics.simulation.SimulationModel;
+import org.selectiverenderer.statistics.simulation.StudySimulator;
 import org.selectiverenderer.statistics.study.StudyAnalysis;
 
 /**
@@ -39,8 +39,8 @@ class StudyReportPageTest {
 
   /** {@code experiment simulate --participants 54 --d-prime 1.1 --seed 2009}. */
   private static StudyAnalysis study() {
-    StudyModel model =
-        new StudyModel(
+    SimulationModel model =
+        new SimulationModel(
             List.of("high", "high-low", "selective"),
             List.of(1.1, 1.1, 1.1),
             List.of(0.0, 0.0, 0.0),
@@ -48,12 +48,12 @@ class StudyReportPageTest {
             0.25,
             0,
             0.4,
-            ObjectList.THESIS);
-    String answers = ResponsesCsv.of(SimulatedStudy.responses(model, 54, 2009));
+            RecognitionListSpec.THESIS);
+    String answers = ResponsesCsvWriter.of(StudySimulator.responses(model, 54, 2009));
     return StudyAnalysis.of(
-        ResponsesReader.parse("simulated.csv", answers, Optional.empty(), new Problems())
+        ResponsesReader.parse("simulated.csv", answers, Optional.empty(), new ProblemCollector())
             .orElseThrow(),
-        Scoring.DEFAULT,
+        DetectionScorer.DEFAULT,
         AnovaOptions.DEFAULT);
   }
 }

@@ -12,14 +12,14 @@ import java.nio.ByteOrder;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.tracker.HeadTracker;
 import org.selectiverenderer.tracker.Orientation;
+import org.selectiverenderer.tracker.RecordingTrackerListener;
 import org.selectiverenderer.tracker.TrackerException;
 import org.selectiverenderer.tracker.TrackerOptions;
 import org.selectiverenderer.tracker.TrackerSpec;
-import org.selectiverenderer.tracker.Watching;
-import org.selectiverenderer.tracker.open.Trackers;
+import org.selectiverenderer.tracker.factory.TrackerFactory;
 
 class OpenTrackTest {
-  private final Watching watching = new Watching();
+  private final RecordingTrackerListener watching = new RecordingTrackerListener();
 
   @Test
   void readsYawPitchAndRollBehindThePlace() throws IOException {
@@ -101,7 +101,7 @@ class OpenTrackTest {
   }
 
   private HeadTracker open(int port) throws IOException {
-    return Trackers.open(new TrackerSpec.OpenTrack(port), TrackerOptions.NONE, watching);
+    return TrackerFactory.open(new TrackerSpec.OpenTrack(port), TrackerOptions.NONE, watching);
   }
 
   private static int freePort() throws IOException {

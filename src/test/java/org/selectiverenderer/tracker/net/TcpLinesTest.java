@@ -11,15 +11,15 @@ import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.tracker.HeadTracker;
 import org.selectiverenderer.tracker.Orientation;
+import org.selectiverenderer.tracker.RecordingTrackerListener;
 import org.selectiverenderer.tracker.TrackerException;
 import org.selectiverenderer.tracker.TrackerHealth.State;
 import org.selectiverenderer.tracker.TrackerOptions;
 import org.selectiverenderer.tracker.TrackerSpec;
-import org.selectiverenderer.tracker.Watching;
-import org.selectiverenderer.tracker.open.Trackers;
+import org.selectiverenderer.tracker.factory.TrackerFactory;
 
 class TcpLinesTest {
-  private final Watching watching = new Watching();
+  private final RecordingTrackerListener watching = new RecordingTrackerListener();
 
   @Test
   void linesOfThreeNumbersAreRead() throws IOException {
@@ -129,7 +129,7 @@ class TcpLinesTest {
   }
 
   private HeadTracker open(String host, int port) throws IOException {
-    return Trackers.open(new TrackerSpec.Tcp(host, port), TrackerOptions.NONE, watching);
+    return TrackerFactory.open(new TrackerSpec.Tcp(host, port), TrackerOptions.NONE, watching);
   }
 
   private static ServerSocket server() throws IOException {

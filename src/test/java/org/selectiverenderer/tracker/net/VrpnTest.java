@@ -7,28 +7,28 @@ import java.io.IOException;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.tracker.HeadTracker;
 import org.selectiverenderer.tracker.Orientation;
+import org.selectiverenderer.tracker.RecordingTrackerListener;
 import org.selectiverenderer.tracker.TrackerOptions;
 import org.selectiverenderer.tracker.TrackerSpec;
-import org.selectiverenderer.tracker.Watching;
-import org.selectiverenderer.tracker.open.Trackers;
+import org.selectiverenderer.tracker.factory.TrackerFactory;
 
 class VrpnTest {
   private static final String COOKIE = "vrpn: ver. 07.38  0";
   private static final double HALF = Math.sqrt(0.5);
 
-  private final Watching watching = new Watching();
+  private final RecordingTrackerListener watching = new RecordingTrackerListener();
 
   @Test
   void readsTheQuaternionsOfTheNamedTracker() throws IOException {
-    try (VrpnServer server = new VrpnServer();
+    try (FakeVrpnServer server = new FakeVrpnServer();
         HeadTracker tracker = open(server, "Tracker0")) {
       assertThat(server.welcome("vrpn: ver. 07.33  0")).isEqualTo(COOKIE);
       server.introduce();
-      server.pose(VrpnServer.TRACKER, 0, 0, HALF, 0, HALF); // a quarter to the left
+      server.pose(FakeVrpnServer.TRACKER, 0, 0, HALF, 0, HALF); // a quarter to the left
       server.pose(1, 0, 0, 0, 0, 1); // another sender
-      server.pose(VrpnServer.TRACKER, 1, 0, 0, 0, 1); // another sensor
-      server.message(VrpnServer.TRACKER, 2, new byte[3]); // another type
-      server.pose(VrpnServer.TRACKER, 0, HALF, 0, 0, HALF); // straight up
+      server.pose(FakeVrpnServer.TRACKER, 1, 0, 0, 0, 1); // another sensor
+      server.message(FakeVrpnServer.TRACKER, 2, new byte[3]); // another type
+      server.pose(FakeVrpnServer.TRACKER, 0, HALF, 0, 0, HALF); // straight up
       watching.until("two records", () -> watching.samples() == 2);
       assertThat(watching.orientations.get(0).yaw()).isCloseTo(90, within(1e-6));
       assertThat(watching.orientations.get(1).pitch()).isCloseTo(90, within(1e-5));
@@ -41,15 +41,15 @@ class VrpnTest {
 
   @Test
   void whatIsNoUnitQuaternionIsBad() throws IOException {
-    try (VrpnServer server = new VrpnServer();
+    try (FakeVrpnServer server = new FakeVrpnServer();
         HeadTracker tracker = open(server, "Tracker0")) {
       server.welcome(COOKIE);
       server.introduce();
-      server.pose(VrpnServer.TRACKER, 0, 0, 0, 0, 0);
-      server.pose(VrpnServer.TRACKER, 0, Double.NaN, 0, 0, 1);
-      server.pose(VrpnServer.TRACKER, 0, 5, 0, 0, 1);
-      server.message(VrpnServer.TRACKER, VrpnServer.POSE, new byte[16]);
-      server.pose(VrpnServer.TRACKER, 0, 0, 0, 0, 1);
+      server.pose(FakeVrpnServer.TRACKER, 0, 0, 0, 0, 0);
+      server.pose(FakeVrpnServer.TRACKER, 0, Double.NaN, 0, 0, 1);
+      server.pose(FakeVrpnServer.TRACKER, 0, 5, 0, 0, 1);
+      server.message(FakeVrpnServer.TRACKER, FakeVrpnServer.POSE, new byte[16]);
+      server.pose(FakeVrpnServer.TRACKER, 0, 0, 0, 0, 1);
       watching.until("a record", () -> watching.samples() == 1);
       assertThat(watching.orientations).containsExactly(new Orientation(0, 0, 0));
       assertThat(tracker.health().bad()).isEqualTo(4);
@@ -58,7 +58,7 @@ class VrpnTest {
 
   @Test
   void aTrackerThatTheServerDoesNotHaveIsNamedWithThoseThatItHas() throws IOException {
-    try (VrpnServer server = new VrpnServer();
+    try (FakeVrpnServer server = new FakeVrpnServer();
         HeadTracker tracker = open(server, "Tracker9")) {
       server.welcome(COOKIE);
       server.introduce();
@@ -69,7 +69,7 @@ class VrpnTest {
 
   @Test
   void anotherVersionIsNamed() throws IOException {
-    try (VrpnServer server = new VrpnServer();
+    try (FakeVrpnServer server = new FakeVrpnServer();
         HeadTracker tracker = open(server, "Tracker0")) {
       server.welcome("vrpn: ver. 06.04  0");
       watching.problem("has protocol version 06.04, but this program needs 07.38");
@@ -79,7 +79,7 @@ class VrpnTest {
 
   @Test
   void whatIsNotVrpnIsNamed() throws IOException {
-    try (VrpnServer server = new VrpnServer();
+    try (FakeVrpnServer server = new FakeVrpnServer();
         HeadTracker tracker = open(server, "Tracker0")) {
       server.welcome("HTTP/1.1 400 Bad Request");
       watching.problem("is not a VRPN server");
@@ -89,7 +89,7 @@ class VrpnTest {
 
   @Test
   void anImpossibleLengthEndsTheConnection() throws IOException {
-    try (VrpnServer server = new VrpnServer();
+    try (FakeVrpnServer server = new FakeVrpnServer();
         HeadTracker tracker = open(server, "Tracker0")) {
       server.welcome(COOKIE);
       byte[] header = new byte[24];
@@ -102,7 +102,7 @@ class VrpnTest {
 
   @Test
   void aServerThatIsNotThereIsNamedAndALaterOneFound() throws IOException {
-    try (VrpnServer server = new VrpnServer();
+    try (FakeVrpnServer server = new FakeVrpnServer();
         HeadTracker tracker = open(server, "Tracker0")) {
       watching.problem("no VRPN server answers at 127.0.0.1, port " + server.port());
       // The datagrams so far ask for a connection that the client has given up.
@@ -111,11 +111,11 @@ class VrpnTest {
     }
   }
 
-  private boolean introduced(VrpnServer server) {
+  private boolean introduced(FakeVrpnServer server) {
     try {
       server.welcome(COOKIE);
       server.introduce();
-      server.pose(VrpnServer.TRACKER, 0, 0, 0, 0, 1);
+      server.pose(FakeVrpnServer.TRACKER, 0, 0, 0, 0, 1);
       watching.until("it", () -> watching.samples() > 0);
       return true;
     } catch (IOException e) {
@@ -123,8 +123,8 @@ class VrpnTest {
     }
   }
 
-  private HeadTracker open(VrpnServer server, String name) throws IOException {
-    return Trackers.open(
+  private HeadTracker open(FakeVrpnServer server, String name) throws IOException {
+    return TrackerFactory.open(
         new TrackerSpec.Vrpn(name, "127.0.0.1", server.port()), TrackerOptions.NONE, watching);
   }
 }

@@ -13,21 +13,21 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.tracker.HeadTracker;
 import org.selectiverenderer.tracker.Orientation;
 import org.selectiverenderer.tracker.PoseSample;
+import org.selectiverenderer.tracker.RecordingTrackerListener;
 import org.selectiverenderer.tracker.TrackerException;
 import org.selectiverenderer.tracker.TrackerHealth.State;
 import org.selectiverenderer.tracker.TrackerOptions;
 import org.selectiverenderer.tracker.TrackerOptions.Smoothing;
 import org.selectiverenderer.tracker.TrackerSpec;
-import org.selectiverenderer.tracker.Watching;
-import org.selectiverenderer.tracker.open.Trackers;
+import org.selectiverenderer.tracker.factory.TrackerFactory;
 
 class ReplayTest {
   @TempDir Path folder;
-  private final Watching watching = new Watching();
+  private final RecordingTrackerListener watching = new RecordingTrackerListener();
 
   @Test
   void columnsAreFoundByNameInAHeadLogToo() throws IOException {
@@ -70,12 +70,12 @@ class ReplayTest {
 
   @Test
   void aPlaceThatIsThereInPartIsAFault() throws IOException {
-    Problems problems = new Problems();
+    ProblemCollector problems = new ProblemCollector();
     Path half = file("t,yaw,pitch,roll,right,up,back\n0,1,2,3,0.1,,0\n");
     assertThat(ReplayLog.read(half, problems)).isEmpty();
     assertThat(problems.list()).singleElement().asString().contains(":2:13: a number is missing");
     Path missing = file("t,yaw,pitch,roll,right\n0,1,2,3,0.1\n");
-    assertThat(ReplayLog.read(missing, new Problems())).isEmpty();
+    assertThat(ReplayLog.read(missing, new ProblemCollector())).isEmpty();
   }
 
   @Test
@@ -87,8 +87,8 @@ class ReplayTest {
     }
     assertThat(watching.places).containsExactly("0.1 0.2 0.3", "none");
     PoseSample pose = new PoseSample();
-    try (SteppedReplay replay =
-        new SteppedReplay(new TrackerSpec.Replay(file), log(file), TrackerOptions.NONE)) {
+    try (FrameSteppedReplay replay =
+        new FrameSteppedReplay(new TrackerSpec.Replay(file), log(file), TrackerOptions.NONE)) {
       replay.advanceTo(0);
       assertThat(replay.read(pose)).isTrue();
       assertThat(pose.placed()).isTrue();
@@ -114,8 +114,8 @@ class ReplayTest {
   @Test
   void steppedByFramesTheNewestRowThatIsNotLaterCounts() throws IOException {
     Path file = file("t,yaw,pitch,roll\n0.1,1,0,0\n0.2,2,0,0\n0.3,3,0,0\n");
-    try (SteppedReplay replay =
-        new SteppedReplay(new TrackerSpec.Replay(file), log(file), TrackerOptions.NONE)) {
+    try (FrameSteppedReplay replay =
+        new FrameSteppedReplay(new TrackerSpec.Replay(file), log(file), TrackerOptions.NONE)) {
       PoseSample pose = new PoseSample();
       replay.advanceTo(0.05);
       assertThat(replay.read(pose)).isFalse();
@@ -135,7 +135,7 @@ class ReplayTest {
   @Test
   void aRowTornByACrashIsPassedOver() throws IOException {
     Path file = file("t,yaw,pitch,roll\n0,1,2,3\n0.1,4,");
-    Problems problems = new Problems();
+    ProblemCollector problems = new ProblemCollector();
     assertThat(ReplayLog.read(file, problems)).map(ReplayLog::size).contains(1);
     assertThat(problems.any()).isFalse();
     assertThat(problems.list())
@@ -159,7 +159,7 @@ class ReplayTest {
   @Test
   void timesMayBeTheSameButNotGoBack() throws IOException {
     Path file = file("t,yaw,pitch,roll\n1,0,0,0\n1,0,0,0\n0.5,0,0,0\n");
-    Problems problems = new Problems();
+    ProblemCollector problems = new ProblemCollector();
     assertThat(ReplayLog.read(file, problems)).isEmpty();
     assertThat(problems.list())
         .extracting(Problem::message)
@@ -181,8 +181,8 @@ class ReplayTest {
 
   private List<Orientation> frames(Path file, TrackerOptions options) throws IOException {
     List<Orientation> frames = new ArrayList<>();
-    try (SteppedReplay replay =
-        new SteppedReplay(new TrackerSpec.Replay(file), log(file), options)) {
+    try (FrameSteppedReplay replay =
+        new FrameSteppedReplay(new TrackerSpec.Replay(file), log(file), options)) {
       PoseSample pose = new PoseSample();
       for (int frame = 0; frame < 90; frame++) {
         replay.advanceTo(frame / 60.0);
@@ -194,11 +194,11 @@ class ReplayTest {
   }
 
   private HeadTracker open(Path file) throws IOException {
-    return Trackers.open(new TrackerSpec.Replay(file), TrackerOptions.NONE, watching);
+    return TrackerFactory.open(new TrackerSpec.Replay(file), TrackerOptions.NONE, watching);
   }
 
   private static ReplayLog log(Path file) throws IOException {
-    return ReplayLog.read(file, new Problems()).orElseThrow();
+    return ReplayLog.read(file, new ProblemCollector()).orElseThrow();
   }
 
   private Path file(String text) throws IOException {

@@ -10,20 +10,20 @@ import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.tracker.HeadTracker;
 import org.selectiverenderer.tracker.Orientation;
 import org.selectiverenderer.tracker.PoseSample;
+import org.selectiverenderer.tracker.RecordingTrackerListener;
 import org.selectiverenderer.tracker.TrackerOptions;
 import org.selectiverenderer.tracker.TrackerSpec;
-import org.selectiverenderer.tracker.Watching;
-import org.selectiverenderer.tracker.open.Trackers;
+import org.selectiverenderer.tracker.factory.TrackerFactory;
 
 class FastrakTest {
   private static final String RECORD = "01   12.50 -45.25   3.00\r\n";
 
   @TempDir Path folder;
-  private final Watching watching = new Watching();
+  private final RecordingTrackerListener watching = new RecordingTrackerListener();
 
   @Test
   void isAskedForAnglesOfStationOneAndReadThem() throws IOException {
-    try (FarEnd device = sending(RECORD.repeat(3));
+    try (FakeSerialDevice device = sending(RECORD.repeat(3));
         HeadTracker tracker = open()) {
       watching.more(3);
       assertThat(device.heard()).isEqualTo("cFuO1,2,4,1\r\nC");
@@ -37,7 +37,7 @@ class FastrakTest {
   void thePlaceIsTurnedFromItsAxesToThoseOfTheViewer() throws IOException {
     // 40 cm to the front, 12.5 cm to the right, 30 cm down.
     String whole = "01   40.00  12.50  30.00  12.50 -45.25   3.00\r\n";
-    try (FarEnd device = sending(whole.repeat(2));
+    try (FakeSerialDevice device = sending(whole.repeat(2));
         HeadTracker tracker = open()) {
       watching.more(2);
       assertThat(device.heard()).endsWith("C");
@@ -49,7 +49,7 @@ class FastrakTest {
 
   @Test
   void whatIsNotExactlyARecordIsBad() throws IOException {
-    try (FarEnd device =
+    try (FakeSerialDevice device =
             sending(
                 RECORD
                     + "01   12.50 -45.25   3.0\r\n" // short
@@ -71,8 +71,8 @@ class FastrakTest {
   @Test
   void aWrongSpeedIsNamed() throws IOException {
     byte[] garbage = {(byte) 0xf8, 0x00, (byte) 0x80, 0x78, '\n', (byte) 0xff};
-    try (FarEnd device =
-            new FarEnd(
+    try (FakeSerialDevice device =
+            new FakeSerialDevice(
                 folder.resolve("tracker"),
                 (command, far) -> {
                   if (command == 'C') {
@@ -88,7 +88,8 @@ class FastrakTest {
 
   @Test
   void silenceIsNamed() throws IOException {
-    try (FarEnd device = new FarEnd(folder.resolve("tracker"), (command, far) -> {});
+    try (FakeSerialDevice device =
+            new FakeSerialDevice(folder.resolve("tracker"), (command, far) -> {});
         HeadTracker tracker = open()) {
       watching.problem("no Fastrak answers (is it powered, and set to 9600 bits per second?)");
       assertThat(device.heard()).contains("C");
@@ -96,8 +97,8 @@ class FastrakTest {
     }
   }
 
-  private FarEnd sending(String text) throws IOException {
-    return new FarEnd(
+  private FakeSerialDevice sending(String text) throws IOException {
+    return new FakeSerialDevice(
         folder.resolve("tracker"),
         (command, far) -> {
           if (command == 'C') {
@@ -107,7 +108,7 @@ class FastrakTest {
   }
 
   private HeadTracker open() throws IOException {
-    return Trackers.open(
+    return TrackerFactory.open(
         new TrackerSpec.Fastrak(folder.resolve("tracker").toString(), 9600),
         TrackerOptions.NONE,
         watching);

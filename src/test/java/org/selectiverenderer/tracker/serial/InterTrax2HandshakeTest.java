@@ -11,21 +11,21 @@ import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.tracker.HeadTracker;
+import org.selectiverenderer.tracker.RecordingTrackerListener;
 import org.selectiverenderer.tracker.TrackerOptions;
 import org.selectiverenderer.tracker.TrackerSpec;
-import org.selectiverenderer.tracker.Watching;
-import org.selectiverenderer.tracker.open.Trackers;
+import org.selectiverenderer.tracker.factory.TrackerFactory;
 
 /** Devices in all states, and other devices, at the far end of the cable. */
 class InterTrax2HandshakeTest {
   private static final byte[] RECORD = HexFormat.of().parseHex("80004000E001005F");
 
   @TempDir Path folder;
-  private final Watching watching = new Watching();
+  private final RecordingTrackerListener watching = new RecordingTrackerListener();
 
   @Test
   void commandsComeInTheirOrder() throws IOException {
-    try (FarEnd device = new FarEnd(link(), InterTrax2HandshakeTest::obeys);
+    try (FakeSerialDevice device = new FakeSerialDevice(link(), InterTrax2HandshakeTest::obeys);
         HeadTracker tracker = open()) {
       watching.more(2);
       assertThat(device.heard()).isEqualTo("ct\2b\4d");
@@ -35,8 +35,8 @@ class InterTrax2HandshakeTest {
 
   @Test
   void anExclamationMarkAndAByteIsAnAnswerToo() throws IOException {
-    try (FarEnd device =
-            new FarEnd(
+    try (FakeSerialDevice device =
+            new FakeSerialDevice(
                 link(),
                 (command, far) -> {
                   if (command == 'c') {
@@ -55,8 +55,8 @@ class InterTrax2HandshakeTest {
   @Test
   void aHungDeviceIsReset() throws IOException {
     StringBuilder heard = new StringBuilder();
-    try (FarEnd device =
-            new FarEnd(
+    try (FakeSerialDevice device =
+            new FakeSerialDevice(
                 link(),
                 (command, far) -> {
                   if (heard.indexOf("*reset") >= 0) {
@@ -74,8 +74,8 @@ class InterTrax2HandshakeTest {
   @Test
   void aSilentDeviceIsReportedOnceAndAskedOn() throws IOException {
     AtomicInteger resets = new AtomicInteger();
-    try (FarEnd device =
-            new FarEnd(
+    try (FakeSerialDevice device =
+            new FakeSerialDevice(
                 link(),
                 (command, far) -> {
                   if (command == '*') {
@@ -97,7 +97,8 @@ class InterTrax2HandshakeTest {
   void garbageIsReportedAsAnotherSpeedOrDevice() throws IOException {
     byte[] garbage = new byte[64];
     new Random(7).nextBytes(garbage);
-    try (FarEnd device = new FarEnd(link(), (command, far) -> far.says(garbage));
+    try (FakeSerialDevice device =
+            new FakeSerialDevice(link(), (command, far) -> far.says(garbage));
         HeadTracker tracker = open()) {
       watching.problem("answers, but not as an InterTrax2 does (wrong speed, or another device?)");
       assertThat(device.heard()).contains("c");
@@ -107,8 +108,8 @@ class InterTrax2HandshakeTest {
 
   @Test
   void aRefusedSetUpIsReported() throws IOException {
-    try (FarEnd device =
-            new FarEnd(link(), (command, far) -> far.says(command == 'c' ? 'o' : '?'));
+    try (FakeSerialDevice device =
+            new FakeSerialDevice(link(), (command, far) -> far.says(command == 'c' ? 'o' : '?'));
         HeadTracker tracker = open()) {
       watching.problem("did not accept the command 't'");
       assertThat(device.heard()).startsWith("ct\2");
@@ -118,7 +119,7 @@ class InterTrax2HandshakeTest {
 
   @Test
   void aDeviceThatFallsSilentOrSendsGarbageIsReportedAndHeardAgain() throws IOException {
-    try (FarEnd device = new FarEnd(link(), InterTrax2HandshakeTest::obeys);
+    try (FakeSerialDevice device = new FakeSerialDevice(link(), InterTrax2HandshakeTest::obeys);
         HeadTracker tracker = open()) {
       watching.more(2);
       watching.problem("no records for 0.5 s; the last orientation is kept");
@@ -142,7 +143,7 @@ class InterTrax2HandshakeTest {
     for (int i = 0; i < flood.length; i += RECORD.length) {
       System.arraycopy(RECORD, 0, flood, i, RECORD.length);
     }
-    try (FarEnd device = new FarEnd(link(), InterTrax2HandshakeTest::obeys);
+    try (FakeSerialDevice device = new FakeSerialDevice(link(), InterTrax2HandshakeTest::obeys);
         HeadTracker tracker = open()) {
       watching.more(2);
       for (int i = 0; i < 100; i++) {
@@ -153,7 +154,7 @@ class InterTrax2HandshakeTest {
     }
   }
 
-  private static void obeys(int command, FarEnd device) throws IOException {
+  private static void obeys(int command, FakeSerialDevice device) throws IOException {
     switch (command) {
       case 'c' -> device.says('o');
       case 't', 'b' -> device.says(command);
@@ -176,7 +177,7 @@ class InterTrax2HandshakeTest {
   }
 
   private HeadTracker open() throws IOException {
-    return Trackers.open(
+    return TrackerFactory.open(
         new TrackerSpec.InterTrax2(link().toString()), TrackerOptions.NONE, watching);
   }
 }

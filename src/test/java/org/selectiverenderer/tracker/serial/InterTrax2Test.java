@@ -12,15 +12,15 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.tracker.HeadTracker;
 import org.selectiverenderer.tracker.PoseSample;
+import org.selectiverenderer.tracker.RecordingTrackerListener;
 import org.selectiverenderer.tracker.TrackerHealth.State;
 import org.selectiverenderer.tracker.TrackerOptions;
 import org.selectiverenderer.tracker.TrackerSpec;
-import org.selectiverenderer.tracker.Watching;
-import org.selectiverenderer.tracker.emulate.EmulatedInterTrax2;
-import org.selectiverenderer.tracker.emulate.HeadMotion;
-import org.selectiverenderer.tracker.emulate.InterTrax2Emulator.Settings;
-import org.selectiverenderer.tracker.emulate.PseudoTerminal.Maker;
-import org.selectiverenderer.tracker.open.Trackers;
+import org.selectiverenderer.tracker.emulator.EmulatedInterTrax2;
+import org.selectiverenderer.tracker.emulator.HeadMotion;
+import org.selectiverenderer.tracker.emulator.InterTrax2Emulator.Settings;
+import org.selectiverenderer.tracker.emulator.PseudoTerminal.Maker;
+import org.selectiverenderer.tracker.factory.TrackerFactory;
 
 /** The real driver on a real serial device (a pseudo-terminal), the emulator at the far end. */
 class InterTrax2Test {
@@ -28,7 +28,7 @@ class InterTrax2Test {
   private static final double STEP = 180.0 / 32768;
 
   @TempDir Path folder;
-  private final Watching watching = new Watching();
+  private final RecordingTrackerListener watching = new RecordingTrackerListener();
   private final PoseSample pose = new PoseSample();
   private Path link;
 
@@ -127,7 +127,7 @@ class InterTrax2Test {
   }
 
   private HeadTracker open(EmulatedInterTrax2 device) throws IOException {
-    return Trackers.open(
+    return TrackerFactory.open(
         new TrackerSpec.InterTrax2(device.link().toString()), TrackerOptions.NONE, watching);
   }
 }

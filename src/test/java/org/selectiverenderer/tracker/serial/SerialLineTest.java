@@ -21,7 +21,8 @@ class SerialLineTest {
   @Test
   void whatWasSentBeforeItWasOpenedIsThrownAway() throws IOException {
     Path link = folder.resolve("tracker");
-    try (FarEnd device = new FarEnd(link, (command, far) -> far.says(command + 1))) {
+    try (FakeSerialDevice device =
+        new FakeSerialDevice(link, (command, far) -> far.says(command + 1))) {
       device.says(new byte[STALE]);
       // What does not read sees how much has come so far.
       try (FileInputStream arrived = new FileInputStream(link.toFile())) {

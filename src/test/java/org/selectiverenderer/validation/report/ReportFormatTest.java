@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.selectiverenderer.base.problem.Problem.Severity;
-import org.selectiverenderer.validation.Report;
+import org.selectiverenderer.validation.ValidationReport;
 import org.selectiverenderer.validation.ValidationSettings;
 import org.selectiverenderer.validation.run.RuleCatalogue;
 import org.selectiverenderer.validation.run.SceneFinder;
@@ -94,7 +94,7 @@ class ReportFormatTest {
         .isEqualTo(ReportFormat.TEXT.write(validate(), STYLE));
   }
 
-  private static Report validate() throws IOException {
+  private static ValidationReport validate() throws IOException {
     SceneFinder finder = new SceneFinder(FOLDER, InputStream.nullInputStream());
     return new Validator(RuleCatalogue.standard(), ValidationSettings.standard(), FOLDER)
         .validate(List.copyOf(finder.find(FOLDER.resolve("scenes").toString())));

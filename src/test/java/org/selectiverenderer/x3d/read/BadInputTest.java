@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.ReadLimits;
 
@@ -157,7 +157,7 @@ class BadInputTest {
     Path packed =
         Files.write(folder.resolve("packed.x3d"), gzip(GOOD.getBytes(StandardCharsets.UTF_8)));
     X3dReader reader = new X3dReader(NodeCatalogue.load());
-    Problems problems = new Problems();
+    ProblemCollector problems = new ProblemCollector();
     assertThat(reader.read(plain, problems).named()).containsOnlyKeys("I", "T");
     assertThat(reader.read(packed, problems).named()).containsOnlyKeys("I", "T");
     try (InputStream in = Files.newInputStream(packed)) {
@@ -254,7 +254,7 @@ class BadInputTest {
   @Test
   void theStandardLimitOfDepthFitsASmallStack() throws InterruptedException {
     X3dReader reader = new X3dReader(NodeCatalogue.load());
-    Problems problems = new Problems();
+    ProblemCollector problems = new ProblemCollector();
     StringBuilder text = new StringBuilder("<X3D><Scene>");
     for (int i = 0; i < 600; i++) {
       text.append("<ProtoDeclare name='P").append(i).append("'><ProtoBody>");
@@ -275,7 +275,7 @@ class BadInputTest {
   void manyFaultsOfOneFileTakeNoLongerThanItsLength() {
     fixture.scene("<Transform" + attributes(5_000) + "/>");
     assertReadable();
-    assertThat(fixture.problems.list()).hasSize(Problems.LIMIT + 1);
+    assertThat(fixture.problems.list()).hasSize(ProblemCollector.LIMIT + 1);
     StringBuilder text = new StringBuilder();
     for (int i = 0; i < 5_000; i++) {
       text.append("<Group DEF='N").append(i).append("'/><Group USE='M").append(i).append("'/>");
@@ -305,10 +305,10 @@ class BadInputTest {
   @Test
   void aFileThatCannotBeReadIsAnExceptionOfOneLine(@TempDir Path folder) {
     X3dReader reader = new X3dReader(NodeCatalogue.load());
-    assertThatThrownBy(() -> reader.read(folder.resolve("none.x3d"), new Problems()))
+    assertThatThrownBy(() -> reader.read(folder.resolve("none.x3d"), new ProblemCollector()))
         .isInstanceOf(IOException.class)
         .hasMessage(folder.resolve("none.x3d") + ": the file does not exist");
-    assertThatThrownBy(() -> reader.read(folder, new Problems()))
+    assertThatThrownBy(() -> reader.read(folder, new ProblemCollector()))
         .isInstanceOf(IOException.class)
         .hasMessageEndingWith("this is a folder, not a file");
   }
@@ -352,7 +352,7 @@ class BadInputTest {
 
   /** Every problem is a sentence with a place that an editor could jump to. */
   private void assertReadable() {
-    assertThat(fixture.problems.list()).hasSizeLessThanOrEqualTo(Problems.LIMIT + 1);
+    assertThat(fixture.problems.list()).hasSizeLessThanOrEqualTo(ProblemCollector.LIMIT + 1);
     for (Problem problem : fixture.problems.list()) {
       assertThat(problem.toString())
           .startsWith("test.x3d")

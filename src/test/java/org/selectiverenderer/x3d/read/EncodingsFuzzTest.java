@@ -10,7 +10,7 @@ import java.util.Random;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.XmlDocument;
 import org.selectiverenderer.x3d.write.SceneFormat;
@@ -23,9 +23,11 @@ class EncodingsFuzzTest {
   private final ReaderFixture fixture = new ReaderFixture();
 
   private static byte[] scene(SceneFormat format) throws IOException {
-    byte[] xml = ConversionTest.ALL.getBytes(StandardCharsets.UTF_8);
+    byte[] xml = SceneConversionTest.ALL.getBytes(StandardCharsets.UTF_8);
     XmlDocument document = READER.document("scene", new ByteArrayInputStream(xml), xml.length);
-    return format.text(document, CATALOGUE, new Problems()).getBytes(StandardCharsets.UTF_8);
+    return format
+        .text(document, CATALOGUE, new ProblemCollector())
+        .getBytes(StandardCharsets.UTF_8);
   }
 
   @ParameterizedTest
@@ -61,14 +63,14 @@ class EncodingsFuzzTest {
       XmlDocument document =
           READER.document("test.x3d", new ByteArrayInputStream(bytes), bytes.length);
       for (SceneFormat other : SceneFormat.values()) {
-        assertThat(other.text(document, CATALOGUE, new Problems())).isNotEmpty();
+        assertThat(other.text(document, CATALOGUE, new ProblemCollector())).isNotEmpty();
       }
     }
   }
 
   /** Every problem is a sentence with a place that an editor could jump to. */
   private void assertReadable() {
-    assertThat(fixture.problems.list()).hasSizeLessThanOrEqualTo(Problems.LIMIT + 1);
+    assertThat(fixture.problems.list()).hasSizeLessThanOrEqualTo(ProblemCollector.LIMIT + 1);
     for (Problem problem : fixture.problems.list()) {
       assertThat(problem.toString())
           .startsWith("test.x3d")

@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.selectiverenderer.base.problem.Problem;
 
 /** Messages about external prototypes that cannot be loaded (X3D 4.0, 4.4.5). */
-class ExternPrototypeProblemsTest extends ExternPrototypesCase {
+class ExternPrototypeProblemsTest extends AbstractExternPrototypesTest {
   @Test
   void aMissingLibraryIsOneProblemHoweverManyNodesItWouldHaveMade() {
     X3dFile file =

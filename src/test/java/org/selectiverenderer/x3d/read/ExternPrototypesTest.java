@@ -13,12 +13,12 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.x3d.catalogue.NodeView;
-import org.selectiverenderer.x3d.files.UrlChoice;
+import org.selectiverenderer.x3d.url.UrlSelection;
 
 /** X3D 4.0, 4.4.5 External prototypes. */
-class ExternPrototypesTest extends ExternPrototypesCase {
+class ExternPrototypesTest extends AbstractExternPrototypesTest {
   @Test
   void anInstanceHasTheLibrarysBodyAndDefaultsAndItsOwnValues() {
     X3dFile file =
@@ -115,9 +115,9 @@ class ExternPrototypesTest extends ExternPrototypesCase {
   }
 
   private Path fileOf(NodeView node) throws IOException {
-    UrlChoice choice = UrlChoice.of(node, root, ((ParsedNode) node).base(here), "");
-    assertThat(choice).isInstanceOf(UrlChoice.Found.class);
-    Path file = ((UrlChoice.Found) choice).content().file().orElseThrow();
+    UrlSelection choice = UrlSelection.of(node, root, ((ParsedNode) node).base(here), "");
+    assertThat(choice).isInstanceOf(UrlSelection.Found.class);
+    Path file = ((UrlSelection.Found) choice).content().file().orElseThrow();
     return folder.resolve(folder.toRealPath().relativize(file));
   }
 
@@ -183,11 +183,11 @@ class ExternPrototypesTest extends ExternPrototypesCase {
         "<ProtoDeclare name='P'><ProtoBody><Shape><PointSet><Coordinate point='%s'/></PointSet></Shape>"
                 .formatted(coordinates)
             + "</ProtoBody></ProtoDeclare>");
-    X3dReader with = reader.with(new FileLibraries(reader, root), here);
+    X3dReader with = reader.with(new PrototypeLibraryLoader(reader, root), here);
     byte[] text = text(extern("P", "\"big.x3d#P\"") + "<ProtoInstance name='P'/>").getBytes(UTF_8);
     Callable<Integer> read =
         () ->
-            with.read("test.x3d", text, new Problems())
+            with.read("test.x3d", text, new ProblemCollector())
                 .nodes()
                 .get(0)
                 .node("geometry")

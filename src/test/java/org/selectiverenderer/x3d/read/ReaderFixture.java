@@ -5,13 +5,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.ReadLimits;
 
 /** Reads small texts as {@code test.x3d} and compares the problems found with those expected. */
 final class ReaderFixture {
-  Problems problems = new Problems();
+  ProblemCollector problems = new ProblemCollector();
   private final X3dReader reader;
 
   ReaderFixture() {
@@ -23,7 +23,7 @@ final class ReaderFixture {
   }
 
   X3dFile read(byte[] bytes) {
-    problems = new Problems();
+    problems = new ProblemCollector();
     return reader.read("test.x3d", bytes, problems);
   }
 

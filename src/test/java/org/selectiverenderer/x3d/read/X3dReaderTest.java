@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
 class X3dReaderTest {
@@ -58,12 +58,12 @@ class X3dReaderTest {
     fixture.assertClean();
     ParsedNode transform = file.nodes().get(0);
     assertThat(transform.name()).isEqualTo("T");
-    assertThat(transform.location()).isEqualTo(new Location("test.x3d", 2, 1));
+    assertThat(transform.location()).isEqualTo(new SourceLocation("test.x3d", 2, 1));
     assertThat(transform.floats("translation")).containsExactly(1, 2, 3);
     assertThat(transform.floats("scale")).containsExactly(1, 1, 1);
     assertThat(transform.given(transform.type().indexOf("scale"))).isFalse();
     NodeView shape = transform.nodes("children").get(0);
-    assertThat(shape.location()).isEqualTo(new Location("test.x3d", 3, 3));
+    assertThat(shape.location()).isEqualTo(new SourceLocation("test.x3d", 3, 3));
     assertThat(shape.node("appearance").node("material").floats("diffuseColor"))
         .containsExactly(1, 0, 0);
     assertThat(shape.node("geometry").ints("coordIndex")).containsExactly(0, 1, 2, -1);
@@ -283,12 +283,12 @@ class X3dReaderTest {
                 ecmascript: var a;]]></Script>
             <Script DEF='Url' url='"no.js" "javascript: var b;"'/>
             """);
-    Location scene = file.named().get("Text").location();
+    SourceLocation scene = file.named().get("Text").location();
 
     assertThat(file.named().get("Text").textLocation())
-        .isEqualTo(new Location(scene.file(), scene.line() + 4, 5));
+        .isEqualTo(new SourceLocation(scene.file(), scene.line() + 4, 5));
     assertThat(file.named().get("Url").textLocation())
-        .isEqualTo(new Location(scene.file(), scene.line() + 5, 44));
+        .isEqualTo(new SourceLocation(scene.file(), scene.line() + 5, 44));
   }
 
   @Test
@@ -329,7 +329,8 @@ class X3dReaderTest {
           X3dFile file = fixture.read((mark + declared + text).getBytes(charset));
           assertThat(file.nodes().get(0).string("title")).as(charset + mark).isEqualTo("Gr\u00fcn");
           int line = declared.isEmpty() ? 1 : 2;
-          assertThat(file.nodes().get(0).location()).isEqualTo(new Location("test.x3d", line, 27));
+          assertThat(file.nodes().get(0).location())
+              .isEqualTo(new SourceLocation("test.x3d", line, 27));
         }
       }
     }

@@ -5,14 +5,14 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.read.X3dReader;
 
 class X3dWriterTest {
   private static X3dFile read(String text) {
-    Problems problems = new Problems();
+    ProblemCollector problems = new ProblemCollector();
     byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
     X3dFile file = new X3dReader(NodeCatalogue.load()).read("a.x3d", bytes, problems);
     assertThat(problems.list()).isEmpty();
@@ -54,7 +54,7 @@ class X3dWriterTest {
   void valuesReadBackAsTheyWere() {
     String[] strings = {"Tom's \"A\\B\" & <c>", "two\nlines\tand a tab", ""};
     X3dWriter out = new X3dWriter().file("Immersive", "3.3").open("Scene");
-    out.empty("WorldInfo", "DEF", "Info", "info", ValueText.strings(strings));
+    out.empty("WorldInfo", "DEF", "Info", "info", FieldValueFormatter.strings(strings));
 
     assertThat(read(out.finish()).named().get("Info").strings("info")).containsExactly(strings);
   }
@@ -90,7 +90,7 @@ class X3dWriterTest {
         </X3D>
         """;
     X3dWriter out = new X3dWriter().file("Immersive", "3.3").open("Scene");
-    NodeText nodes = new NodeText(out, NodeText.Written.GIVEN);
+    X3dNodeWriter nodes = new X3dNodeWriter(out, X3dNodeWriter.Written.GIVEN);
     read(scene).nodes().forEach(node -> nodes.append(node, "", (of, url) -> url));
 
     assertThat(out.finish()).isEqualTo(scene);
@@ -98,8 +98,8 @@ class X3dWriterTest {
 
   @Test
   void fullLinesAreBroken() {
-    TupleLines two = TupleLines.perLine(2);
-    TupleLines wide = TupleLines.wide(4);
+    TupleListBuilder two = TupleListBuilder.perLine(2);
+    TupleListBuilder wide = TupleListBuilder.wide(4);
     for (int i = 10; i < 15; i++) {
       two.next().append(i);
       wide.next().append(i);
@@ -107,7 +107,8 @@ class X3dWriterTest {
 
     assertThat(two.text().toString()).isEqualTo("10 11\n12 13\n14");
     assertThat(wide.text().toString()).isEqualTo("10 11\n12 13\n14");
-    assertThat(TupleLines.perLine(2).triangles(new int[] {0, 1, 2, 2, 1, 3}).text().toString())
+    assertThat(
+            TupleListBuilder.perLine(2).triangles(new int[] {0, 1, 2, 2, 1, 3}).text().toString())
         .isEqualTo("0 1 2 -1 2 1 3 -1");
   }
 }

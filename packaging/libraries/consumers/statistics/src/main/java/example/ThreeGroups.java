@@ -8,8 +8,8 @@ import org.selectiverenderer.statistics.anova.Design;
 import org.selectiverenderer.statistics.anova.Effect;
 import org.selectiverenderer.statistics.anova.Factor;
 import org.selectiverenderer.statistics.anova.Subject;
-import org.selectiverenderer.statistics.detection.Correction;
-import org.selectiverenderer.statistics.detection.Detection;
+import org.selectiverenderer.statistics.detection.ExtremeRateCorrection;
+import org.selectiverenderer.statistics.detection.DetectionIndices;
 import org.selectiverenderer.statistics.detection.ResponseCounts;
 
 /** Sensitivity of one participant, and whether three groups differ. */

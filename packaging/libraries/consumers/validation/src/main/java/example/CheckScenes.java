@@ -6,7 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.selectiverenderer.base.problem.Problem.Severity;
 import org.selectiverenderer.validation.Finding;
-import org.selectiverenderer.validation.Report;
+import org.selectiverenderer.validation.ValidationReport;
 import org.selectiverenderer.validation.SourceFile;
 import org.selectiverenderer.validation.ValidationSettings;
 import org.selectiverenderer.validation.report.ReportFormat;

@@ -13,33 +13,33 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import org.selectiverenderer.base.json.JsonMembers;
-import org.selectiverenderer.base.json.JsonSettings;
-import org.selectiverenderer.base.problem.Problems;
-import org.selectiverenderer.base.problem.Spelling;
-import org.selectiverenderer.experiment.questionnaire.AskedIf;
-import org.selectiverenderer.experiment.questionnaire.Page;
+import org.selectiverenderer.base.json.JsonObjectReader;
+import org.selectiverenderer.base.json.JsonSettingsReader;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SpellingSuggester;
+import org.selectiverenderer.experiment.questionnaire.BranchingRule;
 import org.selectiverenderer.experiment.questionnaire.Question;
 import org.selectiverenderer.experiment.questionnaire.QuestionKind;
 import org.selectiverenderer.experiment.questionnaire.Questionnaire;
+import org.selectiverenderer.experiment.questionnaire.QuestionnairePage;
 import org.selectiverenderer.hmd.EyeGeometry;
 
 /** Reads the JSON file of a questionnaire, which {@code questionnaire.schema.json} describes. */
 public final class QuestionnaireReader {
-  private static final JsonSettings JSON =
-      new JsonSettings("a questionnaire", "the questionnaire is not used");
+  private static final JsonSettingsReader JSON =
+      new JsonSettingsReader("a questionnaire", "the questionnaire is not used");
 
   /** Pattern of names and ids, which occur in tables, journals and names of files. */
   private static final String NAME = "[0-9A-Za-z][0-9A-Za-z_-]*";
 
   private final Optional<Path> folder;
-  private final LanguageTexts texts;
+  private final LocalizedTexts texts;
   private final Map<String, Question> questions = new LinkedHashMap<>();
   private final Set<String> pages = new HashSet<>();
 
   private QuestionnaireReader(Optional<Path> folder, String language) {
     this.folder = folder;
-    texts = new LanguageTexts(language);
+    texts = new LocalizedTexts(language);
   }
 
   /**
@@ -49,7 +49,7 @@ public final class QuestionnaireReader {
    * @return empty if the file has faults, which are then in {@code problems}
    * @throws IOException if the file cannot be read
    */
-  public static Optional<Questionnaire> read(Path file, String language, Problems problems)
+  public static Optional<Questionnaire> read(Path file, String language, ProblemCollector problems)
       throws IOException {
     Optional<Path> folder = Optional.ofNullable(file.toAbsolutePath().getParent());
     try {
@@ -65,23 +65,24 @@ public final class QuestionnaireReader {
    * @param file name of the text, for messages
    */
   static Optional<Questionnaire> parse(
-      String file, String text, String language, Problems problems) {
+      String file, String text, String language, ProblemCollector problems) {
     return JSON.parse(
         file, text, problems, new QuestionnaireReader(Optional.empty(), language)::questionnaire);
   }
 
-  private Questionnaire questionnaire(JsonMembers keys) {
+  private Questionnaire questionnaire(JsonObjectReader keys) {
     String name = name(keys, "name", "a questionnaire's name");
     keys.text("source", false); // A citation of the questions' source, for people.
     String title = texts.optional(keys, "title");
-    List<Page> read = keys.objects("pages", "a page", page -> page(page, title));
+    List<QuestionnairePage> read = keys.objects("pages", "a page", page -> page(page, title));
     if (read.isEmpty()) {
       keys.fault("pages", "a questionnaire needs \"pages\"");
     }
-    return new Questionnaire(name, name, "", read, new ScoresReader(questions).scores(keys));
+    return new Questionnaire(
+        name, name, "", read, new ScoreDefinitionReader(questions).scores(keys));
   }
 
-  private static String name(JsonMembers keys, String key, String what) {
+  private static String name(JsonObjectReader keys, String key, String what) {
     String name = keys.text(key);
     if (!name.isEmpty() && !name.matches(NAME)) {
       keys.fault(key, what + " must consist of letters, digits, hyphens and underscores");
@@ -89,7 +90,7 @@ public final class QuestionnaireReader {
     return name;
   }
 
-  private Page page(JsonMembers keys, String title) {
+  private QuestionnairePage page(JsonObjectReader keys, String title) {
     String id =
         keys.has("name")
             ? name(keys, "name", "a page's name")
@@ -100,14 +101,14 @@ public final class QuestionnaireReader {
     String own = texts.optional(keys, "title");
     String text = texts.optional(keys, "text");
     Optional<Path> picture = keys.text("picture", false).flatMap(file -> picture(keys, file));
-    Optional<AskedIf> when = when(keys);
+    Optional<BranchingRule> when = when(keys);
     boolean shuffled =
         keys.choice("order", List.of(false, true), QuestionnaireReader::order, false);
     List<Optional<Question>> read = keys.objects("questions", "a question", this::question);
     if (read.isEmpty() && text.isEmpty() && picture.isEmpty()) {
       keys.fault("a page needs a \"text\", a \"picture\" or \"questions\"");
     }
-    return new Page(
+    return new QuestionnairePage(
         id,
         own.isEmpty() ? title : own,
         text,
@@ -121,7 +122,7 @@ public final class QuestionnaireReader {
     return shuffled ? "random" : "fixed";
   }
 
-  private Optional<Path> picture(JsonMembers keys, String name) {
+  private Optional<Path> picture(JsonObjectReader keys, String name) {
     Optional<Path> file = folder.map(base -> base.resolve(name).normalize());
     if (!name.toLowerCase(Locale.ROOT).matches(".*\\.(png|jpe?g)")) {
       keys.fault("picture", "a picture must be a PNG or JPEG file");
@@ -146,9 +147,9 @@ public final class QuestionnaireReader {
     }
   }
 
-  private Optional<Question> question(JsonMembers keys) {
+  private Optional<Question> question(JsonObjectReader keys) {
     String id = name(keys, "id", "a question's id");
-    Optional<AskedIf> when = when(keys);
+    Optional<BranchingRule> when = when(keys);
     String text = texts.optional(keys, "text");
     boolean optional = keys.truth("optional", false);
     boolean personal = keys.truth("personal", false);
@@ -182,7 +183,7 @@ public final class QuestionnaireReader {
   }
 
   /** Reports a value that no answer can have. */
-  private static void known(JsonMembers keys, String key, String value, QuestionKind kind) {
+  private static void known(JsonObjectReader keys, String key, String value, QuestionKind kind) {
     List<String> values = kind.values();
     if (!values.isEmpty() && !values.contains(value)) {
       keys.fault(
@@ -200,7 +201,7 @@ public final class QuestionnaireReader {
   }
 
   /** Reads a branching rule, which may refer to earlier questions only. */
-  private Optional<AskedIf> when(JsonMembers keys) {
+  private Optional<BranchingRule> when(JsonObjectReader keys) {
     Set<String> earlier = Set.copyOf(questions.keySet());
     return keys.object(
         "when",
@@ -213,7 +214,7 @@ public final class QuestionnaireReader {
                 "there is no earlier question '%s'%s"
                     .formatted(
                         question,
-                        Spelling.nearest(question, earlier)
+                        SpellingSuggester.nearest(question, earlier)
                             .map(near -> "; did you mean '%s'?".formatted(near))
                             .orElse("")));
           }
@@ -225,7 +226,7 @@ public final class QuestionnaireReader {
           if (asked != null) {
             is.forEach(value -> known(condition, "is", value, asked.kind()));
           }
-          return new AskedIf(question, Set.copyOf(is));
+          return new BranchingRule(question, Set.copyOf(is));
         });
   }
 }

@@ -6,7 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.experiment.questionnaire.Questionnaire;
 
 /**
@@ -29,19 +29,19 @@ public final class StandardScales {
    * @return empty if it has no texts in the language, which is then in {@code problems}
    * @throws IOException if the program's own files cannot be read
    */
-  public static Optional<Questionnaire> of(String name, String language, Problems problems)
+  public static Optional<Questionnaire> of(String name, String language, ProblemCollector problems)
       throws IOException {
     return read(name + ".json", language, problems);
   }
 
   /** Returns the default form, consent and age, for a study without a form. */
-  public static Optional<Questionnaire> form(String language, Problems problems)
+  public static Optional<Questionnaire> form(String language, ProblemCollector problems)
       throws IOException {
     return read("form.json", language, problems);
   }
 
-  private static Optional<Questionnaire> read(String file, String language, Problems problems)
-      throws IOException {
+  private static Optional<Questionnaire> read(
+      String file, String language, ProblemCollector problems) throws IOException {
     try (InputStream in =
         Objects.requireNonNull(StandardScales.class.getResourceAsStream(file), file)) {
       String text = new String(in.readAllBytes(), StandardCharsets.UTF_8);

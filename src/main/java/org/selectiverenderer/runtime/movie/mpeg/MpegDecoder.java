@@ -9,16 +9,16 @@ import org.jspecify.annotations.Nullable;
  */
 public final class MpegDecoder {
   private final MpegVideo video;
-  private final MpegCodes codes = MpegCodes.load();
-  private final SampleBlock block = new SampleBlock(codes.coefficient());
+  private final MpegVlcTables codes = MpegVlcTables.load();
+  private final DctBlock block = new DctBlock(codes.coefficient());
   private final int across;
   private final int down;
 
   /** The last two reference pictures, the older one first. */
-  private @Nullable Planes before;
+  private @Nullable YCbCrPicture before;
 
-  private @Nullable Planes after;
-  private @Nullable Planes between;
+  private @Nullable YCbCrPicture after;
+  private @Nullable YCbCrPicture between;
   private int beforeIs = -1;
   private int afterIs = -1;
   private int betweenIs = -1;
@@ -53,24 +53,25 @@ public final class MpegDecoder {
         }
       }
     }
-    Planes made = made(code);
-    return (made == null ? new Planes(across, down) : made).rgba(video.width(), video.height());
+    YCbCrPicture made = made(code);
+    return (made == null ? new YCbCrPicture(across, down) : made)
+        .rgba(video.width(), video.height());
   }
 
-  private @Nullable Planes made(int code) {
+  private @Nullable YCbCrPicture made(int code) {
     return code == beforeIs ? before : code == afterIs ? after : code == betweenIs ? between : null;
   }
 
   private void decode(int code) {
-    Planes target;
-    Planes forward;
+    YCbCrPicture target;
+    YCbCrPicture forward;
     if (video.type(code) == MpegVideo.BETWEEN) {
-      target = between == null ? new Planes(across, down) : between;
+      target = between == null ? new YCbCrPicture(across, down) : between;
       between = target;
       betweenIs = code;
       forward = before;
     } else {
-      target = before == null ? new Planes(across, down) : before;
+      target = before == null ? new YCbCrPicture(across, down) : before;
       before = after;
       beforeIs = afterIs;
       after = target;
@@ -79,38 +80,41 @@ public final class MpegDecoder {
     }
     // Without a reference picture, as in damaged videos, macroblocks that are not coded keep their
     // old pixels.
-    Planes from = forward == null ? target : forward;
-    Planes to = after == null ? from : after;
+    YCbCrPicture from = forward == null ? target : forward;
+    YCbCrPicture to = after == null ? from : after;
     slices(code, target, from, to);
   }
 
   /** Returns whether a picture, by its index in coding order, is complete. */
   boolean complete(int code) {
-    Planes any = new Planes(across, down);
+    YCbCrPicture any = new YCbCrPicture(across, down);
     return slices(code, any, any, any);
   }
 
   /** Decodes a picture's slices; returns whether the last one is complete. */
-  private boolean slices(int code, Planes target, Planes forward, Planes backward) {
+  private boolean slices(
+      int code, YCbCrPicture target, YCbCrPicture forward, YCbCrPicture backward) {
     int start = video.start(code);
     int end = video.end(code);
     BitReader header = new BitReader(video.data, start + 4, end);
     header.skip(10 + 3 + 16);
     int type = video.type(code);
-    Slice.Vectors ahead = type == MpegVideo.WHOLE ? Slice.Vectors.NONE : vectors(header);
-    Slice.Vectors back = type == MpegVideo.BETWEEN ? vectors(header) : Slice.Vectors.NONE;
-    Slice slice =
-        new Slice(
+    SliceDecoder.Vectors ahead =
+        type == MpegVideo.WHOLE ? SliceDecoder.Vectors.NONE : vectors(header);
+    SliceDecoder.Vectors back =
+        type == MpegVideo.BETWEEN ? vectors(header) : SliceDecoder.Vectors.NONE;
+    SliceDecoder slice =
+        new SliceDecoder(
             codes,
             block,
-            new Slice.Weights(video.intraWeights, video.weights),
+            new SliceDecoder.Weights(video.intraWeights, video.weights),
             type,
-            new Slice.Pictures(target, forward, backward, across, down),
+            new SliceDecoder.Pictures(target, forward, backward, across, down),
             ahead,
             back);
     int at = MpegVideo.next(video.data, start + 4);
     while (at < end) {
-      int which = SystemStream.startCode(video.data, at);
+      int which = SystemStreamDemuxer.startCode(video.data, at);
       int behind = Math.min(end, MpegVideo.next(video.data, at + 4));
       if (which > MpegVideo.PICTURE && which <= MpegVideo.LAST_SLICE) {
         slice.read(new BitReader(video.data, at + 4, behind), which - 1);
@@ -120,8 +124,8 @@ public final class MpegDecoder {
     return slice.complete();
   }
 
-  private static Slice.Vectors vectors(BitReader header) {
+  private static SliceDecoder.Vectors vectors(BitReader header) {
     boolean wholePixels = header.bit();
-    return new Slice.Vectors(wholePixels, Math.max(0, header.read(3) - 1));
+    return new SliceDecoder.Vectors(wholePixels, Math.max(0, header.read(3) - 1));
   }
 }

@@ -70,7 +70,7 @@ public final class MpegVideo {
 
   private static int[] weights(BitReader bits) {
     int[] weights = new int[64];
-    for (int place : SampleBlock.ZIGZAG) {
+    for (int place : DctBlock.ZIGZAG) {
       weights[place] = bits.read(8);
     }
     return weights;
@@ -78,7 +78,7 @@ public final class MpegVideo {
 
   /** Returns whether a file is MPEG video, or a system stream that may contain one. */
   public static boolean is(byte[] file) {
-    return SystemStream.is(file) || SystemStream.startCode(file, 0) == SEQUENCE;
+    return SystemStreamDemuxer.is(file) || SystemStreamDemuxer.startCode(file, 0) == SEQUENCE;
   }
 
   /**
@@ -88,16 +88,16 @@ public final class MpegVideo {
    *     that follows the file's name
    */
   public static MpegVideo of(byte[] file) throws IOException {
-    byte[] data = SystemStream.is(file) ? SystemStream.video(file) : file;
+    byte[] data = SystemStreamDemuxer.is(file) ? SystemStreamDemuxer.video(file) : file;
     int header = next(data, 0);
-    while (header < data.length && SystemStream.startCode(data, header) != SEQUENCE) {
+    while (header < data.length && SystemStreamDemuxer.startCode(data, header) != SEQUENCE) {
       header = next(data, header + 4);
     }
     if (header >= data.length) {
       throw new IOException("holds no video");
     }
     int behind = next(data, header + 4);
-    if (SystemStream.startCode(data, behind) == EXTENSION) {
+    if (SystemStreamDemuxer.startCode(data, behind) == EXTENSION) {
       throw new IOException("is MPEG-2 video; only MPEG-1 video is supported");
     }
     MpegVideo video = new MpegVideo(data, header);
@@ -122,7 +122,7 @@ public final class MpegVideo {
 
   private void findPictures() {
     for (int at = next(data, 0); at < data.length && count < MOST; at = next(data, at + 4)) {
-      if (SystemStream.startCode(data, at) == PICTURE && at + 5 < data.length) {
+      if (SystemStreamDemuxer.startCode(data, at) == PICTURE && at + 5 < data.length) {
         int type = data[at + 5] >> 3 & 7;
         if (type < WHOLE || type > BETWEEN || count == 0 && type != WHOLE) {
           continue; // Starts with an I picture; D pictures (fast winding) are skipped.

@@ -6,12 +6,12 @@
  * <p>In: the bytes of a file. Out: an {@link org.selectiverenderer.runtime.movie.mpeg.MpegVideo},
  * which knows its pictures, and from it an {@link
  * org.selectiverenderer.runtime.movie.mpeg.MpegDecoder}, which decodes any of them. {@link
- * org.selectiverenderer.runtime.movie.mpeg.SystemStream} extracts the video from a stream, {@link
- * org.selectiverenderer.runtime.movie.mpeg.Slice} decodes macroblocks by the tables of {@link
- * org.selectiverenderer.runtime.movie.mpeg.MpegCodes}, {@link
- * org.selectiverenderer.runtime.movie.mpeg.SampleBlock} their coefficients; {@link
- * org.selectiverenderer.runtime.movie.mpeg.Planes} are the decoded picture. Uses no other package
- * of this program.
+ * org.selectiverenderer.runtime.movie.mpeg.SystemStreamDemuxer} extracts the video from a stream,
+ * {@link org.selectiverenderer.runtime.movie.mpeg.SliceDecoder} decodes macroblocks by the tables
+ * of {@link org.selectiverenderer.runtime.movie.mpeg.MpegVlcTables}, {@link
+ * org.selectiverenderer.runtime.movie.mpeg.DctBlock} their coefficients; {@link
+ * org.selectiverenderer.runtime.movie.mpeg.YCbCrPicture} are the decoded picture. Uses no other
+ * package of this program.
  */
 @NullMarked
 package org.selectiverenderer.runtime.movie.mpeg;

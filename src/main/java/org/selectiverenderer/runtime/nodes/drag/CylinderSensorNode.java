@@ -5,7 +5,7 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.runtime.scene.Rotations;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
@@ -27,7 +27,7 @@ final class CylinderSensorNode extends DragSensorNode {
   private final int minAngle;
   private final int maxAngle;
 
-  CylinderSensorNode(NodeType type, @Nullable String name, Location location) {
+  CylinderSensorNode(NodeType type, @Nullable String name, SourceLocation location) {
     super(type, name, location, "rotation_changed");
     axisRotation = type.indexOf("axisRotation");
     diskAngle = type.indexOf("diskAngle");
@@ -43,7 +43,7 @@ final class CylinderSensorNode extends DragSensorNode {
     double slant = begin.direction().angle(AXIS);
     boolean disk = Math.min(slant, Math.PI - slant) < (Float) value(diskAngle);
     double radius = Math.hypot(start.x, start.z);
-    boolean far = !disk && DragSides.far(begin, start, radius, ACROSS);
+    boolean far = !disk && DragSurfaceSide.far(begin, start, radius, ACROSS);
     return new Turn(turned, start, disk, radius, far, (Float) offset());
   }
 

@@ -6,11 +6,11 @@ import org.joml.Matrix4d;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.runtime.nodes.sensor.Bearing;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.runtime.nodes.sensor.PointerHit;
-import org.selectiverenderer.runtime.nodes.sensor.PointingSensorNode;
-import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.runtime.nodes.sensor.PointerRay;
+import org.selectiverenderer.runtime.nodes.sensor.PointingDeviceSensorNode;
+import org.selectiverenderer.runtime.scene.EventCascade;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
@@ -23,7 +23,7 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
  * <p>A drag continues in the coordinates in which it began, so that a sensor may be in the very
  * group that it moves.
  */
-abstract class DragSensorNode extends PointingSensorNode {
+abstract class DragSensorNode extends PointingDeviceSensorNode {
   private final int autoOffset;
   private final int offset;
   private final int trackPoint;
@@ -36,7 +36,7 @@ abstract class DragSensorNode extends PointingSensorNode {
   /**
    * @param output the output field for the value
    */
-  DragSensorNode(NodeType type, @Nullable String name, Location location, String output) {
+  DragSensorNode(NodeType type, @Nullable String name, SourceLocation location, String output) {
     super(type, name, location);
     autoOffset = type.indexOf("autoOffset");
     offset = type.indexOf("offset");
@@ -62,7 +62,7 @@ abstract class DragSensorNode extends PointingSensorNode {
   abstract DragSurface surface(Vector3dc hit, DragRay ray);
 
   @Override
-  protected final void grabbed(PointerHit at, Bearing bearing) {
+  protected final void grabbed(PointerHit at, PointerRay bearing) {
     sent = null;
     surface = null;
     bearing.place().invert(toLocal);
@@ -73,14 +73,14 @@ abstract class DragSensorNode extends PointingSensorNode {
     }
   }
 
-  private DragRay ray(Bearing bearing) {
+  private DragRay ray(PointerRay bearing) {
     return new DragRay(
         toLocal.transformPosition(bearing.origin(), new Vector3d()),
         toLocal.transformDirection(bearing.direction(), new Vector3d()));
   }
 
   @Override
-  protected final void dragged(Bearing bearing, Cascade cascade) {
+  protected final void dragged(PointerRay bearing, EventCascade cascade) {
     DragSurface along = surface;
     if (along == null) {
       return;
@@ -99,7 +99,7 @@ abstract class DragSensorNode extends PointingSensorNode {
   }
 
   @Override
-  protected final void released(boolean over, Cascade cascade) {
+  protected final void released(boolean over, EventCascade cascade) {
     DragSurface along = surface;
     surface = null;
     if (along != null && sent != null && (Boolean) value(autoOffset)) {

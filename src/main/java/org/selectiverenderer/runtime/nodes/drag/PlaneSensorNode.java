@@ -5,7 +5,7 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.runtime.scene.Rotations;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
@@ -21,7 +21,7 @@ final class PlaneSensorNode extends DragSensorNode {
   private final int minPosition;
   private final int maxPosition;
 
-  PlaneSensorNode(NodeType type, @Nullable String name, Location location) {
+  PlaneSensorNode(NodeType type, @Nullable String name, SourceLocation location) {
     super(type, name, location, "translation_changed");
     axisRotation = type.indexOf("axisRotation");
     minPosition = type.indexOf("minPosition");

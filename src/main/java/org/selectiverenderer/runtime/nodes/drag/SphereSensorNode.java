@@ -5,7 +5,7 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.runtime.scene.Rotations;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
@@ -18,14 +18,14 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
 final class SphereSensorNode extends DragSensorNode {
   private static final Vector3dc ALL_AXES = new Vector3d(1);
 
-  SphereSensorNode(NodeType type, @Nullable String name, Location location) {
+  SphereSensorNode(NodeType type, @Nullable String name, SourceLocation location) {
     super(type, name, location, "rotation_changed");
   }
 
   @Override
   DragSurface surface(Vector3dc hit, DragRay ray) {
     double radius = hit.length();
-    boolean far = DragSides.far(ray, hit, radius, ALL_AXES);
+    boolean far = DragSurfaceSide.far(ray, hit, radius, ALL_AXES);
     Vector3d start = onSphere(ray, radius, far);
     float[] begin = (float[]) offset();
     Quaterniond offset = Rotations.read(begin, 0, new Quaterniond());

@@ -1,19 +1,19 @@
 package org.selectiverenderer.runtime.nodes.event;
 
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.runtime.scene.EventCascade;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
  * EaseInEaseOut: modifies a fraction so that motion speeds up after a key and slows down before the
  * next (X3D 4.0, 19.4.4).
  */
-public final class EaseInEaseOutNode extends KeyedNode {
+public final class EaseInEaseOutNode extends KeyframeNode {
   private final int ease;
   private final int modified;
 
-  public EaseInEaseOutNode(NodeType type, @Nullable String name, Location location) {
+  public EaseInEaseOutNode(NodeType type, @Nullable String name, SourceLocation location) {
     super(type, name, location);
     ease = type.indexOf("easeInEaseOut");
     modified = type.indexOf("modifiedFraction_changed");
@@ -25,7 +25,7 @@ public final class EaseInEaseOutNode extends KeyedNode {
   }
 
   @Override
-  protected void send(int low, int count, float part, Cascade cascade) {
+  protected void send(int low, int count, float part, EventCascade cascade) {
     if (part == 0) {
       emit(modified, low == count - 1 && count > 1 ? 1f : 0f, cascade);
       return;

@@ -2,8 +2,8 @@ package org.selectiverenderer.runtime.nodes.event;
 
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.runtime.scene.EventCascade;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
@@ -21,9 +21,10 @@ public final class InterpolatorNode extends Node {
   private final int components;
   private final boolean many;
   private final boolean scalar;
-  private final Blend blend;
+  private final KeyValueInterpolation blend;
 
-  public InterpolatorNode(NodeType type, @Nullable String name, Location location, Blend blend) {
+  public InterpolatorNode(
+      NodeType type, @Nullable String name, SourceLocation location, KeyValueInterpolation blend) {
     super(type, name, location);
     this.blend = blend;
     fraction = type.indexOf("set_fraction");
@@ -37,7 +38,7 @@ public final class InterpolatorNode extends Node {
   }
 
   @Override
-  protected void receive(FieldDefinition field, @Nullable Object value, Cascade cascade) {
+  protected void receive(FieldDefinition field, @Nullable Object value, EventCascade cascade) {
     if (field.index() != fraction) {
       super.receive(field, value, cascade);
       return;
@@ -59,7 +60,7 @@ public final class InterpolatorNode extends Node {
    * @param length the number of values per key
    */
   private float[] between(float[] keys, float[] values, int count, int length, float at) {
-    int low = KeyFrames.at(keys, count, at);
+    int low = KeyframeSearch.at(keys, count, at);
     int from = low * length;
     if (low == count - 1 || at <= keys[low]) {
       return Arrays.copyOfRange(values, from, from + length);

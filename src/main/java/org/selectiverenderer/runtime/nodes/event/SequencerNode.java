@@ -2,8 +2,8 @@ package org.selectiverenderer.runtime.nodes.event;
 
 import java.lang.reflect.Array;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.runtime.scene.EventCascade;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
@@ -22,7 +22,7 @@ public final class SequencerNode extends Node {
   private final int valueChanged;
   private int at = -1;
 
-  public SequencerNode(NodeType type, @Nullable String name, Location location) {
+  public SequencerNode(NodeType type, @Nullable String name, SourceLocation location) {
     super(type, name, location);
     fraction = type.indexOf("set_fraction");
     next = type.indexOf("next");
@@ -33,12 +33,12 @@ public final class SequencerNode extends Node {
   }
 
   @Override
-  protected void receive(FieldDefinition field, @Nullable Object value, Cascade cascade) {
+  protected void receive(FieldDefinition field, @Nullable Object value, EventCascade cascade) {
     float[] keys = (float[]) value(key);
     int count = Math.min(keys.length, Array.getLength(value(keyValue)));
     if (field.index() == fraction) {
       if (count > 0 && !Float.isNaN((Float) value)) {
-        step(KeyFrames.at(keys, count, (Float) value), cascade);
+        step(KeyframeSearch.at(keys, count, (Float) value), cascade);
       }
     } else if (field.index() == next || field.index() == previous) {
       if (count > 0 && (Boolean) value) {
@@ -53,7 +53,7 @@ public final class SequencerNode extends Node {
     }
   }
 
-  private void step(int to, Cascade cascade) {
+  private void step(int to, EventCascade cascade) {
     if (to != at) {
       at = to;
       emit(valueChanged, Array.get(value(keyValue), to), cascade);

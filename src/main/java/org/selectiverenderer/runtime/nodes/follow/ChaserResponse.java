@@ -18,14 +18,14 @@ final class ChaserResponse implements FollowerResponse {
 
   private record Way(double[] way, double since) {}
 
-  private final FollowSpace space;
+  private final FollowerValueSpace space;
   private final double duration;
   private final Deque<Way> ways = new ArrayDeque<>();
   private double[] base = {};
   private double[] destination = {};
   private double[] value = {};
 
-  ChaserResponse(FollowSpace space, double duration) {
+  ChaserResponse(FollowerValueSpace space, double duration) {
     this.space = space;
     this.duration = duration;
   }
@@ -55,9 +55,9 @@ final class ChaserResponse implements FollowerResponse {
 
   /** Adapts to a destination of another length; new elements are at their destination at once. */
   private void refit(double[] to) {
-    base = FollowSpace.fitted(base, to);
-    value = FollowSpace.fitted(value, to);
-    destination = FollowSpace.fitted(destination, to);
+    base = FollowerValueSpace.fitted(base, to);
+    value = FollowerValueSpace.fitted(value, to);
+    destination = FollowerValueSpace.fitted(destination, to);
     Way[] known = ways.toArray(Way[]::new);
     ways.clear();
     for (Way each : known) {

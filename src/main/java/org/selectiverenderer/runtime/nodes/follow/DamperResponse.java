@@ -12,7 +12,7 @@ final class DamperResponse implements FollowerResponse {
   /** Share of the distance that counts as arrived if the author gives no tolerance. */
   private static final double NEAR = 1e-4;
 
-  private final FollowSpace space;
+  private final FollowerValueSpace space;
   private final DoubleSupplier tau;
   private final DoubleSupplier tolerance;
   private final double[][] filters;
@@ -25,7 +25,8 @@ final class DamperResponse implements FollowerResponse {
    * @param order the number of filters, at least 1
    * @param tolerance the tolerance; negative for one in proportion to the distance
    */
-  DamperResponse(FollowSpace space, int order, DoubleSupplier tau, DoubleSupplier tolerance) {
+  DamperResponse(
+      FollowerValueSpace space, int order, DoubleSupplier tau, DoubleSupplier tolerance) {
     this.space = space;
     this.tau = tau;
     this.tolerance = tolerance;
@@ -42,7 +43,7 @@ final class DamperResponse implements FollowerResponse {
   @Override
   public void aim(double[] to, double time) {
     if (to.length != destination.length) {
-      Arrays.setAll(filters, i -> FollowSpace.fitted(filters[i], to));
+      Arrays.setAll(filters, i -> FollowerValueSpace.fitted(filters[i], to));
     }
     destination = to;
     if (arrived) {

@@ -1,10 +1,10 @@
 package org.selectiverenderer.runtime.nodes.follow;
 
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.runtime.nodes.sensor.Frame;
-import org.selectiverenderer.runtime.nodes.sensor.Sleeper;
-import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.runtime.nodes.sensor.FrameContext;
+import org.selectiverenderer.runtime.nodes.sensor.SleepableNode;
+import org.selectiverenderer.runtime.scene.EventCascade;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
@@ -15,8 +15,8 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
  * destination itself and {@code isActive FALSE}. {@code set_value} is forwarded at once and starts
  * a transition from there. With a duration of 0 a destination is forwarded at once.
  */
-abstract class FollowerNode extends Node implements Sleeper {
-  final FollowSpace space;
+abstract class FollowerNode extends Node implements SleepableNode {
+  final FollowerValueSpace space;
   private final int setDestination;
   private final int setValue;
   private final int initialDestination;
@@ -30,7 +30,8 @@ abstract class FollowerNode extends Node implements Sleeper {
   private @Nullable Runnable wake;
   private double since = Double.NaN;
 
-  FollowerNode(NodeType type, @Nullable String name, Location location, FollowSpace space) {
+  FollowerNode(
+      NodeType type, @Nullable String name, SourceLocation location, FollowerValueSpace space) {
     super(type, name, location);
     this.space = space;
     setDestination = type.indexOf("set_destination");
@@ -65,7 +66,7 @@ abstract class FollowerNode extends Node implements Sleeper {
   }
 
   /** Starts with the initial values of the fields. */
-  private FollowerResponse begun(Cascade cascade) {
+  private FollowerResponse begun(EventCascade cascade) {
     FollowerResponse known = response;
     if (known == null) {
       double[] initial = space.read(value(initialValue));
@@ -79,7 +80,7 @@ abstract class FollowerNode extends Node implements Sleeper {
     return known;
   }
 
-  private void aim(FollowerResponse known, Cascade cascade) {
+  private void aim(FollowerResponse known, EventCascade cascade) {
     boolean other = known.value().length != destination.length;
     known.aim(destination, cascade.time());
     if (known.arrived() || immediate()) {
@@ -98,7 +99,7 @@ abstract class FollowerNode extends Node implements Sleeper {
    *
    * @param changed whether the value was elsewhere before
    */
-  private void settle(FollowerResponse known, boolean changed, Cascade cascade) {
+  private void settle(FollowerResponse known, boolean changed, EventCascade cascade) {
     known.start(destination);
     if (changed) {
       emit(valueChanged, goal, cascade);
@@ -109,7 +110,7 @@ abstract class FollowerNode extends Node implements Sleeper {
   }
 
   @Override
-  public final void frame(Frame frame, Cascade cascade) {
+  public final void frame(FrameContext frame, EventCascade cascade) {
     FollowerResponse known = begun(cascade);
     if (active() && frame.time() > since) {
       known.advance(frame.time());
@@ -122,7 +123,8 @@ abstract class FollowerNode extends Node implements Sleeper {
   }
 
   @Override
-  protected final void receive(FieldDefinition field, @Nullable Object value, Cascade cascade) {
+  protected final void receive(
+      FieldDefinition field, @Nullable Object value, EventCascade cascade) {
     if (field.index() == setDestination && value != null) {
       FollowerResponse known = begun(cascade);
       goal = value;

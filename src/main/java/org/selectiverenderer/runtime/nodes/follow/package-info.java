@@ -4,8 +4,8 @@
  * <p>{@link org.selectiverenderer.runtime.nodes.follow.FollowerNode} is the common base class;
  * {@link org.selectiverenderer.runtime.nodes.follow.ChaserResponse} and {@link
  * org.selectiverenderer.runtime.nodes.follow.DamperResponse} are the two kinds of response, which
- * compute in a {@link org.selectiverenderer.runtime.nodes.follow.FollowSpace}. A node type combines
- * a response with a value space.
+ * compute in a {@link org.selectiverenderer.runtime.nodes.follow.FollowerValueSpace}. A node type
+ * combines a response with a value space.
  *
  * <p>In: destinations, frames. Out: {@code value_changed}. At rest a follower is not updated per
  * frame. Uses {@code nodes.sensor}, {@code runtime.scene}, {@code x3d.catalogue}, {@code x3d.field}

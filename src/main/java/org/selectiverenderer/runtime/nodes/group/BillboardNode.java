@@ -5,8 +5,8 @@ import org.joml.Matrix4d;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.runtime.scene.EventCascade;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
@@ -17,7 +17,7 @@ public final class BillboardNode extends GroupingNode implements ViewerDependent
   private final int axisOfRotation;
   private final Matrix4d placement = new Matrix4d();
 
-  public BillboardNode(NodeType type, @Nullable String name, Location location) {
+  public BillboardNode(NodeType type, @Nullable String name, SourceLocation location) {
     super(type, name, location);
     axisOfRotation = type.indexOf("axisOfRotation");
   }
@@ -28,7 +28,7 @@ public final class BillboardNode extends GroupingNode implements ViewerDependent
   }
 
   @Override
-  public Effect view(Vector3dc viewer, Vector3dc up, Cascade cascade) {
+  public Effect view(Vector3dc viewer, Vector3dc up, EventCascade cascade) {
     float[] a = (float[]) value(axisOfRotation);
     Vector3d axis = new Vector3d(a[0], a[1], a[2]);
     Matrix4d next =

@@ -2,7 +2,7 @@ package org.selectiverenderer.runtime.nodes.group;
 
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
@@ -10,7 +10,7 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
 public final class CadFaceNode extends GroupingNode {
   private final int shape;
 
-  public CadFaceNode(NodeType type, @Nullable String name, Location location) {
+  public CadFaceNode(NodeType type, @Nullable String name, SourceLocation location) {
     super(type, name, location);
     shape = type.indexOf("shape");
   }

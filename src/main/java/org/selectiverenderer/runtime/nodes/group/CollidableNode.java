@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Optional;
 import org.joml.Matrix4d;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.geometry.tessellate.NodeContent;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.geometry.tessellate.GroupingNodes;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
@@ -19,7 +19,7 @@ public final class CollidableNode extends GroupingNode {
   private final int translation;
   private final int rotation;
 
-  public CollidableNode(NodeType type, @Nullable String name, Location location) {
+  public CollidableNode(NodeType type, @Nullable String name, SourceLocation location) {
     super(type, name, location);
     held = type.indexOf(type.name().equals("CollidableShape") ? "shape" : "collidable");
     translation = type.indexOf("translation");
@@ -33,7 +33,7 @@ public final class CollidableNode extends GroupingNode {
 
   @Override
   public Optional<Matrix4d> placement() {
-    return NodeContent.placement(this);
+    return GroupingNodes.placement(this);
   }
 
   @Override

@@ -2,8 +2,8 @@ package org.selectiverenderer.runtime.nodes.group;
 
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.runtime.scene.EventCascade;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
@@ -16,7 +16,7 @@ public final class CollisionNode extends GroupingNode {
   private final int isActive;
   private final int collideTime;
 
-  public CollisionNode(NodeType type, @Nullable String name, Location location) {
+  public CollisionNode(NodeType type, @Nullable String name, SourceLocation location) {
     super(type, name, location);
     enabled = type.indexOf("enabled");
     isActive = type.indexOf("isActive");
@@ -32,7 +32,7 @@ public final class CollisionNode extends GroupingNode {
    * Notes, once per frame, whether the viewer collides with the node's geometry: sends {@code
    * isActive} if that has changed, and before it {@code collideTime} if a collision begins.
    */
-  public void collide(boolean colliding, Cascade cascade) {
+  public void collide(boolean colliding, EventCascade cascade) {
     boolean now = colliding && enabled();
     if (now == (Boolean) value(isActive)) {
       return;

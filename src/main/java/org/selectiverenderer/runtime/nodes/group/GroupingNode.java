@@ -8,8 +8,8 @@ import java.util.Optional;
 import java.util.Set;
 import org.joml.Matrix4d;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.runtime.scene.EventCascade;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
@@ -24,7 +24,7 @@ public class GroupingNode extends Node {
   private final int pickable;
   private final int objectType;
 
-  public GroupingNode(NodeType type, @Nullable String name, Location location) {
+  public GroupingNode(NodeType type, @Nullable String name, SourceLocation location) {
     super(type, name, location);
     children = index(type, "children");
     visible = index(type, "visible");
@@ -79,13 +79,13 @@ public class GroupingNode extends Node {
     CHOICE,
     /** The children have another transformation. */
     PLACEMENT,
-    /** The geometry is to be deformed by {@link Deforming#deform()}. */
+    /** The geometry is to be deformed by {@link Deformer#deform()}. */
     FORM
   }
 
   @Override
   @SuppressWarnings("unchecked")
-  protected void receive(FieldDefinition field, @Nullable Object value, Cascade cascade) {
+  protected void receive(FieldDefinition field, @Nullable Object value, EventCascade cascade) {
     switch (field.name()) {
       case "addChildren" -> {
         Set<Node> all = Collections.newSetFromMap(new IdentityHashMap<>());
@@ -113,7 +113,7 @@ public class GroupingNode extends Node {
    * Sends the new children; a child already present is not added again, and removing an absent one
    * has no effect (X3D 4.0, 10.2.1).
    */
-  private void sendChildren(List<Node> now, Cascade cascade) {
+  private void sendChildren(List<Node> now, EventCascade cascade) {
     if (now.size() != children().size()) {
       emit(children, List.copyOf(now), cascade);
     }

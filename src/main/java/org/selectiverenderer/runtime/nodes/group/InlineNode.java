@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import org.joml.Matrix4d;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
 import org.selectiverenderer.x3d.catalogue.NodeType;
@@ -17,7 +17,7 @@ public final class InlineNode extends GroupingNode {
   private double scale = 1;
   private String @Nullable [] asked;
 
-  public InlineNode(NodeType type, @Nullable String name, Location location) {
+  public InlineNode(NodeType type, @Nullable String name, SourceLocation location) {
     super(type, name, location);
     load = type.indexOf("load");
     url = type.indexOf("url");

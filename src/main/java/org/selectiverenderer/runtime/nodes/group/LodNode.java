@@ -2,8 +2,8 @@ package org.selectiverenderer.runtime.nodes.group;
 
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.runtime.scene.EventCascade;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /** LOD: shows one of its children by the viewer's distance (X3D 4.0, 23.4.3). */
@@ -13,7 +13,7 @@ public final class LodNode extends GroupingNode implements ViewerDependent {
   private final int range;
   private int level;
 
-  public LodNode(NodeType type, @Nullable String name, Location location) {
+  public LodNode(NodeType type, @Nullable String name, SourceLocation location) {
     super(type, name, location);
     levelChanged = type.indexOf("level_changed");
     center = type.indexOf("center");
@@ -30,7 +30,7 @@ public final class LodNode extends GroupingNode implements ViewerDependent {
    * the most detailed level is shown.
    */
   @Override
-  public Effect view(Vector3dc viewer, Vector3dc up, Cascade cascade) {
+  public Effect view(Vector3dc viewer, Vector3dc up, EventCascade cascade) {
     float[] c = (float[]) value(center);
     double distance = viewer.distance(c[0], c[1], c[2]);
     int next = 0;

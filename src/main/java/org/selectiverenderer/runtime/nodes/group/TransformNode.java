@@ -3,8 +3,8 @@ package org.selectiverenderer.runtime.nodes.group;
 import java.util.Optional;
 import org.joml.Matrix4d;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.geometry.tessellate.TransformPlacement;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.geometry.tessellate.TransformMatrix;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
@@ -18,7 +18,7 @@ public class TransformNode extends GroupingNode {
   private final int scale;
   private final int scaleOrientation;
 
-  public TransformNode(NodeType type, @Nullable String name, Location location) {
+  public TransformNode(NodeType type, @Nullable String name, SourceLocation location) {
     super(type, name, location);
     translation = type.indexOf("translation");
     center = type.indexOf("center");
@@ -30,7 +30,7 @@ public class TransformNode extends GroupingNode {
   @Override
   public Optional<Matrix4d> placement() {
     return Optional.of(
-        TransformPlacement.of(
+        TransformMatrix.of(
             new Matrix4d(),
             (float[]) value(translation),
             (float[]) value(center),

@@ -1,7 +1,7 @@
 package org.selectiverenderer.runtime.nodes.group;
 
 import org.joml.Vector3dc;
-import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.runtime.scene.EventCascade;
 
 /** A group that depends on the viewer's position: LOD, Billboard. */
 public interface ViewerDependent {
@@ -12,5 +12,5 @@ public interface ViewerDependent {
    * @param up the viewer's up in the same coordinates, of any length
    * @return the effect on the group's instances
    */
-  GroupingNode.Effect view(Vector3dc viewer, Vector3dc up, Cascade cascade);
+  GroupingNode.Effect view(Vector3dc viewer, Vector3dc up, EventCascade cascade);
 }

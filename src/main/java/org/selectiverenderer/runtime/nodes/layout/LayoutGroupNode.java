@@ -5,7 +5,7 @@ import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.runtime.nodes.group.GroupingNode;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.catalogue.NodeType;
@@ -18,18 +18,19 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
  * height, so that solids keep their proportions. Without a {@code layout} the node is an ordinary
  * group.
  */
-public final class LayoutGroupNode extends GroupingNode implements Seen {
-  public LayoutGroupNode(NodeType type, @Nullable String name, Location location) {
+public final class LayoutGroupNode extends GroupingNode implements ViewDependentLayout {
+  public LayoutGroupNode(NodeType type, @Nullable String name, SourceLocation location) {
     super(type, name, location);
   }
 
   @Override
-  public Spot spot(Matrix4dc world, Sight sight, Optional<Region> above) {
+  public Spot spot(Matrix4dc world, ViewParameters sight, Optional<LayoutRectangle> above) {
     Node layout = node("layout");
     if (layout == null || !layout.type().name().equals("Layout")) {
       return new Spot(world, Optional.empty());
     }
-    Region outer = above.orElseGet(() -> new Region(sight.width(), sight.height()));
+    LayoutRectangle outer =
+        above.orElseGet(() -> new LayoutRectangle(sight.width(), sight.height()));
     Vector3d units =
         above.isPresent() ? world.getScale(new Vector3d()) : new Vector3d(); // No parent: 0.
     LayoutAxis across =
@@ -49,7 +50,7 @@ public final class LayoutGroupNode extends GroupingNode implements Seen {
         (above.isPresent() ? unscaled(world) : sight.frame())
             .translate(across.middle(), up.middle(), 0)
             .scale(x, y, Math.min(Math.abs(x), Math.abs(y)));
-    return new Spot(content, Optional.of(new Region(across.size(), up.size())));
+    return new Spot(content, Optional.of(new LayoutRectangle(across.size(), up.size())));
   }
 
   /** Returns the translation and rotation of a matrix, without its scale. */

@@ -3,11 +3,11 @@
  * and LayoutGroup, which lay out rectangles, and ScreenGroup and ScreenFontStyle, which are
  * measured in pixels.
  *
- * <p>In: a {@link org.selectiverenderer.runtime.nodes.layout.Sight}, which holds the view volume of
- * a layer and the size of the picture, and the matrix of a group. Out: the matrix of its content.
- * The instance tree asks for it once per instance whenever the view parameters change; a scene
- * without such nodes has no cost. Pixels are desktop pixels: on a high-density display one of them
- * is several physical pixels, so that text stays readable.
+ * <p>In: a {@link org.selectiverenderer.runtime.nodes.layout.ViewParameters}, which holds the view
+ * volume of a layer and the size of the picture, and the matrix of a group. Out: the matrix of its
+ * content. The instance tree asks for it once per instance whenever the view parameters change; a
+ * scene without such nodes has no cost. Pixels are desktop pixels: on a high-density display one of
+ * them is several physical pixels, so that text stays readable.
  *
  * <p>Uses {@code runtime.nodes.group}, {@code runtime.scene} and {@code x3d.catalogue}.
  */

@@ -3,11 +3,11 @@ package org.selectiverenderer.runtime.nodes.network;
 import java.util.List;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.runtime.nodes.sensor.Frame;
-import org.selectiverenderer.runtime.nodes.sensor.Rest;
-import org.selectiverenderer.runtime.nodes.sensor.Sleeper;
-import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.runtime.nodes.sensor.FrameContext;
+import org.selectiverenderer.runtime.nodes.sensor.SleepableNode;
+import org.selectiverenderer.runtime.nodes.sensor.WakeState;
+import org.selectiverenderer.runtime.scene.EventCascade;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
@@ -19,7 +19,7 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
  * passed; then isActive FALSE. For files loaded before its first frame it sends the same events
  * without having been active.
  */
-public final class LoadSensorNode extends Node implements Sleeper {
+public final class LoadSensorNode extends Node implements SleepableNode {
   /** The loading state of the file that a node names. */
   public enum State {
     /** The node names no file, has {@code load FALSE}, or is of a type whose files are not read. */
@@ -29,7 +29,7 @@ public final class LoadSensorNode extends Node implements Sleeper {
     FAILED
   }
 
-  private final Rest rest = new Rest();
+  private final WakeState rest = new WakeState();
   private Function<Node, State> states = node -> State.NONE;
 
   /** Whether there are events that have not been sent. */
@@ -40,7 +40,7 @@ public final class LoadSensorNode extends Node implements Sleeper {
   private double since;
   private float told;
 
-  public LoadSensorNode(NodeType type, @Nullable String name, Location location) {
+  public LoadSensorNode(NodeType type, @Nullable String name, SourceLocation location) {
     super(type, name, location);
   }
 
@@ -75,7 +75,7 @@ public final class LoadSensorNode extends Node implements Sleeper {
   }
 
   @Override
-  public void frame(Frame frame, Cascade cascade) {
+  public void frame(FrameContext frame, EventCascade cascade) {
     boolean asked = due;
     due = false;
     if (asked && !bool("enabled")) {
@@ -87,7 +87,7 @@ public final class LoadSensorNode extends Node implements Sleeper {
     rest.unless(due || bool("isActive"));
   }
 
-  private void look(double now, Cascade cascade) {
+  private void look(double now, EventCascade cascade) {
     List<State> all =
         nodes("children").stream().map(states).filter(state -> state != State.NONE).toList();
     boolean loading = all.contains(State.LOADING);
@@ -121,7 +121,7 @@ public final class LoadSensorNode extends Node implements Sleeper {
   }
 
   /** Sends the loaded share; never 1, which is sent at the end. */
-  private void progress(List<State> all, Cascade cascade) {
+  private void progress(List<State> all, EventCascade cascade) {
     long loaded = all.stream().filter(state -> state == State.LOADED).count();
     float part = loaded == all.size() ? told : (float) loaded / all.size();
     if (part != told) {
@@ -130,18 +130,18 @@ public final class LoadSensorNode extends Node implements Sleeper {
     }
   }
 
-  private void deactivate(Cascade cascade) {
+  private void deactivate(EventCascade cascade) {
     if (bool("isActive")) {
       send("isActive", false, cascade);
     }
   }
 
-  private void send(String field, Object value, Cascade cascade) {
+  private void send(String field, Object value, EventCascade cascade) {
     emit(type().indexOf(field), value, cascade);
   }
 
   @Override
-  protected void receive(FieldDefinition field, @Nullable Object value, Cascade cascade) {
+  protected void receive(FieldDefinition field, @Nullable Object value, EventCascade cascade) {
     super.receive(field, value, cascade);
     if (field.name().equals("children") || field.name().equals("enabled")) {
       gaveUp = false;

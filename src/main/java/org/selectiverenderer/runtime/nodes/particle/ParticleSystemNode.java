@@ -7,13 +7,13 @@ import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.geometry.mesh.Mesh;
-import org.selectiverenderer.runtime.nodes.sensor.Frame;
-import org.selectiverenderer.runtime.nodes.sensor.FrameNode;
-import org.selectiverenderer.runtime.scene.Cascade;
-import org.selectiverenderer.runtime.scene.Formed;
+import org.selectiverenderer.runtime.nodes.sensor.FrameContext;
+import org.selectiverenderer.runtime.nodes.sensor.FrameDrivenNode;
+import org.selectiverenderer.runtime.scene.EventCascade;
 import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.runtime.scene.ProceduralShape;
 import org.selectiverenderer.runtime.scene.Rotations;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
@@ -24,7 +24,7 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
  * lifetime is over. {@code isActive} is TRUE while the system is enabled and creates particles or
  * has some.
  */
-public final class ParticleSystemNode extends Node implements FrameNode, Formed {
+public final class ParticleSystemNode extends Node implements FrameDrivenNode, ProceduralShape {
   /** Largest number of particles. */
   public static final int MOST = 20_000;
 
@@ -38,16 +38,16 @@ public final class ParticleSystemNode extends Node implements FrameNode, Formed 
   private final int isActive;
   private final int maxParticles;
   private final int appearance;
-  private KnownMeshes meshes = new KnownMeshes(node -> Optional.empty());
-  private Particles particles = new Particles(0);
-  private Chance chance = new Chance(0);
+  private SurfaceMeshCache meshes = new SurfaceMeshCache(node -> Optional.empty());
+  private ParticlePool particles = new ParticlePool(0);
+  private ParticleRandom chance = new ParticleRandom(0);
   private @Nullable Mesh mesh;
   private double begun = Double.NaN;
   private long steps;
   private double owed;
   private double exploded = Double.NEGATIVE_INFINITY;
 
-  public ParticleSystemNode(NodeType type, @Nullable String name, Location location) {
+  public ParticleSystemNode(NodeType type, @Nullable String name, SourceLocation location) {
     super(type, name, location);
     enabled = type.indexOf("enabled");
     isActive = type.indexOf("isActive");
@@ -62,7 +62,7 @@ public final class ParticleSystemNode extends Node implements FrameNode, Formed 
 
   @Override
   public void meshes(Function<Node, Optional<Mesh>> source) {
-    meshes = new KnownMeshes(source);
+    meshes = new SurfaceMeshCache(source);
   }
 
   private boolean active() {
@@ -70,7 +70,7 @@ public final class ParticleSystemNode extends Node implements FrameNode, Formed 
   }
 
   @Override
-  public void frame(Frame frame, Cascade cascade) {
+  public void frame(FrameContext frame, EventCascade cascade) {
     Node emitter = node("emitter");
     if (!(Boolean) value(enabled) || emitter == null) {
       stop(cascade);
@@ -97,12 +97,12 @@ public final class ParticleSystemNode extends Node implements FrameNode, Formed 
     steps = 0;
     owed = 0;
     exploded = Double.NEGATIVE_INFINITY;
-    particles = new Particles(Math.max(0, Math.min((Integer) value(maxParticles), MOST)));
+    particles = new ParticlePool(Math.max(0, Math.min((Integer) value(maxParticles), MOST)));
     String seed = name();
-    chance = new Chance(seed == null ? location().toString().hashCode() : seed.hashCode());
+    chance = new ParticleRandom(seed == null ? location().toString().hashCode() : seed.hashCode());
   }
 
-  private void stop(Cascade cascade) {
+  private void stop(EventCascade cascade) {
     begun = Double.NaN;
     particles.clear();
     if (mesh != null) {
@@ -119,8 +119,9 @@ public final class ParticleSystemNode extends Node implements FrameNode, Formed 
       return;
     }
     // The present fields of emitters and physics models hold for all steps of this frame.
-    Emission emission = creates ? Emitters.of(emitter, meshes).orElse(null) : null;
-    Physics physics = new Physics(nodes("physics"), emitter, meshes);
+    ParticleEmitter emission =
+        creates ? ParticleEmitterFactory.of(emitter, meshes).orElse(null) : null;
+    ParticlePhysics physics = new ParticlePhysics(nodes("physics"), emitter, meshes);
     steps = Math.max(steps, until - MOST_STEPS);
     for (; steps < until; steps++) {
       particles.step(STEP, physics, chance);
@@ -130,7 +131,7 @@ public final class ParticleSystemNode extends Node implements FrameNode, Formed 
     }
   }
 
-  private void create(Node emitter, Emission from, Physics acting) {
+  private void create(Node emitter, ParticleEmitter from, ParticlePhysics acting) {
     double lifetime = number("particleLifetime");
     if (!(lifetime > 0) || particles.positions.length == 0) {
       return;
@@ -162,7 +163,7 @@ public final class ParticleSystemNode extends Node implements FrameNode, Formed 
     }
   }
 
-  private void draw(Frame frame, double ahead) {
+  private void draw(FrameContext frame, double ahead) {
     Vector3d right = new Vector3d(1, 0, 0);
     Vector3d up = new Vector3d(0, 1, 0);
     List<? extends Matrix4dc> places = frame.places(this);
@@ -181,12 +182,12 @@ public final class ParticleSystemNode extends Node implements FrameNode, Formed 
         string("geometryType").equals("GEOMETRY") && geometry != null
             ? meshes.mesh(geometry).orElse(null)
             : null;
-    mesh = new ParticleMesh(this, particles, ahead).make(right, up, each);
+    mesh = new ParticleMeshBuilder(this, particles, ahead).make(right, up, each);
     tellObservers(appearance);
   }
 
   @Override
-  protected void receive(FieldDefinition field, @Nullable Object value, Cascade cascade) {
+  protected void receive(FieldDefinition field, @Nullable Object value, EventCascade cascade) {
     super.receive(field, value, cascade);
     if (field.index() == maxParticles) {
       begun = Double.NaN; // Restarts with the new number.

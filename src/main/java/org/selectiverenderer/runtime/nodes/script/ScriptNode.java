@@ -1,12 +1,12 @@
 package org.selectiverenderer.runtime.nodes.script;
 
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.runtime.scene.Cascade;
-import org.selectiverenderer.runtime.scene.InstanceFace;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.runtime.scene.EventCascade;
 import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.runtime.scene.PrototypeInstance;
 import org.selectiverenderer.runtime.scene.Scene;
-import org.selectiverenderer.x3d.catalogue.FieldAccess;
+import org.selectiverenderer.x3d.catalogue.AccessType;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.script.ScriptProgram;
@@ -18,10 +18,10 @@ import org.selectiverenderer.x3d.script.ScriptProgram;
 public final class ScriptNode extends Node {
   private @Nullable ScriptProgram program;
   private @Nullable Scene context;
-  private @Nullable ScriptCalls calls;
-  private @Nullable InstanceFace within;
+  private @Nullable ScriptEventReceiver calls;
+  private @Nullable PrototypeInstance within;
 
-  public ScriptNode(NodeType type, @Nullable String name, Location location) {
+  public ScriptNode(NodeType type, @Nullable String name, SourceLocation location) {
     super(type, name, location);
   }
 
@@ -46,26 +46,26 @@ public final class ScriptNode extends Node {
   }
 
   /** Returns the prototype instance whose body contains the node; null if there is none. */
-  public @Nullable InstanceFace within() {
+  public @Nullable PrototypeInstance within() {
     return within;
   }
 
-  public void within(@Nullable InstanceFace instance) {
+  public void within(@Nullable PrototypeInstance instance) {
     within = instance;
   }
 
   /** Sets the receiver of events; null for none. */
-  public void calls(@Nullable ScriptCalls receiver) {
+  public void calls(@Nullable ScriptEventReceiver receiver) {
     calls = receiver;
   }
 
   @Override
-  protected void receive(FieldDefinition field, @Nullable Object value, Cascade cascade) {
+  protected void receive(FieldDefinition field, @Nullable Object value, EventCascade cascade) {
     boolean taken = true;
-    if (field.access() == FieldAccess.INPUT_OUTPUT) {
+    if (field.access() == AccessType.INPUT_OUTPUT) {
       taken = emit(field.index(), value, cascade);
     }
-    ScriptCalls receiver = calls;
+    ScriptEventReceiver receiver = calls;
     if (receiver != null && taken && field.index() >= type().ownFrom()) {
       receiver.received(field, value, cascade);
     }

@@ -7,8 +7,8 @@ import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.runtime.scene.EventCascade;
 import org.selectiverenderer.runtime.scene.Rotations;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
@@ -21,25 +21,25 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
  * <p>The pose sent is relative to the instance that was entered, until the viewer leaves its box.
  * Events carry the frame's time: crossings between two frames are not interpolated.
  */
-public class ProximitySensorNode extends RegionSensorNode {
+public class ProximitySensorNode extends EnvironmentalSensorNode {
   private final int centerOfRotationChanged;
   private final int positionChanged;
-  private final PoseReport pose;
-  private final List<LocalFrame> locals = new ArrayList<>(1);
+  private final PoseEventSender pose;
+  private final List<WorldToLocalTransform> locals = new ArrayList<>(1);
   private final Vector3d eye = new Vector3d();
   private final Vector3d forward = new Vector3d();
   private final Vector3d up = new Vector3d();
   private int last;
 
-  public ProximitySensorNode(NodeType type, @Nullable String name, Location location) {
+  public ProximitySensorNode(NodeType type, @Nullable String name, SourceLocation location) {
     super(type, name, location);
     positionChanged = type.indexOf("position_changed");
     centerOfRotationChanged = type.indexOf("centerOfRotation_changed");
-    pose = new PoseReport(this);
+    pose = new PoseEventSender(this);
   }
 
   @Override
-  public void frame(Frame frame, Cascade cascade) {
+  public void frame(FrameContext frame, EventCascade cascade) {
     int at = enabled() && hasVolume() ? find(frame) : -1;
     boolean before = active();
     sense(at >= 0, cascade);
@@ -53,11 +53,11 @@ public class ProximitySensorNode extends RegionSensorNode {
    * Returns the index of the instance whose box contains the eye, trying the last one first; -1 for
    * none.
    */
-  private int find(Frame frame) {
+  private int find(FrameContext frame) {
     List<? extends Matrix4dc> places = frame.places(this);
     int count = places.size();
     while (locals.size() < count) {
-      locals.add(new LocalFrame());
+      locals.add(new WorldToLocalTransform());
     }
     if (last < count && holds(places, last, frame.eye())) {
       return last;
@@ -71,7 +71,7 @@ public class ProximitySensorNode extends RegionSensorNode {
   }
 
   private boolean holds(List<? extends Matrix4dc> places, int place, Vector3dc worldEye) {
-    LocalFrame local = locals.get(place);
+    WorldToLocalTransform local = locals.get(place);
     return local.follow(places.get(place)) && contains(local.point(worldEye, eye));
   }
 
@@ -82,14 +82,14 @@ public class ProximitySensorNode extends RegionSensorNode {
    * @param out min x, y, z, max x, y, z; infinite if a nearly singular transformation makes the
    *     rounding error unknown, and min above max if no box has a volume
    */
-  public void reach(Frame frame, double[] out) {
+  public void reach(FrameContext frame, double[] out) {
     Arrays.fill(out, 0, 3, Double.POSITIVE_INFINITY);
     Arrays.fill(out, 3, 6, Double.NEGATIVE_INFINITY);
     if (hasVolume()) {
       float[] c = center();
       float[] s = size();
       for (Matrix4dc place : frame.places(this)) {
-        LocalFrame.enclose(place, c, s, out);
+        WorldToLocalTransform.enclose(place, c, s, out);
       }
     }
   }
@@ -100,9 +100,10 @@ public class ProximitySensorNode extends RegionSensorNode {
    *
    * @param moved whether {@code position_changed} has been sent
    */
-  protected void reportPosition(Vector3dc local, boolean moved, Cascade cascade) {}
+  protected void reportPosition(Vector3dc local, boolean moved, EventCascade cascade) {}
 
-  private void report(Frame frame, LocalFrame local, boolean always, Cascade cascade) {
+  private void report(
+      FrameContext frame, WorldToLocalTransform local, boolean always, EventCascade cascade) {
     Rotations.forward(frame.orientation(), forward);
     Rotations.up(frame.orientation(), up);
     float[] before = (float[]) value(positionChanged);

@@ -1,8 +1,8 @@
 package org.selectiverenderer.runtime.nodes.sensor;
 
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.runtime.scene.EventCascade;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
@@ -17,7 +17,7 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
  * lies entirely between two frames is run in the later one. Paused time counts neither as elapsed
  * nor towards the cycle.
  */
-public abstract class TimeDependentNode extends Node implements FrameNode {
+public abstract class TimeDependentNode extends Node implements FrameDrivenNode {
   private final Fields fields;
   private double lastFrame = Double.NaN;
   private double started;
@@ -51,7 +51,7 @@ public abstract class TimeDependentNode extends Node implements FrameNode {
     }
   }
 
-  protected TimeDependentNode(NodeType type, @Nullable String name, Location location) {
+  protected TimeDependentNode(NodeType type, @Nullable String name, SourceLocation location) {
     super(type, name, location);
     fields = Fields.of(type);
   }
@@ -67,7 +67,7 @@ public abstract class TimeDependentNode extends Node implements FrameNode {
    *
    * @param at the exact beginning of the cycle, not the frame's time
    */
-  protected void begins(double at, Cascade cascade) {}
+  protected void begins(double at, EventCascade cascade) {}
 
   /**
    * Is called in each frame with the present time.
@@ -75,7 +75,7 @@ public abstract class TimeDependentNode extends Node implements FrameNode {
    * @param elapsed the seconds since the start, without pauses
    * @param fraction the fraction of the present cycle, 0 to 1; 1 only at the end of the last cycle
    */
-  protected abstract void stands(double elapsed, double fraction, Cascade cascade);
+  protected abstract void stands(double elapsed, double fraction, EventCascade cascade);
 
   /** Returns whether the node runs; a paused node does. */
   public final boolean active() {
@@ -107,7 +107,7 @@ public abstract class TimeDependentNode extends Node implements FrameNode {
   }
 
   @Override
-  public void frame(Frame frame, Cascade cascade) {
+  public void frame(FrameContext frame, EventCascade cascade) {
     double now = frame.time();
     if (!active() && mayStart(now)) {
       started = seconds(fields.startTime);
@@ -134,7 +134,7 @@ public abstract class TimeDependentNode extends Node implements FrameNode {
     return is(fields.loop) || now < start + interval || start >= lastFrame;
   }
 
-  private void tick(double now, Cascade cascade) {
+  private void tick(double now, EventCascade cascade) {
     double stop = seconds(fields.stopTime);
     boolean stops = stop > started && stop <= now;
     double until = stops ? stop : now;
@@ -178,7 +178,7 @@ public abstract class TimeDependentNode extends Node implements FrameNode {
   }
 
   /** Sends the events for a time, and ends the run if its last cycle is over by then. */
-  private void advance(double until, Cascade cascade) {
+  private void advance(double until, EventCascade cascade) {
     double interval = interval();
     double elapsed = until - started - pausedFor;
     double whole = Math.floor(elapsed / interval);
@@ -200,7 +200,7 @@ public abstract class TimeDependentNode extends Node implements FrameNode {
     }
   }
 
-  private void end(Cascade cascade) {
+  private void end(EventCascade cascade) {
     if (is(fields.isPaused)) {
       emit(fields.isPaused, false, cascade);
     }
@@ -214,7 +214,7 @@ public abstract class TimeDependentNode extends Node implements FrameNode {
    * that is not after its start. A node that is disabled sends its last events and ends.
    */
   @Override
-  protected void receive(FieldDefinition field, @Nullable Object value, Cascade cascade) {
+  protected void receive(FieldDefinition field, @Nullable Object value, EventCascade cascade) {
     int index = field.index();
     if (active()
         && (index == fields.startTime

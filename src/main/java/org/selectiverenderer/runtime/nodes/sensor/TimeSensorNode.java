@@ -1,8 +1,8 @@
 package org.selectiverenderer.runtime.nodes.sensor;
 
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.runtime.scene.EventCascade;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
@@ -16,7 +16,7 @@ public final class TimeSensorNode extends TimeDependentNode {
   private final int fraction;
   private final int time;
 
-  public TimeSensorNode(NodeType type, @Nullable String name, Location location) {
+  public TimeSensorNode(NodeType type, @Nullable String name, SourceLocation location) {
     super(type, name, location);
     cycleInterval = type.indexOf("cycleInterval");
     cycleTime = type.indexOf("cycleTime");
@@ -35,7 +35,7 @@ public final class TimeSensorNode extends TimeDependentNode {
   }
 
   @Override
-  protected void begins(double at, Cascade cascade) {
+  protected void begins(double at, EventCascade cascade) {
     emit(cycleTime, at, cascade);
   }
 
@@ -44,7 +44,7 @@ public final class TimeSensorNode extends TimeDependentNode {
    * 4.0, 8.4.1).
    */
   @Override
-  protected void stands(double elapsed, double part, Cascade cascade) {
+  protected void stands(double elapsed, double part, EventCascade cascade) {
     emit(fraction, part == 0 && elapsed > 0 ? 1f : (float) part, cascade);
     emit(time, cascade.time(), cascade);
   }

@@ -6,9 +6,9 @@ import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.runtime.nodes.group.GroupingNode;
-import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.runtime.scene.EventCascade;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
@@ -17,26 +17,27 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
  * position of the object is the origin of its local coordinates, with its own transformation
  * applied.
  */
-public final class TransformSensorNode extends RegionSensorNode {
+public final class TransformSensorNode extends EnvironmentalSensorNode {
   private final int targetObject;
-  private final PoseReport pose;
-  private final List<LocalFrame> locals = new ArrayList<>(1);
+  private final PoseEventSender pose;
+  private final List<WorldToLocalTransform> locals = new ArrayList<>(1);
   private final Matrix4d target = new Matrix4d();
   private final Vector3d origin = new Vector3d();
   private final Vector3d local = new Vector3d();
   private final Vector3d forward = new Vector3d();
   private final Vector3d up = new Vector3d();
 
-  public TransformSensorNode(NodeType type, @Nullable String name, Location location) {
+  public TransformSensorNode(NodeType type, @Nullable String name, SourceLocation location) {
     super(type, name, location);
     targetObject = type.indexOf("targetObject");
-    pose = new PoseReport(this);
+    pose = new PoseEventSender(this);
   }
 
   @Override
-  public void frame(Frame frame, Cascade cascade) {
+  public void frame(FrameContext frame, EventCascade cascade) {
     Node object = (Node) value(targetObject);
-    LocalFrame found = object == null || !enabled() || !hasVolume() ? null : find(object, frame);
+    WorldToLocalTransform found =
+        object == null || !enabled() || !hasVolume() ? null : find(object, frame);
     boolean before = active();
     sense(found != null, cascade);
     if (found != null && enabled()) {
@@ -50,11 +51,11 @@ public final class TransformSensorNode extends RegionSensorNode {
    * Returns the first instance of the box that contains an instance of the object, for the first
    * such instance of the object.
    */
-  private @Nullable LocalFrame find(Node object, Frame frame) {
+  private @Nullable WorldToLocalTransform find(Node object, FrameContext frame) {
     List<? extends Matrix4dc> boxes = frame.places(this);
     List<? extends Matrix4dc> objects = frame.places(object);
     while (locals.size() < boxes.size()) {
-      locals.add(new LocalFrame());
+      locals.add(new WorldToLocalTransform());
     }
     for (int o = 0; o < objects.size(); o++) {
       target.set(objects.get(o));
@@ -63,7 +64,7 @@ public final class TransformSensorNode extends RegionSensorNode {
       }
       target.getTranslation(origin);
       for (int b = 0; b < boxes.size(); b++) {
-        LocalFrame box = locals.get(b);
+        WorldToLocalTransform box = locals.get(b);
         if (box.follow(boxes.get(b)) && contains(box.point(origin, local))) {
           return box;
         }

@@ -5,8 +5,8 @@ import org.joml.FrustumIntersection;
 import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.runtime.scene.EventCascade;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
@@ -14,12 +14,12 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
  * corners of the transformed box are tested against each frustum plane; a box beside an edge of the
  * frustum may wrongly count as visible, as the standard allows. Occlusion is not considered.
  */
-public final class VisibilitySensorNode extends RegionSensorNode {
+public final class VisibilitySensorNode extends EnvironmentalSensorNode {
   private static final int PLANES = 6;
 
   private final Vector3d[] corners = new Vector3d[8];
 
-  public VisibilitySensorNode(NodeType type, @Nullable String name, Location location) {
+  public VisibilitySensorNode(NodeType type, @Nullable String name, SourceLocation location) {
     super(type, name, location);
     for (int i = 0; i < corners.length; i++) {
       corners[i] = new Vector3d();
@@ -27,7 +27,7 @@ public final class VisibilitySensorNode extends RegionSensorNode {
   }
 
   @Override
-  public void frame(Frame frame, Cascade cascade) {
+  public void frame(FrameContext frame, EventCascade cascade) {
     boolean visible = false;
     if (enabled() && hasExtent()) {
       List<? extends Matrix4dc> places = frame.places(this);

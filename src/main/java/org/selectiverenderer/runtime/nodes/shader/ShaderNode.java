@@ -1,10 +1,10 @@
 package org.selectiverenderer.runtime.nodes.shader;
 
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.runtime.scene.EventCascade;
 import org.selectiverenderer.runtime.scene.Node;
-import org.selectiverenderer.x3d.catalogue.FieldAccess;
+import org.selectiverenderer.x3d.catalogue.AccessType;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
@@ -22,7 +22,7 @@ public final class ShaderNode extends Node {
   private @Nullable Boolean toldValid;
   private @Nullable Boolean toldSelected;
 
-  public ShaderNode(NodeType type, @Nullable String name, Location location) {
+  public ShaderNode(NodeType type, @Nullable String name, SourceLocation location) {
     super(type, name, location);
     activate = index(type, "activate");
     isValid = index(type, "isValid");
@@ -60,7 +60,7 @@ public final class ShaderNode extends Node {
   }
 
   /** Sends isSelected and isValid if they have changed. */
-  public void tell(Cascade cascade) {
+  public void tell(EventCascade cascade) {
     if (selected != null && !selected.equals(toldSelected) && isSelected >= 0) {
       toldSelected = selected;
       emit(isSelected, selected, cascade);
@@ -72,7 +72,7 @@ public final class ShaderNode extends Node {
   }
 
   @Override
-  protected void receive(FieldDefinition field, @Nullable Object value, Cascade cascade) {
+  protected void receive(FieldDefinition field, @Nullable Object value, EventCascade cascade) {
     if (field.index() == activate) {
       // Changes take effect at once, so that activate only sends the state again.
       if (Boolean.TRUE.equals(value)) {
@@ -80,7 +80,7 @@ public final class ShaderNode extends Node {
         toldSelected = null;
         tell(cascade);
       }
-    } else if (field.access() == FieldAccess.INPUT_ONLY && own(field.index()) && value != null) {
+    } else if (field.access() == AccessType.INPUT_ONLY && own(field.index()) && value != null) {
       derive(field.index(), value);
     } else {
       super.receive(field, value, cascade);

@@ -3,27 +3,27 @@ package org.selectiverenderer.runtime.nodes.shape;
 import java.util.Optional;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.geometry.mesh.Mesh;
-import org.selectiverenderer.geometry.mesh.MeshCopies;
-import org.selectiverenderer.geometry.tessellate.InstancePlaces;
-import org.selectiverenderer.runtime.scene.Formed;
+import org.selectiverenderer.geometry.mesh.MeshReplicator;
+import org.selectiverenderer.geometry.tessellate.InstancedShapeTransforms;
 import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.runtime.scene.ProceduralShape;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
  * InstancedShape, an extension of X_ITE: one geometry in many places, drawn as one mesh of all
- * copies. Copies beyond {@link MeshCopies#most} are left out.
+ * copies. Copies beyond {@link MeshReplicator#most} are left out.
  */
-public final class InstancedShapeNode extends Node implements Formed {
+public final class InstancedShapeNode extends Node implements ProceduralShape {
   private Function<Node, Optional<Mesh>> meshes = node -> Optional.empty();
   private final int[] lists;
   private @Nullable Mesh each;
   private Object[] known = {};
   private @Nullable Mesh all;
 
-  public InstancedShapeNode(NodeType type, @Nullable String name, Location location) {
+  public InstancedShapeNode(NodeType type, @Nullable String name, SourceLocation location) {
     super(type, name, location);
     lists =
         type.fields().stream()
@@ -43,7 +43,10 @@ public final class InstancedShapeNode extends Node implements Formed {
     Mesh now = geometry == null ? null : meshes.apply(geometry).orElse(null);
     if (now != each || listsChanged()) {
       each = now;
-      all = now == null ? null : MeshCopies.of(now, InstancePlaces.of(this, MeshCopies.most(now)));
+      all =
+          now == null
+              ? null
+              : MeshReplicator.of(now, InstancedShapeTransforms.of(this, MeshReplicator.most(now)));
     }
     return Optional.ofNullable(all);
   }

@@ -2,8 +2,8 @@ package org.selectiverenderer.runtime.nodes.sound;
 
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.runtime.sound.Recording;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.runtime.sound.AudioBuffer;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
@@ -11,20 +11,20 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
  * clip's pitch. It is updated by the Sound whose source it is, or by the scene if it is the child
  * of a group.
  */
-public final class AudioClipNode extends PlayedNode {
+public final class AudioClipNode extends SoundSourceNode {
   private final int pitch;
   private final int gain;
-  private @Nullable Recording recording;
+  private @Nullable AudioBuffer recording;
   private double position;
 
-  public AudioClipNode(NodeType type, @Nullable String name, Location location) {
+  public AudioClipNode(NodeType type, @Nullable String name, SourceLocation location) {
     super(type, name, location);
     pitch = type.indexOf("pitch");
     gain = type.indexOf("gain");
   }
 
   /** Sets or removes the recording; duration_changed is sent in the next frame. */
-  public void recording(@Nullable Recording found) {
+  public void recording(@Nullable AudioBuffer found) {
     if (found != recording) {
       recording = found;
       takes(found == null ? Double.NaN : found.seconds());
@@ -32,7 +32,7 @@ public final class AudioClipNode extends PlayedNode {
   }
 
   /** Returns the recording that is audible in this frame; empty while the clip does not run. */
-  Optional<Recording> sounding() {
+  Optional<AudioBuffer> sounding() {
     return active() && !paused() ? Optional.ofNullable(recording) : Optional.empty();
   }
 

@@ -2,9 +2,9 @@ package org.selectiverenderer.runtime.nodes.sound;
 
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.runtime.movie.Film;
-import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.runtime.movie.MoviePlayback;
+import org.selectiverenderer.runtime.scene.EventCascade;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
@@ -14,18 +14,18 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
  * of 0 it runs for ever and shows the first frame. It is updated by the shapes and backgrounds that
  * use it, visible or not. Its soundtrack is not played.
  */
-public final class MovieTextureNode extends PlayedNode {
+public final class MovieTextureNode extends SoundSourceNode {
   private final int speed;
-  private @Nullable Film film;
+  private @Nullable MoviePlayback film;
   private boolean hasRun;
 
-  public MovieTextureNode(NodeType type, @Nullable String name, Location location) {
+  public MovieTextureNode(NodeType type, @Nullable String name, SourceLocation location) {
     super(type, name, location);
     speed = type.indexOf("speed");
   }
 
   /** Sets or removes the movie; duration_changed is sent in the next frame. */
-  public void film(@Nullable Film shown) {
+  public void film(@Nullable MoviePlayback shown) {
     if (shown != film) {
       film = shown;
       hasRun = false;
@@ -35,7 +35,7 @@ public final class MovieTextureNode extends PlayedNode {
   }
 
   /** Returns the movie playback. */
-  public Optional<Film> film() {
+  public Optional<MoviePlayback> film() {
     return Optional.ofNullable(film);
   }
 
@@ -69,7 +69,7 @@ public final class MovieTextureNode extends PlayedNode {
   }
 
   @Override
-  protected void receive(FieldDefinition field, @Nullable Object value, Cascade cascade) {
+  protected void receive(FieldDefinition field, @Nullable Object value, EventCascade cascade) {
     super.receive(field, value, cascade);
     if (field.index() == speed && !hasRun) {
       stand();

@@ -4,14 +4,14 @@ import java.util.Optional;
 import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.runtime.nodes.sensor.Frame;
-import org.selectiverenderer.runtime.nodes.sensor.Rest;
-import org.selectiverenderer.runtime.nodes.sensor.Sleeper;
-import org.selectiverenderer.runtime.scene.Cascade;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.runtime.nodes.sensor.FrameContext;
+import org.selectiverenderer.runtime.nodes.sensor.SleepableNode;
+import org.selectiverenderer.runtime.nodes.sensor.WakeState;
+import org.selectiverenderer.runtime.scene.EventCascade;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.NodeObserver;
-import org.selectiverenderer.runtime.sound.Recording;
+import org.selectiverenderer.runtime.sound.AudioBuffer;
 import org.selectiverenderer.runtime.sound.Voice;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
@@ -21,13 +21,13 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
  * every frame, visible or not, but is audible only in visible instances, of several at the one
  * where it is loudest. A MovieTexture as its source runs silently.
  */
-public final class SoundNode extends Node implements Sleeper {
-  private final Rest rest = new Rest();
+public final class SoundNode extends Node implements SleepableNode {
+  private final WakeState rest = new WakeState();
   private final NodeObserver rousing = (node, field) -> rest.rouse();
-  private @Nullable PlayedNode source;
+  private @Nullable SoundSourceNode source;
   private @Nullable Voice voice;
 
-  public SoundNode(NodeType type, @Nullable String name, Location location) {
+  public SoundNode(NodeType type, @Nullable String name, SourceLocation location) {
     super(type, name, location);
   }
 
@@ -42,8 +42,8 @@ public final class SoundNode extends Node implements Sleeper {
   }
 
   @Override
-  public void frame(Frame frame, Cascade cascade) {
-    follow(node("source") instanceof PlayedNode played ? played : null);
+  public void frame(FrameContext frame, EventCascade cascade) {
+    follow(node("source") instanceof SoundSourceNode played ? played : null);
     voice = null;
     if (source != null) {
       source.frame(frame, cascade);
@@ -54,7 +54,7 @@ public final class SoundNode extends Node implements Sleeper {
     rest.unless(source != null && source.awake());
   }
 
-  private void follow(@Nullable PlayedNode now) {
+  private void follow(@Nullable SoundSourceNode now) {
     if (now != source) {
       if (source != null) {
         source.removeObserver(rousing);
@@ -66,15 +66,16 @@ public final class SoundNode extends Node implements Sleeper {
     }
   }
 
-  private @Nullable Voice heard(AudioClipNode clip, Recording recording, Frame frame) {
+  private @Nullable Voice heard(AudioClipNode clip, AudioBuffer recording, FrameContext frame) {
     double intensity = Math.max(0, Math.min(1, number("intensity"))) * clip.gain();
     if (!bool("enabled") || intensity == 0) {
       return null;
     }
-    Hearing best = Hearing.NOTHING;
-    Hearing.Ellipsoids shape = shape();
+    SpatialAudioGain best = SpatialAudioGain.NOTHING;
+    SpatialAudioGain.Ellipsoids shape = shape();
     for (Matrix4dc place : frame.shownPlaces(this)) {
-      Hearing here = Hearing.of(shape, place, frame.eye(), frame.orientation(), bool("spatialize"));
+      SpatialAudioGain here =
+          SpatialAudioGain.of(shape, place, frame.eye(), frame.orientation(), bool("spatialize"));
       best = here.gain() > best.gain() ? here : best;
     }
     double gain = intensity * best.gain();
@@ -92,8 +93,8 @@ public final class SoundNode extends Node implements Sleeper {
             new Voice.Rank(number("priority"), clip.elapsed(), gain));
   }
 
-  private Hearing.Ellipsoids shape() {
-    return new Hearing.Ellipsoids(
+  private SpatialAudioGain.Ellipsoids shape() {
+    return new SpatialAudioGain.Ellipsoids(
         vector("location"),
         vector("direction"),
         distance("minFront"),
@@ -112,7 +113,7 @@ public final class SoundNode extends Node implements Sleeper {
   }
 
   @Override
-  protected void receive(FieldDefinition field, @Nullable Object value, Cascade cascade) {
+  protected void receive(FieldDefinition field, @Nullable Object value, EventCascade cascade) {
     super.receive(field, value, cascade);
     rest.rouse();
   }

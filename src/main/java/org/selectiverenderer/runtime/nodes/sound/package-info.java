@@ -2,7 +2,7 @@
  * Nodes that play media files (X3D 4.0, clause 16 and 18.4.2): {@link
  * org.selectiverenderer.runtime.nodes.sound.AudioClipNode} plays a recording, {@link
  * org.selectiverenderer.runtime.nodes.sound.SoundNode} gives it a position in space, by the
- * ellipsoids of {@link org.selectiverenderer.runtime.nodes.sound.Hearing}; {@link
+ * ellipsoids of {@link org.selectiverenderer.runtime.nodes.sound.SpatialAudioGain}; {@link
  * org.selectiverenderer.runtime.nodes.sound.MovieTextureNode} sets the time of a movie.
  *
  * <p>In: recordings, movies, frames. Out: their events, a voice for each Sound that is audible in a

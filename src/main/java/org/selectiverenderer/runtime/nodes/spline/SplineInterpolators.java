@@ -5,25 +5,29 @@ import java.util.HashMap;
 import java.util.Map;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
-import org.selectiverenderer.geometry.nurbs.RationalSurface;
-import org.selectiverenderer.geometry.tessellate.NurbsFields;
-import org.selectiverenderer.runtime.nodes.event.KeyFrames;
-import org.selectiverenderer.runtime.scene.Cascade;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.geometry.nurbs.NurbsSurface;
+import org.selectiverenderer.geometry.tessellate.NurbsNodeReader;
+import org.selectiverenderer.runtime.nodes.event.KeyframeSearch;
+import org.selectiverenderer.runtime.scene.EventCascade;
 import org.selectiverenderer.runtime.scene.Node;
-import org.selectiverenderer.runtime.scene.NodeMaker;
+import org.selectiverenderer.runtime.scene.NodeConstructor;
 import org.selectiverenderer.runtime.scene.Rotations;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
  * The constructors of the interpolators along splines, by node type name. A node whose keys or
  * control points define no curve sends nothing; outside the keys the first or last value is sent.
  */
 public final class SplineInterpolators {
-  public static final Map<String, NodeMaker> MAKERS = makers();
+  public static final Map<String, NodeConstructor> MAKERS = makers();
 
   private SplineInterpolators() {}
 
-  private static Map<String, NodeMaker> makers() {
-    Map<String, NodeMaker> all = new HashMap<>();
+  private static Map<String, NodeConstructor> makers() {
+    Map<String, NodeConstructor> all = new HashMap<>();
     all.put("SplinePositionInterpolator", answering(spline(3)));
     all.put("SplinePositionInterpolator2D", answering(spline(2)));
     all.put("SplineScalarInterpolator", answering(spline(1)));
@@ -34,11 +38,11 @@ public final class SplineInterpolators {
     return Map.copyOf(all);
   }
 
-  private static NodeMaker answering(FractionNode.Answer answer) {
+  private static NodeConstructor answering(FractionNode.Answer answer) {
     return (type, name, location) -> new FractionNode(type, name, location, answer);
   }
 
-  private static void send(Node node, String field, Object value, Cascade cascade) {
+  private static void send(Node node, String field, Object value, EventCascade cascade) {
     node.emit(node.type().indexOf(field), value, cascade);
   }
 
@@ -51,21 +55,21 @@ public final class SplineInterpolators {
       if (count == 0) {
         return;
       }
-      int low = KeyFrames.at(keys, count, at);
+      int low = KeyframeSearch.at(keys, count, at);
       float[] result;
       if (low == count - 1 || at <= keys[low]) {
         result = Arrays.copyOfRange(values, low * components, (low + 1) * components);
       } else {
         double part = ((double) at - keys[low]) / ((double) keys[low + 1] - keys[low]);
         result =
-            new Hermite(keys, values, components, count, node.bool("closed"))
+            new HermiteSpline(keys, values, components, count, node.bool("closed"))
                 .between(low, part, node.floats("keyVelocity"), node.bool("normalizeVelocity"));
       }
       send(node, "value_changed", components == 1 ? (Object) result[0] : result, cascade);
     };
   }
 
-  private static void squad(Object fraction, Node node, Cascade cascade) {
+  private static void squad(Object fraction, Node node, EventCascade cascade) {
     float at = (Float) fraction;
     float[] keys = node.floats("key");
     float[] values = node.floats("keyValue");
@@ -73,7 +77,7 @@ public final class SplineInterpolators {
     if (count == 0) {
       return;
     }
-    int low = KeyFrames.at(keys, count, at);
+    int low = KeyframeSearch.at(keys, count, at);
     float[] result = Arrays.copyOfRange(values, 4 * low, 4 * low + 4);
     if (low < count - 1 && at > keys[low]) {
       Quaterniond[] all = new Quaterniond[count];
@@ -81,20 +85,20 @@ public final class SplineInterpolators {
         all[i] = Rotations.read(values, 4 * i, new Quaterniond());
       }
       double part = ((double) at - keys[low]) / ((double) keys[low + 1] - keys[low]);
-      Rotations.write(Squad.between(all, low, part), result);
+      Rotations.write(SquadInterpolation.between(all, low, part), result);
     }
     send(node, "value_changed", result, cascade);
   }
 
-  private static void position(Object fraction, Node node, Cascade cascade) {
-    NurbsFields.curve(node, problem -> {})
+  private static void position(Object fraction, Node node, EventCascade cascade) {
+    NurbsNodeReader.curve(node, problem -> {})
         .map(curve -> curve.at(curve.basis().at((Float) fraction)))
         .ifPresent(at -> send(node, "value_changed", floats(at, 0), cascade));
   }
 
   /** Sends the orientation with +Z along the curve (27.4.6). */
-  private static void orientation(Object fraction, Node node, Cascade cascade) {
-    NurbsFields.curve(node, problem -> {})
+  private static void orientation(Object fraction, Node node, EventCascade cascade) {
+    NurbsNodeReader.curve(node, problem -> {})
         .map(curve -> curve.at(curve.basis().at((Float) fraction)))
         .map(at -> new Vector3d(at[3], at[4], at[5]))
         .filter(way -> way.lengthSquared() > 0 && way.isFinite())
@@ -106,9 +110,9 @@ public final class SplineInterpolators {
             });
   }
 
-  private static void surface(Object fraction, Node node, Cascade cascade) {
+  private static void surface(Object fraction, Node node, EventCascade cascade) {
     float[] part = (float[]) fraction;
-    RationalSurface surface = NurbsFields.surface(node, problem -> {}).orElse(null);
+    NurbsSurface surface = NurbsNodeReader.surface(node, problem -> {}).orElse(null);
     if (surface == null || Float.isNaN(part[0]) || Float.isNaN(part[1])) {
       return;
     }
@@ -127,5 +131,35 @@ public final class SplineInterpolators {
 
   private static float[] floats(double[] from, int at) {
     return new float[] {(float) from[at], (float) from[at + 1], (float) from[at + 2]};
+  }
+
+  /** A node that answers each {@code set_fraction} with a computed value. */
+  private static final class FractionNode extends Node {
+    /** Computes and sends the value for a fraction. */
+    @FunctionalInterface
+    interface Answer {
+      /**
+       * @param fraction a Float or, for a surface, two floats; not NaN
+       */
+      void to(Object fraction, Node node, EventCascade cascade);
+    }
+
+    private final int fraction;
+    private final Answer answer;
+
+    FractionNode(NodeType type, @Nullable String name, SourceLocation location, Answer answer) {
+      super(type, name, location);
+      this.answer = answer;
+      fraction = type.indexOf("set_fraction");
+    }
+
+    @Override
+    protected void receive(FieldDefinition field, @Nullable Object value, EventCascade cascade) {
+      if (field.index() != fraction || value == null) {
+        super.receive(field, value, cascade);
+      } else if (!(value instanceof Float number && Float.isNaN(number))) {
+        answer.to(value, this, cascade);
+      }
+    }
   }
 }

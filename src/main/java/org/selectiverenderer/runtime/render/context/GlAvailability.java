@@ -65,6 +65,7 @@ public final class GlAvailability {
   }
 
   private static boolean there(Path socket, Duration patience) {
-    return patience.isZero() && XServer.listens(socket) || XServer.answers(socket, patience);
+    return patience.isZero() && XServerProbe.listens(socket)
+        || XServerProbe.answers(socket, patience);
   }
 }

@@ -6,6 +6,8 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Locale;
 import java.util.Objects;
 
 /** The OpenGL driver: vendor, renderer and version strings of a context. */
@@ -20,7 +22,7 @@ public record GlInfo(String vendor, String renderer, String version) {
 
   /** Returns the version of JOGL; loads its native libraries. */
   public static String binding() {
-    JoglLibraries.use();
+    JoglNativeLibraries.use();
     GLProfile.initSingleton();
     return libraryVersion();
   }
@@ -51,5 +53,30 @@ public record GlInfo(String vendor, String renderer, String version) {
   private static String string(GL gl, int name) {
     String value = gl.glGetString(name);
     return value == null ? "unknown" : value;
+  }
+
+  /** The names of software renderers: drivers that draw on the processor. */
+  private static final class SoftwareRasterizers {
+    /** Substrings of GL_RENDERER in lower case. */
+    private static final List<String> NAMES =
+        List.of(
+            "llvmpipe", // Mesa
+            "softpipe", // Mesa, slower
+            "swrast", // Mesa, older
+            "mesa x11", // Mesa without a driver
+            "openswr", // Mesa, for many processors
+            "lavapipe", // Mesa's Vulkan, by way of Zink
+            "software rasterizer", // Mesa, older
+            "swiftshader", // Google
+            "microsoft basic render", // Windows: WARP
+            "gdi generic", // Windows without a driver
+            "apple software renderer");
+
+    private SoftwareRasterizers() {}
+
+    static boolean named(String renderer) {
+      String name = renderer.toLowerCase(Locale.ROOT);
+      return NAMES.stream().anyMatch(name::contains);
+    }
   }
 }

@@ -22,7 +22,7 @@ public final class GlProfiles {
    *     display or its driver is the reason
    */
   public static GLProfile core() {
-    JoglLibraries.use();
+    JoglNativeLibraries.use();
     for (int tries = 1; ; tries++) {
       try {
         return begun(() -> GLProfile.get(GLProfile.GL3));

@@ -6,8 +6,8 @@ import com.jogamp.opengl.GL3;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.file.Path;
-import org.selectiverenderer.base.files.WholeFile;
-import org.selectiverenderer.base.picture.PngFile;
+import org.selectiverenderer.base.files.AtomicFileWriter;
+import org.selectiverenderer.base.image.PngEncoder;
 
 /**
  * The pixels of a framebuffer.
@@ -49,6 +49,6 @@ public record Screenshot(int width, int height, byte[] rgba) {
         System.arraycopy(rgba, 4 * (y * width + x), rgb, at, 3);
       }
     }
-    WholeFile.write(file, PngFile.of(width, height, rgb));
+    AtomicFileWriter.write(file, PngEncoder.of(width, height, rgb));
   }
 }

@@ -9,7 +9,7 @@ import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.camera.Camera;
 import org.selectiverenderer.runtime.render.mesh.Clusters;
-import org.selectiverenderer.runtime.render.occlude.Occlusion;
+import org.selectiverenderer.runtime.render.occlusion.OcclusionCuller;
 
 /**
  * Finds what at least one eye can see: first shapes, whose bounding boxes are tested against each
@@ -29,8 +29,8 @@ final class Culler {
    */
   private static final double LOOSE_PIXELS = 4;
 
-  private final Visible out;
-  private final Stages stages = new Stages();
+  private final VisibleSet out;
+  private final RefinementLevelSelector stages = new RefinementLevelSelector();
   private final Matrix4d inverse = new Matrix4d();
   private List<Camera> eyes = List.of();
   private Frustum[] frusta = {};
@@ -39,13 +39,13 @@ final class Culler {
   private Vector3d[] localEyes = {};
   private long[] order = new long[16];
   private int[] next = new int[16];
-  private @Nullable Occlusion occlusion;
+  private @Nullable OcclusionCuller occlusion;
   private long hidden;
 
   /**
    * @param out receives the visible items
    */
-  Culler(Visible out) {
+  Culler(VisibleSet out) {
     this.out = out;
   }
 
@@ -54,7 +54,7 @@ final class Culler {
    *
    * @param hiding the occlusion test, or null to keep what is hidden behind other things
    */
-  void cull(List<DrawItem> items, List<Camera> seeing, @Nullable Occlusion hiding) {
+  void cull(List<DrawItem> items, List<Camera> seeing, @Nullable OcclusionCuller hiding) {
     out.clear();
     look(seeing);
     hidden = 0;
@@ -83,7 +83,7 @@ final class Culler {
     return count;
   }
 
-  private boolean occlude(List<DrawItem> items, int inView, Occlusion hiding) {
+  private boolean occlude(List<DrawItem> items, int inView, OcclusionCuller hiding) {
     hiding.begin(eyes);
     for (int i = 0; i < inView; i++) {
       DrawItem item = items.get((int) order[i]);
@@ -105,20 +105,20 @@ final class Culler {
       }
       DrawBatch batch = item.part().batch();
       if (batch == null) {
-        order[count++] = DrawOrder.key(item, DrawOrder.distance(item, eyes), i);
-      } else if (string(batch, i, DrawOrder.distance(item, eyes))) {
+        order[count++] = DrawSortKey.key(item, DrawSortKey.distance(item, eyes), i);
+      } else if (string(batch, i, DrawSortKey.distance(item, eyes))) {
         order[count++] = i;
       }
     }
     for (int i = 0; i < count; i++) {
       // The sort key of a batch is known only when all its items are.
-      DrawItem item = items.get((int) order[i] & DrawOrder.INDEX_MASK);
+      DrawItem item = items.get((int) order[i] & DrawSortKey.INDEX_MASK);
       DrawBatch batch = item.part().batch();
-      order[i] = batch == null ? order[i] : DrawOrder.key(item, batch.nearest, batch.first);
+      order[i] = batch == null ? order[i] : DrawSortKey.key(item, batch.nearest, batch.first);
     }
     Arrays.sort(order, 0, count);
     for (int i = 0; i < count; i++) {
-      add(items, (int) order[i] & DrawOrder.INDEX_MASK);
+      add(items, (int) order[i] & DrawSortKey.INDEX_MASK);
     }
     // Items of which all clusters were culled stay in the list with no index range.
   }
@@ -128,7 +128,7 @@ final class Culler {
       return false;
     }
     occlusion.ask(item.place(), item.part().occluders());
-    double pixels = Strokes.reach(item.stroke(), item.source().primitive(), LOOSE_PIXELS);
+    double pixels = StrokePatterns.reach(item.stroke(), item.source().primitive(), LOOSE_PIXELS);
     for (int eye = 0; eye < frusta.length; eye++) {
       if (!occlusion.hides(eye, item.shape().bounds(), pixels)) {
         return false;
@@ -253,5 +253,50 @@ final class Culler {
     }
     hidden += behind ? clusters.firstIndex()[cluster + 1] - clusters.firstIndex()[cluster] : 0;
     return false;
+  }
+
+  /** Encodes the drawing order as integer sort keys. */
+  private static final class DrawSortKey {
+    private static final int INDEX_BITS = 24;
+
+    /** The bits of a key that hold the item's index in the list. */
+    static final int INDEX_MASK = (1 << INDEX_BITS) - 1;
+
+    private DrawSortKey() {}
+
+    /**
+     * Returns the sort key of an item: opaque before blended; opaque items by program and texture,
+     * then front to back, which saves the shading of covered pixels; blended items back to front.
+     * Sixteen bits hold the rank, 23 the distance, 24 the index in the list.
+     */
+    static long key(DrawItem item, int distance, int index) {
+      long rank = item.blended() ? (1L << 15) : Math.min(item.rank(), (1 << 15) - 1);
+      long depth = item.blended() ? (1 << 23) - 1 - distance : distance;
+      return rank << (23 + INDEX_BITS) | depth << INDEX_BITS | index;
+    }
+
+    /**
+     * Returns the depth from the nearest eye: to the centre of a blended item's bounding box, to
+     * the far end of other boxes. So walls, whose boxes enclose everything else, are drawn last and
+     * fill only the pixels that are left.
+     */
+    static int distance(DrawItem item, List<Camera> eyes) {
+      double[] box = item.shape().bounds();
+      double nearest = Double.POSITIVE_INFINITY;
+      for (int eye = 0; eye < eyes.size(); eye++) {
+        double x = (box[0] + box[3]) / 2;
+        double y = (box[1] + box[4]) / 2;
+        double z = (box[2] + box[5]) / 2;
+        Matrix4dc v = eyes.get(eye).view();
+        double middle = -(v.m02() * x + v.m12() * y + v.m22() * z + v.m32());
+        double half =
+            Math.abs(v.m02()) * (box[3] - box[0])
+                + Math.abs(v.m12()) * (box[4] - box[1])
+                + Math.abs(v.m22()) * (box[5] - box[2]);
+        nearest = Math.min(nearest, item.blended() ? middle : middle + half / 2);
+      }
+      // The bits of a float that is not negative are in the order of its values.
+      return Float.floatToIntBits((float) Math.max(0, nearest)) >>> 8;
+    }
   }
 }

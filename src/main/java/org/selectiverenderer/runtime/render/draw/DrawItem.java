@@ -4,18 +4,18 @@ import java.util.List;
 import org.joml.Matrix4dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.runtime.instance.DrawProperties;
 import org.selectiverenderer.runtime.instance.LightInstance;
+import org.selectiverenderer.runtime.instance.ScopedEffects;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
-import org.selectiverenderer.runtime.instance.Stroke;
-import org.selectiverenderer.runtime.instance.Surface;
-import org.selectiverenderer.runtime.instance.Surroundings;
-import org.selectiverenderer.runtime.render.gpu.DetailTextures;
+import org.selectiverenderer.runtime.instance.SurfaceMaterial;
 import org.selectiverenderer.runtime.render.gpu.GpuMesh;
 import org.selectiverenderer.runtime.render.gpu.GpuTexture;
+import org.selectiverenderer.runtime.render.gpu.MaterialBinding;
 import org.selectiverenderer.runtime.render.gpu.ShapeProgram;
-import org.selectiverenderer.runtime.render.gpu.ShapePrograms;
-import org.selectiverenderer.runtime.render.gpu.StrokeForm;
-import org.selectiverenderer.runtime.render.light.Lighting;
+import org.selectiverenderer.runtime.render.gpu.ShapeProgramCache;
+import org.selectiverenderer.runtime.render.gpu.StrokeStyle;
+import org.selectiverenderer.runtime.render.lighting.ShapeLighting;
 import org.selectiverenderer.runtime.render.mesh.Clusters;
 
 /**
@@ -38,21 +38,21 @@ import org.selectiverenderer.runtime.render.mesh.Clusters;
 public record DrawItem(
     ShapeInstance shape,
     Mesh source,
-    Surface surface,
-    MeshPart part,
+    SurfaceMaterial surface,
+    SubMesh part,
     @Nullable GpuTexture texture,
-    ShapePrograms.Family byPixel,
-    ShapePrograms.Family byVertex,
-    Lighting lighting,
+    ShapeProgramCache.Family byPixel,
+    ShapeProgramCache.Family byVertex,
+    ShapeLighting lighting,
     float[] numbers,
     float[] textureTransform,
     boolean blended,
-    StrokeForm form,
-    Stroke stroke,
-    Surroundings around,
+    StrokeStyle form,
+    DrawProperties stroke,
+    ScopedEffects around,
     int rank,
-    @Nullable DetailTextures detail,
-    @Nullable AuthorLook author) {
+    @Nullable MaterialBinding detail,
+    @Nullable CustomShaderBinding author) {
 
   /** Returns the vertex and index buffer, which other items may share. */
   public GpuMesh mesh() {
@@ -99,7 +99,7 @@ public record DrawItem(
   /**
    * Returns the programs for the shape's present place: per vertex where that is good enough there.
    */
-  ShapePrograms.Family programs() {
+  ShapeProgramCache.Family programs() {
     return lighting.byVertex(shape) ? byVertex : byPixel;
   }
 

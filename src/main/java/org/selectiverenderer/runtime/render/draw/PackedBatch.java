@@ -6,15 +6,15 @@ import java.util.Map;
 import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
 import org.selectiverenderer.geometry.mesh.Mesh;
-import org.selectiverenderer.geometry.mesh.MeshPlacement;
+import org.selectiverenderer.geometry.mesh.MeshTransformer;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.runtime.render.gpu.GpuMesh;
-import org.selectiverenderer.runtime.render.light.Fineness;
+import org.selectiverenderer.runtime.render.lighting.CurvatureTolerance;
 import org.selectiverenderer.runtime.render.mesh.MeshMerger;
 import org.selectiverenderer.runtime.render.mesh.MeshPacker;
 import org.selectiverenderer.runtime.render.mesh.PackedMesh;
-import org.selectiverenderer.runtime.render.mesh.StagedMesh;
-import org.selectiverenderer.runtime.render.occlude.Occluders;
+import org.selectiverenderer.runtime.render.mesh.RefinedMesh;
+import org.selectiverenderer.runtime.render.occlusion.MeshOccluders;
 
 /**
  * A batch whose buffers are ready to be uploaded.
@@ -26,33 +26,33 @@ import org.selectiverenderer.runtime.render.occlude.Occluders;
  *     buffers
  */
 record PackedBatch(
-    List<BatchPlan.Candidate> shapes,
+    List<BatchPlanner.Candidate> shapes,
     Matrix4dc origin,
     List<Matrix4dc> worlds,
     boolean tinted,
     MeshMerger.Merged merged,
-    List<Occluders> occluders) {
+    List<MeshOccluders> occluders) {
 
   /** Puts shapes into one pair of buffers whose origin is the centre of them all; any thread. */
-  static PackedBatch pack(List<BatchPlan.Candidate> shapes) {
-    double[] box = BatchPlan.bounds(shapes);
+  static PackedBatch pack(List<BatchPlanner.Candidate> shapes) {
+    double[] box = BatchPlanner.bounds(shapes);
     double x = (box[0] + box[3]) / 2;
     double y = (box[1] + box[4]) / 2;
     double z = (box[2] + box[5]) / 2;
     Matrix4dc toBatch = new Matrix4d().translation(-x, -y, -z);
     List<Matrix4dc> worlds = shapes.stream().map(candidate -> candidate.shape().world()).toList();
-    DrawLook first = shapes.get(0).look();
+    DrawState first = shapes.get(0).look();
     boolean tinted = shapes.stream().anyMatch(candidate -> candidate.look() != first);
     List<PackedMesh> packed = new ArrayList<>();
-    List<Occluders> occluders = new ArrayList<>();
+    List<MeshOccluders> occluders = new ArrayList<>();
     for (int i = 0; i < shapes.size(); i++) {
       Matrix4d placement = toBatch.mul(worlds.get(i), new Matrix4d());
       Mesh mesh = shapes.get(i).mesh();
-      Mesh placed = MeshPlacement.place(mesh, placement);
+      Mesh placed = MeshTransformer.place(mesh, placement);
       Mesh coloured = tinted ? tinted(placed, shapes.get(i).look()) : placed;
       packed.add(
-          MeshPacker.pack(new StagedMesh(coloured, placed(shapes.get(i).staged(), placement))));
-      occluders.add(Occluders.placed(mesh, placement, placed.bounds()));
+          MeshPacker.pack(new RefinedMesh(coloured, placed(shapes.get(i).staged(), placement))));
+      occluders.add(MeshOccluders.placed(mesh, placement, placed.bounds()));
     }
     return new PackedBatch(
         shapes,
@@ -64,21 +64,22 @@ record PackedBatch(
   }
 
   /** Returns the coarser levels of a mesh with their lengths scaled to its place. */
-  private static List<StagedMesh.Stage> placed(StagedMesh mesh, Matrix4dc placement) {
+  private static List<RefinedMesh.Stage> placed(RefinedMesh mesh, Matrix4dc placement) {
     if (mesh.coarser().isEmpty()) {
       return List.of();
     }
-    double scale = Fineness.scale(placement);
+    double scale = CurvatureTolerance.scale(placement);
     return mesh.coarser().stream()
         .map(
             stage ->
-                new StagedMesh.Stage(
-                    MeshPlacement.triangles(stage.indices(), placement), stage.undivided() * scale))
+                new RefinedMesh.Stage(
+                    MeshTransformer.triangles(stage.indices(), placement),
+                    stage.undivided() * scale))
         .toList();
   }
 
   /** Returns a mesh with the diffuse colour of its draw state at each vertex. */
-  private static Mesh tinted(Mesh mesh, DrawLook look) {
+  private static Mesh tinted(Mesh mesh, DrawState look) {
     float[] material = look.material().array();
     float[] colors = new float[4 * mesh.vertexCount()];
     for (int i = 0; i < colors.length; i += 4) {
@@ -97,13 +98,13 @@ record PackedBatch(
   }
 
   /** Assigns each shape its part of the uploaded buffers. */
-  void parts(GpuMesh mesh, Map<ShapeInstance, MeshPart> parts) {
+  void parts(GpuMesh mesh, Map<ShapeInstance, SubMesh> parts) {
     DrawBatch batch = new DrawBatch(origin, tinted);
     for (int i = 0; i < shapes.size(); i++) {
       MeshMerger.Part part = merged.parts().get(i);
       parts.put(
           shapes.get(i).shape(),
-          new MeshPart(
+          new SubMesh(
               mesh, part.clusters(), part.coarser(), occluders.get(i), batch, worlds.get(i)));
     }
   }

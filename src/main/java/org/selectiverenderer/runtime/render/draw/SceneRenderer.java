@@ -2,19 +2,25 @@ package org.selectiverenderer.runtime.render.draw;
 
 import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL3;
+import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.camera.Camera;
-import org.selectiverenderer.runtime.camera.HiddenPart;
-import org.selectiverenderer.runtime.instance.Backdrop;
+import org.selectiverenderer.runtime.camera.HiddenAreaMesh;
+import org.selectiverenderer.runtime.instance.Background;
+import org.selectiverenderer.runtime.instance.CubeTexture;
 import org.selectiverenderer.runtime.instance.Fog;
 import org.selectiverenderer.runtime.instance.InstanceTree;
-import org.selectiverenderer.runtime.render.Shading;
+import org.selectiverenderer.runtime.render.ShadingMode;
 import org.selectiverenderer.runtime.render.context.GlInfo;
-import org.selectiverenderer.runtime.render.gpu.TextureFilters;
-import org.selectiverenderer.runtime.render.light.LightPlanner;
-import org.selectiverenderer.runtime.render.occlude.Occlusion;
+import org.selectiverenderer.runtime.render.gpu.GpuTexture;
+import org.selectiverenderer.runtime.render.gpu.TextureFilterQuality;
+import org.selectiverenderer.runtime.render.lighting.LightingPlanner;
+import org.selectiverenderer.runtime.render.occlusion.OcclusionCuller;
 
 /**
  * Draws instance trees. A frame is {@link #prepare}, {@link #cull} once for all eyes, and {@link
@@ -22,20 +28,20 @@ import org.selectiverenderer.runtime.render.occlude.Occlusion;
  *
  * <p>docs/performance.md tells where a frame's time goes. Our own part is under a hundredth of it;
  * on a software renderer the rest is vertex processing, triangle setup and rasterisation, of which
- * {@link Portions} lets the first overlap with the others.
+ * {@link FrameFlusher} lets the first overlap with the others.
  */
 public final class SceneRenderer {
-  private final Shading shading;
-  private @Nullable GpuAssets assets;
-  private Portions portions = new Portions(false);
-  private @Nullable DrawList list;
-  private final BackdropPainter backdropPainter = new BackdropPainter();
-  private final HiddenPainter hiddenPainter = new HiddenPainter();
-  private final Visible visible = new Visible();
+  private final ShadingMode shading;
+  private @Nullable GpuResourceCache assets;
+  private FrameFlusher portions = new FrameFlusher(false);
+  private @Nullable DrawItemCache list;
+  private final BackgroundRenderer backdropPainter = new BackgroundRenderer();
+  private final HiddenAreaMeshRenderer hiddenPainter = new HiddenAreaMeshRenderer();
+  private final VisibleSet visible = new VisibleSet();
   private final Culler culler = new Culler(visible);
-  private final Occlusion occlusion = new Occlusion();
-  private final MirroredImages mirrored = new MirroredImages();
-  private final GeneratedCubes cubes = new GeneratedCubes();
+  private final OcclusionCuller occlusion = new OcclusionCuller();
+  private final EnvironmentMapCache mirrored = new EnvironmentMapCache();
+  private final GeneratedCubeMapRenderer cubes = new GeneratedCubeMapRenderer();
   private final float pointSize;
   private boolean wireframe;
 
@@ -43,7 +49,7 @@ public final class SceneRenderer {
    * @param pointSize the side of a point of a PointSet in pixels
    * @param shading whether lighting is computed per vertex or per pixel
    */
-  public SceneRenderer(float pointSize, Shading shading) {
+  public SceneRenderer(float pointSize, ShadingMode shading) {
     this.shading = shading;
     this.pointSize = pointSize;
   }
@@ -73,9 +79,9 @@ public final class SceneRenderer {
   private void follow(GL3 gl, InstanceTree tree, boolean all) {
     if (list == null) {
       GlInfo info = GlInfo.of(gl);
-      assets = new GpuAssets(new LightPlanner(shading.byVertex(info)), filters(info));
-      portions = new Portions(info.software());
-      list = new DrawList(assets);
+      assets = new GpuResourceCache(new LightingPlanner(shading.byVertex(info)), filters(info));
+      portions = new FrameFlusher(info.software());
+      list = new DrawItemCache(assets);
     }
     mirrored.forgetOthers(gl);
     list.follow(gl, tree, all);
@@ -85,11 +91,13 @@ public final class SceneRenderer {
    * Returns cheap filters for a software renderer, except where per-pixel lighting is asked for:
    * that is for pictures as a graphics card draws them.
    */
-  private TextureFilters filters(GlInfo info) {
+  private TextureFilterQuality filters(GlInfo info) {
     if (!info.software()) {
-      return TextureFilters.FINE;
+      return TextureFilterQuality.FINE;
     }
-    return shading == Shading.PIXEL ? TextureFilters.FINE_BY_PROCESSOR : TextureFilters.QUICK;
+    return shading == ShadingMode.PIXEL
+        ? TextureFilterQuality.FINE_BY_PROCESSOR
+        : TextureFilterQuality.QUICK;
   }
 
   /** Returns the draw items of all shapes of the tree last prepared, shown or not. */
@@ -101,13 +109,13 @@ public final class SceneRenderer {
    * Returns what the eyes can see of the tree last prepared, without most of what is occluded. The
    * result is reused by the next call.
    */
-  public Visible cull(List<Camera> eyes) {
+  public VisibleSet cull(List<Camera> eyes) {
     culler.cull(items(), eyes, occlusion);
     return visible;
   }
 
   /** Culls to the view frusta only and keeps what is occluded, for wireframe pictures. */
-  public Visible cullToView(List<Camera> eyes) {
+  public VisibleSet cullToView(List<Camera> eyes) {
     culler.cull(items(), eyes, null);
     return visible;
   }
@@ -119,14 +127,15 @@ public final class SceneRenderer {
    * @param eyes the cameras of the frame; the first carries the headlight
    * @param near the distance of the near plane
    */
-  public void reflect(GL3 gl, InstanceTree tree, List<Camera> eyes, Setting setting, double near) {
+  public void reflect(
+      GL3 gl, InstanceTree tree, List<Camera> eyes, LightingContext setting, double near) {
     cubes.follow(items());
     if (cubes.isEmpty()) {
       return;
     }
-    Setting around =
-        new Setting(
-            Optional.of(setting.backdrop().orElse(Backdrop.BLACK)),
+    LightingContext around =
+        new LightingContext(
+            Optional.of(setting.backdrop().orElse(Background.BLACK)),
             setting.headlight(),
             setting.fog(),
             false);
@@ -137,30 +146,31 @@ public final class SceneRenderer {
         near,
         (items, camera) -> {
           culler.cull(items, List.of(camera), null);
-          draw(gl, visible, camera, eyes.get(0), around, HiddenPart.NONE);
+          draw(gl, visible, camera, eyes.get(0), around, HiddenAreaMesh.NONE);
         });
   }
 
   /** Clears the camera's viewport and draws into it. */
-  public void draw(GL3 gl, Visible seen, Camera camera, Backdrop backdrop, boolean headlight) {
-    draw(gl, seen, camera, new Setting(Optional.of(backdrop), headlight, Fog.NONE, false));
+  public void draw(GL3 gl, VisibleSet seen, Camera camera, Background backdrop, boolean headlight) {
+    draw(gl, seen, camera, new LightingContext(Optional.of(backdrop), headlight, Fog.NONE, false));
   }
 
   /** Makes a camera's viewport black. */
   public static void blacken(GL3 gl, Camera camera) {
     gl.glScissor(camera.x(), camera.y(), camera.width(), camera.height());
     gl.glEnable(GL.GL_SCISSOR_TEST);
-    BackdropPainter.clear(gl, Backdrop.BLACK);
+    BackgroundRenderer.clear(gl, Background.BLACK);
     gl.glDisable(GL.GL_SCISSOR_TEST);
   }
 
   /** Draws into the camera's viewport, over the layer below if the setting says so. */
-  public void draw(GL3 gl, Visible seen, Camera camera, Setting setting) {
-    draw(gl, seen, camera, setting, HiddenPart.NONE);
+  public void draw(GL3 gl, VisibleSet seen, Camera camera, LightingContext setting) {
+    draw(gl, seen, camera, setting, HiddenAreaMesh.NONE);
   }
 
   /** Draws likewise, and fills the part of the view that a lens hides with black. */
-  public void draw(GL3 gl, Visible seen, Camera camera, Setting setting, HiddenPart hidden) {
+  public void draw(
+      GL3 gl, VisibleSet seen, Camera camera, LightingContext setting, HiddenAreaMesh hidden) {
     draw(gl, seen, camera, camera, setting, hidden);
   }
 
@@ -168,14 +178,19 @@ public final class SceneRenderer {
    * @param bearer the camera that carries the headlight
    */
   private void draw(
-      GL3 gl, Visible seen, Camera camera, Camera bearer, Setting setting, HiddenPart hidden) {
+      GL3 gl,
+      VisibleSet seen,
+      Camera camera,
+      Camera bearer,
+      LightingContext setting,
+      HiddenAreaMesh hidden) {
     boolean opaque =
         !setting.over() || setting.backdrop().map(b -> b.transparency() == 0).orElse(false);
     gl.glViewport(camera.x(), camera.y(), camera.width(), camera.height());
     gl.glScissor(camera.x(), camera.y(), camera.width(), camera.height());
     gl.glEnable(GL.GL_SCISSOR_TEST);
     if (opaque) {
-      BackdropPainter.clear(gl, setting.backdrop().orElse(Backdrop.BLACK));
+      BackgroundRenderer.clear(gl, setting.backdrop().orElse(Background.BLACK));
     } else {
       gl.glClear(GL.GL_DEPTH_BUFFER_BIT);
       setting.backdrop().ifPresent(backdrop -> backdropPainter.paintOver(gl, backdrop, camera));
@@ -184,13 +199,13 @@ public final class SceneRenderer {
     gl.glEnable(GL.GL_DEPTH_TEST);
     gl.glDepthFunc(GL.GL_LESS);
     gl.glEnable(GL3.GL_PROGRAM_POINT_SIZE);
-    ItemPainter painter =
-        new ItemPainter(
+    DrawItemRenderer painter =
+        new DrawItemRenderer(
             gl,
             seen,
             camera,
-            new EyeLights(camera, setting.headlight() ? bearer : null),
-            new EyeScenery(camera, setting.fog(), pointSize, image -> mirrored.of(gl, image)),
+            new EyeSpaceLights(camera, setting.headlight() ? bearer : null),
+            new EyeSpaceEffects(camera, setting.fog(), pointSize, image -> mirrored.of(gl, image)),
             pointSize,
             portions);
     portions.begin(seen.count(0, seen.ranges));
@@ -199,7 +214,7 @@ public final class SceneRenderer {
     painter.end();
     edgesOnly(gl, false);
     if (opaque) {
-      backdropPainter.paint(gl, setting.backdrop().orElse(Backdrop.BLACK), camera);
+      backdropPainter.paint(gl, setting.backdrop().orElse(Background.BLACK), camera);
     }
     if (seen.opaque < seen.calls.size()) {
       gl.glEnable(GL.GL_BLEND);
@@ -241,5 +256,38 @@ public final class SceneRenderer {
     }
     backdropPainter.dispose(gl);
     hiddenPainter.dispose(gl);
+  }
+
+  /**
+   * The environment maps that surfaces reflect, on the graphics card; each is kept as long as every
+   * frame uses it. Belongs to the thread that owns the context.
+   */
+  private static final class EnvironmentMapCache {
+    private final Map<CubeTexture, GpuTexture> known = new HashMap<>();
+    private final Set<CubeTexture> used = new HashSet<>();
+
+    GpuTexture of(GL3 gl, CubeTexture image) {
+      used.add(image);
+      return known.computeIfAbsent(
+          image, wanted -> new GpuTexture(gl, wanted, TextureFilterQuality.FINE));
+    }
+
+    /** Frees the environment maps that were not used since the last call. */
+    void forgetOthers(GL3 gl) {
+      if (known.isEmpty()) {
+        return;
+      }
+      known
+          .entrySet()
+          .removeIf(
+              entry -> {
+                boolean unused = !used.contains(entry.getKey());
+                if (unused) {
+                  entry.getValue().dispose(gl);
+                }
+                return unused;
+              });
+      used.clear();
+    }
   }
 }

@@ -6,7 +6,7 @@
  * The objects on the graphics card are in {@code runtime.render.gpu}.
  *
  * <p>A shape is a {@link org.selectiverenderer.runtime.render.draw.DrawItem}. What it draws is its
- * {@link org.selectiverenderer.runtime.render.draw.MeshPart}: a range of an index buffer, divided
+ * {@link org.selectiverenderer.runtime.render.draw.SubMesh}: a range of an index buffer, divided
  * into triangle clusters. Either the buffer is its own mesh's, which all shapes with that mesh
  * share, or that of a {@link org.selectiverenderer.runtime.render.draw.DrawBatch}: small opaque
  * shapes of equal draw state, near each other, whose vertices lie in one pair of buffers in
@@ -19,21 +19,21 @@
  * are. A shape that a Switch hides stays in its batch.
  *
  * <p>Strokes, hatches, fog and clip planes are a {@link
- * org.selectiverenderer.runtime.render.gpu.Scenery}: the effects of a shader program besides colour
- * and light. A shape's stroke and surroundings are part of its draw state; which fog is bound is
- * known only when an eye's view is drawn, so {@link
- * org.selectiverenderer.runtime.render.draw.EyeScenery} decides then. Programs of scenes without
- * such effects contain none of their code, and no uniforms are sent for them.
+ * org.selectiverenderer.runtime.render.gpu.ShaderEffects}: the effects of a shader program besides
+ * colour and light. A shape's stroke and surroundings are part of its draw state; which fog is
+ * bound is known only when an eye's view is drawn, so {@link
+ * org.selectiverenderer.runtime.render.draw.EyeSpaceEffects} decides then. Programs of scenes
+ * without such effects contain none of their code, and no uniforms are sent for them.
  *
  * <p>A shape with a custom shader is drawn by a call of its own: {@link
- * org.selectiverenderer.runtime.render.draw.AuthorPrograms} compiles and chooses, {@link
- * org.selectiverenderer.runtime.render.draw.AuthorValues} has the built-in uniforms by name, {@link
- * org.selectiverenderer.runtime.render.draw.AuthorLook} sends them. The next shape binds its own
- * resources anew.
+ * org.selectiverenderer.runtime.render.draw.CustomShaderCache} compiles and chooses, {@link
+ * org.selectiverenderer.runtime.render.draw.BuiltInUniforms} has the built-in uniforms by name,
+ * {@link org.selectiverenderer.runtime.render.draw.CustomShaderBinding} sends them. The next shape
+ * binds its own resources anew.
  *
  * <p>GeneratedCubeMapTextures are rendered before the frame is culled, by the same renderer: {@link
- * org.selectiverenderer.runtime.render.draw.GeneratedCubes} chooses which ones. Scenes without them
- * pay nothing for it.
+ * org.selectiverenderer.runtime.render.draw.GeneratedCubeMapRenderer} chooses which ones. Scenes
+ * without them pay nothing for it.
  *
  * <p>The upload of new hidden shapes may be deferred ({@link
  * org.selectiverenderer.runtime.render.draw.SceneRenderer#follow}): a few are uploaded with each

@@ -44,7 +44,7 @@ public record CompilerLog(int line, int column, String message) {
     String plain =
         text.strip()
             .replaceFirst("^(?i)error:\\s*", "")
-            .replaceAll("\\b" + BrowserNames.NEW + "(?=[A-Z])", BrowserNames.OLD)
+            .replaceAll("\\b" + BuiltInDeclarations.NEW + "(?=[A-Z])", BuiltInDeclarations.OLD)
             .replaceFirst("[.;]+$", "");
     return plain.length() <= LONGEST ? plain : plain.substring(0, LONGEST) + "…";
   }

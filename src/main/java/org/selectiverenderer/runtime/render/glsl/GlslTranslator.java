@@ -9,7 +9,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.selectiverenderer.runtime.instance.SurfaceProgram.Stage;
+import org.selectiverenderer.runtime.instance.ShaderProgramSource.Stage;
 
 /**
  * Translates the stages of a custom shader to the GLSL of OpenGL 3.3's core profile: GLSL 3.30, or
@@ -55,7 +55,7 @@ public final class GlslTranslator {
   private static final String DEFAULT_COLOR =
       "void main() { gl_FragColor = gl_FrontMaterial.diffuse; }\n";
 
-  private final BrowserNames names = new BrowserNames();
+  private final BuiltInDeclarations names = new BuiltInDeclarations();
 
   /**
    * A translated source to compile.

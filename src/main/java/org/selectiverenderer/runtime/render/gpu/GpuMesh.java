@@ -4,7 +4,7 @@ import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL3;
 import java.util.List;
 import org.selectiverenderer.runtime.render.mesh.Clusters;
-import org.selectiverenderer.runtime.render.mesh.CoarserPart;
+import org.selectiverenderer.runtime.render.mesh.CoarserLevel;
 import org.selectiverenderer.runtime.render.mesh.PackedMesh;
 import org.selectiverenderer.runtime.render.mesh.VertexLayout;
 
@@ -17,7 +17,7 @@ public final class GpuMesh {
   private final int indexBytes;
   private final int indexCount;
   private final Clusters clusters;
-  private final List<CoarserPart> coarser;
+  private final List<CoarserLevel> coarser;
   private final boolean solid;
 
   public GpuMesh(GL3 gl, PackedMesh mesh) {
@@ -73,7 +73,7 @@ public final class GpuMesh {
   }
 
   /** Returns the coarser refinement levels, fewest triangles first. */
-  public List<CoarserPart> coarser() {
+  public List<CoarserLevel> coarser() {
     return coarser;
   }
 

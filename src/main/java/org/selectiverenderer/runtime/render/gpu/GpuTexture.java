@@ -6,26 +6,26 @@ import java.util.Objects;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.instance.CubeTexture;
-import org.selectiverenderer.runtime.instance.GeneratedCube;
+import org.selectiverenderer.runtime.instance.GeneratedCubeTexture;
 import org.selectiverenderer.runtime.instance.Texture;
 import org.selectiverenderer.runtime.instance.TextureSource;
 import org.selectiverenderer.runtime.instance.VolumeTexture;
-import org.selectiverenderer.runtime.movie.Film;
+import org.selectiverenderer.runtime.movie.MoviePlayback;
 
 /** A 2D, 3D or cube map texture on the graphics card. */
 public final class GpuTexture {
   private final int id;
   private final int target;
   private final Alpha alpha;
-  private final TextureFilters filters;
+  private final TextureFilterQuality filters;
 
   /** The texture of a movie; null for a still image. */
   private final @Nullable Texture moving;
 
-  private Film.@Nullable Picture seen;
+  private MoviePlayback.@Nullable Picture seen;
 
   /** The generated cube map that is rendered into this texture; null for other textures. */
-  private final @Nullable GeneratedCube generated;
+  private final @Nullable GeneratedCubeTexture generated;
 
   /** The side of a generated cube map in pixels. */
   private int side;
@@ -40,12 +40,12 @@ public final class GpuTexture {
     BLENDED
   }
 
-  public GpuTexture(GL3 gl, TextureSource source, TextureFilters filters) {
+  public GpuTexture(GL3 gl, TextureSource source, TextureFilterQuality filters) {
     this.filters = filters;
     int[] name = new int[1];
     gl.glGenTextures(1, name, 0);
     id = name[0];
-    generated = source instanceof GeneratedCube cube ? cube : null;
+    generated = source instanceof GeneratedCubeTexture cube ? cube : null;
     if (source instanceof Texture texture) {
       target = GL.GL_TEXTURE_2D;
       alpha = alphaOf(texture.image());
@@ -62,7 +62,7 @@ public final class GpuTexture {
       moving = null;
       use(gl, 0);
       TextureUpload.volume(gl, volume.image());
-    } else if (source instanceof GeneratedCube cube) {
+    } else if (source instanceof GeneratedCubeTexture cube) {
       target = GL.GL_TEXTURE_CUBE_MAP;
       alpha = Alpha.NONE;
       moving = null;
@@ -121,7 +121,7 @@ public final class GpuTexture {
   /** Uploads the movie's current frame unless it is there. */
   private void follow(GL3 gl, Texture texture) {
     Texture.Image image = texture.image();
-    Film.Picture now = Objects.requireNonNull(image.film()).picture();
+    MoviePlayback.Picture now = Objects.requireNonNull(image.film()).picture();
     if (now != seen) {
       seen = now;
       TextureUpload.plane(
@@ -133,7 +133,7 @@ public final class GpuTexture {
   /**
    * Returns the generated cube map that is rendered into this texture; empty for other textures.
    */
-  public Optional<GeneratedCube> generated() {
+  public Optional<GeneratedCubeTexture> generated() {
     return Optional.ofNullable(generated);
   }
 
@@ -160,7 +160,7 @@ public final class GpuTexture {
   public void drawn(GL3 gl) {
     if (generated != null) {
       use(gl, 0);
-      TextureFilters.halve(gl, target, generated);
+      TextureFilterQuality.halve(gl, target, generated);
     }
   }
 

@@ -7,7 +7,7 @@ import java.util.List;
 import org.joml.Matrix3d;
 import org.joml.Matrix4dc;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.runtime.instance.SurfaceDetail;
+import org.selectiverenderer.runtime.instance.ExtendedMaterial;
 
 /** A variant of the shape shader. It remembers the uniforms sent last, and sends only changes. */
 public final class ShapeProgram {
@@ -15,9 +15,9 @@ public final class ShapeProgram {
   public static final int MAX_LIGHTS = 16;
 
   /** The texture unit of the environment map, beyond those of the surface. */
-  private static final int ENVIRONMENT_UNIT = SurfaceDetail.MOST_UNITS;
+  private static final int ENVIRONMENT_UNIT = ExtendedMaterial.MOST_UNITS;
 
-  private final Program program;
+  private final ShaderProgram program;
   private final int object;
   private final int material;
   private final int textureTransform;
@@ -40,10 +40,14 @@ public final class ShapeProgram {
    * @param texts the shader sources, shared by all such programs
    */
   ShapeProgram(
-      GL3 gl, ShaderTexts texts, ShapeVariant variant, LightCounts counts, Scenery scenery) {
+      GL3 gl,
+      ShaderSourceLoader texts,
+      ShaderVariant variant,
+      LightCounts counts,
+      ShaderEffects scenery) {
     List<String> defines = new ArrayList<>(variant.defines(counts));
     defines.addAll(scenery.defines());
-    program = new Program(gl, texts, "shape", defines, scenery.stroke().geometry());
+    program = new ShaderProgram(gl, texts, "shape", defines, scenery.stroke().geometry());
     object = program.uniform(gl, "object");
     material = program.uniform(gl, "material");
     textureTransform = program.uniform(gl, "texture_");
@@ -65,19 +69,19 @@ public final class ShapeProgram {
     private final int detail;
     private final int back;
     private final int toWorld;
-    private @Nullable DetailTextures current;
+    private @Nullable MaterialBinding current;
 
-    Details(GL3 gl, Program program) {
+    Details(GL3 gl, ShaderProgram program) {
       unit = program.uniform(gl, "unit");
       detail = program.uniform(gl, "detail");
       back = program.uniform(gl, "backMaterial");
       toWorld = program.uniform(gl, "toWorld");
-      for (int i = 0; i < SurfaceDetail.MOST_UNITS; i++) {
+      for (int i = 0; i < ExtendedMaterial.MOST_UNITS; i++) {
         gl.glUniform1i(program.uniform(gl, "image" + i), i); // GL ignores missing ones.
       }
     }
 
-    void set(GL3 gl, DetailTextures detailed, Matrix4dc view) {
+    void set(GL3 gl, MaterialBinding detailed, Matrix4dc view) {
       if (current != detailed) {
         current = detailed;
         int units = detailed.matrices().length / 16;
@@ -102,7 +106,7 @@ public final class ShapeProgram {
    *
    * @param view the view matrix, from the world to the eye
    */
-  public void detail(GL3 gl, DetailTextures detailed, Matrix4dc view) {
+  public void detail(GL3 gl, MaterialBinding detailed, Matrix4dc view) {
     if (details != null) {
       details.set(gl, detailed, view);
     }

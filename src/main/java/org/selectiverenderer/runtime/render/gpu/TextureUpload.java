@@ -29,7 +29,8 @@ final class TextureUpload {
     int most = limit(gl, GL.GL_MAX_TEXTURE_SIZE);
     int width = Math.min(image.width(), most);
     int height = Math.min(image.height(), most);
-    Mipmaps all = new Mipmaps(width, height, ImageScaling.to(image, 0, width, height));
+    MipmapGenerator all =
+        new MipmapGenerator(width, height, ImageScaling.to(image, 0, width, height));
     int level = 0;
     do {
       send(gl, GL.GL_TEXTURE_2D, level++, all.width(), all.height(), all.rgba());

@@ -80,18 +80,18 @@ final class HeadsetContext implements AutoCloseable {
   }
 
   /** Returns the native handles that an OpenXR runtime needs. */
-  ContextHandles handles() {
+  GlContextHandles handles() {
     AbstractGraphicsConfiguration configuration =
         drawable.getNativeSurface().getGraphicsConfiguration();
     if (configuration instanceof X11GLXGraphicsConfiguration x) {
-      return new ContextHandles.Glx(
+      return new GlContextHandles.Glx(
           x.getScreen().getDevice().getHandle(),
           x.getVisualID(VIDType.X11_XVISUAL),
           x.getFBConfig(),
           drawable.getHandle(),
           context.getHandle());
     }
-    return new ContextHandles.Wgl(drawable.getHandle(), context.getHandle());
+    return new GlContextHandles.Wgl(drawable.getHandle(), context.getHandle());
   }
 
   @Override

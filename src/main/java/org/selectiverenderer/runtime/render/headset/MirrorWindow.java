@@ -6,21 +6,21 @@ import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import org.selectiverenderer.geometry.tessellate.TextMesher;
-import org.selectiverenderer.runtime.render.context.PictureCopy;
-import org.selectiverenderer.runtime.render.show.Overlay;
+import org.selectiverenderer.runtime.render.context.CrossContextImage;
+import org.selectiverenderer.runtime.render.display.TextOverlay;
 import org.selectiverenderer.runtime.render.window.FrameSize;
-import org.selectiverenderer.runtime.render.window.FrameSource;
+import org.selectiverenderer.runtime.render.window.WindowContent;
 
 /**
  * The window on the desktop that mirrors the headset's picture, at the desktop's own frame rate.
  */
-final class MirrorWindow implements FrameSource {
-  private final Mirror mirror;
+final class MirrorWindow implements WindowContent {
+  private final MirrorReadback mirror;
   private final Supplier<List<String>> lines;
   private final BooleanSupplier over;
   private final BooleanSupplier closing;
-  private final PictureCopy picture = new PictureCopy();
-  private final Overlay overlay = new Overlay(new TextMesher());
+  private final CrossContextImage picture = new CrossContextImage();
+  private final TextOverlay overlay = new TextOverlay(new TextMesher());
   private long shown;
   private volatile boolean open;
 
@@ -31,7 +31,10 @@ final class MirrorWindow implements FrameSource {
    *     system's thread
    */
   MirrorWindow(
-      Mirror mirror, Supplier<List<String>> lines, BooleanSupplier over, BooleanSupplier closing) {
+      MirrorReadback mirror,
+      Supplier<List<String>> lines,
+      BooleanSupplier over,
+      BooleanSupplier closing) {
     this.mirror = mirror;
     this.lines = lines;
     this.over = over;
@@ -62,7 +65,7 @@ final class MirrorWindow implements FrameSource {
   public void draw(GL3 gl, FrameSize size) {
     gl.glClearColor(0, 0, 0, 1);
     gl.glClear(GL.GL_COLOR_BUFFER_BIT);
-    Mirror.Copy copy = mirror.newest();
+    MirrorReadback.Copy copy = mirror.newest();
     if (copy != null) {
       if (copy.number() != shown) {
         shown = copy.number();

@@ -15,12 +15,13 @@
  * org.selectiverenderer.runtime.render.headset.HeadsetContext}), with which a runtime may share
  * textures: it needs a surface with an X visual, which JOGL's usual context without a window does
  * not have. It steps the world, draws, and makes all calls of {@link
- * org.selectiverenderer.runtime.render.show.WorldHost} and of the {@link
- * org.selectiverenderer.runtime.render.headset.HeadsetScreen}. The thread {@code render} shows the
- * newest of what was published ({@link org.selectiverenderer.runtime.render.headset.Mirror}).
+ * org.selectiverenderer.runtime.render.display.WorldHost} and of the {@link
+ * org.selectiverenderer.runtime.render.headset.HeadsetDisplay}. The thread {@code render} shows the
+ * newest of what was published ({@link
+ * org.selectiverenderer.runtime.render.headset.MirrorReadback}).
  *
- * <p>In: a {@link org.selectiverenderer.runtime.render.show.WorldHost} and a {@link
- * org.selectiverenderer.runtime.render.headset.HeadsetScreen}, which another module implements for
+ * <p>In: a {@link org.selectiverenderer.runtime.render.display.WorldHost} and a {@link
+ * org.selectiverenderer.runtime.render.headset.HeadsetDisplay}, which another module implements for
  * a runtime: this package does not depend on OpenXR. Uses {@code runtime.render.show}, {@code
  * runtime.render.window}, {@code runtime.render.context}, {@code runtime.render.sketch}, {@code
  * runtime.camera} and {@code runtime}.

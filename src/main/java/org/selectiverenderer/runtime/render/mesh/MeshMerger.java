@@ -31,7 +31,7 @@ public final class MeshMerger {
    * @param clusters the clusters of its finest refinement level
    * @param coarser its coarser levels, fewest triangles first
    */
-  public record Part(Clusters clusters, List<CoarserPart> coarser) {}
+  public record Part(Clusters clusters, List<CoarserLevel> coarser) {}
 
   /**
    * Merges meshes of one primitive, layout and solidity.
@@ -74,9 +74,9 @@ public final class MeshMerger {
     for (int stage = 0; stage < stages; stage++) {
       for (int m = 0; m < bases.length; m++) {
         if (stage < meshes.get(m).coarser().size()) {
-          CoarserPart part = meshes.get(m).coarser().get(stage);
+          CoarserLevel part = meshes.get(m).coarser().get(stage);
           Clusters moved = copy(meshes.get(m), part.clusters(), bases[m], indices);
-          parts.get(m).coarser().add(new CoarserPart(moved, part.undivided()));
+          parts.get(m).coarser().add(new CoarserLevel(moved, part.undivided()));
         }
       }
     }

@@ -26,24 +26,24 @@ public final class MeshPacker {
   private MeshPacker() {}
 
   public static PackedMesh pack(Mesh mesh) {
-    return pack(StagedMesh.of(mesh));
+    return pack(RefinedMesh.of(mesh));
   }
 
   /** Packs all refinement levels of a mesh into one pair of buffers, the finest level first. */
-  public static PackedMesh pack(StagedMesh staged) {
+  public static PackedMesh pack(RefinedMesh staged) {
     Mesh mesh = staged.mesh();
     Ordered last = order(mesh, mesh.indices());
     int[] indices = last.indices();
-    List<CoarserPart> coarser = List.of();
+    List<CoarserLevel> coarser = List.of();
     int[] numbers = new int[mesh.vertexCount()];
     int[] used;
     if (staged.coarser().isEmpty()) {
       used = firstUse(indices, numbers);
     } else {
       coarser = new ArrayList<>();
-      for (StagedMesh.Stage stage : staged.coarser()) {
+      for (RefinedMesh.Stage stage : staged.coarser()) {
         Ordered before = order(mesh, stage.indices());
-        coarser.add(new CoarserPart(before.clusters().from(indices.length), stage.undivided()));
+        coarser.add(new CoarserLevel(before.clusters().from(indices.length), stage.undivided()));
         indices = joined(indices, before.indices());
       }
       // The vertices of a level stand together: those of the coarsest level come first.
@@ -70,7 +70,8 @@ public final class MeshPacker {
     if (mesh.primitive() != Mesh.Primitive.TRIANGLES) {
       return new Ordered(indices, Clusters.whole(indices.length));
     }
-    TriangleOrder.Result order = TriangleOrder.of(mesh.positions(), indices, CLUSTER_TRIANGLES);
+    TriangleClusterer.Result order =
+        TriangleClusterer.of(mesh.positions(), indices, CLUSTER_TRIANGLES);
     int[] ordered = reorder(indices, order.triangles());
     return new Ordered(ordered, new ClusterBounds(mesh.positions(), ordered).of(order.ends()));
   }

@@ -23,7 +23,7 @@ public record PackedMesh(
     boolean wideIndices,
     int indexCount,
     Clusters clusters,
-    List<CoarserPart> coarser) {
+    List<CoarserLevel> coarser) {
 
   /** Bytes per index. */
   public int indexBytes() {

@@ -11,7 +11,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import jogamp.nativewindow.x11.X11Lib;
-import org.selectiverenderer.runtime.render.context.JoglLibraries;
+import org.selectiverenderer.runtime.render.context.JoglNativeLibraries;
 
 /** Lists the monitors of the desktop. GL must be available ({@code GlAvailability}). */
 public final class Monitors {
@@ -24,7 +24,7 @@ public final class Monitors {
 
   /** Returns all monitors with refresh rate and scale, in the same order. */
   public static List<MonitorMode> modes() {
-    JoglLibraries.use();
+    JoglNativeLibraries.use();
     List<MonitorMode> monitors = new ArrayList<>();
     Display display = NewtFactory.createDisplay(null);
     int screens = 1;

@@ -26,9 +26,9 @@ public final class RenderWindow {
   private static final long IDLE_NANOS = 20_000_000;
 
   private final WindowOptions options;
-  private final FrameSource source;
+  private final WindowContent source;
   private final InputListener listener;
-  private final List<SideWindow> sides;
+  private final List<SideWindowSpec> sides;
   private final InputQueue queue = new InputQueue();
   private final AtomicBoolean closing = new AtomicBoolean();
   private final AtomicBoolean fullScreenWanted = new AtomicBoolean();
@@ -43,7 +43,10 @@ public final class RenderWindow {
    *     allows it
    */
   public RenderWindow(
-      WindowOptions options, FrameSource source, InputListener listener, List<SideWindow> sides) {
+      WindowOptions options,
+      WindowContent source,
+      InputListener listener,
+      List<SideWindowSpec> sides) {
     this.options = options;
     this.sides = List.copyOf(sides);
     this.source = source;
@@ -96,15 +99,15 @@ public final class RenderWindow {
   private void loop() {
     try {
       GLWindow window = openOrExplain();
-      List<OpenSide> open = new ArrayList<>();
+      List<OpenSideWindow> open = new ArrayList<>();
       try {
-        for (SideWindow side : sides) {
-          open.add(new OpenSide(side, queue, this::closeAsked));
+        for (SideWindowSpec side : sides) {
+          open.add(new OpenSideWindow(side, queue, this::closeAsked));
         }
         frames(window, open);
       } finally {
         stopping = true;
-        open.forEach(OpenSide::close);
+        open.forEach(OpenSideWindow::close);
         NativeWindows.close(window);
       }
     } catch (RuntimeException | Error e) {
@@ -160,11 +163,11 @@ public final class RenderWindow {
     return window;
   }
 
-  private void frames(GLWindow window, List<OpenSide> open) {
-    PointerKeeper keeper = new PointerKeeper(window);
+  private void frames(GLWindow window, List<OpenSideWindow> open) {
+    PointerConfinement keeper = new PointerConfinement(window);
     while (!closing.get() && failure == null) {
       queue.drain(listener);
-      open.forEach(OpenSide::drain);
+      open.forEach(OpenSideWindow::drain);
       if (!source.step()) {
         return;
       }
@@ -179,12 +182,12 @@ public final class RenderWindow {
       keeper.keep(source.pointerKept());
       long before = drawn;
       window.display();
-      for (OpenSide side : open) {
+      for (OpenSideWindow side : open) {
         side.draw();
       }
       if (drawn != before) {
         NativeWindows.swap(window);
-        for (OpenSide side : open) {
+        for (OpenSideWindow side : open) {
           side.swap();
         }
         source.submitted();
@@ -257,6 +260,42 @@ public final class RenderWindow {
     public void dispose(GLAutoDrawable drawable) {
       // For a window that was destroyed before the last frame; the render thread waits.
       stop(drawable.getGL().getGL3());
+    }
+  }
+
+  /**
+   * Confines the pointer to a window and hides it while that is wanted. The window system may
+   * refuse, for example while the window is not mapped yet or another program has grabbed the
+   * pointer; then it is asked again. Belongs to the render thread.
+   */
+  private static final class PointerConfinement {
+    /** Frames between two attempts. */
+    private static final int PATIENCE = 15;
+
+    private final GLWindow window;
+    private boolean kept;
+    private int waiting;
+
+    PointerConfinement(GLWindow window) {
+      this.window = window;
+    }
+
+    /** Confines or releases the pointer. */
+    void keep(boolean wanted) {
+      if (wanted == kept) {
+        return;
+      }
+      if (wanted && waiting > 0) {
+        waiting--;
+        return;
+      }
+      window.confinePointer(wanted);
+      kept = window.isPointerConfined();
+      window.setPointerVisible(!kept);
+      if (kept) {
+        window.requestFocus(false); // This window hears the experimenter's keys.
+      }
+      waiting = PATIENCE;
     }
   }
 }

@@ -2,7 +2,7 @@
  * Windows with their render loop, which owns the GL context, and their input.
  *
  * <p>In: NEWT's events, from NEWT's own threads. Out: calls of a {@link
- * org.selectiverenderer.runtime.render.window.FrameSource} and of an {@link
+ * org.selectiverenderer.runtime.render.window.WindowContent} and of an {@link
  * org.selectiverenderer.runtime.render.window.InputListener}, all on the render thread. Uses NEWT
  * and {@code runtime.render.context}; no AWT.
  */

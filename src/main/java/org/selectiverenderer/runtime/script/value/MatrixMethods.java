@@ -74,7 +74,7 @@ final class MatrixMethods {
   private static double @Nullable [] argument(Object[] args, int index) {
     return index >= args.length || args[index] == null || Undefined.isUndefined(args[index])
         ? null
-        : Constructors.tuple(args[index]).components();
+        : FieldConstructors.tuple(args[index]).components();
   }
 
   /**
@@ -117,7 +117,7 @@ final class MatrixMethods {
         ? new Quaterniond()
         : size == 3
             ? new Quaterniond().rotationZ(given[given.length - 1])
-            : Spatial.quaternion(given);
+            : VectorMath.quaternion(given);
   }
 
   /**
@@ -131,9 +131,9 @@ final class MatrixMethods {
     if (argument(args, 1) != null) {
       Quaterniond rotation = matrix.getUnnormalizedRotation(new Quaterniond()).normalize();
       if (size == 4) {
-        Constructors.tuple(args[1]).set(Spatial.axisAngle(rotation));
+        FieldConstructors.tuple(args[1]).set(VectorMath.axisAngle(rotation));
       } else {
-        Constructors.tuple(args[1]).set(0, 0, 2 * Math.atan2(rotation.z, rotation.w));
+        FieldConstructors.tuple(args[1]).set(0, 0, 2 * Math.atan2(rotation.z, rotation.w));
       }
     }
     if (argument(args, 2) != null) {
@@ -147,9 +147,9 @@ final class MatrixMethods {
 
   private void give(Object to, Vector3d vector) {
     if (size == 4) {
-      Constructors.tuple(to).set(vector.x, vector.y, vector.z);
+      FieldConstructors.tuple(to).set(vector.x, vector.y, vector.z);
     } else {
-      Constructors.tuple(to).set(vector.x, vector.y);
+      FieldConstructors.tuple(to).set(vector.x, vector.y);
     }
   }
 }

@@ -8,9 +8,9 @@ import org.mozilla.javascript.Scriptable;
 import org.mozilla.javascript.ScriptableObject;
 import org.mozilla.javascript.Undefined;
 import org.mozilla.javascript.Wrapper;
-import org.selectiverenderer.base.problem.Spelling;
+import org.selectiverenderer.base.problem.SpellingSuggester;
 import org.selectiverenderer.runtime.scene.Node;
-import org.selectiverenderer.x3d.catalogue.FieldAccess;
+import org.selectiverenderer.x3d.catalogue.AccessType;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 
 /**
@@ -22,10 +22,10 @@ public final class NodeValue extends ScriptableObject implements Wrapper {
   private static final String SET = "set_";
 
   private final transient Node node;
-  private final transient FieldValues values;
+  private final transient FieldValueConverter values;
   private final transient NodeAccess access;
 
-  NodeValue(Node node, FieldValues values, NodeAccess access) {
+  NodeValue(Node node, FieldValueConverter values, NodeAccess access) {
     this.node = node;
     this.values = values;
     this.access = access;
@@ -95,10 +95,12 @@ public final class NodeValue extends ScriptableObject implements Wrapper {
           node.type()
               + " has no field "
               + name
-              + Spelling.nearest(name, names).map(n -> " (did you mean " + n + "?)").orElse(""));
+              + SpellingSuggester.nearest(name, names)
+                  .map(n -> " (did you mean " + n + "?)")
+                  .orElse(""));
     }
     FieldDefinition set = node.type().field(SET + name).orElse(null);
-    boolean fixed = field.access() == FieldAccess.INITIALIZE_ONLY && set != null;
+    boolean fixed = field.access() == AccessType.INITIALIZE_ONLY && set != null;
     access.write(node, fixed ? set : field, values.toField(field.type(), value));
   }
 

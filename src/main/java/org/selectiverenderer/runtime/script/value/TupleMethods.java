@@ -12,14 +12,14 @@ final class TupleMethods {
   /** The body of a method, given its object and at least the required arguments. */
   @FunctionalInterface
   private interface Body {
-    Object call(Tuple self, Object[] args);
+    Object call(TupleValue self, Object[] args);
   }
 
   private final Scriptable scope;
-  private final FieldValues values;
+  private final FieldValueConverter values;
   private final FieldType type;
 
-  TupleMethods(Scriptable scope, FieldValues values, FieldType type) {
+  TupleMethods(Scriptable scope, FieldValueConverter values, FieldType type) {
     this.scope = scope;
     this.values = values;
     this.type = type;
@@ -40,7 +40,7 @@ final class TupleMethods {
         name,
         count,
         (cx, from, self, args) -> {
-          if (!(self instanceof Tuple tuple)) {
+          if (!(self instanceof TupleValue tuple)) {
             throw ScriptRuntime.typeError(name + " is a method of " + type);
           }
           if (args.length < count) {
@@ -51,12 +51,12 @@ final class TupleMethods {
         });
   }
 
-  private Tuple same(double... components) {
+  private TupleValue same(double... components) {
     return values.tuple(type, components);
   }
 
   private static double[] of(Object argument) {
-    return Constructors.tuple(argument).components();
+    return FieldConstructors.tuple(argument).components();
   }
 
   private static double number(Object argument) {
@@ -83,17 +83,17 @@ final class TupleMethods {
     method(into, "scale", 1, (self, a) -> multiplied(self, a[0]));
     method(into, "divide", 1, (self, a) -> same(divided(self.components(), number(a[0]))));
     method(into, "negate", 0, (self, a) -> same(scaled(self.components(), -1)));
-    method(into, "length", 0, (self, a) -> Spatial.length(self.components()));
-    method(into, "normalize", 0, (self, a) -> same(Spatial.normalized(self.components())));
-    method(into, "dot", 1, (self, a) -> Spatial.dot(self.components(), of(a[0])));
+    method(into, "length", 0, (self, a) -> VectorMath.length(self.components()));
+    method(into, "normalize", 0, (self, a) -> same(VectorMath.normalized(self.components())));
+    method(into, "dot", 1, (self, a) -> VectorMath.dot(self.components(), of(a[0])));
     method(
         into,
         "distance",
         1,
-        (self, a) -> Spatial.length(each(self.components(), of(a[0]), (x, y) -> x - y)));
+        (self, a) -> VectorMath.length(each(self.components(), of(a[0]), (x, y) -> x - y)));
     method(into, "lerp", 2, (self, a) -> same(blend(self, of(a[0]), number(a[1]))));
     if (type.components() == 3) {
-      method(into, "cross", 1, (self, a) -> same(Spatial.cross(self.components(), of(a[0]))));
+      method(into, "cross", 1, (self, a) -> same(VectorMath.cross(self.components(), of(a[0]))));
     }
   }
 
@@ -101,13 +101,13 @@ final class TupleMethods {
     return each(a, a, (x, y) -> x / divisor);
   }
 
-  private static double[] blend(Tuple self, double[] to, double t) {
+  private static double[] blend(TupleValue self, double[] to, double t) {
     return each(self.components(), to, (x, y) -> x + (y - x) * t);
   }
 
   /** Multiplies by a number, or component-wise by another vector. */
-  private Tuple multiplied(Tuple self, Object by) {
-    return by instanceof Tuple other
+  private TupleValue multiplied(TupleValue self, Object by) {
+    return by instanceof TupleValue other
         ? same(each(self.components(), other.components(), (x, y) -> x * y))
         : same(scaled(self.components(), number(by)));
   }
@@ -118,9 +118,9 @@ final class TupleMethods {
         "setHSV",
         3,
         (self, a) -> {
-          double[] rgb = Spatial.rgb(number(a[0]), number(a[1]), number(a[2]));
+          double[] rgb = VectorMath.rgb(number(a[0]), number(a[1]), number(a[2]));
           double alpha = a.length > 3 ? number(a[3]) : type == FieldType.SFColor ? 1 : self.at(3);
-          self.set(type == FieldType.SFColor ? rgb : Spatial.append(rgb, alpha));
+          self.set(type == FieldType.SFColor ? rgb : VectorMath.append(rgb, alpha));
           return Undefined.instance;
         });
     method(
@@ -128,7 +128,7 @@ final class TupleMethods {
         "getHSV",
         0,
         (self, a) -> {
-          double[] hsv = Spatial.hsv(self.at(0), self.at(1), self.at(2));
+          double[] hsv = VectorMath.hsv(self.at(0), self.at(1), self.at(2));
           Object[] list = {hsv[0], hsv[1], hsv[2]};
           return org.mozilla.javascript.Context.getCurrentContext().newArray(scope, list);
         });
@@ -150,20 +150,21 @@ final class TupleMethods {
           self.set(axis[0], axis[1], axis[2], self.at(3));
           return Undefined.instance;
         });
-    method(into, "inverse", 0, (self, a) -> same(Spatial.inverse(self.components())));
-    method(into, "multiply", 1, (self, a) -> same(Spatial.product(self.components(), of(a[0]))));
+    method(into, "inverse", 0, (self, a) -> same(VectorMath.inverse(self.components())));
+    method(into, "multiply", 1, (self, a) -> same(VectorMath.product(self.components(), of(a[0]))));
     method(
         into,
         "multVec",
         1,
         (self, a) ->
             values.tuple(
-                Constructors.tuple(a[0]).type(), Spatial.turned(self.components(), of(a[0]))));
+                FieldConstructors.tuple(a[0]).type(),
+                VectorMath.turned(self.components(), of(a[0]))));
     method(
         into,
         "slerp",
         2,
-        (self, a) -> same(Spatial.slerp(self.components(), of(a[0]), number(a[1]))));
+        (self, a) -> same(VectorMath.slerp(self.components(), of(a[0]), number(a[1]))));
   }
 
   private void matrix(LambdaConstructor into) {
@@ -202,7 +203,7 @@ final class TupleMethods {
         });
   }
 
-  private Tuple moved(Object vector, double[] components) {
-    return values.tuple(Constructors.tuple(vector).type(), components);
+  private TupleValue moved(Object vector, double[] components) {
+    return values.tuple(FieldConstructors.tuple(vector).type(), components);
   }
 }

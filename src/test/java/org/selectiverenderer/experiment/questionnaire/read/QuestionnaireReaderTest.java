@@ -18,12 +18,12 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.experiment.questionnaire.Answer;
-import org.selectiverenderer.experiment.questionnaire.Page;
 import org.selectiverenderer.experiment.questionnaire.Question;
 import org.selectiverenderer.experiment.questionnaire.QuestionKind;
 import org.selectiverenderer.experiment.questionnaire.Questionnaire;
+import org.selectiverenderer.experiment.questionnaire.QuestionnairePage;
 import org.selectiverenderer.experiment.study.StudyTemplate;
 
 class QuestionnaireReaderTest {
@@ -46,12 +46,12 @@ class QuestionnaireReaderTest {
        "scores": [{"name": "sum", "questions": ["scale", "poles"], "reversed": ["poles"]}]}
       """;
 
-  private static Optional<Questionnaire> read(String text, Problems problems) {
+  private static Optional<Questionnaire> read(String text, ProblemCollector problems) {
     return QuestionnaireReader.parse("all.json", text, "en", problems);
   }
 
   private static Questionnaire whole() {
-    return read(TEXT, new Problems()).orElseThrow();
+    return read(TEXT, new ProblemCollector()).orElseThrow();
   }
 
   private static Map<String, Answer> answers(String... pairs) {
@@ -71,7 +71,7 @@ class QuestionnaireReaderTest {
         "\"kind\": \"number\", \"min\": 45"
       })
   void whatIsNoDistanceOfPupilsCannotSetIt(String kind) {
-    Problems problems = new Problems();
+    ProblemCollector problems = new ProblemCollector();
     String text =
         "{\"name\": \"me\", \"pages\": [{\"questions\": [\n"
             + " {\"id\": \"eyes\", \"text\": \"IPD\", \"sets\": \"ipd\", %s}]}]}".formatted(kind);
@@ -86,7 +86,7 @@ class QuestionnaireReaderTest {
 
   @Test
   void aValueThatNoAnswerCanHaveIsAnError() {
-    Problems problems = new Problems();
+    ProblemCollector problems = new ProblemCollector();
     String wrong =
         TEXT.replace("\"must\": \"yes\"", "\"must\": \"Yes\"")
             .replace("\"is\": [\"b\"]", "\"is\": [\"b\", \"B\"]");
@@ -118,7 +118,7 @@ class QuestionnaireReaderTest {
                 "all.json",
                 TEXT.replace("{\"en\": [\"a\", \"b\", \"c\"]}", "[\"a\", \"b\", \"c\"]"),
                 "el",
-                new Problems())
+                new ProblemCollector())
             .orElseThrow();
     assertThat(greek.pages().get(0).title()).isEqualTo("Όλα");
   }
@@ -126,9 +126,13 @@ class QuestionnaireReaderTest {
   @Test
   void pagesAndQuestionsDependOnAnswersThatCount() {
     Questionnaire read = whole();
-    assertThat(read.shown(answers())).extracting(Page::id).containsExactly("one", "three");
+    assertThat(read.shown(answers()))
+        .extracting(QuestionnairePage::id)
+        .containsExactly("one", "three");
     Map<String, Answer> all = answers("yes", "yes", "single", "b", "why", "so");
-    assertThat(read.shown(all)).extracting(Page::id).containsExactly("one", "two", "three");
+    assertThat(read.shown(all))
+        .extracting(QuestionnairePage::id)
+        .containsExactly("one", "two", "three");
     assertThat(read.pages().get(1).asked(all)).extracting(Question::id).containsExactly("why");
     assertThat(read.counting(all)).containsKey("why");
     all.put("single", Answer.of("a"));
@@ -164,7 +168,7 @@ class QuestionnaireReaderTest {
       })
   void whatCannotBeIsAnErrorWithItsPlace(String old, String other, String message) {
     assertThat(TEXT).contains(old);
-    Problems problems = new Problems();
+    ProblemCollector problems = new ProblemCollector();
     assertThat(read(TEXT.replace(old, other), problems)).isEmpty();
     assertThat(problems.list())
         .extracting(Problem::toString)
@@ -201,7 +205,7 @@ class QuestionnaireReaderTest {
 
   /** The keys that the reader lists when it meets an unknown one. */
   private static List<String> known(String text) {
-    Problems problems = new Problems();
+    ProblemCollector problems = new ProblemCollector();
     read(text, problems);
     Matcher listed =
         Pattern.compile("has no \"x\" \\(known keys: ([^)]*)\\)")

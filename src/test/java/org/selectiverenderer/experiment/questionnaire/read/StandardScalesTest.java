@@ -9,7 +9,7 @@ import java.util.Map;
 import java.util.function.Function;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.experiment.questionnaire.Answer;
 import org.selectiverenderer.experiment.questionnaire.Question;
 import org.selectiverenderer.experiment.questionnaire.Questionnaire;
@@ -17,7 +17,7 @@ import org.selectiverenderer.experiment.questionnaire.Questionnaire;
 /** Scores of the standard scales, by worked examples. */
 class StandardScalesTest {
   private static Questionnaire scale(String name) throws IOException {
-    return StandardScales.of(name, "en", new Problems()).orElseThrow();
+    return StandardScales.of(name, "en", new ProblemCollector()).orElseThrow();
   }
 
   private static Map<String, Double> scores(
@@ -41,7 +41,7 @@ class StandardScalesTest {
 
   @Test
   void allAreWholeInEnglishAndGreek() throws IOException {
-    Problems problems = new Problems();
+    ProblemCollector problems = new ProblemCollector();
     for (String name : StandardScales.NAMES) {
       Questionnaire english = StandardScales.of(name, "en", problems).orElseThrow();
       Questionnaire greek = StandardScales.of(name, "el", problems).orElseThrow();

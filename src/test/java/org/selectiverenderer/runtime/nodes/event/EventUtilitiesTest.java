@@ -3,12 +3,12 @@ package org.selectiverenderer.runtime.nodes.event;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.runtime.Nodes;
+import org.selectiverenderer.runtime.TestNodes;
 import org.selectiverenderer.runtime.nodes.group.SwitchNode;
 import org.selectiverenderer.runtime.scene.Node;
 
 class EventUtilitiesTest {
-  private final Nodes nodes = new Nodes();
+  private final TestNodes nodes = new TestNodes();
 
   private Node watched(String type, Object... fields) {
     return nodes.watch(nodes.node(type, fields));

@@ -6,12 +6,12 @@ import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.selectiverenderer.runtime.Nodes;
+import org.selectiverenderer.runtime.TestNodes;
 import org.selectiverenderer.runtime.scene.Node;
 
 class InterpolatorTest {
   private static final float[] ENDS = {0, 1};
-  private final Nodes nodes = new Nodes();
+  private final TestNodes nodes = new TestNodes();
 
   private Node interpolator(String type, float[] key, float... keyValue) {
     return nodes.watch(nodes.node(type, "key", key, "keyValue", keyValue), "value_changed");
@@ -90,8 +90,8 @@ class InterpolatorTest {
     for (float r = 0; r <= 1; r += 0.25f) {
       for (float g = 0; g <= 1; g += 0.25f) {
         for (float b = 0; b <= 1; b += 0.25f) {
-          Hsv.of(new float[] {r, g, b}, 0, hsv);
-          Hsv.rgb(hsv[0], hsv[1], hsv[2], rgb, 0);
+          HsvColor.of(new float[] {r, g, b}, 0, hsv);
+          HsvColor.rgb(hsv[0], hsv[1], hsv[2], rgb, 0);
           assertThat(rgb).usingComparatorWithPrecision(1e-5f).containsExactly(r, g, b);
         }
       }

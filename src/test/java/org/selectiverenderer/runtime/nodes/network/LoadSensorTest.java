@@ -7,14 +7,14 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.runtime.Nodes;
+import org.selectiverenderer.runtime.TestNodes;
 import org.selectiverenderer.runtime.nodes.network.LoadSensorNode.State;
-import org.selectiverenderer.runtime.nodes.sensor.TestFrame;
+import org.selectiverenderer.runtime.nodes.sensor.TestFrameContext;
 import org.selectiverenderer.runtime.scene.Node;
 
 class LoadSensorTest {
-  private final Nodes nodes = new Nodes();
-  private final TestFrame frame = new TestFrame();
+  private final TestNodes nodes = new TestNodes();
+  private final TestFrameContext frame = new TestFrameContext();
   private final Map<Node, State> states = new HashMap<>();
   private final Node first = nodes.node("ImageTexture");
   private final Node second = nodes.node("AudioClip");

@@ -7,15 +7,15 @@ import org.joml.Matrix4d;
 import org.joml.Vector3d;
 import org.joml.Vector4d;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.runtime.Nodes;
+import org.selectiverenderer.runtime.TestNodes;
 
 /** The sensor against another way to know: where the faces of the transformed box lie. */
 class ProximitySensorOracleTest {
   private static final int BOXES = 400;
   private static final int POINTS = 60;
 
-  private final Nodes nodes = new Nodes();
-  private final TestFrame frame = new TestFrame();
+  private final TestNodes nodes = new TestNodes();
+  private final TestFrameContext frame = new TestFrameContext();
   private final Random random = new Random(20240517);
 
   @Test

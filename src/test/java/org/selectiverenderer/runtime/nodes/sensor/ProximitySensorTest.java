@@ -8,13 +8,13 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.selectiverenderer.runtime.Nodes;
+import org.selectiverenderer.runtime.TestNodes;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Rotations;
 
 class ProximitySensorTest {
-  private final Nodes nodes = new Nodes();
-  private final TestFrame frame = new TestFrame();
+  private final TestNodes nodes = new TestNodes();
+  private final TestFrameContext frame = new TestFrameContext();
 
   private ProximitySensorNode sensor(float x, float y, float z, Matrix4d... places) {
     ProximitySensorNode sensor =

@@ -3,12 +3,12 @@ package org.selectiverenderer.runtime.nodes.sensor;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.runtime.Nodes;
+import org.selectiverenderer.runtime.TestNodes;
 import org.selectiverenderer.runtime.scene.Node;
 
 class TimeSensorTest {
-  private final Nodes nodes = new Nodes();
-  private final TestFrame frame = new TestFrame();
+  private final TestNodes nodes = new TestNodes();
+  private final TestFrameContext frame = new TestFrameContext();
 
   private TimeSensorNode clock(Object... fields) {
     return (TimeSensorNode) nodes.watch(nodes.node("TimeSensor", fields));

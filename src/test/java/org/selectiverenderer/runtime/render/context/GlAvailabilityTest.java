@@ -54,10 +54,10 @@ class GlAvailabilityTest {
             "0000000004802468: 00000002 00000000 00010000 0001 01 10200 /tmp/.X11-unix/X7",
             "00000000eaacc513: 00000002 00000000 00010000 0001 01 1020030 @/tmp/.X11-unix/X8",
             "00000000eaacc514: 00000003 00000000 00000000 0001 03 1020031 /tmp/.X11-unix/X9");
-    assertThat(XServer.listens(list, "/tmp/.X11-unix/X7")).isTrue();
-    assertThat(XServer.listens(list, "/tmp/.X11-unix/X8")).isTrue();
-    assertThat(XServer.listens(list, "/tmp/.X11-unix/X9")).as("a connection").isFalse();
-    assertThat(XServer.listens(list, "/tmp/.X11-unix/X")).isFalse();
+    assertThat(XServerProbe.listens(list, "/tmp/.X11-unix/X7")).isTrue();
+    assertThat(XServerProbe.listens(list, "/tmp/.X11-unix/X8")).isTrue();
+    assertThat(XServerProbe.listens(list, "/tmp/.X11-unix/X9")).as("a connection").isFalse();
+    assertThat(XServerProbe.listens(list, "/tmp/.X11-unix/X")).isFalse();
   }
 
   @Test

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.runtime.instance.SurfaceProgram.Stage;
+import org.selectiverenderer.runtime.instance.ShaderProgramSource.Stage;
 import org.selectiverenderer.runtime.render.glsl.GlslTranslator.Given;
 import org.selectiverenderer.runtime.render.glsl.GlslTranslator.Unit;
 

@@ -64,7 +64,7 @@ class MeshMergerTest {
     assertThat(merged.mesh().indexCount()).isEqualTo(21);
     assertThat(merged.parts().get(1).coarser()).isEmpty();
     for (int part = 0; part < 3; part += 2) {
-      CoarserPart coarser = merged.parts().get(part).coarser().get(0);
+      CoarserLevel coarser = merged.parts().get(part).coarser().get(0);
       assertThat(coarser.undivided()).isEqualTo(5 + part);
       assertThat(coarser.clusters().firstIndex())
           .containsExactly(15 + 3 * part / 2, 18 + 3 * part / 2);
@@ -89,7 +89,7 @@ class MeshMergerTest {
             true,
             mesh.bounds());
     return MeshPacker.pack(
-        new StagedMesh(twice, List.of(new StagedMesh.Stage(new int[] {0, 1, 2}, x))));
+        new RefinedMesh(twice, List.of(new RefinedMesh.Stage(new int[] {0, 1, 2}, x))));
   }
 
   @Test

@@ -27,7 +27,7 @@ class RenderWindowTest {
   private static final int MOST = 20_000;
 
   /** Draws green frames and remembers what was called. */
-  private static class Green implements FrameSource {
+  private static class Green implements WindowContent {
     final List<String> calls = new ArrayList<>();
     int frames;
     int color;

@@ -13,10 +13,14 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Supplier;
 import org.selectiverenderer.apartment.facts.PolygonCounts;
-import org.selectiverenderer.apartment.pictures.Pictures;
-import org.selectiverenderer.apartment.pictures.SurfacePicture;
-import org.selectiverenderer.apartment.versions.MadeObject;
-import org.selectiverenderer.apartment.versions.RecipeFile;
+import org.selectiverenderer.apartment.furniture.FurnitureRecipes;
+import org.selectiverenderer.apartment.kitchen.KitchenRecipes;
+import org.selectiverenderer.apartment.lounge.LoungeRecipes;
+import org.selectiverenderer.apartment.office.OfficeRecipes;
+import org.selectiverenderer.apartment.textures.TextureImage;
+import org.selectiverenderer.apartment.textures.TextureRegistry;
+import org.selectiverenderer.apartment.versions.GeneratedFile;
+import org.selectiverenderer.apartment.versions.GeneratedObject;
 import org.selectiverenderer.base.files.FileTransaction;
 import org.selectiverenderer.modelling.ParametricModel;
 
@@ -31,9 +35,9 @@ public final class ApartmentGenerator {
   private static final String FOLDER = "inlineNodes/";
 
   private final PolygonCounts counts = PolygonCounts.load();
-  private final Map<String, Supplier<ParametricModel>> recipes = Recipes.all();
-  private final Map<String, Supplier<SurfacePicture>> pictures = Pictures.all();
-  private final ObjectFiles files = new ObjectFiles(recipes, counts);
+  private final Map<String, Supplier<ParametricModel>> recipes = RecipeRegistry.all();
+  private final Map<String, Supplier<TextureImage>> pictures = TextureRegistry.all();
+  private final ObjectFileGenerator files = new ObjectFileGenerator(recipes, counts);
 
   /**
    * The result of writing.
@@ -61,11 +65,11 @@ public final class ApartmentGenerator {
    */
   public Written writeObjects(Path folder, Collection<String> names, boolean replace)
       throws IOException {
-    List<MadeObject> made = files.of(names);
+    List<GeneratedObject> made = files.of(names);
     Map<String, Integer> polygons = new TreeMap<>();
     Map<String, byte[]> contents = new TreeMap<>();
-    for (MadeObject object : made) {
-      for (RecipeFile file : object.files()) {
+    for (GeneratedObject object : made) {
+      for (GeneratedFile file : object.files()) {
         contents.put(FOLDER + file.name(), bytes(file.text()));
         polygons.put(file.name(), file.polygons());
       }
@@ -86,7 +90,7 @@ public final class ApartmentGenerator {
    * @throws IllegalArgumentException if the recipes do not fit the plan or the polygon counts
    */
   public Written writeAll(Path folder, boolean replace) throws IOException {
-    Apartment apartment = Apartment.make(files, counts);
+    GeneratedApartment apartment = GeneratedApartment.make(files, counts);
     Map<String, byte[]> contents = new TreeMap<>();
     apartment.texts().forEach((path, text) -> contents.put(path, bytes(text)));
     apartment.pictures().forEach((path, picture) -> contents.put(path, picture.png()));
@@ -123,5 +127,29 @@ public final class ApartmentGenerator {
                       + (differing.size() == 1 ? " is" : " are")));
     }
     return writing.commit();
+  }
+
+  /** The registry of all recipes by object name. */
+  static final class RecipeRegistry {
+
+    private RecipeRegistry() {}
+
+    static Map<String, Supplier<ParametricModel>> all() {
+      Map<String, Supplier<ParametricModel>> all = new TreeMap<>(KitchenRecipes.all());
+      add(all, LoungeRecipes.all());
+      add(all, OfficeRecipes.all());
+      add(all, FurnitureRecipes.all());
+      return all;
+    }
+
+    private static void add(
+        Map<String, Supplier<ParametricModel>> all, Map<String, Supplier<ParametricModel>> room) {
+      room.forEach(
+          (name, recipe) -> {
+            if (all.put(name, recipe) != null) {
+              throw new IllegalStateException("two recipes are named " + name);
+            }
+          });
+    }
   }
 }

@@ -3,7 +3,7 @@ package org.selectiverenderer.modelling;
 import java.util.ArrayList;
 import java.util.List;
 import org.joml.Vector3d;
-import org.selectiverenderer.geometry.Degrees;
+import org.selectiverenderer.geometry.DegreeMath;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.geometry.mesh.TriangleMeshBuilder;
 
@@ -14,7 +14,8 @@ public final class Boxes {
 
   /** Returns a box with sharp edges, 12 triangles. */
   public static TriangleMesh plain(double width, double height, double depth) {
-    return Prism.plain(depth, Outline.rectangle(width, height)).move(0, height / 2, -depth / 2);
+    return ExtrudedSolid.plain(depth, Outline.rectangle(width, height))
+        .move(0, height / 2, -depth / 2);
   }
 
   /**
@@ -38,16 +39,16 @@ public final class Boxes {
             row(
                 width / 2 - radius,
                 depth / 2 - radius,
-                radius * Degrees.cos(latitude),
-                centre + radius * Degrees.sin(latitude),
+                radius * DegreeMath.cos(latitude),
+                centre + radius * DegreeMath.sin(latitude),
                 steps));
       }
     }
-    TriangleMesh sides = Skin.over(rows, Skin.Form.PIPE);
+    TriangleMesh sides = LoftedSurface.over(rows, LoftedSurface.Form.PIPE);
     TriangleMeshBuilder ends = new TriangleMeshBuilder();
     end(ends, rows.get(0), steps + 1, true);
     end(ends, rows.get(rows.size() - 1), steps + 1, false);
-    return Welding.weld(sides.append(ends.mesh())).outward();
+    return VertexWelding.weld(sides.append(ends.mesh())).outward();
   }
 
   /**
@@ -62,7 +63,8 @@ public final class Boxes {
       for (int step = 0; step <= steps; step++) {
         double angle = 90 * corner + 90.0 * step / steps;
         row[corner * (steps + 1) + step] =
-            new Vector3d(cx + radius * Degrees.cos(angle), y, cz - radius * Degrees.sin(angle));
+            new Vector3d(
+                cx + radius * DegreeMath.cos(angle), y, cz - radius * DegreeMath.sin(angle));
       }
     }
     return row;

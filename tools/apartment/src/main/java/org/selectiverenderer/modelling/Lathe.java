@@ -3,7 +3,7 @@ package org.selectiverenderer.modelling;
 import java.util.ArrayList;
 import java.util.List;
 import org.joml.Vector3d;
-import org.selectiverenderer.geometry.Degrees;
+import org.selectiverenderer.geometry.DegreeMath;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 
 /**
@@ -22,16 +22,16 @@ public final class Lathe {
    *     inner wall, to the middle of the bottom inside
    * @throws IllegalArgumentException if a radius is negative
    */
-  public static TriangleMesh solid(Curve profile, int segments) {
-    return Skin.over(rows(profile, segments, 360, segments), Skin.Form.CAPPED);
+  public static TriangleMesh solid(ProfileCurve profile, int segments) {
+    return LoftedSurface.over(rows(profile, segments, 360, segments), LoftedSurface.Form.CAPPED);
   }
 
   /**
    * Returns a surface as {@link #solid} does, but open where the profile ends; the profile must run
    * up the outside.
    */
-  public static TriangleMesh surface(Curve profile, int segments) {
-    return Skin.over(rows(profile, segments, 360, segments), Skin.Form.PIPE);
+  public static TriangleMesh surface(ProfileCurve profile, int segments) {
+    return LoftedSurface.over(rows(profile, segments, 360, segments), LoftedSurface.Form.PIPE);
   }
 
   /**
@@ -41,18 +41,21 @@ public final class Lathe {
    * @param section the outline, all of it at positive x
    */
   public static TriangleMesh ring(Outline section, int segments) {
-    return Skin.over(rows(Curve.of(section.points()), segments, 360, segments), Skin.Form.RING);
+    return LoftedSurface.over(
+        rows(ProfileCurve.of(section.points()), segments, 360, segments), LoftedSurface.Form.RING);
   }
 
   /**
    * Returns an open surface over a part of a turn, from the +x axis counter-clockwise seen from
    * above.
    */
-  public static TriangleMesh sector(Curve profile, double degrees, int segments) {
-    return Skin.over(rows(profile, segments, degrees, segments + 1), Skin.Form.SHEET);
+  public static TriangleMesh sector(ProfileCurve profile, double degrees, int segments) {
+    return LoftedSurface.over(
+        rows(profile, segments, degrees, segments + 1), LoftedSurface.Form.SHEET);
   }
 
-  private static List<Vector3d[]> rows(Curve profile, int segments, double degrees, int columns) {
+  private static List<Vector3d[]> rows(
+      ProfileCurve profile, int segments, double degrees, int columns) {
     List<Vector3d[]> rows = new ArrayList<>();
     for (int i = 0; i < profile.size(); i++) {
       double radius = profile.x(i);
@@ -64,7 +67,8 @@ public final class Lathe {
       for (int c = 0; c < columns; c++) {
         double angle = degrees * c / segments;
         row[c] =
-            new Vector3d(radius * Degrees.cos(angle), profile.y(i), -radius * Degrees.sin(angle));
+            new Vector3d(
+                radius * DegreeMath.cos(angle), profile.y(i), -radius * DegreeMath.sin(angle));
       }
       rows.add(row);
     }

@@ -1,6 +1,6 @@
 package org.selectiverenderer.modelling;
 
-import org.selectiverenderer.base.decimal.Rounded;
+import org.selectiverenderer.base.decimal.DecimalRounding;
 
 /** A display colour: red, green and blue, 0 to 1 each. */
 public record ModelColour(double red, double green, double blue) {
@@ -29,6 +29,6 @@ public record ModelColour(double red, double green, double blue) {
   }
 
   private static double part(int bits) {
-    return Rounded.to(3, (bits & 0xFF) / 255.0);
+    return DecimalRounding.to(3, (bits & 0xFF) / 255.0);
   }
 }

@@ -1,7 +1,7 @@
 package org.selectiverenderer.modelling;
 
 import java.util.Arrays;
-import org.selectiverenderer.geometry.Degrees;
+import org.selectiverenderer.geometry.DegreeMath;
 
 /**
  * A simple polygon in the plane, convex or concave, counter-clockwise. Immutable. Points that
@@ -50,8 +50,8 @@ public final class Outline {
   public static Outline superellipse(double radiusX, double radiusY, double exponent, int points) {
     double[] xy = new double[2 * points];
     for (int i = 0; i < points; i++) {
-      double c = Degrees.cos(360.0 * i / points);
-      double s = Degrees.sin(360.0 * i / points);
+      double c = DegreeMath.cos(360.0 * i / points);
+      double s = DegreeMath.sin(360.0 * i / points);
       xy[2 * i] = radiusX * bent(c, 2 / exponent);
       xy[2 * i + 1] = radiusY * bent(s, 2 / exponent);
     }
@@ -59,7 +59,7 @@ public final class Outline {
   }
 
   static double bent(double value, double power) {
-    return power == 1 ? value : Math.copySign(Degrees.power(Math.abs(value), power), value);
+    return power == 1 ? value : Math.copySign(DegreeMath.power(Math.abs(value), power), value);
   }
 
   /** Returns a rectangle about the origin. */
@@ -79,7 +79,7 @@ public final class Outline {
    * points.
    */
   public static Outline spline(int steps, double... xy) {
-    return of(Splines.through(xy, 2, true, steps));
+    return of(CatmullRomSpline.through(xy, 2, true, steps));
   }
 
   /**
@@ -87,7 +87,7 @@ public final class Outline {
    * too short.
    */
   public Outline rounded(double radius, int steps) {
-    return of(Corners.round(xy, true, radius, steps));
+    return of(CornerFillet.round(xy, true, radius, steps));
   }
 
   public Outline move(double x, double y) {
@@ -100,8 +100,8 @@ public final class Outline {
 
   /** Returns the outline rotated about the origin, counter-clockwise for positive degrees. */
   public Outline turn(double degrees) {
-    double s = Degrees.sin(degrees);
-    double c = Degrees.cos(degrees);
+    double s = DegreeMath.sin(degrees);
+    double c = DegreeMath.cos(degrees);
     return affine(c, -s, s, c, 0, 0);
   }
 
@@ -123,7 +123,7 @@ public final class Outline {
    * @throws IllegalArgumentException if the distance is so large that an edge would be reversed
    */
   public Outline inset(double distance) {
-    return new Outline(Insetting.inset(xy, distance));
+    return new Outline(PolygonOffset.inset(xy, distance));
   }
 
   /** Returns the enclosed area, square metres. */

@@ -7,7 +7,7 @@ import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.function.UnaryOperator;
-import org.selectiverenderer.geometry.Bounds;
+import org.selectiverenderer.geometry.BoundingBox;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 
 /**
@@ -40,7 +40,7 @@ public record ParametricModel(String name, List<Part> parts) {
   public SortedSet<String> pictures() {
     SortedSet<String> files = new TreeSet<>();
     for (Part part : parts) {
-      Cladding cladding = part.look().cladding();
+      TextureMapping cladding = part.look().cladding();
       if (cladding != null) {
         files.add(cladding.file());
       }
@@ -54,8 +54,8 @@ public record ParametricModel(String name, List<Part> parts) {
   }
 
   /** Returns the bounding box; the model must not be empty. */
-  public Bounds bounds() {
-    return parts.stream().map(p -> p.mesh().bounds()).reduce(Bounds::union).orElseThrow();
+  public BoundingBox bounds() {
+    return parts.stream().map(p -> p.mesh().bounds()).reduce(BoundingBox::union).orElseThrow();
   }
 
   /** Returns the model with a transformation applied to every part's mesh. */

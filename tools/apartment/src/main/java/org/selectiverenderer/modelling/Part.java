@@ -11,7 +11,7 @@ import org.selectiverenderer.geometry.mesh.TriangleMesh;
  * @param bothSides whether faces are visible from behind as well
  */
 public record Part(
-    String name, Look look, TriangleMesh mesh, double creaseAngle, boolean bothSides) {
+    String name, ModelMaterial look, TriangleMesh mesh, double creaseAngle, boolean bothSides) {
   private static final Pattern NAME = Pattern.compile("[A-Za-z][A-Za-z0-9_]*");
 
   public Part {
@@ -25,7 +25,7 @@ public record Part(
    * Returns a part with a crease angle of 35 degrees: roundings are shaded smooth, edges and
    * chamfers sharp. A mesh with a border is two-sided.
    */
-  public static Part of(String name, Look look, TriangleMesh... meshes) {
+  public static Part of(String name, ModelMaterial look, TriangleMesh... meshes) {
     TriangleMesh mesh = TriangleMesh.of(meshes);
     return new Part(name, look, mesh, 35, !mesh.isClosed());
   }

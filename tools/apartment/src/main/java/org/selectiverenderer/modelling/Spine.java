@@ -3,7 +3,7 @@ package org.selectiverenderer.modelling;
 import java.util.ArrayList;
 import java.util.List;
 import org.joml.Vector3d;
-import org.selectiverenderer.geometry.Degrees;
+import org.selectiverenderer.geometry.DegreeMath;
 
 /**
  * A path in space along which a section is swept, like the spine of X3D's Extrusion.
@@ -35,12 +35,12 @@ public record Spine(List<Vector3d> points, boolean closed) {
    * points.
    */
   public static Spine smooth(int steps, double... xyz) {
-    return from(Splines.through(xyz, 3, false, steps), false);
+    return from(CatmullRomSpline.through(xyz, 3, false, steps), false);
   }
 
   /** Returns a closed Catmull-Rom spline through the points. */
   public static Spine smoothLoop(int steps, double... xyz) {
-    return from(Splines.through(xyz, 3, true, steps), true);
+    return from(CatmullRomSpline.through(xyz, 3, true, steps), true);
   }
 
   /** Returns a helix about the y axis from y = 0 upwards, for a spring or a telephone's cord. */
@@ -54,13 +54,13 @@ public record Spine(List<Vector3d> points, boolean closed) {
       double angle = 360 * turns * i / steps;
       points.add(
           new Vector3d(
-              radius * Degrees.cos(angle), rise * i / steps, -radius * Degrees.sin(angle)));
+              radius * DegreeMath.cos(angle), rise * i / steps, -radius * DegreeMath.sin(angle)));
     }
     return points;
   }
 
   /** Returns a plane curve as a path at z = 0. */
-  public static Spine of(Curve curve) {
+  public static Spine of(ProfileCurve curve) {
     List<Vector3d> points = new ArrayList<>();
     for (int i = 0; i < curve.size(); i++) {
       points.add(new Vector3d(curve.x(i), curve.y(i), 0));
@@ -70,7 +70,7 @@ public record Spine(List<Vector3d> points, boolean closed) {
 
   /** Returns an outline as a closed path at z = 0, for a picture's frame. */
   public static Spine of(Outline outline) {
-    return new Spine(of(Curve.of(outline.points())).points, true);
+    return new Spine(of(ProfileCurve.of(outline.points())).points, true);
   }
 
   private static Spine from(double[] xyz, boolean closed) {

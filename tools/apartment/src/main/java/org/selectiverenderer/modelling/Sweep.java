@@ -27,7 +27,7 @@ public final class Sweep {
    */
   public static TriangleMesh of(Outline section, Spine spine, DoubleUnaryOperator scale) {
     List<Vector3d[]> rows = new ArrayList<>();
-    TwistFreeFrames frames = new TwistFreeFrames(spine);
+    RotationMinimizingFrames frames = new RotationMinimizingFrames(spine);
     int n = spine.points().size();
     for (int i = 0; i < n; i++) {
       double factor = scale.applyAsDouble(n == 1 ? 0 : (double) i / (n - 1));
@@ -37,7 +37,8 @@ public final class Sweep {
       }
       rows.add(row);
     }
-    return Skin.over(rows, spine.closed() ? Skin.Form.RING : Skin.Form.CAPPED);
+    return LoftedSurface.over(
+        rows, spine.closed() ? LoftedSurface.Form.RING : LoftedSurface.Form.CAPPED);
   }
 
   /** Returns a round tube with closed ends. */

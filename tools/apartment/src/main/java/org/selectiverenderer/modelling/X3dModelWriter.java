@@ -1,10 +1,16 @@
 package org.selectiverenderer.modelling;
 
-import org.selectiverenderer.base.decimal.DecimalText;
-import org.selectiverenderer.geometry.Bounds;
-import org.selectiverenderer.x3d.write.FaceSetWriter;
-import org.selectiverenderer.x3d.write.TupleLines;
-import org.selectiverenderer.x3d.write.ValueText;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.joml.Vector3d;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
+import org.selectiverenderer.geometry.BoundingBox;
+import org.selectiverenderer.geometry.mesh.TriangleMesh;
+import org.selectiverenderer.x3d.write.FieldValueFormatter;
+import org.selectiverenderer.x3d.write.IndexedFaceSetWriter;
+import org.selectiverenderer.x3d.write.TupleListBuilder;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
 /**
@@ -51,18 +57,18 @@ public final class X3dModelWriter {
     return out.finish();
   }
 
-  private static void appearance(X3dWriter out, Look look) {
-    Cladding cladding = look.cladding();
+  private static void appearance(X3dWriter out, ModelMaterial look) {
+    TextureMapping cladding = look.cladding();
     if (cladding == null) {
-      out.material(LookFields.fields(look));
+      out.material(MaterialFields.fields(look));
       return;
     }
-    out.open("Appearance").empty("Material", LookFields.fields(look));
+    out.open("Appearance").empty("Material", MaterialFields.fields(look));
     out.open("ImageTexture");
     if (!cladding.repeats()) {
       out.attribute("repeatS", "false").attribute("repeatT", "false");
     }
-    out.attribute("url", ValueText.strings(cladding.file()));
+    out.attribute("url", FieldValueFormatter.strings(cladding.file()));
     String boundary = cladding.repeats() ? "REPEAT" : "CLAMP_TO_EDGE";
     out.open("TextureProperties", "boundaryModeS", boundary, "boundaryModeT", boundary);
     out.attribute("generateMipMaps", "true").attribute("magnificationFilter", "AVG_PIXEL");
@@ -75,35 +81,35 @@ public final class X3dModelWriter {
   }
 
   private static void faces(X3dWriter out, Part part, int decimals) {
-    TupleLines points = TupleLines.wide(LINE);
+    TupleListBuilder points = TupleListBuilder.wide(LINE);
     float[] positions = part.mesh().positions();
-    double unit = DecimalText.unit(decimals);
+    double unit = DecimalFormatter.unit(decimals);
     for (int i = 0; i < positions.length; i += 3) {
       StringBuilder text = points.next();
       for (int k = 0; k < 3; k++) {
         text.append(k == 0 ? "" : " ");
-        double onGrid = Rounding.cell(positions[i + k], unit) / unit;
-        DecimalText.appendRounded(text, onGrid, decimals);
+        double onGrid = GridSnapping.cell(positions[i + k], unit) / unit;
+        DecimalFormatter.appendRounded(text, onGrid, decimals);
       }
     }
-    FaceSetWriter faces =
-        new FaceSetWriter(out, Math.toRadians(part.creaseAngle()), !part.bothSides())
-            .index("coordIndex", TupleLines.wide(LINE).triangles(part.mesh().triangles()));
-    Cladding cladding = part.look().cladding();
+    IndexedFaceSetWriter faces =
+        new IndexedFaceSetWriter(out, Math.toRadians(part.creaseAngle()), !part.bothSides())
+            .index("coordIndex", TupleListBuilder.wide(LINE).triangles(part.mesh().triangles()));
+    TextureMapping cladding = part.look().cladding();
     if (cladding == null) {
       faces.values("Coordinate", "point", points).close();
       return;
     }
-    CladdingText cover = new CladdingText(cladding, part.mesh());
+    TextureCoordinateIndex cover = new TextureCoordinateIndex(cladding, part.mesh());
     faces
-        .index("texCoordIndex", TupleLines.wide(LINE).triangles(cover.corners()))
+        .index("texCoordIndex", TupleListBuilder.wide(LINE).triangles(cover.corners()))
         .values("Coordinate", "point", points)
-        .values("TextureCoordinate", "point", cover.points(TupleLines.wide(LINE)))
+        .values("TextureCoordinate", "point", cover.points(TupleListBuilder.wide(LINE)))
         .close();
   }
 
   /** Returns the number of decimals with which the largest coordinate has five digits. */
-  static int decimals(Bounds b) {
+  static int decimals(BoundingBox b) {
     double largest = 0;
     for (double value : new double[] {b.minX(), b.minY(), b.minZ(), b.maxX(), b.maxY(), b.maxZ()}) {
       largest = Math.max(largest, Math.abs(value));
@@ -116,5 +122,83 @@ public final class X3dModelWriter {
       decimals++;
     }
     return decimals;
+  }
+
+  /**
+   * Indexed texture coordinates of a mesh as X3D writes them: each pair once, and for every corner
+   * of a triangle the number of its pair. Corners at one point have different pairs where faces of
+   * a box meet.
+   */
+  private static final class TextureCoordinateIndex {
+    /**
+     * Decimals of texture coordinates: a fifth of a millimetre where an image is two metres wide.
+     */
+    private static final int DECIMALS = 4;
+
+    private final Map<String, Integer> pairs = new LinkedHashMap<>();
+    private final int[] corners;
+
+    TextureCoordinateIndex(TextureMapping cladding, TriangleMesh mesh) {
+      int[] t = mesh.triangles();
+      corners = new int[t.length];
+      for (int i = 0; i < t.length; i += 3) {
+        Vector3d a = mesh.point(t[i]);
+        Vector3d along = mesh.point(t[i + 1]).sub(a);
+        Vector3d normal = along.cross(mesh.point(t[i + 2]).sub(a));
+        for (int k = i; k < i + 3; k++) {
+          double[] st = cladding.laying().at(mesh.point(t[k]), normal);
+          String pair =
+              DecimalFormatter.rounded(st[0], DECIMALS)
+                  + " "
+                  + DecimalFormatter.rounded(st[1], DECIMALS);
+          corners[k] = pairs.computeIfAbsent(pair, key -> pairs.size());
+        }
+      }
+    }
+
+    /** Returns the numbers of the pairs, three for each triangle. */
+    int[] corners() {
+      return corners;
+    }
+
+    /** Appends the pairs to {@code out} and returns it. */
+    TupleListBuilder points(TupleListBuilder out) {
+      pairs.keySet().forEach(pair -> out.next().append(pair));
+      return out;
+    }
+  }
+
+  /**
+   * Converts a material to the fields of an X3D Material, with default values (X3D 3.3, 12.4.4)
+   * left out.
+   */
+  private static final class MaterialFields {
+
+    private MaterialFields() {}
+
+    /** Returns field names and values in turn. */
+    static String[] fields(ModelMaterial look) {
+      List<String> fields = new ArrayList<>();
+      field(fields, "diffuseColor", colour(look.diffuse()), "0.8 0.8 0.8");
+      field(fields, "specularColor", colour(look.specular()), "0 0 0");
+      field(fields, "shininess", DecimalFormatter.rounded(look.shininess(), 3), "0.2");
+      field(fields, "transparency", DecimalFormatter.rounded(look.transparency(), 3), "0");
+      field(fields, "emissiveColor", colour(look.emissive()), "0 0 0");
+      return fields.toArray(String[]::new);
+    }
+
+    private static void field(List<String> fields, String name, String value, String standard) {
+      if (!value.equals(standard)) {
+        fields.addAll(List.of(name, value));
+      }
+    }
+
+    private static String colour(ModelColour colour) {
+      return DecimalFormatter.rounded(colour.red(), 3)
+          + " "
+          + DecimalFormatter.rounded(colour.green(), 3)
+          + " "
+          + DecimalFormatter.rounded(colour.blue(), 3);
+    }
   }
 }

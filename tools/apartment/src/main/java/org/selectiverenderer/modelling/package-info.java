@@ -7,7 +7,7 @@
  * outside. A polygon is a triangle.
  *
  * <p>The same call gives the same bits on every machine: sines and cosines come from {@link
- * org.selectiverenderer.geometry.Degrees}, never from {@link java.lang.Math}.
+ * org.selectiverenderer.geometry.DegreeMath}, never from {@link java.lang.Math}.
  *
  * <p>In: dimensions. Out: {@link org.selectiverenderer.modelling.ParametricModel}s and X3D text.
  * Uses {@code geometry}, with its fonts for the outlines of letters, {@code x3d.write} and {@code

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.selectiverenderer.app.timeline.TimelineEvent;
 import org.selectiverenderer.app.walk.Walkthrough;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.control.ControlEvent;
 import org.selectiverenderer.control.SelectiveController;
 import org.selectiverenderer.runtime.viewer.CameraPath;
@@ -49,7 +49,7 @@ class ApartmentTourTest {
   private List<String> walk() throws IOException {
     CameraPath path =
         CameraPathReader.read(
-                Path.of("scenes/paths/apartment-tour.csv"), new Problems(problems::add))
+                Path.of("scenes/paths/apartment-tour.csv"), new ProblemCollector(problems::add))
             .orElseThrow();
     List<String> states = new ArrayList<>();
     try (Walkthrough walk =
@@ -57,7 +57,7 @@ class ApartmentTourTest {
             Path.of("scenes/apartment.x3d"),
             SelectiveController.Settings.SELECTIVE,
             problems::add,
-            event -> events.add(((TimelineEvent.Told) event).event()),
+            event -> events.add(((TimelineEvent.ControllerEvent) event).event()),
             message -> {})) {
       for (int frame = 0; frame <= path.end() * 60; frame++) {
         walk.step(frame / 60.0, new PathMotion(path, 0));

@@ -6,7 +6,7 @@ import java.util.Locale;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.selectiverenderer.geometry.Bounds;
+import org.selectiverenderer.geometry.BoundingBox;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 
 class X3dModelWriterTest {
@@ -18,10 +18,10 @@ class X3dModelWriterTest {
     ParametricModel model =
         ParametricModel.of(
             "flag",
-            Part.of("cloth", Look.matt(ModelColour.hex(0xFF8000)), triangle),
+            Part.of("cloth", ModelMaterial.matt(ModelColour.hex(0xFF8000)), triangle),
             Part.of(
                     "glow",
-                    Look.matt(ModelColour.grey(0.8)).glowing(ModelColour.of(1, 0, 0)),
+                    ModelMaterial.matt(ModelColour.grey(0.8)).glowing(ModelColour.of(1, 0, 0)),
                     triangle)
                 .crease(0));
     Locale before = Locale.getDefault();
@@ -69,14 +69,16 @@ class X3dModelWriterTest {
   @ParameterizedTest
   @CsvSource({"0.5, 5", "1.2, 4", "12, 3", "0.05, 6", "0.99999, 5"})
   void theLargestCoordinateHasFiveDigits(double largest, int decimals) {
-    assertThat(X3dModelWriter.decimals(new Bounds(0, 0, 0, largest, 0.01, 0))).isEqualTo(decimals);
+    assertThat(X3dModelWriter.decimals(new BoundingBox(0, 0, 0, largest, 0.01, 0)))
+        .isEqualTo(decimals);
   }
 
   @Test
   void linesOfNumbersAreBroken() {
     ParametricModel ball =
         ParametricModel.of(
-            "ball", Part.of("b", Look.matt(ModelColour.grey(1)), Rounds.sphere(1, 9, 9)));
+            "ball",
+            Part.of("b", ModelMaterial.matt(ModelColour.grey(1)), RoundSolids.sphere(1, 9, 9)));
 
     assertThat(new X3dModelWriter("a test").text(ball, "b", "b").lines())
         .allSatisfy(line -> assertThat(line.length()).isLessThan(160));

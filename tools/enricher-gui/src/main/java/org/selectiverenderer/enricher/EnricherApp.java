@@ -1,13 +1,17 @@
 package org.selectiverenderer.enricher;
 
 import java.awt.AWTError;
+import java.awt.Desktop;
 import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
+import java.awt.desktop.QuitStrategy;
+import java.io.File;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
-import org.selectiverenderer.x3d.files.ContentAccess;
+import java.util.function.Consumer;
+import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 
 /** Runs the enricher: opens its window and waits until the author closes it. */
 public final class EnricherApp {
@@ -22,7 +26,7 @@ public final class EnricherApp {
    * @throws IOException with one line if there is no display
    * @throws InterruptedException if the waiting thread is interrupted
    */
-  public static void run(Optional<Path> scene, ContentAccess access, Path settings)
+  public static void run(Optional<Path> scene, ContentAccessPolicy access, Path settings)
       throws IOException, InterruptedException {
     if (!display()) {
       throw new IOException(
@@ -33,7 +37,7 @@ public final class EnricherApp {
     EventQueue.invokeLater(
         () -> {
           EnricherWindow window = new EnricherWindow(settings, access, closed::countDown);
-          DesktopRequests.hear(window::open);
+          DesktopHandlers.hear(window::open);
           window.show();
           window.begin(scene);
         });
@@ -46,6 +50,30 @@ public final class EnricherApp {
           && GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0;
     } catch (AWTError e) {
       return false; // DISPLAY names an X server that does not answer
+    }
+  }
+
+  /**
+   * Handles the requests of macOS to a running program: to open a file, which is not named on the
+   * command line there, and to quit, which closes the window as the author does. Other systems send
+   * no such requests.
+   */
+  private static final class DesktopHandlers {
+    private DesktopHandlers() {}
+
+    /** Installs the handlers; files arrive on the event dispatch thread. */
+    static void hear(Consumer<Path> open) {
+      if (!Desktop.isDesktopSupported()) {
+        return;
+      }
+      Desktop desktop = Desktop.getDesktop();
+      if (desktop.isSupported(Desktop.Action.APP_OPEN_FILE)) {
+        desktop.setOpenFileHandler(
+            event -> event.getFiles().stream().findFirst().map(File::toPath).ifPresent(open));
+      }
+      if (desktop.isSupported(Desktop.Action.APP_QUIT_STRATEGY)) {
+        desktop.setQuitStrategy(QuitStrategy.CLOSE_ALL_WINDOWS);
+      }
     }
   }
 }

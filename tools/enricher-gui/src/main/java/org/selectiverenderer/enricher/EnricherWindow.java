@@ -8,49 +8,56 @@ import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.SwingConstants;
 import javax.swing.WindowConstants;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.document.DocumentListener;
+import org.selectiverenderer.document.EditRejectedException;
 import org.selectiverenderer.document.UndoHistory;
+import org.selectiverenderer.document.file.CrashRecovery;
 import org.selectiverenderer.document.file.DocumentFile;
-import org.selectiverenderer.document.file.Recovery;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.settings.EnricherSettings;
+import org.selectiverenderer.enricher.settings.FontZoom;
+import org.selectiverenderer.enricher.settings.Language;
 import org.selectiverenderer.enricher.settings.RecentFiles;
-import org.selectiverenderer.enricher.task.Tasks;
+import org.selectiverenderer.enricher.settings.Theme;
+import org.selectiverenderer.enricher.task.TaskExecutor;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
-import org.selectiverenderer.x3d.files.ContentAccess;
+import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 
 /** The main window, with one open document at a time. For the event dispatch thread. */
 final class EnricherWindow {
   private static final String NAME = "Enricher";
 
   private final EnricherSettings settings;
-  private final WindowLook look;
-  private final Recovery recovery;
+  private final AppearanceSettings look;
+  private final CrashRecovery recovery;
   private final RecentFiles recent;
-  private final WindowPlace place;
+  private final WindowBoundsStore place;
   private final Runnable closed;
   private final NodeCatalogue catalogue = NodeCatalogue.load();
-  private final Tasks tasks = new Tasks(EventQueue::invokeLater);
+  private final TaskExecutor tasks = new TaskExecutor(EventQueue::invokeLater);
   private final JFrame frame = new JFrame(NAME);
   private final StatusBar status = new StatusBar(tasks);
   private final JPanel content = new JPanel(new BorderLayout());
   private final JLabel welcome = new JLabel(Texts.of("window.welcome"), SwingConstants.CENTER);
-  private final Questions questions;
+  private final UserPrompts questions;
   private final HelpDialogs help = new HelpDialogs(frame);
-  private final DocumentOpening opening;
+  private final DocumentOpener opening;
   private final SceneDialogs dialogs;
   private final RunCommands runs;
   private final SaveCommands saves;
-  private final WindowMenus menus;
+  private final EnricherMenuBar menus;
 
   /** Refreshes title and menus after the edit, when its step is in the undo history. */
   private final DocumentListener titles = change -> EventQueue.invokeLater(this::refresh);
@@ -62,7 +69,7 @@ final class EnricherWindow {
    * @param closed runs when the window is closed
    */
   public EnricherWindow(Path folder, Runnable closed) {
-    this(folder, ContentAccess.none(), closed);
+    this(folder, ContentAccessPolicy.none(), closed);
   }
 
   /**
@@ -70,30 +77,30 @@ final class EnricherWindow {
    * @param access folders and hosts that scenes may read from, in addition to those of the settings
    * @param closed runs when the window is closed
    */
-  public EnricherWindow(Path folder, ContentAccess access, Runnable closed) {
-    this(WindowLook.remembered(folder, access), folder, closed);
+  public EnricherWindow(Path folder, ContentAccessPolicy access, Runnable closed) {
+    this(AppearanceSettings.remembered(folder, access), folder, closed);
   }
 
-  private EnricherWindow(WindowLook look, Path folder, Runnable closed) {
+  private EnricherWindow(AppearanceSettings look, Path folder, Runnable closed) {
     this.look = look;
     this.settings = look.settings();
-    this.recovery = new Recovery(folder.resolve("recovery"));
+    this.recovery = new CrashRecovery(folder.resolve("recovery"));
     this.recent = new RecentFiles(settings);
-    this.place = new WindowPlace(settings);
+    this.place = new WindowBoundsStore(settings);
     this.closed = closed;
     status.say(look.complaint());
-    questions = new DialogQuestions(frame);
+    questions = new DialogUserPrompts(frame);
     saves = new SaveCommands(questions, this::reviews, status::say, this::refresh, recent);
     opening =
-        new DocumentOpening(
-            new DocumentOpening.Place(this::bench, saves, this::adopt, this::announce, status::say),
+        new DocumentOpener(
+            new DocumentOpener.Place(this::bench, saves, this::adopt, this::announce, status::say),
             catalogue,
             tasks,
             questions,
             recovery);
     dialogs = new SceneDialogs(frame, this::bench, status::say);
     runs = new RunCommands(frame, this::bench, opening::open, status::say);
-    menus = new WindowMenus(this, dialogs, runs, settings);
+    menus = new EnricherMenuBar(this, dialogs, runs, settings);
     frame.setJMenuBar(menus.bar());
     menus.moreKeys(frame.getRootPane());
     frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
@@ -110,7 +117,7 @@ final class EnricherWindow {
           }
         });
     WindowIcon.dress(frame);
-    frame.setTransferHandler(new FileDrop(this::dropped));
+    frame.setTransferHandler(new FileDropHandler(this::dropped));
     content.add(welcome, BorderLayout.CENTER);
     frame.add(content, BorderLayout.CENTER);
     frame.add(status.component(), BorderLayout.SOUTH);
@@ -134,7 +141,7 @@ final class EnricherWindow {
   }
 
   /** Theme, text size and language. */
-  WindowLook look() {
+  AppearanceSettings look() {
     return look;
   }
 
@@ -167,7 +174,7 @@ final class EnricherWindow {
   }
 
   /** The part that opens scenes. */
-  DocumentOpening opening() {
+  DocumentOpener opening() {
     return opening;
   }
 
@@ -194,7 +201,7 @@ final class EnricherWindow {
     session.document().addListener(titles);
     content.removeAll();
     content.add(opened.component(), BorderLayout.CENTER);
-    FileDrop.install(opened.component(), this::dropped);
+    FileDropHandler.install(opened.component(), this::dropped);
     content.revalidate();
     frame.validate();
     opened.layOut(content.getWidth(), content.getHeight());
@@ -234,7 +241,7 @@ final class EnricherWindow {
       bench.commit();
       UndoHistory history = bench.session().document().history();
       boolean files = history.concernsFiles(back);
-      if (new Steps(history, questions).go(back) && files) {
+      if (new UndoController(history, questions).go(back) && files) {
         bench.lookAtFilesAgain();
       }
       refresh();
@@ -313,5 +320,103 @@ final class EnricherWindow {
             .orElse(NAME);
     frame.setTitle(title);
     menus.refresh();
+  }
+
+  /**
+   * Undoes and redoes steps. Files of a step that another program has changed meanwhile are
+   * replaced only if the author agrees. Has no widgets.
+   */
+  record UndoController(UndoHistory history, UserPrompts questions) {
+    /**
+     * @param back true to undo, false to redo
+     * @return whether anything was done
+     */
+    boolean go(boolean back) {
+      try {
+        List<Path> changed = history.changedMeanwhile(back);
+        boolean over = !changed.isEmpty();
+        if (over && !questions.overwrite(sentence(changed))) {
+          return false;
+        }
+        return back ? history.undo(over) : history.redo(over);
+      } catch (EditRejectedException e) {
+        questions.tell(String.valueOf(e.getMessage()));
+        return false;
+      }
+    }
+
+    private static String sentence(List<Path> changed) {
+      return Texts.of(
+          "keep.step.changed",
+          changed.stream()
+              .map(path -> String.valueOf(path.getFileName()))
+              .collect(Collectors.joining(", ")));
+    }
+  }
+
+  /**
+   * Applies theme, text size and language of the user's settings to the window. For the event
+   * dispatch thread.
+   *
+   * @param access folders and hosts that scenes may read from
+   * @param complaint why the settings could not be read; empty if they were
+   */
+  record AppearanceSettings(
+      EnricherSettings settings, ContentAccessPolicy access, String complaint) {
+
+    /**
+     * Reads the settings and applies them, as the theme must be set before the first component is
+     * made.
+     *
+     * @param folder of the user's settings
+     * @param given folders and hosts that scenes may read from, in addition to those of the
+     *     settings
+     */
+    static AppearanceSettings remembered(Path folder, ContentAccessPolicy given) {
+      EnricherSettings settings = new EnricherSettings(folder);
+      String complaint = "";
+      ContentAccessPolicy access = given;
+      try {
+        settings.load();
+        access = settings.access().and(given);
+      } catch (IOException | IllegalArgumentException e) {
+        complaint = String.valueOf(e.getMessage());
+      }
+      Language.of(settings).apply();
+      Theme.of(settings.word("theme", "")).apply();
+      FontZoom zoom = new FontZoom(settings);
+      if (zoom.percent() != FontZoom.USUAL) {
+        zoom.apply();
+      }
+      return new AppearanceSettings(settings, access, complaint);
+    }
+
+    void use(Theme theme) {
+      settings.put("theme", theme.name());
+      theme.apply();
+      new FontZoom(settings).apply();
+    }
+
+    /**
+     * Makes all text larger or smaller.
+     *
+     * @param steps above 0 for larger, below 0 for smaller, 0 for the system's size
+     * @return a message for the status bar
+     */
+    String zoom(int steps) {
+      FontZoom zoom = new FontZoom(settings);
+      int percent = steps == 0 ? zoom.reset() : zoom.change(steps);
+      return Texts.of("window.zoom", DecimalFormatter.grouped(percent));
+    }
+
+    /**
+     * Remembers the language for the next start.
+     *
+     * @return a message for the status bar
+     */
+    String use(Language language) {
+      language.choose(settings);
+      return Texts.of("window.language", language.title());
+    }
   }
 }

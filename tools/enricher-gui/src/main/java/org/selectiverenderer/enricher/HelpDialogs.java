@@ -36,7 +36,8 @@ final class HelpDialogs {
   }
 
   DefaultTableModel keyTable() {
-    List<KeyList.Entry> entries = KeyList.of(frame.getJMenuBar(), frame.getContentPane());
+    List<KeyBindingList.Entry> entries =
+        KeyBindingList.of(frame.getJMenuBar(), frame.getContentPane());
     Object[][] rows =
         entries.stream()
             .map(entry -> new Object[] {entry.part(), entry.key(), entry.does()})

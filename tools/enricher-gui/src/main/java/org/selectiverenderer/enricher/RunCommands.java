@@ -10,12 +10,12 @@ import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.selectiverenderer.enricher.menu.NodeCommand;
-import org.selectiverenderer.enricher.run.InlineTarget;
-import org.selectiverenderer.enricher.run.Launcher;
-import org.selectiverenderer.enricher.run.RunChoice;
+import org.selectiverenderer.enricher.run.InlineFileResolver;
+import org.selectiverenderer.enricher.run.ProcessLauncher;
+import org.selectiverenderer.enricher.run.RunConsole;
 import org.selectiverenderer.enricher.run.RunDialog;
-import org.selectiverenderer.enricher.run.RunMessages;
-import org.selectiverenderer.enricher.run.SceneRuns;
+import org.selectiverenderer.enricher.run.RunOptions;
+import org.selectiverenderer.enricher.run.SceneRunManager;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
@@ -29,10 +29,10 @@ final class RunCommands {
   private final Supplier<Optional<Workbench>> bench;
   private final BiConsumer<Path, Runnable> open;
   private final Consumer<String> say;
-  private final RunMessages messages;
-  private final SceneRuns runs;
+  private final RunConsole messages;
+  private final SceneRunManager runs;
   private final Deque<Path> way = new ArrayDeque<>();
-  private RunChoice choice = RunChoice.USUAL;
+  private RunOptions choice = RunOptions.USUAL;
 
   /**
    * @param bench the views of the open scene; empty for none
@@ -49,8 +49,8 @@ final class RunCommands {
     this.bench = bench;
     this.open = open;
     this.say = say;
-    messages = new RunMessages(owner);
-    runs = new SceneRuns(messages::add, say);
+    messages = new RunConsole(owner);
+    runs = new SceneRunManager(messages::add, say);
   }
 
   /** Runs the scene with the options of the last run. */
@@ -98,7 +98,7 @@ final class RunCommands {
   /** The command of a node's context menu that opens an inlined file. */
   NodeCommand openInlineOfNode() {
     return new NodeCommand(
-        "openInline", Texts.of("run.inline"), InlineTarget::holds, element -> openInline());
+        "openInline", Texts.of("run.inline"), InlineFileResolver::holds, element -> openInline());
   }
 
   /** Opens the file of the selected Inline in an enricher of its own. */
@@ -110,7 +110,7 @@ final class RunCommands {
         .ifPresent(
             file -> {
               try {
-                Launcher.enrich(file);
+                ProcessLauncher.enrich(file);
               } catch (IOException e) {
                 say.accept(Texts.of("run.failed", String.valueOf(e.getMessage())));
               }
@@ -123,7 +123,7 @@ final class RunCommands {
       say.accept(Texts.of("run.noinline"));
       return Optional.empty();
     }
-    InlineTarget.Answer answer = InlineTarget.of(session, element.get());
+    InlineFileResolver.Answer answer = InlineFileResolver.of(session, element.get());
     if (answer.file().isEmpty()) {
       say.accept(answer.reason());
     }

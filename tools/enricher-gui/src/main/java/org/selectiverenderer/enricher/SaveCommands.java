@@ -12,14 +12,14 @@ import org.selectiverenderer.enricher.text.Texts;
  * dispatch thread.
  */
 final class SaveCommands {
-  private final Questions questions;
+  private final UserPrompts questions;
   private final BooleanSupplier reviews;
   private final Consumer<String> say;
   private final Runnable refresh;
   private final RecentFiles recent;
 
   /** The open document and what saves it. */
-  private record Open(Workbench bench, Saving saving) {}
+  private record Open(Workbench bench, DocumentSaver saving) {}
 
   private @Nullable Open open;
 
@@ -28,7 +28,7 @@ final class SaveCommands {
    * @param refresh updates title and menus of the window
    */
   SaveCommands(
-      Questions questions,
+      UserPrompts questions,
       BooleanSupplier reviews,
       Consumer<String> say,
       Runnable refresh,
@@ -42,7 +42,7 @@ final class SaveCommands {
 
   /** Starts with a document that has been opened. */
   void begin(Workbench bench) {
-    open = new Open(bench, new Saving(bench.session(), questions));
+    open = new Open(bench, new DocumentSaver(bench.session(), questions));
   }
 
   /** Ends with the document, which has been closed. */

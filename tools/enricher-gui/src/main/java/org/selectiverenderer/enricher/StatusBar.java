@@ -9,8 +9,8 @@ import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.enricher.problems.ProblemCounts;
 import org.selectiverenderer.enricher.problems.SeverityIcon;
-import org.selectiverenderer.enricher.task.Task;
-import org.selectiverenderer.enricher.task.Tasks;
+import org.selectiverenderer.enricher.task.BackgroundTask;
+import org.selectiverenderer.enricher.task.TaskExecutor;
 import org.selectiverenderer.enricher.text.Texts;
 
 /**
@@ -22,7 +22,7 @@ final class StatusBar {
   private static final long PATIENCE_NANOSECONDS = 500_000_000L;
   private static final int STEPS = 1000;
 
-  private final Tasks tasks;
+  private final TaskExecutor tasks;
   private final JPanel panel =
       new JPanel(new MigLayout("insets 3 8 3 8, hidemode 3, fillx", "[grow][][][]", "[24!]"));
   private final JLabel message = new JLabel(" ");
@@ -31,12 +31,12 @@ final class StatusBar {
   private final JButton cancel = new JButton(Texts.of("keep.cancel"));
   private final Timer timer = new Timer(EVERY_MILLISECONDS, event -> refresh());
 
-  StatusBar(Tasks tasks) {
+  StatusBar(TaskExecutor tasks) {
     this.tasks = tasks;
     message.getAccessibleContext().setAccessibleName(Texts.of("window.message"));
     bar.getAccessibleContext().setAccessibleName(Texts.of("window.progress"));
     bar.setStringPainted(true);
-    cancel.addActionListener(event -> tasks.running().forEach(Task::cancel));
+    cancel.addActionListener(event -> tasks.running().forEach(BackgroundTask::cancel));
     panel.add(message, "growx, wmin 0");
     panel.add(bar, "w 240!");
     panel.add(cancel);
@@ -63,12 +63,12 @@ final class StatusBar {
 
   private void refresh() {
     long now = System.nanoTime();
-    List<Task> slow =
+    List<BackgroundTask> slow =
         tasks.running().stream().filter(task -> now - task.begun() > PATIENCE_NANOSECONDS).toList();
     bar.setVisible(!slow.isEmpty());
-    cancel.setVisible(slow.stream().anyMatch(Task::stoppable));
+    cancel.setVisible(slow.stream().anyMatch(BackgroundTask::stoppable));
     if (!slow.isEmpty()) {
-      Task first = slow.get(0);
+      BackgroundTask first = slow.get(0);
       bar.setString(
           Texts.of("window.tasks", first.name(), slow.size() - 1, String.valueOf(slow.size() - 1)));
       bar.setIndeterminate(first.fraction() < 0);

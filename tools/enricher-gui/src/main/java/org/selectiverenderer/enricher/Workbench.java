@@ -12,24 +12,24 @@ import javax.swing.JComponent;
 import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
 import javax.swing.KeyStroke;
-import org.selectiverenderer.base.problem.Location;
-import org.selectiverenderer.document.file.Recovery;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.document.file.CrashRecovery;
 import org.selectiverenderer.enricher.area.AreaCommands;
 import org.selectiverenderer.enricher.area.GridSetting;
 import org.selectiverenderer.enricher.area.NameDialog;
-import org.selectiverenderer.enricher.area.NameQuestion;
-import org.selectiverenderer.enricher.cost.BudgetPlace;
+import org.selectiverenderer.enricher.area.NamePrompt;
+import org.selectiverenderer.enricher.cost.BudgetFileLocator;
 import org.selectiverenderer.enricher.cost.CostPanel;
 import org.selectiverenderer.enricher.form.FormPanel;
 import org.selectiverenderer.enricher.help.HelpPanel;
 import org.selectiverenderer.enricher.menu.NodeCommand;
-import org.selectiverenderer.enricher.menu.NodeEditing;
+import org.selectiverenderer.enricher.menu.NodeEditCommands;
 import org.selectiverenderer.enricher.menu.NodeMenu;
 import org.selectiverenderer.enricher.overview.MetadataClipboard;
 import org.selectiverenderer.enricher.overview.OverviewPanel;
 import org.selectiverenderer.enricher.plan.PlanPanel;
 import org.selectiverenderer.enricher.preview.PreviewPanel;
-import org.selectiverenderer.enricher.preview.VersionPictures;
+import org.selectiverenderer.enricher.preview.VersionImageRenderer;
 import org.selectiverenderer.enricher.problems.ProblemCounts;
 import org.selectiverenderer.enricher.problems.ProblemsPanel;
 import org.selectiverenderer.enricher.problems.ValidatorCheck;
@@ -41,9 +41,9 @@ import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.enricher.tree.SceneTreePanel;
 import org.selectiverenderer.runtime.viewer.Pose;
 import org.selectiverenderer.validation.run.RuleCatalogue;
-import org.selectiverenderer.x3d.files.ContentAccess;
-import org.selectiverenderer.x3d.files.ContentRoot;
 import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.url.ContentAccessPolicy;
+import org.selectiverenderer.x3d.url.UrlResolver;
 
 /** All views of one open document, laid out as the author left them. */
 final class Workbench {
@@ -55,7 +55,7 @@ final class Workbench {
   private final SceneTreePanel tree;
   private final SourcePanel source;
   private final FormPanel form;
-  private final VersionPictures pictures;
+  private final VersionImageRenderer pictures;
   private final PreviewPanel preview;
   private final OverviewPanel overview;
   private final CostPanel cost;
@@ -69,7 +69,7 @@ final class Workbench {
   private final JSplitPane left;
   private final JSplitPane right;
   private final JSplitPane all;
-  private final FormColumn column;
+  private final FormDividerController column;
   private final NodeMenu menu;
   private final List<Runnable> disposals = new ArrayList<>();
 
@@ -80,15 +80,15 @@ final class Workbench {
   Workbench(
       EnricherSession session,
       EnricherSettings settings,
-      Recovery recovery,
+      CrashRecovery recovery,
       Consumer<ProblemCounts> counts,
       Consumer<DocumentElement> makeVersions) {
     this.session = session;
     this.settings = settings;
     menu = new NodeMenu(session);
-    pictures = new VersionPictures(asScene(session));
+    pictures = new VersionImageRenderer(asScene(session));
     autosave = new Autosave(session, recovery);
-    BudgetPlace budgets = new BudgetPlace(() -> session.file().path(), settings);
+    BudgetFileLocator budgets = new BudgetFileLocator(() -> session.file().path(), settings);
     problems = new ProblemsPanel(session, List.of(validator(session, budgets)));
     tree = new SceneTreePanel(session, problems::faulty);
     problems.onCounts(
@@ -108,7 +108,7 @@ final class Workbench {
     cost = new CostPanel(session, budgets, problems::checkAgain);
     schemas = split(JSplitPane.VERTICAL_SPLIT, overview, cost, 0.6, "polygons");
     GridSetting grid = new GridSetting(settings);
-    NameQuestion names = new NameDialog(() -> tabs);
+    NamePrompt names = new NameDialog(() -> tabs);
     areas = new AreaCommands(session, preview.probe(), names);
     preview.grid(grid::step);
     preview.addAction(
@@ -120,7 +120,7 @@ final class Workbench {
     addTab("Plan", Texts.of("area.plan"), plan);
     addTab("Help", Texts.of("window.tab.help"), help);
     right = split(JSplitPane.HORIZONTAL_SPLIT, tabs, form, 1, "form");
-    column = new FormColumn(right, session);
+    column = new FormDividerController(right, session);
     left = split(JSplitPane.HORIZONTAL_SPLIT, tree.component(), right, 0, "tree");
     all = split(JSplitPane.VERTICAL_SPLIT, left, problems, 1, "problems");
     addMenus(makeVersions);
@@ -151,17 +151,17 @@ final class Workbench {
   }
 
   /** Returns the content access of version files: that of the scene that they belong to. */
-  private static ContentAccess asScene(EnricherSession session) {
+  private static ContentAccessPolicy asScene(EnricherSession session) {
     Path folder = session.file().path().toAbsolutePath().resolveSibling("");
     List<Path> folders = new ArrayList<>(session.access().folders());
     folders.add(folder);
-    folders.add(folder.resolveSibling(ContentRoot.INLINE_FOLDER));
-    return new ContentAccess(folders, session.access().network());
+    folders.add(folder.resolveSibling(UrlResolver.INLINE_FOLDER));
+    return new ContentAccessPolicy(folders, session.access().network());
   }
 
   private void addMenus(Consumer<DocumentElement> makeVersions) {
     MetadataClipboard metadata = new MetadataClipboard(session);
-    menu.add(NodeEditing.of(session, Toolkit.getDefaultToolkit().getSystemClipboard()));
+    menu.add(NodeEditCommands.of(session, Toolkit.getDefaultToolkit().getSystemClipboard()));
     menu.add(areas.commands(this::commit));
     menu.add(
         List.of(
@@ -202,7 +202,7 @@ final class Workbench {
     source.area().requestFocusInWindow();
   }
 
-  private static ValidatorCheck validator(EnricherSession session, BudgetPlace budgets) {
+  private static ValidatorCheck validator(EnricherSession session, BudgetFileLocator budgets) {
     return new ValidatorCheck(
         () -> session.file().path(),
         RuleCatalogue.standard(),
@@ -267,7 +267,7 @@ final class Workbench {
   }
 
   /** Sets what opens another file in which a problem is. */
-  void onElsewhere(Consumer<Location> open) {
+  void onElsewhere(Consumer<SourceLocation> open) {
     problems.onElsewhere(open);
   }
 
@@ -357,7 +357,7 @@ final class Workbench {
 
   /** Moves the focus to the next pane: tree, view, form, problems. */
   void nextPart() {
-    new WindowParts(
+    new FocusCycler(
             List.of(tree.component(), (Container) tabs.getSelectedComponent(), form, problems))
         .next();
   }

@@ -27,12 +27,12 @@ import org.junit.jupiter.api.function.Executable;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.document.area.AreaBox;
 import org.selectiverenderer.enricher.compare.CompareMode;
-import org.selectiverenderer.enricher.cost.BudgetPlace;
-import org.selectiverenderer.enricher.driving.Hands;
+import org.selectiverenderer.enricher.cost.BudgetFileLocator;
+import org.selectiverenderer.enricher.preview.PreviewImageProbe;
 import org.selectiverenderer.enricher.preview.PreviewPanel;
-import org.selectiverenderer.enricher.preview.ShownPreview;
+import org.selectiverenderer.enricher.robot.GuiRobot;
 import org.selectiverenderer.enricher.session.EnricherSession;
-import org.selectiverenderer.geometry.Bounds;
+import org.selectiverenderer.geometry.BoundingBox;
 import org.selectiverenderer.testing.ShowsWindows;
 
 /**
@@ -55,7 +55,7 @@ class EnricherPictures {
   private static final int BETWEEN_MS = 1500;
 
   @TempDir Path folder;
-  private final Hands hands = new Hands();
+  private final GuiRobot hands = new GuiRobot();
   private EnricherWindow window;
   private String name = "";
 
@@ -100,7 +100,7 @@ class EnricherPictures {
         settings.resolve("enricher.properties"),
         "theme=%s%nlanguage=en%nwindow.x=0%nwindow.y=0%nwindow.width=%d%nwindow.height=%d%n%s%n"
             .formatted(theme, width, height, limits));
-    window = Hands.onEdt(() -> new EnricherWindow(settings, () -> {}));
+    window = GuiRobot.onEdt(() -> new EnricherWindow(settings, () -> {}));
     hands.show(window.frame());
     edt(() -> window.open(scene));
     hands.await("the scene", () -> window.session().isPresent());
@@ -109,7 +109,7 @@ class EnricherPictures {
 
   /** Limits of which one is broken, in a file of their own for the scenes of the repository. */
   private String limits() throws IOException {
-    Path file = folder.resolve(BudgetPlace.NAME);
+    Path file = folder.resolve(BudgetFileLocator.NAME);
     Files.writeString(
         file,
         """
@@ -128,7 +128,7 @@ class EnricherPictures {
   }
 
   private static void edt(Runnable work) {
-    Swing.edt(work);
+    EventThread.edt(work);
   }
 
   private void select(String def) {
@@ -151,7 +151,7 @@ class EnricherPictures {
   }
 
   private <T extends Component> T part(String called, Class<T> type) {
-    return Hands.named(content(), called, type);
+    return GuiRobot.named(content(), called, type);
   }
 
   /** Paints a part of the window when it does not change any more. */
@@ -159,9 +159,9 @@ class EnricherPictures {
     hands.await("all counts of versions", () -> !waits(part));
     int[] before = {};
     for (int look = 0; look < LOOKS; look++) {
-      int[] now = Hands.onEdt(() -> pixels(part));
+      int[] now = GuiRobot.onEdt(() -> pixels(part));
       if (Arrays.equals(before, now)) {
-        Hands.picture(part, name, 2);
+        GuiRobot.picture(part, name, 2);
         return;
       }
       before = now;
@@ -205,7 +205,7 @@ class EnricherPictures {
     drawn();
     select("DeskProx"); // So that the plan fits beside the form.
     tab(PLAN);
-    Bounds kitchen = new Bounds(-1.9f, -1.946f, -2.9f, 1.9f, 0.75f, 2.6f);
+    BoundingBox kitchen = new BoundingBox(-1.9f, -1.946f, -2.9f, 1.9f, 0.75f, 2.6f);
     SwingUtilities.invokeLater(() -> bench().areas().add(AreaBox.of(kitchen)));
     hands.dialog(JDialog.class);
     hands.write("KitchenArea");
@@ -257,7 +257,7 @@ class EnricherPictures {
           preview.asIf(List.of("KitchenSchema"));
           preview.compare(CompareMode.WIPE);
         });
-    hands.await("both pictures", () -> ShownPreview.comparedAsIf(preview));
+    hands.await("both pictures", () -> PreviewImageProbe.comparedAsIf(preview));
     write(preview);
   }
 
@@ -266,7 +266,7 @@ class EnricherPictures {
     drawn();
     PreviewPanel preview = part("Preview", PreviewPanel.class);
     select("DeskProx");
-    hands.await("the area", () -> ShownPreview.selected(preview));
+    hands.await("the area", () -> PreviewImageProbe.selected(preview));
     AbstractButton frame = part("Bring the selected object into view (F)", AbstractButton.class);
     edt(frame::doClick);
     write(preview);

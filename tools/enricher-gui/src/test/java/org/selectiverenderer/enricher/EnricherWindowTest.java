@@ -33,16 +33,16 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.selectiverenderer.base.problem.Problems;
-import org.selectiverenderer.document.enrichment.ChoiceValues;
-import org.selectiverenderer.document.enrichment.Enrichment;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.document.enrichment.ChoiceMetadata;
+import org.selectiverenderer.document.enrichment.DocumentEnrichment;
 import org.selectiverenderer.document.file.DocumentFile;
 import org.selectiverenderer.document.headless.HeadlessEnrichment;
 import org.selectiverenderer.enricher.diff.DiffDialog;
-import org.selectiverenderer.enricher.driving.ControlNames;
-import org.selectiverenderer.enricher.driving.Hands;
-import org.selectiverenderer.enricher.driving.Sessions;
 import org.selectiverenderer.enricher.ratings.RatingsDialog;
+import org.selectiverenderer.enricher.robot.AccessibleNameCheck;
+import org.selectiverenderer.enricher.robot.GuiRobot;
+import org.selectiverenderer.enricher.robot.TestSessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.testing.ShowsWindows;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
@@ -52,22 +52,22 @@ import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 @Timeout(value = 180, unit = TimeUnit.SECONDS)
 class EnricherWindowTest {
   @TempDir Path folder;
-  private final Hands hands = new Hands();
+  private final GuiRobot hands = new GuiRobot();
   private EnricherWindow window;
 
   private EnricherSession open(Path scene, String theme) throws IOException {
     Path settings = Files.createDirectories(folder.resolve("settings"));
     Files.writeString(settings.resolve("enricher.properties"), "theme=" + theme + "\n");
-    window = Hands.onEdt(() -> new EnricherWindow(settings, () -> {}));
+    window = GuiRobot.onEdt(() -> new EnricherWindow(settings, () -> {}));
     hands.show(window.frame());
-    Hands.onEdt(
+    GuiRobot.onEdt(
         () -> {
           window.open(scene);
           return true;
         });
     hands.await("the scene", () -> window.session().isPresent());
     // A preview that is loading keeps the event queue busy, which the robot would wait for.
-    Hands.onEdt(
+    GuiRobot.onEdt(
         () -> {
           window.bench().orElseThrow().showTab(broken(window) ? 2 : 4);
           return true;
@@ -82,7 +82,7 @@ class EnricherWindowTest {
   @AfterEach
   void close() {
     if (window != null) {
-      Hands.onEdt(
+      GuiRobot.onEdt(
           () -> {
             window.dispose();
             return true;
@@ -95,9 +95,9 @@ class EnricherWindowTest {
   }
 
   private void clickRow(int row) {
-    JTree tree = Hands.named(content(), "Nodes of the scene", JTree.class);
+    JTree tree = GuiRobot.named(content(), "Nodes of the scene", JTree.class);
     hands.click(tree);
-    Hands.onEdt(
+    GuiRobot.onEdt(
         () -> {
           tree.setSelectionRow(row);
           return true;
@@ -105,15 +105,16 @@ class EnricherWindowTest {
   }
 
   private void fill(String field, String letters) {
-    JTextField text = Hands.named(content(), field, JTextField.class);
+    JTextField text = GuiRobot.named(content(), field, JTextField.class);
     hands.click(text);
     letters.chars().forEach(hands::press);
     hands.press(KeyEvent.VK_ENTER);
   }
 
   private Path scene() throws IOException {
-    return Sessions.with(
-            folder, Sessions.object("Cup") + "<ProximitySensor DEF='KitchenArea' size='4 3 4'/>\n")
+    return TestSessions.with(
+            folder,
+            TestSessions.object("Cup") + "<ProximitySensor DEF='KitchenArea' size='4 3 4'/>\n")
         .file()
         .path();
   }
@@ -123,7 +124,7 @@ class EnricherWindowTest {
   void anObjectIsChosenFilledInSavedAndThereAgain() throws IOException {
     EnricherSession session = open(scene(), "light");
     clickRow(0);
-    JComboBox<?> type = Hands.named(content(), "Type of choice 0", JComboBox.class);
+    JComboBox<?> type = GuiRobot.named(content(), "Type of choice 0", JComboBox.class);
     hands.click(type);
     hands.press(KeyEvent.VK_DOWN);
     hands.press(KeyEvent.VK_ENTER);
@@ -132,13 +133,14 @@ class EnricherWindowTest {
     fill("Schemas on entering", "KITCHEN");
     hands.press(KeyEvent.VK_CONTROL, KeyEvent.VK_S);
     DiffDialog changes = hands.dialog(DiffDialog.class);
-    Hands.picture(changes.getContentPane(), "window-diff-light", 1);
+    GuiRobot.picture(changes.getContentPane(), "window-diff-light", 1);
     hands.choose(changes, "Save");
     hands.await("the saved file", () -> !session.document().modified());
 
-    Enrichment again =
-        new Enrichment(DocumentFile.open(session.file().path()).document(), NodeCatalogue.load());
-    ChoiceValues first = again.switches().get(0).values().get(0);
+    DocumentEnrichment again =
+        new DocumentEnrichment(
+            DocumentFile.open(session.file().path()).document(), NodeCatalogue.load());
+    ChoiceMetadata first = again.switches().get(0).values().get(0);
     assertThat(first.schemas()).containsExactly("kitchen");
     assertThat(first.type()).isPresent();
     assertThat(again.sensors().get(0).schemas().enter()).containsExactly("kitchen");
@@ -157,8 +159,8 @@ class EnricherWindowTest {
     hands.press(KeyEvent.VK_CONTROL, KeyEvent.VK_Z);
     hands.await("the undone edit", () -> !session.document().modified());
     assertThat(session.document().snapshot().text()).isEqualTo(before);
-    JTextField field = Hands.named(content(), "Schemas of choice 1", JTextField.class);
-    String text = Hands.onEdt(field::getText);
+    JTextField field = GuiRobot.named(content(), "Schemas of choice 1", JTextField.class);
+    String text = GuiRobot.onEdt(field::getText);
     assertThat(text).isEmpty();
     hands.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_Z);
     hands.await("the edit again", () -> session.document().modified());
@@ -173,12 +175,12 @@ class EnricherWindowTest {
     clickRow(0);
     hands.press(KeyEvent.VK_CONTROL, KeyEvent.VK_R);
     RatingsDialog dialog = hands.dialog(RatingsDialog.class);
-    Hands.onEdt(
+    GuiRobot.onEdt(
         () -> {
           dialog.open(ratings);
           return true;
         });
-    JButton apply = Hands.named(dialog, "Apply", JButton.class);
+    JButton apply = GuiRobot.named(dialog, "Apply", JButton.class);
     hands.await("the plan", apply::isEnabled);
     hands.choose(dialog, "Apply");
     assertThat(session.document().history().names()).hasSize(1);
@@ -186,11 +188,11 @@ class EnricherWindowTest {
     HeadlessEnrichment.of(
             new HeadlessEnrichment.Request(plain, ratings, null, plain),
             NodeCatalogue.load(),
-            new Problems())
+            new ProblemCollector())
         .orElseThrow()
         .save(headless);
     assertThat(session.document().snapshot().text()).isEqualTo(Files.readString(headless));
-    Hands.onEdt(() -> session.document().history().undo());
+    GuiRobot.onEdt(() -> session.document().history().undo());
     assertThat(session.document().modified()).isFalse();
   }
 
@@ -203,7 +205,7 @@ class EnricherWindowTest {
     hands.press(KeyEvent.VK_CONTROL, KeyEvent.VK_S);
     hands.choose(hands.dialog(DiffDialog.class), "Save");
     JDialog told = hands.dialog(JDialog.class);
-    Hands.picture(told.getContentPane(), "window-cannot-save-dark", 1);
+    GuiRobot.picture(told.getContentPane(), "window-cannot-save-dark", 1);
     hands.choose(told, "OK");
     assertThat(session.document().modified()).isTrue();
     assertThat(session.file().path()).content().doesNotContain("kitchen");
@@ -224,7 +226,7 @@ class EnricherWindowTest {
     hands.press(KeyEvent.VK_CONTROL, KeyEvent.VK_S);
     hands.choose(hands.dialog(DiffDialog.class), "Save");
     JDialog asked = hands.dialog(JDialog.class);
-    Hands.picture(asked.getContentPane(), "window-overwrite-light", 1);
+    GuiRobot.picture(asked.getContentPane(), "window-overwrite-light", 1);
     hands.choose(asked, "Cancel");
     assertThat(session.file().path()).content().contains("theirs");
     assertThat(session.document().modified()).isTrue();
@@ -234,9 +236,9 @@ class EnricherWindowTest {
   void everyPartIsReachedByOneKey() throws IOException {
     open(scene(), "light");
     clickRow(0);
-    JTree tree = Hands.named(content(), "Nodes of the scene", JTree.class);
-    JComponent form = Hands.named(content(), "Form of the selected node", JComponent.class);
-    JComponent problems = Hands.named(content(), "Problems", JComponent.class);
+    JTree tree = GuiRobot.named(content(), "Nodes of the scene", JTree.class);
+    JComponent form = GuiRobot.named(content(), "Form of the selected node", JComponent.class);
+    JComponent problems = GuiRobot.named(content(), "Problems", JComponent.class);
     hands.await("the focus", tree::isFocusOwner);
     hands.press(KeyEvent.VK_F6);
     hands.press(KeyEvent.VK_F6);
@@ -257,7 +259,7 @@ class EnricherWindowTest {
   void everyCommandOfTheMenusShowsAKey() throws IOException {
     open(scene(), "light");
     List<String> keyless =
-        Hands.onEdt(
+        GuiRobot.onEdt(
             () ->
                 Stream.of(window.frame().getJMenuBar().getComponents())
                     .flatMap(menu -> Stream.of(((JMenu) menu).getMenuComponents()))
@@ -273,12 +275,13 @@ class EnricherWindowTest {
   void aSceneThatIsNotWellFormedOpensAtTheFault() throws IOException {
     Path broken = Files.writeString(folder.resolve("broken.x3d"), "<X3D>\n<Scene>\n</X3D>\n");
     open(broken, "light");
-    JTabbedPane tabs = Hands.named(content(), "Views of the scene", JTabbedPane.class);
-    String shown = Hands.onEdt(() -> tabs.getTitleAt(tabs.getSelectedIndex()));
+    JTabbedPane tabs = GuiRobot.named(content(), "Views of the scene", JTabbedPane.class);
+    String shown = GuiRobot.onEdt(() -> tabs.getTitleAt(tabs.getSelectedIndex()));
     assertThat(shown).isEqualTo("Source");
-    RSyntaxTextArea source = Hands.named(content(), "Source of the scene", RSyntaxTextArea.class);
+    RSyntaxTextArea source =
+        GuiRobot.named(content(), "Source of the scene", RSyntaxTextArea.class);
     hands.await("the error's mark", () -> reddish(source));
-    Hands.picture(content(), "window-broken-light", 1);
+    GuiRobot.picture(content(), "window-broken-light", 1);
   }
 
   /** Whether a line is marked: much more red than blue, over a whole line's length. */
@@ -311,31 +314,31 @@ class EnricherWindowTest {
   void everyControlHasAName(String theme) throws IOException {
     Path scene = Path.of("scenes/apartment.x3d");
     EnricherSession session = open(scene, theme);
-    Hands.onEdt(
+    GuiRobot.onEdt(
         () -> {
           session.select(
               session.document().tree().orElseThrow().named("Switch_TrashCan").orElseThrow(), this);
           return true;
         });
-    JTabbedPane tabs = Hands.named(content(), "Views of the scene", JTabbedPane.class);
-    JComponent picture = Hands.named(content(), "Picture of choice 0", JComponent.class);
+    JTabbedPane tabs = GuiRobot.named(content(), "Views of the scene", JTabbedPane.class);
+    JComponent picture = GuiRobot.named(content(), "Picture of choice 0", JComponent.class);
     hands.await("the picture", () -> colours(picture) > 10);
     for (String view : List.of("Preview", "Schemas", "Source", "Help")) {
-      Hands.onEdt(
+      GuiRobot.onEdt(
           () -> {
             tabs.setSelectedIndex(tabs.indexOfTab(view));
             return true;
           });
       hands.await("quiet", () -> session.tasks().running().isEmpty());
       if (view.equals("Preview")) {
-        JComponent shown = Hands.named(content(), "3D preview", JComponent.class);
+        JComponent shown = GuiRobot.named(content(), "3D preview", JComponent.class);
         hands.await("a picture", () -> colours(shown) > 50);
       }
       String name = "window-" + view.toLowerCase(java.util.Locale.ROOT) + "-" + theme;
-      Hands.picture(window.frame().getRootPane(), name, 1);
-      Hands.picture(window.frame().getRootPane(), name + "-200", 2);
+      GuiRobot.picture(window.frame().getRootPane(), name, 1);
+      GuiRobot.picture(window.frame().getRootPane(), name + "-200", 2);
     }
-    List<String> unnamed = Hands.onEdt(() -> ControlNames.missing(window.frame()));
+    List<String> unnamed = GuiRobot.onEdt(() -> AccessibleNameCheck.missing(window.frame()));
     assertThat(unnamed).isEmpty();
   }
 }

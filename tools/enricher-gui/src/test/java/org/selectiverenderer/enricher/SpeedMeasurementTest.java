@@ -22,13 +22,13 @@ import javax.swing.JTree;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.bench.ManySwitchesScene;
+import org.selectiverenderer.bench.ManySwitchesSceneGenerator;
 import org.selectiverenderer.document.enrichment.EnrichedSwitch;
-import org.selectiverenderer.document.enrichment.SchemaOverview;
-import org.selectiverenderer.document.enrichment.SchemaOverview.Place;
-import org.selectiverenderer.enricher.driving.Hands;
+import org.selectiverenderer.document.enrichment.ObjectSchemaMatrix;
+import org.selectiverenderer.document.enrichment.ObjectSchemaMatrix.Place;
+import org.selectiverenderer.enricher.robot.GuiRobot;
 import org.selectiverenderer.enricher.session.EnricherSession;
-import org.selectiverenderer.schema.Degree;
+import org.selectiverenderer.schema.ConsistencyDegree;
 import org.selectiverenderer.testing.ShowsWindows;
 
 /**
@@ -44,7 +44,7 @@ class SpeedMeasurementTest {
   private static final int SETTLING = 1200;
 
   @TempDir Path folder;
-  private final Hands hands = new Hands();
+  private final GuiRobot hands = new GuiRobot();
   private final Stopwatch edt = new Stopwatch();
   private EnricherWindow window;
 
@@ -82,14 +82,14 @@ class SpeedMeasurementTest {
     Path report = Path.of(System.getProperty("enricher.speed"));
     Toolkit.getDefaultToolkit().getSystemEventQueue().push(edt);
     try (BufferedWriter out = Files.newBufferedWriter(report)) {
-      window = Hands.onEdt(() -> new EnricherWindow(settings, () -> {}));
+      window = GuiRobot.onEdt(() -> new EnricherWindow(settings, () -> {}));
       hands.show(window.frame());
       open(Path.of("scenes/apartment.x3d").toAbsolutePath()); // classes are loaded
       measure(big(), out);
       measure(plain(), out);
-      ManySwitchesScene.write(folder.resolve("many"), 10_000, 10);
+      ManySwitchesSceneGenerator.write(folder.resolve("many"), 10_000, 10);
       measure(folder.resolve("many/scene.x3d"), out);
-      Hands.onEdt(
+      GuiRobot.onEdt(
           () -> {
             window.dispose();
             return true;
@@ -101,7 +101,7 @@ class SpeedMeasurementTest {
 
   private double open(Path scene) {
     long begun = System.nanoTime();
-    Hands.onEdt(
+    GuiRobot.onEdt(
         () -> {
           window.open(scene);
           return true;
@@ -110,7 +110,8 @@ class SpeedMeasurementTest {
         "the tree",
         () -> window.session().filter(open -> open.file().path().equals(scene)).isPresent());
     int rows =
-        Hands.onEdt(Hands.named(window.frame(), "Nodes of the scene", JTree.class)::getRowCount);
+        GuiRobot.onEdt(
+            GuiRobot.named(window.frame(), "Nodes of the scene", JTree.class)::getRowCount);
     assertThat(rows).isPositive();
     return (System.nanoTime() - begun) / 1e6;
   }
@@ -125,9 +126,9 @@ class SpeedMeasurementTest {
             folder.relativize(scene),
             Files.size(scene) / 1e6,
             opened));
-    JTabbedPane tabs = Hands.named(window.frame(), "Views of the scene", JTabbedPane.class);
+    JTabbedPane tabs = GuiRobot.named(window.frame(), "Views of the scene", JTabbedPane.class);
     for (String tab : List.of("Preview", "Schemas", "Source")) {
-      Hands.onEdt(
+      GuiRobot.onEdt(
           () -> {
             tabs.setSelectedIndex(tabs.indexOfTab(tab));
             return true;
@@ -136,12 +137,12 @@ class SpeedMeasurementTest {
       times(out, tab + ": edit", run -> edit(session, run));
       times(out, tab + ": undo", run -> window.undo());
     }
-    Hands.onEdt(
+    GuiRobot.onEdt(
         () -> {
           tabs.setSelectedIndex(tabs.indexOfTab("Schemas"));
           return true;
         });
-    JTable table = Hands.named(window.frame(), "Degrees of objects by schemas", JTable.class);
+    JTable table = GuiRobot.named(window.frame(), "Degrees of objects by schemas", JTable.class);
     times(out, "select all cells", run -> table.selectAll());
     times(out, "fill a column", run -> fill(session, run));
     times(out, "undo it", run -> window.undo());
@@ -160,23 +161,23 @@ class SpeedMeasurementTest {
 
   private static void fill(EnricherSession session, int run) {
     String schema = "filled" + run;
-    SchemaOverview table = new SchemaOverview(session.enrichment(), List.of(schema));
+    ObjectSchemaMatrix table = new ObjectSchemaMatrix(session.enrichment(), List.of(schema));
     List<Place> column = table.objects().stream().map(each -> new Place(each, schema)).toList();
-    session.perform(table.fill(column, Degree.of("high").orElseThrow()));
+    session.perform(table.fill(column, ConsistencyDegree.of("high").orElseThrow()));
   }
 
   private void times(BufferedWriter out, String name, Consumer<Integer> work) throws IOException {
     List<Double> times = new ArrayList<>();
     for (int run = 0; run < RUNS; run++) {
       int now = run;
-      Hands.onEdt(() -> edt.longest = 0);
-      Hands.onEdt(
+      GuiRobot.onEdt(() -> edt.longest = 0);
+      GuiRobot.onEdt(
           () -> {
             work.accept(now);
             return true;
           });
       hands.rest(SETTLING); // all that follows is done: previews, checks, copies for a crash
-      times.add(Hands.onEdt(() -> edt.longest));
+      times.add(GuiRobot.onEdt(() -> edt.longest));
     }
     double first = times.get(0);
     times.sort(null);

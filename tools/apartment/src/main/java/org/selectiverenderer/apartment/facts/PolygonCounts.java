@@ -21,7 +21,7 @@ public final class PolygonCounts {
 
   public static PolygonCounts load() {
     PolygonCounts counts = new PolygonCounts();
-    for (CsvRow row : FactsTable.rows("polygon-counts.csv")) {
+    for (CsvRow row : CsvResource.rows("polygon-counts.csv")) {
       String object = row.cell("object");
       counts.byObject.put(
           object,

@@ -1,9 +1,9 @@
 package org.selectiverenderer.apartment.furniture;
 
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Boxes;
-import org.selectiverenderer.modelling.Copies;
+import org.selectiverenderer.modelling.MeshPatterns;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
 
@@ -24,13 +24,13 @@ final class Bench {
     TriangleMesh rung = Boxes.plain(0.03, 0.04, 0.21).move(LENGTH / 2 - 0.12, 0.14, 0);
     return ParametricModel.of(
         "bench",
-        Part.of("seat", Looks.LIGHT_OAK, Copies.row(board, 3, 0, 0, 0.102)),
+        Part.of("seat", Materials.LIGHT_OAK, MeshPatterns.row(board, 3, 0, 0, 0.102)),
         Part.of(
             "trestles",
-            Looks.OAK,
-            Copies.corners(leg, LENGTH / 2 - 0.12, 0.11),
-            Copies.bothSides(rail),
-            Copies.bothSides(rung),
+            Materials.OAK,
+            MeshPatterns.corners(leg, LENGTH / 2 - 0.12, 0.11),
+            MeshPatterns.bothSides(rail),
+            MeshPatterns.bothSides(rung),
             bar));
   }
 }

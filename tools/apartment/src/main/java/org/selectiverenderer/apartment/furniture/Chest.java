@@ -1,14 +1,14 @@
 package org.selectiverenderer.apartment.furniture;
 
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Boxes;
-import org.selectiverenderer.modelling.Copies;
-import org.selectiverenderer.modelling.Curve;
+import org.selectiverenderer.modelling.ExtrudedSolid;
+import org.selectiverenderer.modelling.MeshPatterns;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Prism;
+import org.selectiverenderer.modelling.ProfileCurve;
 
 /** A wooden chest with a vaulted lid, iron hasps and a lock, 0.8 m wide. */
 final class Chest {
@@ -24,19 +24,19 @@ final class Chest {
     TriangleMesh lock = Boxes.plain(0.08, 0.1, 0.014).move(0, LID - 0.08, DEPTH / 2 + 0.007);
     return ParametricModel.of(
         "chest",
-        Part.of("box", Looks.OAK, box),
-        Part.of("lid", Looks.OAK, lid().move(-WIDTH / 2, 0, 0)),
-        Part.of("iron", Looks.DARK_STEEL, Copies.bothSides(hasp), lock));
+        Part.of("box", Materials.OAK, box),
+        Part.of("lid", Materials.OAK, lid().move(-WIDTH / 2, 0, 0)),
+        Part.of("iron", Materials.DARK_STEEL, MeshPatterns.bothSides(hasp), lock));
   }
 
   /** Returns the lid from x = 0 to the right: an arch over the depth, flat below. */
   private static TriangleMesh lid() {
     double half = DEPTH / 2;
     Outline arch =
-        Curve.of(-half, LID, half, LID, half, LID + 0.05)
+        ProfileCurve.of(-half, LID, half, LID, half, LID + 0.05)
             .spline(2, 0.6 * half, LID + 0.11, 0, LID + 0.13, -0.6 * half, LID + 0.11)
             .line(-half, LID + 0.05)
             .closed();
-    return Prism.plain(WIDTH, arch).turnY(90);
+    return ExtrudedSolid.plain(WIDTH, arch).turnY(90);
   }
 }

@@ -1,6 +1,6 @@
 package org.selectiverenderer.apartment.furniture;
 
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Boxes;
 import org.selectiverenderer.modelling.ParametricModel;
@@ -22,14 +22,14 @@ final class Credenza {
         "credenza",
         Part.of(
             "body",
-            Woods.VENEER,
+            WoodMaterials.VENEER,
             Boxes.bevelled(WIDTH, HEIGHT - 0.07, DEPTH, 0.006, 1).move(0, 0.07, 0)),
-        Part.of("plinth", Looks.BLACK, Boxes.plain(WIDTH - 0.06, 0.07, DEPTH - 0.06)),
+        Part.of("plinth", Materials.BLACK, Boxes.plain(WIDTH - 0.06, 0.07, DEPTH - 0.06)),
         Part.of(
             "doors",
-            Looks.CREAM_LACQUER,
+            Materials.CREAM_LACQUER,
             Boxes.plain(0.74, door, 0.012).move(0.36, 0.1, front + 0.006),
             Boxes.plain(0.74, door, 0.005).move(-0.36, 0.1, front + 0.0025)),
-        Part.of("grips", Looks.DARK_STEEL, grip, grip.move(-1.32, 0, -0.007)));
+        Part.of("grips", Materials.DARK_STEEL, grip, grip.move(-1.32, 0, -0.007)));
   }
 }

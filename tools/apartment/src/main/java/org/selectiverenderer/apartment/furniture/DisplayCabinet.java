@@ -1,17 +1,17 @@
 package org.selectiverenderer.apartment.furniture;
 
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Boxes;
-import org.selectiverenderer.modelling.Copies;
-import org.selectiverenderer.modelling.Curve;
+import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.Lathe;
+import org.selectiverenderer.modelling.MeshPatterns;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
+import org.selectiverenderer.modelling.ParametricSurface;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Prism;
-import org.selectiverenderer.modelling.Rounds;
-import org.selectiverenderer.modelling.Sheet;
+import org.selectiverenderer.modelling.ProfileCurve;
+import org.selectiverenderer.modelling.RoundSolids;
 
 /** A cabinet, 1.1 m by 1.85 m: china on two shelves behind glass, and a cupboard below. */
 final class DisplayCabinet {
@@ -30,31 +30,36 @@ final class DisplayCabinet {
   static ParametricModel model() {
     double glazed = HEIGHT - MIDDLE - 0.055;
     TriangleMesh frame =
-        Prism.plain(
+        ExtrudedSolid.plain(
             0.02, Outline.rectangle(DOOR, glazed), Outline.rectangle(DOOR - 0.11, glazed - 0.11));
     TriangleMesh pane =
-        Sheet.field(DOOR - 0.1, glazed - 0.1, 1, 1, (x, z) -> 0).turnX(90).move(0, 0, 0.008);
+        ParametricSurface.field(DOOR - 0.1, glazed - 0.1, 1, 1, (x, z) -> 0)
+            .turnX(90)
+            .move(0, 0, 0.008);
     TriangleMesh door = Boxes.plain(DOOR, MIDDLE - 0.1, 0.02).move(DOOR / 2 + 0.002, 0.085, 0);
-    TriangleMesh knob = Rounds.sphere(0.015, 2, 5).turnX(90);
+    TriangleMesh knob = RoundSolids.sphere(0.015, 2, 5).turnX(90);
     double front = DEPTH / 2;
     double up = MIDDLE + 0.015 + glazed / 2;
     return ParametricModel.of(
         "displayCabinet",
-        Part.of("carcass", Looks.DARK_WOOD, carcass()),
+        Part.of("carcass", Materials.DARK_WOOD, carcass()),
         Part.of(
             "doors",
-            Looks.DARK_WOOD,
-            Copies.bothSides(door.move(0, 0, front + 0.01)),
-            Copies.bothSides(frame.move(DOOR / 2 + 0.002, up, front))),
+            Materials.DARK_WOOD,
+            MeshPatterns.bothSides(door.move(0, 0, front + 0.01)),
+            MeshPatterns.bothSides(frame.move(DOOR / 2 + 0.002, up, front))),
         Part.of(
             "knobs",
-            Looks.PALE_BRASS,
-            Copies.bothSides(knob.move(0.03, MIDDLE - 0.1, front + 0.03)),
-            Copies.bothSides(knob.move(0.03, MIDDLE + 0.4, front + 0.03))),
-        Part.of("dishes", Looks.CHINA, dish().move(-0.24, MIDDLE + BOARD, -0.02)).crease(60),
-        Part.of("bowls", Looks.BLUE_CHINA, dish().move(0.27, MIDDLE + 0.36 + BOARD, -0.02))
+            Materials.PALE_BRASS,
+            MeshPatterns.bothSides(knob.move(0.03, MIDDLE - 0.1, front + 0.03)),
+            MeshPatterns.bothSides(knob.move(0.03, MIDDLE + 0.4, front + 0.03))),
+        Part.of("dishes", Materials.CHINA, dish().move(-0.24, MIDDLE + BOARD, -0.02)).crease(60),
+        Part.of("bowls", Materials.BLUE_CHINA, dish().move(0.27, MIDDLE + 0.36 + BOARD, -0.02))
             .crease(60),
-        Part.of("panes", Looks.GLASS, Copies.bothSides(pane.move(DOOR / 2 + 0.002, up, front))));
+        Part.of(
+            "panes",
+            Materials.GLASS,
+            MeshPatterns.bothSides(pane.move(DOOR / 2 + 0.002, up, front))));
   }
 
   private static TriangleMesh carcass() {
@@ -65,14 +70,14 @@ final class DisplayCabinet {
     TriangleMesh back =
         Boxes.plain(WIDTH - 0.01, HEIGHT - 0.08, 0.01).move(0, 0.06, -DEPTH / 2 + 0.005);
     return TriangleMesh.of(
-        Copies.bothSides(side),
-        Copies.row(shelf.move(0, MIDDLE, 0), 2, 0, 0.36, 0),
+        MeshPatterns.bothSides(side),
+        MeshPatterns.row(shelf.move(0, MIDDLE, 0), 2, 0, 0.36, 0),
         top,
         plinth,
         back);
   }
 
   private static TriangleMesh dish() {
-    return Lathe.solid(Curve.of(0.05, 0, 0.13, 0.09, 0.123, 0.09, 0, 0.02), 9);
+    return Lathe.solid(ProfileCurve.of(0.05, 0, 0.13, 0.09, 0.123, 0.09, 0, 0.02), 9);
   }
 }

@@ -1,15 +1,15 @@
 package org.selectiverenderer.apartment.furniture;
 
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Boxes;
-import org.selectiverenderer.modelling.Copies;
-import org.selectiverenderer.modelling.Look;
+import org.selectiverenderer.modelling.ExtrudedSolid;
+import org.selectiverenderer.modelling.MeshPatterns;
 import org.selectiverenderer.modelling.ModelColour;
+import org.selectiverenderer.modelling.ModelMaterial;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Prism;
 
 /** A tall cupboard, 0.66 m by 2.14 m, that goes on where the kitchen's worktop ends: four doors. */
 final class Larder {
@@ -33,16 +33,21 @@ final class Larder {
         "larder",
         Part.of(
             "carcass",
-            Look.satin(ModelColour.hex(0xD9D5CA)),
+            ModelMaterial.satin(ModelColour.hex(0xD9D5CA)),
             Boxes.plain(WIDTH, HEIGHT - PLINTH, DEPTH).move(0, PLINTH, 0)),
         Part.of(
-            "plinth", Looks.SOFT_BLACK, Boxes.plain(WIDTH, PLINTH, DEPTH - 0.06).move(0, 0, -0.03)),
-        Part.of("fronts", Look.satin(ModelColour.hex(0x9FB0A2)), Copies.bothSides(doors)),
+            "plinth",
+            Materials.SOFT_BLACK,
+            Boxes.plain(WIDTH, PLINTH, DEPTH - 0.06).move(0, 0, -0.03)),
+        Part.of(
+            "fronts",
+            ModelMaterial.satin(ModelColour.hex(0x9FB0A2)),
+            MeshPatterns.bothSides(doors)),
         Part.of(
             "grips",
-            Looks.POLISHED_STEEL,
-            Copies.bothSides(grip.move(0, 0.95, 0)),
-            Copies.bothSides(grip.move(0, MIDDLE + 0.06, 0))));
+            Materials.POLISHED_STEEL,
+            MeshPatterns.bothSides(grip.move(0, 0.95, 0)),
+            MeshPatterns.bothSides(grip.move(0, MIDDLE + 0.06, 0))));
   }
 
   /**
@@ -50,7 +55,7 @@ final class Larder {
    */
   private static TriangleMesh door(double from, double to) {
     Outline edge = Outline.rectangle(WIDTH / 2 - 0.004, to - from - 0.004);
-    TriangleMesh frame = Prism.plain(FRONT, edge, edge.inset(0.06));
-    return frame.append(Prism.plain(0.012, edge.inset(0.052))).move(0, (from + to) / 2, 0);
+    TriangleMesh frame = ExtrudedSolid.plain(FRONT, edge, edge.inset(0.06));
+    return frame.append(ExtrudedSolid.plain(0.012, edge.inset(0.052))).move(0, (from + to) / 2, 0);
   }
 }

@@ -1,10 +1,10 @@
 package org.selectiverenderer.apartment.furniture;
 
-import org.selectiverenderer.apartment.looks.Looks;
-import org.selectiverenderer.modelling.Curve;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.modelling.Lathe;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
+import org.selectiverenderer.modelling.ProfileCurve;
 
 /** A round table on a column of steel, 0.9 m across. */
 final class MeetingTable {
@@ -14,14 +14,16 @@ final class MeetingTable {
   private MeetingTable() {}
 
   static ParametricModel model() {
-    Curve top =
-        Curve.of(RADIUS - 0.02, HEIGHT - 0.028, RADIUS, HEIGHT - 0.014, RADIUS - 0.004, HEIGHT)
+    ProfileCurve top =
+        ProfileCurve.of(
+                RADIUS - 0.02, HEIGHT - 0.028, RADIUS, HEIGHT - 0.014, RADIUS - 0.004, HEIGHT)
             .line(0, HEIGHT);
-    Curve foot =
-        Curve.of(0.25, 0, 0.25, 0.012, 0.04, 0.03, 0.036, HEIGHT - 0.04).line(0.12, HEIGHT - 0.027);
+    ProfileCurve foot =
+        ProfileCurve.of(0.25, 0, 0.25, 0.012, 0.04, 0.03, 0.036, HEIGHT - 0.04)
+            .line(0.12, HEIGHT - 0.027);
     return ParametricModel.of(
         "meetingTable",
-        Part.of("top", Looks.LIGHT_OAK, Lathe.solid(top, 20)),
-        Part.of("foot", Looks.STEEL, Lathe.solid(foot, 10)));
+        Part.of("top", Materials.LIGHT_OAK, Lathe.solid(top, 20)),
+        Part.of("foot", Materials.STEEL, Lathe.solid(foot, 10)));
   }
 }

@@ -1,12 +1,12 @@
 package org.selectiverenderer.apartment.furniture;
 
-import org.selectiverenderer.apartment.looks.Looks;
-import org.selectiverenderer.modelling.Curve;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.modelling.Lathe;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Rounds;
-import org.selectiverenderer.modelling.Standing;
+import org.selectiverenderer.modelling.ProfileCurve;
+import org.selectiverenderer.modelling.RoundSolids;
 
 /** A drum of cream cloth on a cord, 0.6 m from the ceiling to its lower edge. */
 final class PendantLamp {
@@ -17,14 +17,14 @@ final class PendantLamp {
   private PendantLamp() {}
 
   static ParametricModel model() {
-    Curve drum = Curve.of(0, 0, RADIUS, 0, RADIUS, DRUM);
-    return Standing.centred(
+    ProfileCurve drum = ProfileCurve.of(0, 0, RADIUS, 0, RADIUS, DRUM);
+    return ModelPlacement.centred(
         "pendantLamp",
-        Part.of("shade", Looks.CREAM_CLOTH, Lathe.surface(drum, 16)),
+        Part.of("shade", Materials.CREAM_CLOTH, Lathe.surface(drum, 16)),
         Part.of(
             "cord",
-            Looks.STEEL,
-            Rounds.cylinder(0.004, LENGTH - 0.01, 4),
-            Rounds.cone(0.055, 0.05, 0.025, 6).move(0, LENGTH - 0.025, 0)));
+            Materials.STEEL,
+            RoundSolids.cylinder(0.004, LENGTH - 0.01, 4),
+            RoundSolids.cone(0.055, 0.05, 0.025, 6).move(0, LENGTH - 0.025, 0)));
   }
 }

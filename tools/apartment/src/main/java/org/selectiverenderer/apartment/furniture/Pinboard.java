@@ -1,14 +1,14 @@
 package org.selectiverenderer.apartment.furniture;
 
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Boxes;
-import org.selectiverenderer.modelling.Look;
 import org.selectiverenderer.modelling.ModelColour;
+import org.selectiverenderer.modelling.ModelMaterial;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
+import org.selectiverenderer.modelling.ParametricSurface;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Sheet;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
@@ -28,11 +28,11 @@ final class Pinboard {
         Boxes.plain(WIDTH - 0.03, HEIGHT - 0.03, FACE).move(0, -HEIGHT / 2 + 0.015, FACE / 2);
     return ParametricModel.of(
         "pinboard",
-        Part.of("frame", Looks.LIGHT_OAK, frame),
+        Part.of("frame", Materials.LIGHT_OAK, frame),
         Part.of("cork", colour(0.68, 0.5, 0.32), cork),
         Part.of(
             "sheets",
-            Looks.PAPER,
+            Materials.PAPER,
             note(0.21, 0.297, -4).move(-0.26, 0.07, 0),
             note(0.21, 0.297, 3).move(0.02, -0.06, 0)),
         Part.of("yellowNotes", colour(0.93, 0.82, 0.34), note(0.1, 0.1, 5).move(0.24, 0.16, 0)),
@@ -41,13 +41,13 @@ final class Pinboard {
   }
 
   private static TriangleMesh note(double width, double height, double degrees) {
-    return Sheet.field(width, height, 1, 1, (x, z) -> 0)
+    return ParametricSurface.field(width, height, 1, 1, (x, z) -> 0)
         .turnX(90)
         .turnZ(degrees)
         .move(0, 0, FACE + 0.002);
   }
 
-  private static Look colour(double red, double green, double blue) {
-    return Look.matt(ModelColour.of(red, green, blue));
+  private static ModelMaterial colour(double red, double green, double blue) {
+    return ModelMaterial.matt(ModelColour.of(red, green, blue));
   }
 }

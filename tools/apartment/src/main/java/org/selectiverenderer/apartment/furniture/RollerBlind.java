@@ -1,11 +1,11 @@
 package org.selectiverenderer.apartment.furniture;
 
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Boxes;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Rounds;
+import org.selectiverenderer.modelling.RoundSolids;
 
 /** A blind rolled up above a window, with a hand's breadth of cloth and a cord. */
 final class RollerBlind {
@@ -15,13 +15,13 @@ final class RollerBlind {
    * @param width metres
    */
   static ParametricModel model(String name, double width) {
-    TriangleMesh roll = Rounds.cylinder(0.032, width, 8).turnZ(90).move(width / 2, 0.1, 0.032);
+    TriangleMesh roll = RoundSolids.cylinder(0.032, width, 8).turnZ(90).move(width / 2, 0.1, 0.032);
     TriangleMesh cloth = Boxes.plain(width - 0.02, 0.1, 0.004).move(0, 0, 0.062);
     TriangleMesh bar = Boxes.plain(width - 0.02, 0.018, 0.014).move(0, -0.018, 0.062);
     TriangleMesh cord = Boxes.plain(0.005, 0.75, 0.005).move(width / 2 - 0.03, -0.66, 0.032);
     return ParametricModel.of(
         name,
-        Part.of("cloth", Looks.CREAM_CLOTH, roll, cloth),
-        Part.of("fittings", Looks.WHITE, bar, cord));
+        Part.of("cloth", Materials.CREAM_CLOTH, roll, cloth),
+        Part.of("fittings", Materials.WHITE, bar, cord));
   }
 }

@@ -1,10 +1,10 @@
 package org.selectiverenderer.apartment.furniture;
 
-import org.selectiverenderer.modelling.Look;
+import org.selectiverenderer.modelling.ExtrudedSolid;
+import org.selectiverenderer.modelling.ModelMaterial;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Prism;
 
 /** A rug with a border; its pieces lie side by side. */
 final class Rug {
@@ -17,11 +17,16 @@ final class Rug {
    * @param border breadth of the border, metres
    */
   static ParametricModel model(
-      String name, double width, double depth, double border, Look edge, Look field) {
+      String name,
+      double width,
+      double depth,
+      double border,
+      ModelMaterial edge,
+      ModelMaterial field) {
     Outline whole = Outline.rectangle(width, depth);
     return ParametricModel.of(
         name,
-        Part.of("border", edge, Prism.plate(THICK, 0, 0, whole, whole.inset(border))),
-        Part.of("field", field, Prism.plate(THICK, 0, 0, whole.inset(border))));
+        Part.of("border", edge, ExtrudedSolid.plate(THICK, 0, 0, whole, whole.inset(border))),
+        Part.of("field", field, ExtrudedSolid.plate(THICK, 0, 0, whole.inset(border))));
   }
 }

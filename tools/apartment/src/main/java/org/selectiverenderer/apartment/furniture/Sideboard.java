@@ -1,12 +1,12 @@
 package org.selectiverenderer.apartment.furniture;
 
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Boxes;
-import org.selectiverenderer.modelling.Copies;
+import org.selectiverenderer.modelling.MeshPatterns;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Rounds;
+import org.selectiverenderer.modelling.RoundSolids;
 
 /** A sideboard on slanting legs, 1.8 m by 0.74 m: a door, three drawers, a door. */
 final class Sideboard {
@@ -26,21 +26,28 @@ final class Sideboard {
     TriangleMesh upright = grip.turnZ(90).move(0.345, HEIGHT - 0.2, 0);
     return ParametricModel.of(
         "sideboard",
-        Part.of("body", Looks.DARK_WOOD, body),
-        Part.of("fronts", Woods.VENEER, Copies.bothSides(door), Copies.row(drawer, 3, 0, 0.174, 0)),
+        Part.of("body", Materials.DARK_WOOD, body),
+        Part.of(
+            "fronts",
+            WoodMaterials.VENEER,
+            MeshPatterns.bothSides(door),
+            MeshPatterns.row(drawer, 3, 0, 0.174, 0)),
         Part.of(
             "grips",
-            Looks.PALE_BRASS,
-            Copies.bothSides(upright),
-            Copies.row(grip.move(0, LEG + 0.105, 0), 3, 0, 0.174, 0)),
-        Part.of("legs", Looks.WALNUT, Copies.corners(leg(), WIDTH / 2 - 0.16, DEPTH / 2 - 0.08)));
+            Materials.PALE_BRASS,
+            MeshPatterns.bothSides(upright),
+            MeshPatterns.row(grip.move(0, LEG + 0.105, 0), 3, 0, 0.174, 0)),
+        Part.of(
+            "legs",
+            Materials.WALNUT,
+            MeshPatterns.corners(leg(), WIDTH / 2 - 0.16, DEPTH / 2 - 0.08)));
   }
 
   /**
    * Returns a leg whose upper end lies in the body and whose lower end is cut level with the floor.
    */
   private static TriangleMesh leg() {
-    return Rounds.cone(0.011, 0.02, LEG + 0.01, 4)
+    return RoundSolids.cone(0.011, 0.02, LEG + 0.01, 4)
         .deform(p -> p.add(0.25 * (LEG - p.y), 0, 0.15 * (LEG - p.y)));
   }
 

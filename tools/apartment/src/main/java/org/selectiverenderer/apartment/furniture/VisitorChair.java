@@ -1,9 +1,9 @@
 package org.selectiverenderer.apartment.furniture;
 
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Boxes;
-import org.selectiverenderer.modelling.Copies;
+import org.selectiverenderer.modelling.MeshPatterns;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
@@ -47,11 +47,11 @@ final class VisitorChair {
     TriangleMesh rail = Boxes.plain(0.45, 2 * TUBE, 2 * TUBE).move(0, 0, -0.2);
     return ParametricModel.of(
         "visitorChair",
-        Part.of("cushions", Looks.CHARCOAL, seat, back).crease(50),
+        Part.of("cushions", Materials.CHARCOAL, seat, back).crease(50),
         Part.of(
             "bars",
-            Looks.CHROME,
-            Copies.bothSides(Sweep.of(Outline.rectangle(0.026, 0.016), side)),
+            Materials.CHROME,
+            MeshPatterns.bothSides(Sweep.of(Outline.rectangle(0.026, 0.016), side)),
             rail));
   }
 }

@@ -1,16 +1,16 @@
 package org.selectiverenderer.apartment.furniture;
 
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Boxes;
-import org.selectiverenderer.modelling.Copies;
-import org.selectiverenderer.modelling.Look;
+import org.selectiverenderer.modelling.MeshPatterns;
 import org.selectiverenderer.modelling.ModelColour;
+import org.selectiverenderer.modelling.ModelMaterial;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
+import org.selectiverenderer.modelling.ParametricSurface;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Rounds;
-import org.selectiverenderer.modelling.Sheet;
+import org.selectiverenderer.modelling.RoundSolids;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
@@ -29,13 +29,13 @@ final class Whiteboard {
     TriangleMesh board =
         Boxes.plain(WIDTH - 0.03, HEIGHT - 0.03, FACE).move(0, -HEIGHT / 2 + 0.015, FACE / 2);
     TriangleMesh pen =
-        Rounds.cylinder(0.008, 0.12, 5).turnZ(90).move(0.2, -HEIGHT / 2 + 0.0065, 0.045);
+        RoundSolids.cylinder(0.008, 0.12, 5).turnZ(90).move(0.2, -HEIGHT / 2 + 0.0065, 0.045);
     return ParametricModel.of(
         "whiteboard",
-        Part.of("rim", Looks.SILVER, rim, tray),
-        Part.of("board", Looks.WHITE, board),
-        Part.of("redPen", Looks.RED, pen),
-        Part.of("bluePen", Looks.BLUE, pen.move(0.17, 0, 0)),
+        Part.of("rim", Materials.SILVER, rim, tray),
+        Part.of("board", Materials.WHITE, board),
+        Part.of("redPen", Materials.RED, pen),
+        Part.of("bluePen", Materials.BLUE, pen.move(0.17, 0, 0)),
         Part.of("blueInk", ink(0.12, 0.22, 0.55), boxes(), line(0.34, -0.06, 0.24, 0)),
         Part.of(
             "redInk",
@@ -52,18 +52,18 @@ final class Whiteboard {
             line(-0.45, 0.23, 0.22, 0),
             line(-0.56, 0.16, 0.14, 90),
             line(-0.34, 0.16, 0.14, 90));
-    return Copies.row(box, 3, 0.44, 0, 0);
+    return MeshPatterns.row(box, 3, 0.44, 0, 0);
   }
 
   /** Returns a stroke centred on (x, y). */
   private static TriangleMesh line(double x, double y, double length, double degrees) {
-    return Sheet.field(length, 0.008, 1, 1, (u, v) -> 0)
+    return ParametricSurface.field(length, 0.008, 1, 1, (u, v) -> 0)
         .turnX(90)
         .turnZ(degrees)
         .move(x, y, FACE + 0.001);
   }
 
-  private static Look ink(double red, double green, double blue) {
-    return Look.matt(ModelColour.of(red, green, blue));
+  private static ModelMaterial ink(double red, double green, double blue) {
+    return ModelMaterial.matt(ModelColour.of(red, green, blue));
   }
 }

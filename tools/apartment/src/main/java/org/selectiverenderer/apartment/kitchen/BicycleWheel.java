@@ -1,16 +1,16 @@
 package org.selectiverenderer.apartment.kitchen;
 
-import org.selectiverenderer.apartment.looks.Looks;
-import org.selectiverenderer.geometry.Degrees;
+import org.selectiverenderer.apartment.materials.Materials;
+import org.selectiverenderer.geometry.DegreeMath;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Curve;
 import org.selectiverenderer.modelling.Lathe;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Rounds;
+import org.selectiverenderer.modelling.ProfileCurve;
+import org.selectiverenderer.modelling.RoundSolids;
 import org.selectiverenderer.modelling.Spine;
-import org.selectiverenderer.modelling.Standing;
 import org.selectiverenderer.modelling.Sweep;
 
 /**
@@ -25,14 +25,17 @@ final class BicycleWheel {
 
   static ParametricModel model() {
     Outline rim = Outline.of(0.284, -0.009, 0.299, -0.011, 0.299, 0.011, 0.284, 0.009);
-    Curve hub = Curve.of(0, -0.05, 0.008, -0.05, 0.008, -0.034, 0.024, -0.03, 0.012, -0.022);
-    Curve half = hub.line(0.012, 0.022).line(0.024, 0.03).line(0.008, 0.034).line(0.008, 0.05);
-    return Standing.centred(
+    ProfileCurve hub =
+        ProfileCurve.of(0, -0.05, 0.008, -0.05, 0.008, -0.034, 0.024, -0.03, 0.012, -0.022);
+    ProfileCurve half =
+        hub.line(0.012, 0.022).line(0.024, 0.03).line(0.008, 0.034).line(0.008, 0.05);
+    return ModelPlacement.centred(
         "bicycleWheel",
-        Part.of("tyre", Looks.SOFT_BLACK, leaning(Rounds.torus(RADIUS, 0.017, 32, 6))).crease(70),
+        Part.of("tyre", Materials.SOFT_BLACK, leaning(RoundSolids.torus(RADIUS, 0.017, 32, 6)))
+            .crease(70),
         Part.of(
             "rim",
-            Looks.POLISHED_STEEL,
+            Materials.POLISHED_STEEL,
             leaning(Lathe.ring(rim, 32)),
             leaning(Lathe.solid(half.line(0, 0.05), 8)),
             leaning(spokes())));
@@ -45,7 +48,7 @@ final class BicycleWheel {
       double side = i % 2 == 0 ? 0.028 : -0.028;
       double twist = i % 4 < 2 ? 50 : -50;
       Spine line =
-          Spine.of(0.021 * Degrees.cos(twist), side, 0.021 * Degrees.sin(twist), 0.288, 0, 0);
+          Spine.of(0.021 * DegreeMath.cos(twist), side, 0.021 * DegreeMath.sin(twist), 0.288, 0, 0);
       all = all.append(Sweep.tube(line, 0.0016, 3).turnY(360.0 * i / SPOKES));
     }
     return all;

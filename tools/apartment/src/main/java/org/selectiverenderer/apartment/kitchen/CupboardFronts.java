@@ -1,10 +1,10 @@
 package org.selectiverenderer.apartment.kitchen;
 
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Curve;
+import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.Lathe;
 import org.selectiverenderer.modelling.Outline;
-import org.selectiverenderer.modelling.Prism;
+import org.selectiverenderer.modelling.ProfileCurve;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
@@ -29,15 +29,16 @@ final class CupboardFronts {
   static TriangleMesh door(double x0, double y0, double x1, double y1) {
     Outline edge = Outline.rectangle(x1 - x0 - GAP, y1 - y0 - GAP);
     Outline opening = edge.inset(FRAME);
-    TriangleMesh frame = Prism.plain(THICKNESS, edge, opening);
-    TriangleMesh panel = Prism.plain(0.012, edge.inset(FRAME - 0.008));
+    TriangleMesh frame = ExtrudedSolid.plain(THICKNESS, edge, opening);
+    TriangleMesh panel = ExtrudedSolid.plain(0.012, edge.inset(FRAME - 0.008));
     TriangleMesh bead = Sweep.of(Outline.circle(0.005, 8), Spine.of(opening)).move(0, 0, 0.013);
     return TriangleMesh.of(frame, panel, bead).move((x0 + x1) / 2, (y0 + y1) / 2, 0);
   }
 
   /** Returns a plain drawer front, which is too low for a frame. */
   static TriangleMesh drawer(double x0, double y0, double x1, double y1) {
-    return Prism.bevelled(THICKNESS, 0.004, 3, Outline.rectangle(x1 - x0 - GAP, y1 - y0 - GAP))
+    return ExtrudedSolid.bevelled(
+            THICKNESS, 0.004, 3, Outline.rectangle(x1 - x0 - GAP, y1 - y0 - GAP))
         .move((x0 + x1) / 2, (y0 + y1) / 2, 0);
   }
 
@@ -72,8 +73,8 @@ final class CupboardFronts {
   }
 
   static TriangleMesh knob(double x, double y) {
-    Curve profile =
-        Curve.of(0, 0, 0.009, 0, 0.006, 0.006, 0.006, 0.013)
+    ProfileCurve profile =
+        ProfileCurve.of(0, 0, 0.009, 0, 0.006, 0.006, 0.006, 0.013)
             .spline(2, 0.0145, 0.021, 0.011, 0.027, 0, 0.029);
     return Lathe.solid(profile, 16).turnX(90).move(x, y, THICKNESS);
   }

@@ -1,38 +1,38 @@
 package org.selectiverenderer.apartment.kitchen;
 
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Curve;
 import org.selectiverenderer.modelling.Lathe;
-import org.selectiverenderer.modelling.Look;
 import org.selectiverenderer.modelling.ModelColour;
+import org.selectiverenderer.modelling.ModelMaterial;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Rounds;
+import org.selectiverenderer.modelling.ProfileCurve;
+import org.selectiverenderer.modelling.RoundSolids;
 import org.selectiverenderer.modelling.Spine;
-import org.selectiverenderer.modelling.Standing;
 import org.selectiverenderer.modelling.Sweep;
 
 /** A china bowl, 0.28 m wide, with two apples, two oranges, a pear and two bananas. */
 final class Fruits {
-  private static final Look ORANGE = Look.satin(ModelColour.hex(0xDE8424));
-  private static final Look APPLE = Look.glossy(ModelColour.hex(0xA8322A));
-  private static final Look PEAR = Look.satin(ModelColour.hex(0xA9B04A));
-  private static final Look BANANA = Look.satin(ModelColour.hex(0xE3BE47));
-  private static final Look STALK = Look.matt(ModelColour.hex(0x5A4028));
+  private static final ModelMaterial ORANGE = ModelMaterial.satin(ModelColour.hex(0xDE8424));
+  private static final ModelMaterial APPLE = ModelMaterial.glossy(ModelColour.hex(0xA8322A));
+  private static final ModelMaterial PEAR = ModelMaterial.satin(ModelColour.hex(0xA9B04A));
+  private static final ModelMaterial BANANA = ModelMaterial.satin(ModelColour.hex(0xE3BE47));
+  private static final ModelMaterial STALK = ModelMaterial.matt(ModelColour.hex(0x5A4028));
 
   private Fruits() {}
 
   static ParametricModel model() {
     TriangleMesh stalk = stalk();
-    return Standing.centred(
+    return ModelPlacement.centred(
         "fruits",
-        Part.of("bowl", Looks.BLUE_CHINA, bowl()),
+        Part.of("bowl", Materials.BLUE_CHINA, bowl()),
         Part.of(
             "oranges",
             ORANGE,
-            Rounds.ellipsoid(0.041, 0.039, 0.041, 13, 20).move(0.062, 0.07, -0.042),
-            Rounds.ellipsoid(0.04, 0.038, 0.04, 13, 20).move(-0.004, 0.07, -0.07)),
+            RoundSolids.ellipsoid(0.041, 0.039, 0.041, 13, 20).move(0.062, 0.07, -0.042),
+            RoundSolids.ellipsoid(0.04, 0.038, 0.04, 13, 20).move(-0.004, 0.07, -0.07)),
         Part.of(
             "apples",
             APPLE,
@@ -49,8 +49,8 @@ final class Fruits {
   }
 
   private static TriangleMesh bowl() {
-    Curve profile =
-        Curve.of(0, 0.006, 0.045, 0.006, 0.047, 0, 0.056, 0, 0.058, 0.008)
+    ProfileCurve profile =
+        ProfileCurve.of(0, 0.006, 0.045, 0.006, 0.047, 0, 0.056, 0, 0.058, 0.008)
             .spline(3, 0.1, 0.032, 0.132, 0.07, 0.139, 0.088)
             .arc(0.1345, 0.0895, 150, 4)
             .spline(3, 0.122, 0.072, 0.092, 0.04, 0.053, 0.019, 0, 0.013);
@@ -59,16 +59,16 @@ final class Fruits {
 
   /** Returns an apple, dented at both ends. */
   private static TriangleMesh apple() {
-    Curve profile =
-        Curve.from(0, 0.008)
+    ProfileCurve profile =
+        ProfileCurve.from(0, 0.008)
             .spline(2, 0.014, 0.0, 0.031, 0.013, 0.039, 0.038, 0.033, 0.062, 0.017, 0.071)
             .spline(2, 0.006, 0.065, 0, 0.06);
     return Lathe.solid(profile, 18);
   }
 
   private static TriangleMesh pear() {
-    Curve profile =
-        Curve.from(0, 0)
+    ProfileCurve profile =
+        ProfileCurve.from(0, 0)
             .spline(2, 0.02, 0.002, 0.036, 0.022, 0.034, 0.045, 0.021, 0.07, 0.015, 0.088)
             .spline(2, 0.009, 0.097, 0, 0.098);
     return Lathe.solid(profile, 18);

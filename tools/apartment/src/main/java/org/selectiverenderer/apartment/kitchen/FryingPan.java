@@ -1,14 +1,14 @@
 package org.selectiverenderer.apartment.kitchen;
 
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Curve;
 import org.selectiverenderer.modelling.Lathe;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
+import org.selectiverenderer.modelling.ProfileCurve;
 import org.selectiverenderer.modelling.Spine;
-import org.selectiverenderer.modelling.Standing;
 import org.selectiverenderer.modelling.Sweep;
 
 /** A black frying pan, 0.26 m wide, with a wooden handle to the front right. */
@@ -17,19 +17,19 @@ final class FryingPan {
   private FryingPan() {}
 
   static ParametricModel model() {
-    Curve profile =
-        Curve.of(0, 0, 0.098, 0, 0.108, 0.006)
+    ProfileCurve profile =
+        ProfileCurve.of(0, 0, 0.098, 0, 0.108, 0.006)
             .line(0.13, 0.044)
             .line(0.1315, 0.047)
             .line(0.128, 0.047)
             .line(0.1055, 0.009)
             .line(0.097, 0.004)
             .line(0, 0.004);
-    return Standing.centred(
+    return ModelPlacement.centred(
         "fryingPan",
-        Part.of("pan", Looks.SOFT_BLACK, Lathe.solid(profile, 26)),
-        Part.of("bracket", Looks.POLISHED_STEEL, bracket().turnY(-35)),
-        Part.of("handle", Looks.DARK_WOOD, handle().turnY(-35)));
+        Part.of("pan", Materials.SOFT_BLACK, Lathe.solid(profile, 26)),
+        Part.of("bracket", Materials.POLISHED_STEEL, bracket().turnY(-35)),
+        Part.of("handle", Materials.DARK_WOOD, handle().turnY(-35)));
   }
 
   private static TriangleMesh bracket() {

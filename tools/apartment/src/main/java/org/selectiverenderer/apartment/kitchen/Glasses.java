@@ -1,12 +1,12 @@
 package org.selectiverenderer.apartment.kitchen;
 
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Curve;
 import org.selectiverenderer.modelling.Lathe;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Standing;
+import org.selectiverenderer.modelling.ProfileCurve;
 
 /**
  * Two wine glasses and two tumblers: four lathes of 32 steps and 20 points, 32 * 2 * 18 = 1152
@@ -19,16 +19,20 @@ final class Glasses {
   static ParametricModel model() {
     TriangleMesh wine = wineGlass();
     TriangleMesh tumbler = tumbler();
-    return Standing.centred(
+    return ModelPlacement.centred(
         "glasses",
-        Part.of("wineGlasses", Looks.GLASS, wine.move(-0.085, 0, -0.03), wine.move(0.02, 0, -0.05)),
         Part.of(
-            "tumblers", Looks.GLASS, tumbler.move(-0.03, 0, 0.055), tumbler.move(0.085, 0, 0.04)));
+            "wineGlasses", Materials.GLASS, wine.move(-0.085, 0, -0.03), wine.move(0.02, 0, -0.05)),
+        Part.of(
+            "tumblers",
+            Materials.GLASS,
+            tumbler.move(-0.03, 0, 0.055),
+            tumbler.move(0.085, 0, 0.04)));
   }
 
   private static TriangleMesh wineGlass() {
     return Lathe.solid(
-        Curve.of(0, 0, 0.036, 0, 0.037, 0.0015, 0.02, 0.004, 0.0055, 0.011, 0.0042, 0.03)
+        ProfileCurve.of(0, 0, 0.036, 0, 0.037, 0.0015, 0.02, 0.004, 0.0055, 0.011, 0.0042, 0.03)
             .line(0.0042, 0.078)
             .line(0.008, 0.088)
             .spline(1, 0.024, 0.098, 0.0375, 0.118, 0.0405, 0.14, 0.0375, 0.168, 0.033, 0.188)
@@ -39,7 +43,7 @@ final class Glasses {
 
   private static TriangleMesh tumbler() {
     return Lathe.solid(
-        Curve.of(0, 0.0015, 0.022, 0.0015, 0.0245, 0, 0.0285, 0, 0.031, 0.002, 0.0325, 0.007)
+        ProfileCurve.of(0, 0.0015, 0.022, 0.0015, 0.0245, 0, 0.0285, 0, 0.031, 0.002, 0.0325, 0.007)
             .line(0.0345, 0.03)
             .line(0.0365, 0.06)
             .line(0.0385, 0.09)

@@ -1,17 +1,17 @@
 package org.selectiverenderer.apartment.kitchen;
 
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Boxes;
-import org.selectiverenderer.modelling.Curve;
 import org.selectiverenderer.modelling.Lathe;
-import org.selectiverenderer.modelling.Look;
 import org.selectiverenderer.modelling.ModelColour;
+import org.selectiverenderer.modelling.ModelMaterial;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
+import org.selectiverenderer.modelling.ProfileCurve;
 import org.selectiverenderer.modelling.Spine;
-import org.selectiverenderer.modelling.Standing;
 import org.selectiverenderer.modelling.Sweep;
 
 /**
@@ -23,8 +23,8 @@ final class HairDryer {
   private HairDryer() {}
 
   static ParametricModel model() {
-    Curve barrel =
-        Curve.from(0.03, 0.205)
+    ProfileCurve barrel =
+        ProfileCurve.from(0.03, 0.205)
             .line(0.032, 0.2)
             .spline(2, 0.034, 0.14, 0.043, 0.075, 0.044, 0.035)
             .line(0.037, 0.008)
@@ -36,26 +36,27 @@ final class HairDryer {
                 0.13, -0.04, 0.1),
             0.004,
             5);
-    return Standing.centred(
+    return ModelPlacement.centred(
         "hairDryer",
-        Part.of("body", Look.glossy(ModelColour.hex(0x8E4A6B)), lying(barrel), handle()),
-        Part.of("black", Looks.SOFT_BLACK, lying(nozzle()), lying(grille()), cable, button()));
+        Part.of("body", ModelMaterial.glossy(ModelColour.hex(0x8E4A6B)), lying(barrel), handle()),
+        Part.of("black", Materials.SOFT_BLACK, lying(nozzle()), lying(grille()), cable, button()));
   }
 
   /**
    * Returns the solid of a profile that runs along +x from the grille, turned so that the nozzle
    * points left.
    */
-  private static TriangleMesh lying(Curve profile) {
+  private static TriangleMesh lying(ProfileCurve profile) {
     return Lathe.solid(profile.reversed(), 16).turnZ(90).move(0.08, 0, 0);
   }
 
-  private static Curve nozzle() {
-    return Curve.of(0, 0.215, 0.027, 0.215, 0.027, 0.235, 0.033, 0.235, 0.0345, 0.195, 0, 0.195);
+  private static ProfileCurve nozzle() {
+    return ProfileCurve.of(
+        0, 0.215, 0.027, 0.215, 0.027, 0.235, 0.033, 0.235, 0.0345, 0.195, 0, 0.195);
   }
 
-  private static Curve grille() {
-    return Curve.of(0, 0.004, 0.02, 0.004, 0.026, -0.001, 0.018, -0.006, 0, -0.006);
+  private static ProfileCurve grille() {
+    return ProfileCurve.of(0, 0.004, 0.02, 0.004, 0.026, -0.001, 0.018, -0.006, 0, -0.006);
   }
 
   private static TriangleMesh handle() {

@@ -1,16 +1,16 @@
 package org.selectiverenderer.apartment.kitchen;
 
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Copies;
-import org.selectiverenderer.modelling.Look;
+import org.selectiverenderer.modelling.MeshPatterns;
 import org.selectiverenderer.modelling.ModelColour;
+import org.selectiverenderer.modelling.ModelMaterial;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Rounds;
+import org.selectiverenderer.modelling.RoundSolids;
 import org.selectiverenderer.modelling.Spine;
-import org.selectiverenderer.modelling.Standing;
 import org.selectiverenderer.modelling.Sweep;
 
 /** A painted chair with a ladder back and an oak seat at 0.46 m; its back is at -z. */
@@ -19,15 +19,15 @@ final class KitchenChair {
   private KitchenChair() {}
 
   static ParametricModel model() {
-    TriangleMesh frontLeg = Rounds.cone(0.014, 0.02, 0.44, 8).move(0.18, 0, 0.17);
+    TriangleMesh frontLeg = RoundSolids.cone(0.014, 0.02, 0.44, 8).move(0.18, 0, 0.17);
     TriangleMesh side = Sweep.tube(Spine.of(0.18, 0.2, 0.17, 0.18, 0.2, -0.185), 0.009, 6);
-    return Standing.centred(
+    return ModelPlacement.centred(
         "kitchenChair",
-        Part.of("seat", Looks.LIGHT_OAK, seat()),
+        Part.of("seat", Materials.LIGHT_OAK, seat()),
         Part.of(
             "frame",
-            Look.satin(ModelColour.hex(0xDDD8CC)),
-            Copies.bothSides(TriangleMesh.of(frontLeg, backPost(), side)),
+            ModelMaterial.satin(ModelColour.hex(0xDDD8CC)),
+            MeshPatterns.bothSides(TriangleMesh.of(frontLeg, backPost(), side)),
             Sweep.tube(Spine.of(-0.18, 0.26, 0.17, 0.18, 0.26, 0.17), 0.009, 6),
             slat(0.58, -0.205),
             slat(0.7, -0.225),
@@ -37,7 +37,7 @@ final class KitchenChair {
   private static TriangleMesh seat() {
     Outline seenFromAbove =
         Outline.of(-0.2, -0.2, 0.2, -0.2, 0.18, 0.2, -0.18, 0.2).rounded(0.04, 2);
-    return Slabs.lying(seenFromAbove, 0.028, 0.01, 2).move(0, 0.434, 0);
+    return RoundedSlabs.lying(seenFromAbove, 0.028, 0.01, 2).move(0, 0.434, 0);
   }
 
   /** Returns a post from the floor to the top of the leaning back. */

@@ -7,19 +7,19 @@ import static org.selectiverenderer.apartment.kitchen.CupboardFronts.knob;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.selectiverenderer.apartment.looks.Looks;
-import org.selectiverenderer.apartment.pictures.Pictures;
+import org.selectiverenderer.apartment.materials.Materials;
+import org.selectiverenderer.apartment.textures.TextureRegistry;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Boxes;
-import org.selectiverenderer.modelling.Cladding;
-import org.selectiverenderer.modelling.Look;
+import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.ModelColour;
+import org.selectiverenderer.modelling.ModelMaterial;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Prism;
-import org.selectiverenderer.modelling.Rounds;
-import org.selectiverenderer.modelling.Standing;
+import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.TextureMapping;
 
 /**
  * Five units of 0.6 m along a wall, from the left: cupboard, sink, drawers, oven below the hob,
@@ -41,26 +41,29 @@ final class KitchenFurniture {
 
   private static final double UPPER_Z = 0.03;
 
-  private static final Look TILES =
-      Look.satin(ModelColour.grey(1))
+  private static final ModelMaterial TILES =
+      ModelMaterial.satin(ModelColour.grey(1))
           .clad(
-              Cladding.metric(
-                  Pictures.WALL_TILES, Pictures.WALL_TILES_SIZE, Pictures.WALL_TILES_SIZE));
+              TextureMapping.metric(
+                  TextureRegistry.WALL_TILES,
+                  TextureRegistry.WALL_TILES_SIZE,
+                  TextureRegistry.WALL_TILES_SIZE));
 
   private KitchenFurniture() {}
 
   static ParametricModel model() {
-    return Standing.centred(
+    return ModelPlacement.centred(
         "kitchenFurniture",
-        Part.of("carcass", Look.satin(ModelColour.hex(0xD9D5CA)), carcass()),
-        Part.of("plinth", Looks.SOFT_BLACK, Boxes.plain(3, PLINTH, 0.5).move(0, 0, -0.05)),
-        Part.of("fronts", Look.satin(ModelColour.hex(0x9FB0A2)), lowerFronts(), upperFronts()),
-        Part.of("worktop", Looks.LIGHT_OAK, worktop()),
+        Part.of("carcass", ModelMaterial.satin(ModelColour.hex(0xD9D5CA)), carcass()),
+        Part.of("plinth", Materials.SOFT_BLACK, Boxes.plain(3, PLINTH, 0.5).move(0, 0, -0.05)),
+        Part.of(
+            "fronts", ModelMaterial.satin(ModelColour.hex(0x9FB0A2)), lowerFronts(), upperFronts()),
+        Part.of("worktop", Materials.LIGHT_OAK, worktop()),
         Part.of("tiles", TILES, tiles()),
-        Part.of("sink", Looks.POLISHED_STEEL, SinkAndHob.basin().move(SINK_X, TOP, 0)),
-        Part.of("steel", Looks.POLISHED_STEEL, handles(), fittings()),
-        Part.of("black", Looks.SOFT_BLACK, SinkAndHob.hobGlass().move(HOB_X, TOP, 0), oven()),
-        Part.of("rings", Looks.DARK_STEEL, SinkAndHob.hobRings().move(HOB_X, TOP, 0)));
+        Part.of("sink", Materials.POLISHED_STEEL, SinkAndHob.basin().move(SINK_X, TOP, 0)),
+        Part.of("steel", Materials.POLISHED_STEEL, handles(), fittings()),
+        Part.of("black", Materials.SOFT_BLACK, SinkAndHob.hobGlass().move(HOB_X, TOP, 0), oven()),
+        Part.of("rings", Materials.DARK_STEEL, SinkAndHob.hobRings().move(HOB_X, TOP, 0)));
   }
 
   private static TriangleMesh carcass() {
@@ -101,7 +104,7 @@ final class KitchenFurniture {
   private static TriangleMesh worktop() {
     Outline edge = Outline.rectangle(3.02, 0.6);
     Outline opening = SinkAndHob.OPENING.move(SINK_X, 0);
-    return Prism.plate(TOP - UNDER_TOP, 0.006, 2, edge, opening).move(0, UNDER_TOP, 0);
+    return ExtrudedSolid.plate(TOP - UNDER_TOP, 0.006, 2, edge, opening).move(0, UNDER_TOP, 0);
   }
 
   /**
@@ -137,7 +140,7 @@ final class KitchenFurniture {
     all.add(SinkAndHob.hood().move(HOB_X, HANGING, -0.3));
     all.add(drawer(UNIT[3], 0.74, UNIT[4], UNDER_TOP).move(0, 0, LOWER_Z));
     all.add(drawer(UNIT[3], PLINTH, UNIT[4], 0.2).move(0, 0, LOWER_Z));
-    TriangleMesh dial = Rounds.roundedCylinder(0.02, 0.022, 0.005, 3, 24).turnX(90);
+    TriangleMesh dial = RoundSolids.roundedCylinder(0.02, 0.022, 0.005, 3, 24).turnX(90);
     for (int i = 0; i < 5; i++) {
       all.add(dial.move(HOB_X - 0.2 + 0.1 * i, 0.8, LOWER_Z + CupboardFronts.THICKNESS));
     }
@@ -147,7 +150,7 @@ final class KitchenFurniture {
   /** Returns the oven's door with a slightly raised window. */
   private static TriangleMesh oven() {
     TriangleMesh window =
-        Prism.bevelled(0.008, 0.004, 2, Outline.roundedRectangle(0.42, 0.3, 0.03, 4));
+        ExtrudedSolid.bevelled(0.008, 0.004, 2, Outline.roundedRectangle(0.42, 0.3, 0.03, 4));
     return drawer(UNIT[3], 0.2, UNIT[4], 0.74)
         .append(window.move(HOB_X, 0.44, CupboardFronts.THICKNESS - 0.002))
         .move(0, 0, LOWER_Z);

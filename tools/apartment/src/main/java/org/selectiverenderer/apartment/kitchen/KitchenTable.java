@@ -1,17 +1,17 @@
 package org.selectiverenderer.apartment.kitchen;
 
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Boxes;
-import org.selectiverenderer.modelling.Copies;
-import org.selectiverenderer.modelling.Curve;
 import org.selectiverenderer.modelling.Lathe;
-import org.selectiverenderer.modelling.Look;
+import org.selectiverenderer.modelling.MeshPatterns;
 import org.selectiverenderer.modelling.ModelColour;
+import org.selectiverenderer.modelling.ModelMaterial;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Standing;
+import org.selectiverenderer.modelling.ProfileCurve;
 
 /**
  * A farmhouse table for four, 1.4 m wide and 0.75 m high: oak top, painted turned legs, a drawer.
@@ -27,28 +27,28 @@ final class KitchenTable {
   static ParametricModel model() {
     TriangleMesh longApron = Boxes.plain(2 * LEG_X, 0.11, 0.022).move(0, 0.61, 0);
     TriangleMesh shortApron = Boxes.plain(0.022, 0.11, 2 * LEG_Z).move(0, 0.61, 0);
-    return Standing.centred(
+    return ModelPlacement.centred(
         "kitchenTable",
-        Part.of("top", Looks.LIGHT_OAK, top()),
+        Part.of("top", Materials.LIGHT_OAK, top()),
         Part.of(
             "frame",
-            Look.satin(ModelColour.hex(0xDDD8CC)),
-            Copies.corners(leg(), LEG_X, LEG_Z),
+            ModelMaterial.satin(ModelColour.hex(0xDDD8CC)),
+            MeshPatterns.corners(leg(), LEG_X, LEG_Z),
             longApron.move(0, 0, LEG_Z).append(longApron.move(0, 0, -LEG_Z)),
-            Copies.bothSides(shortApron.move(LEG_X, 0, 0)),
+            MeshPatterns.bothSides(shortApron.move(LEG_X, 0, 0)),
             Boxes.bevelled(0.42, 0.08, 0.016, 0.006, 1).move(0, 0.622, LEG_Z + 0.014)),
-        Part.of("knob", Looks.DARK_STEEL, knob()));
+        Part.of("knob", Materials.DARK_STEEL, knob()));
   }
 
   private static TriangleMesh top() {
     Outline seenFromAbove = Outline.roundedRectangle(WIDTH, DEPTH, 0.04, 3);
-    return Slabs.lying(seenFromAbove, 0.032, 0.011, 3).move(0, 0.718, 0);
+    return RoundedSlabs.lying(seenFromAbove, 0.032, 0.011, 3).move(0, 0.718, 0);
   }
 
   /** Returns a leg with a square block where the apron meets it, turned below. */
   private static TriangleMesh leg() {
-    Curve turned =
-        Curve.of(0.02, 0, 0.024, 0.012, 0.021, 0.06)
+    ProfileCurve turned =
+        ProfileCurve.of(0.02, 0, 0.024, 0.012, 0.021, 0.06)
             .line(0.031, 0.085)
             .line(0.022, 0.11)
             .spline(2, 0.027, 0.26, 0.036, 0.42, 0.03, 0.52)
@@ -62,7 +62,8 @@ final class KitchenTable {
   }
 
   private static TriangleMesh knob() {
-    Curve profile = Curve.of(0, 0, 0.007, 0, 0.007, 0.01, 0.0145, 0.02, 0.011, 0.027, 0, 0.029);
+    ProfileCurve profile =
+        ProfileCurve.of(0, 0, 0.007, 0, 0.007, 0.01, 0.0145, 0.02, 0.011, 0.027, 0, 0.029);
     return Lathe.solid(profile, 14).turnX(90).move(0, 0.662, LEG_Z + 0.022);
   }
 }

@@ -1,16 +1,16 @@
 package org.selectiverenderer.apartment.kitchen;
 
 import org.joml.Vector3d;
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Boxes;
-import org.selectiverenderer.modelling.Look;
 import org.selectiverenderer.modelling.ModelColour;
+import org.selectiverenderer.modelling.ModelMaterial;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.ParametricModel;
+import org.selectiverenderer.modelling.ParametricSurface;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Sheet;
 import org.selectiverenderer.modelling.Spine;
-import org.selectiverenderer.modelling.Standing;
 import org.selectiverenderer.modelling.Sweep;
 
 /**
@@ -27,20 +27,28 @@ final class Kite {
   private Kite() {}
 
   static ParametricModel model() {
-    return Standing.centred(
+    return ModelPlacement.centred(
         "kite",
-        Part.of("yellow", Look.matt(ModelColour.hex(0xE3B23A)), panel(1, HEIGHT), panel(-1, 0))
+        Part.of(
+                "yellow",
+                ModelMaterial.matt(ModelColour.hex(0xE3B23A)),
+                panel(1, HEIGHT),
+                panel(-1, 0))
             .crease(50),
-        Part.of("blue", Look.matt(ModelColour.hex(0x3D74A6)), panel(-1, HEIGHT), panel(1, 0))
+        Part.of(
+                "blue",
+                ModelMaterial.matt(ModelColour.hex(0x3D74A6)),
+                panel(-1, HEIGHT),
+                panel(1, 0))
             .crease(50),
-        Part.of("spars", Looks.DARK_WOOD, spars()),
-        Part.of("tail", Look.matt(ModelColour.hex(0xC4473A)), tail()).crease(60));
+        Part.of("spars", Materials.DARK_WOOD, spars()),
+        Part.of("tail", ModelMaterial.matt(ModelColour.hex(0xC4473A)), tail()).crease(60));
   }
 
   /** Returns a quarter of the cloth, slightly bulged, between the cross, a side and an end. */
   private static TriangleMesh panel(int side, double end) {
     TriangleMesh sheet =
-        Sheet.of(
+        ParametricSurface.of(
             4,
             3,
             (u, v) -> {
@@ -48,7 +56,7 @@ final class Kite {
               double y = CROSS + v * (1 - u) * (end - CROSS);
               return new Vector3d(x, y, 0.16 * v * v * u * (1 - u));
             });
-    TriangleMesh cloth = Sheet.thicken(sheet, 0, 0, 0.002);
+    TriangleMesh cloth = ParametricSurface.thicken(sheet, 0, 0, 0.002);
     return (side > 0 ? cloth : cloth.mirrorX()).turnX(LEAN);
   }
 

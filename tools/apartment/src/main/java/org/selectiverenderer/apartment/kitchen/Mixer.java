@@ -1,16 +1,16 @@
 package org.selectiverenderer.apartment.kitchen;
 
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Curve;
+import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.Lathe;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Prism;
-import org.selectiverenderer.modelling.Rounds;
+import org.selectiverenderer.modelling.ProfileCurve;
+import org.selectiverenderer.modelling.RoundSolids;
 import org.selectiverenderer.modelling.Spine;
-import org.selectiverenderer.modelling.Standing;
 import org.selectiverenderer.modelling.Sweep;
 
 /**
@@ -24,15 +24,15 @@ final class Mixer {
   private Mixer() {}
 
   static ParametricModel model() {
-    return Standing.centred(
+    return ModelPlacement.centred(
         "mixer",
-        Part.of("body", Looks.BRICK_RED, base(), column(), head()),
-        Part.of("steel", Looks.POLISHED_STEEL, bowl(), bowlHandle(), whisk(), hub(), cap()),
-        Part.of("lever", Looks.SOFT_BLACK, lever()));
+        Part.of("body", Materials.BRICK_RED, base(), column(), head()),
+        Part.of("steel", Materials.POLISHED_STEEL, bowl(), bowlHandle(), whisk(), hub(), cap()),
+        Part.of("lever", Materials.SOFT_BLACK, lever()));
   }
 
   private static TriangleMesh base() {
-    return Prism.plate(0.034, 0.015, 7, Outline.superellipse(0.175, 0.108, 2.8, 96));
+    return ExtrudedSolid.plate(0.034, 0.015, 7, Outline.superellipse(0.175, 0.108, 2.8, 96));
   }
 
   /** Returns the column, narrower in the middle than at the foot and below the head. */
@@ -46,8 +46,8 @@ final class Mixer {
 
   /** Returns the head, shaped like a bullet along x: round behind, cut off in front. */
   private static TriangleMesh head() {
-    Curve profile =
-        Curve.from(0, 0)
+    ProfileCurve profile =
+        ProfileCurve.from(0, 0)
             .spline(6, 0.026, 0.004, 0.05, 0.024, 0.064, 0.08, 0.066, 0.17, 0.061, 0.26, 0.05, 0.32)
             .arc(0.04, 0.32, 90, 6)
             .line(0, 0.33);
@@ -55,16 +55,17 @@ final class Mixer {
   }
 
   private static TriangleMesh bowl() {
-    Curve outside =
-        Curve.of(0, 0.036, 0.045, 0.036, 0.05, 0.032, 0.055, 0.033, 0.05, 0.045)
+    ProfileCurve outside =
+        ProfileCurve.of(0, 0.036, 0.045, 0.036, 0.05, 0.032, 0.055, 0.033, 0.05, 0.045)
             .spline(6, 0.076, 0.066, 0.09, 0.1, 0.094, 0.135, 0.0945, 0.158);
-    Curve inside =
-        Curve.from(0.0925, 0.158).spline(6, 0.092, 0.135, 0.088, 0.1, 0.074, 0.068, 0.046, 0.047);
+    ProfileCurve inside =
+        ProfileCurve.from(0.0925, 0.158)
+            .spline(6, 0.092, 0.135, 0.088, 0.1, 0.074, 0.068, 0.046, 0.047);
     return Lathe.solid(outside.then(rim()).then(inside).line(0, 0.043), 70).move(BOWL_X, 0, 0);
   }
 
-  private static Curve rim() {
-    return Curve.from(0.0962, 0.1585).arc(0.0945, 0.1602, 180, 6);
+  private static ProfileCurve rim() {
+    return ProfileCurve.from(0.0962, 0.1585).arc(0.0945, 0.1602, 180, 6);
   }
 
   private static TriangleMesh bowlHandle() {
@@ -81,7 +82,7 @@ final class Mixer {
             5, -0.004, 0.182, 0, -0.024, 0.15, 0, -0.044, 0.098, 0, -0.03, 0.064, 0, 0, 0.055, 0,
             0.03, 0.064, 0, 0.044, 0.098, 0, 0.024, 0.15, 0, 0.004, 0.182, 0);
     TriangleMesh wire = Sweep.tube(loop, 0.0013, 8);
-    TriangleMesh whisk = Rounds.roundedCylinder(0.009, 0.05, 0.003, 4, 32).move(0, 0.176, 0);
+    TriangleMesh whisk = RoundSolids.roundedCylinder(0.009, 0.05, 0.003, 4, 32).move(0, 0.176, 0);
     for (int i = 0; i < 6; i++) {
       // Each loop passes a little below the one before.
       whisk = whisk.append(wire.move(0, -0.001 * i, 0).turnY(30 * i));
@@ -94,14 +95,15 @@ final class Mixer {
    * count.
    */
   private static TriangleMesh hub() {
-    Curve profile = Curve.of(0, 0.203, 0.03, 0.203).arc(0.03, 0.209, 90, 6).line(0.036, 0.236);
+    ProfileCurve profile =
+        ProfileCurve.of(0, 0.203, 0.03, 0.203).arc(0.03, 0.209, 90, 6).line(0.036, 0.236);
     return Lathe.surface(profile, 64).move(BOWL_X, 0, 0);
   }
 
   /** Returns the lid of the socket in front. */
   private static TriangleMesh cap() {
-    Curve profile =
-        Curve.of(0, 0, 0.034, 0, 0.034, 0.005).arc(0.031, 0.005, 90, 5).line(0.014, 0.008);
+    ProfileCurve profile =
+        ProfileCurve.of(0, 0, 0.034, 0, 0.034, 0.005).arc(0.031, 0.005, 90, 5).line(0.014, 0.008);
     return Lathe.solid(profile.spline(4, 0.012, 0.014, 0.006, 0.017, 0, 0.0175), 64)
         .turnZ(-90)
         .move(0.158, 0.285, 0);
@@ -109,7 +111,7 @@ final class Mixer {
 
   private static TriangleMesh lever() {
     TriangleMesh rod = Sweep.tube(Spine.of(0, 0, 0, 0, 0, 0.03), 0.0035, 16);
-    TriangleMesh knob = Rounds.sphere(0.009, 14, 24).move(0, 0, 0.034);
+    TriangleMesh knob = RoundSolids.sphere(0.009, 14, 24).move(0, 0, 0.034);
     return rod.append(knob).turnX(8).move(-0.07, 0.262, 0.048);
   }
 }

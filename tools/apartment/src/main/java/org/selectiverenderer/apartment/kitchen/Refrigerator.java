@@ -1,16 +1,16 @@
 package org.selectiverenderer.apartment.kitchen;
 
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Boxes;
-import org.selectiverenderer.modelling.Look;
 import org.selectiverenderer.modelling.ModelColour;
+import org.selectiverenderer.modelling.ModelMaterial;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Rounds;
+import org.selectiverenderer.modelling.RoundSolids;
 import org.selectiverenderer.modelling.Spine;
-import org.selectiverenderer.modelling.Standing;
 import org.selectiverenderer.modelling.Sweep;
 
 /** A white refrigerator, 1.78 m high, with the freezer below and a note held by two magnets. */
@@ -21,25 +21,28 @@ final class Refrigerator {
   private Refrigerator() {}
 
   static ParametricModel model() {
-    return Standing.centred(
+    return ModelPlacement.centred(
         "refrigerator",
         Part.of(
             "cabinet",
-            Look.satin(ModelColour.hex(0xDCDCD6)),
+            ModelMaterial.satin(ModelColour.hex(0xDCDCD6)),
             Boxes.plain(0.594, 1.735, 0.56).move(0, 0.04, 0)),
         Part.of(
-            "doors", Look.glossy(ModelColour.hex(0xECECE6)), door(0.05, 0.62), door(0.675, 1.105)),
-        Part.of("feet", Looks.SOFT_BLACK, Boxes.plain(0.56, 0.04, 0.5)),
-        Part.of("handles", Looks.POLISHED_STEEL, handle(0.46), handle(0.86)),
+            "doors",
+            ModelMaterial.glossy(ModelColour.hex(0xECECE6)),
+            door(0.05, 0.62),
+            door(0.675, 1.105)),
+        Part.of("feet", Materials.SOFT_BLACK, Boxes.plain(0.56, 0.04, 0.5)),
+        Part.of("handles", Materials.POLISHED_STEEL, handle(0.46), handle(0.86)),
         Part.of(
             "note",
-            Look.matt(ModelColour.hex(0xF1E7B8)),
+            ModelMaterial.matt(ModelColour.hex(0xF1E7B8)),
             Boxes.plain(0.1, 0.13, 0.002).move(0.09, 1.24, FRONT)),
-        Part.of("magnets", Looks.BRICK_RED, magnet(0.09, 1.36), magnet(0.02, 1.44)));
+        Part.of("magnets", Materials.BRICK_RED, magnet(0.09, 1.36), magnet(0.02, 1.44)));
   }
 
   private static TriangleMesh door(double y, double height) {
-    return Slabs.upright(Outline.roundedRectangle(WIDTH, height, 0.022, 2), 0.065, 0.014, 2)
+    return RoundedSlabs.upright(Outline.roundedRectangle(WIDTH, height, 0.022, 2), 0.065, 0.014, 2)
         .move(0, y + height / 2, FRONT - 0.065);
   }
 
@@ -53,6 +56,6 @@ final class Refrigerator {
   }
 
   private static TriangleMesh magnet(double x, double y) {
-    return Rounds.cone(0.014, 0.012, 0.008, 12).turnX(90).move(x, y, FRONT);
+    return RoundSolids.cone(0.014, 0.012, 0.008, 12).turnX(90).move(x, y, FRONT);
   }
 }

@@ -1,15 +1,15 @@
 package org.selectiverenderer.apartment.kitchen;
 
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Curve;
 import org.selectiverenderer.modelling.Lathe;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Rounds;
+import org.selectiverenderer.modelling.ProfileCurve;
+import org.selectiverenderer.modelling.RoundSolids;
 import org.selectiverenderer.modelling.Spine;
-import org.selectiverenderer.modelling.Standing;
 import org.selectiverenderer.modelling.Sweep;
 
 /** A steel saucepan, 0.2 m wide, with its lid on and a long black handle to the right. */
@@ -18,15 +18,15 @@ final class Saucepan {
   private Saucepan() {}
 
   static ParametricModel model() {
-    return Standing.centred(
+    return ModelPlacement.centred(
         "saucepan",
-        Part.of("pan", Looks.POLISHED_STEEL, pan(), lid(), bracket()),
-        Part.of("grips", Looks.SOFT_BLACK, handle(), knob()));
+        Part.of("pan", Materials.POLISHED_STEEL, pan(), lid(), bracket()),
+        Part.of("grips", Materials.SOFT_BLACK, handle(), knob()));
   }
 
   private static TriangleMesh pan() {
-    Curve profile =
-        Curve.of(0, 0, 0.088, 0)
+    ProfileCurve profile =
+        ProfileCurve.of(0, 0, 0.088, 0)
             .spline(4, 0.0955, 0.003, 0.099, 0.011)
             .line(0.1, 0.04)
             .line(0.1, 0.107)
@@ -40,8 +40,8 @@ final class Saucepan {
 
   /** Returns a domed lid with a flange that lies on the pan's rim. */
   private static TriangleMesh lid() {
-    Curve profile =
-        Curve.of(0, 0.1315, 0.05, 0.128, 0.09, 0.1165, 0.104, 0.1148)
+    ProfileCurve profile =
+        ProfileCurve.of(0, 0.1315, 0.05, 0.128, 0.09, 0.1165, 0.104, 0.1148)
             .spline(2, 0.1062, 0.1158, 0.104, 0.1172)
             .line(0.094, 0.1182)
             .spline(4, 0.088, 0.1215, 0.06, 0.13, 0.025, 0.1345, 0, 0.135);
@@ -49,15 +49,16 @@ final class Saucepan {
   }
 
   private static TriangleMesh knob() {
-    Curve profile =
-        Curve.of(0, 0.134, 0.012, 0.134, 0.0095, 0.142)
+    ProfileCurve profile =
+        ProfileCurve.of(0, 0.134, 0.012, 0.134, 0.0095, 0.142)
             .spline(3, 0.019, 0.149, 0.0205, 0.155, 0.014, 0.1595, 0, 0.16);
     return Lathe.solid(profile, 28);
   }
 
   /** Returns the steel bracket between pan and grip, held by two rivets. */
   private static TriangleMesh bracket() {
-    TriangleMesh rivet = Rounds.ellipsoid(0.0035, 0.0035, 0.0035, 5, 10).move(0.0995, 0.088, 0);
+    TriangleMesh rivet =
+        RoundSolids.ellipsoid(0.0035, 0.0035, 0.0035, 5, 10).move(0.0995, 0.088, 0);
     return Sweep.of(
             Outline.superellipse(0.013, 0.0045, 4, 16),
             Spine.smooth(4, 0.0985, 0.088, 0, 0.113, 0.089, 0, 0.134, 0.096, 0, 0.15, 0.1, 0),

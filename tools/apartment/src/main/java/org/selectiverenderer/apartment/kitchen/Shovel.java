@@ -1,15 +1,15 @@
 package org.selectiverenderer.apartment.kitchen;
 
 import org.joml.Vector3d;
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Curve;
 import org.selectiverenderer.modelling.Lathe;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.ParametricModel;
+import org.selectiverenderer.modelling.ParametricSurface;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Sheet;
+import org.selectiverenderer.modelling.ProfileCurve;
 import org.selectiverenderer.modelling.Spine;
-import org.selectiverenderer.modelling.Standing;
 import org.selectiverenderer.modelling.Sweep;
 
 /**
@@ -22,17 +22,18 @@ final class Shovel {
   private Shovel() {}
 
   static ParametricModel model() {
-    return Standing.centred(
+    return ModelPlacement.centred(
         "shovel",
-        Part.of("blade", Looks.DARK_STEEL, blade().turnX(LEAN), socket().turnX(LEAN)).crease(40),
-        Part.of("shaft", Looks.LIGHT_OAK, shaft().turnX(LEAN)),
-        Part.of("grip", Looks.BRICK_RED, grip().turnX(LEAN)));
+        Part.of("blade", Materials.DARK_STEEL, blade().turnX(LEAN), socket().turnX(LEAN))
+            .crease(40),
+        Part.of("shaft", Materials.LIGHT_OAK, shaft().turnX(LEAN)),
+        Part.of("grip", Materials.BRICK_RED, grip().turnX(LEAN)));
   }
 
   /** Returns the concave blade, pointed below, with straight shoulders. */
   private static TriangleMesh blade() {
     TriangleMesh sheet =
-        Sheet.of(
+        ParametricSurface.of(
             6,
             6,
             (u, v) -> {
@@ -42,11 +43,12 @@ final class Shovel {
               return new Vector3d(
                   width * x, y, 0.035 * x * x * (0.4 + 0.6 * v) - 0.02 * (1 - v) * v);
             });
-    return Sheet.thicken(sheet, 0, 0, -0.003);
+    return ParametricSurface.thicken(sheet, 0, 0, -0.003);
   }
 
   private static TriangleMesh socket() {
-    Curve profile = Curve.of(0.006, 0.14, 0.016, 0.26, 0.02, 0.31, 0.02, 0.42, 0.017, 0.42);
+    ProfileCurve profile =
+        ProfileCurve.of(0.006, 0.14, 0.016, 0.26, 0.02, 0.31, 0.02, 0.42, 0.017, 0.42);
     return Lathe.solid(profile, 10);
   }
 

@@ -5,12 +5,12 @@ import java.util.List;
 import org.joml.Vector3d;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Boxes;
-import org.selectiverenderer.modelling.Curve;
+import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.Lathe;
+import org.selectiverenderer.modelling.LoftedSurface;
 import org.selectiverenderer.modelling.Outline;
-import org.selectiverenderer.modelling.Prism;
-import org.selectiverenderer.modelling.Rounds;
-import org.selectiverenderer.modelling.Skin;
+import org.selectiverenderer.modelling.ProfileCurve;
+import org.selectiverenderer.modelling.RoundSolids;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
@@ -34,18 +34,19 @@ final class SinkAndHob {
     };
     List<Vector3d[]> rows = new ArrayList<>();
     for (int r = 0; r < rings.length; r += 2) {
-      rows.add(Slabs.row(OPENING.inset(-rings[r]), rings[r + 1]));
+      rows.add(RoundedSlabs.row(OPENING.inset(-rings[r]), rings[r + 1]));
     }
-    rows.add(Slabs.row(Outline.circle(0.035, OPENING.size()), -0.164));
-    rows.add(Slabs.row(Outline.circle(0.03, OPENING.size()), -0.168));
+    rows.add(RoundedSlabs.row(Outline.circle(0.035, OPENING.size()), -0.164));
+    rows.add(RoundedSlabs.row(Outline.circle(0.03, OPENING.size()), -0.168));
     rows.add(new Vector3d[] {new Vector3d(0, -0.168, 0)});
-    return Skin.over(rows, Skin.Form.PIPE);
+    return LoftedSurface.over(rows, LoftedSurface.Form.PIPE);
   }
 
   /** Returns a swan neck tap with one lever, behind the basin. */
   static TriangleMesh tap() {
-    Curve foot =
-        Curve.of(0, 0, 0.027, 0, 0.027, 0.006, 0.022, 0.009, 0.02, 0.07, 0.017, 0.078, 0, 0.078);
+    ProfileCurve foot =
+        ProfileCurve.of(
+            0, 0, 0.027, 0, 0.027, 0.006, 0.022, 0.009, 0.02, 0.07, 0.017, 0.078, 0, 0.078);
     Spine neck =
         Spine.smooth(
             4, 0, 0.07, 0, 0, 0.16, 0, 0.0, 0.24, 0.012, 0, 0.285, 0.06, 0, 0.285, 0.12, 0, 0.25,
@@ -58,13 +59,13 @@ final class SinkAndHob {
 
   /** Returns the hob's black glass with a polished edge. */
   static TriangleMesh hobGlass() {
-    return Prism.plate(0.007, 0.003, 2, Outline.roundedRectangle(0.56, 0.5, 0.015, 3));
+    return ExtrudedSolid.plate(0.007, 0.003, 2, Outline.roundedRectangle(0.56, 0.5, 0.015, 3));
   }
 
   /** Returns the four cooking zones, as rings on the glass. */
   static TriangleMesh hobRings() {
-    TriangleMesh large = Rounds.pipe(0.1, 0.094, 0.001, 36).move(0, 0.0068, 0);
-    TriangleMesh small = Rounds.pipe(0.075, 0.069, 0.001, 32).move(0, 0.0068, 0);
+    TriangleMesh large = RoundSolids.pipe(0.1, 0.094, 0.001, 36).move(0, 0.0068, 0);
+    TriangleMesh small = RoundSolids.pipe(0.075, 0.069, 0.001, 32).move(0, 0.0068, 0);
     return TriangleMesh.of(
         large.move(-0.14, 0, 0.11),
         small.move(0.15, 0, 0.125),

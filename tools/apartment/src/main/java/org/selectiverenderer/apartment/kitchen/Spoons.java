@@ -3,13 +3,13 @@ package org.selectiverenderer.apartment.kitchen;
 import java.util.ArrayList;
 import java.util.List;
 import org.joml.Vector3d;
-import org.selectiverenderer.apartment.looks.Looks;
-import org.selectiverenderer.geometry.Degrees;
+import org.selectiverenderer.apartment.materials.Materials;
+import org.selectiverenderer.geometry.DegreeMath;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
+import org.selectiverenderer.modelling.LoftedSurface;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Skin;
-import org.selectiverenderer.modelling.Standing;
 
 /** Four steel spoons side by side, two large ones and two small ones, lying along z. */
 final class Spoons {
@@ -22,11 +22,11 @@ final class Spoons {
   static ParametricModel model() {
     TriangleMesh large = spoon();
     TriangleMesh small = large.scale(0.74);
-    return Standing.centred(
+    return ModelPlacement.centred(
         "spoons",
         Part.of(
             "spoons",
-            Looks.POLISHED_STEEL,
+            Materials.POLISHED_STEEL,
             large.turnY(4).move(-0.085, 0, 0),
             large.turnY(-2).move(-0.028, 0, 0.004),
             small.turnY(3).move(0.028, 0, 0.022),
@@ -44,7 +44,7 @@ final class Spoons {
       double t = (double) r / ROWS;
       rows.add(section(t < 0.5 ? 0.68 * t : 1.32 * t - 0.32));
     }
-    return Skin.over(rows, Skin.Form.CAPPED);
+    return LoftedSurface.over(rows, LoftedSurface.Form.CAPPED);
   }
 
   /** Returns the section at a share t of the length: sagging in the bowl, flat in the handle. */
@@ -58,8 +58,8 @@ final class Spoons {
     double half = 0.0009 + 0.0009 * smooth((t - 0.25) / 0.1) - 0.0006 * smooth((t - 0.5) / 0.4);
     Vector3d[] row = new Vector3d[AROUND];
     for (int i = 0; i < AROUND; i++) {
-      double x = Degrees.cos(360.0 * i / AROUND);
-      double y = height - sag * (1 - x * x) + half * Degrees.sin(360.0 * i / AROUND);
+      double x = DegreeMath.cos(360.0 * i / AROUND);
+      double y = height - sag * (1 - x * x) + half * DegreeMath.sin(360.0 * i / AROUND);
       row[i] = new Vector3d(halfWidth * x, y, LENGTH * (t - 0.5));
     }
     return row;

@@ -1,17 +1,17 @@
 package org.selectiverenderer.apartment.kitchen;
 
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Boxes;
-import org.selectiverenderer.modelling.Curve;
-import org.selectiverenderer.modelling.Look;
+import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.ModelColour;
+import org.selectiverenderer.modelling.ModelMaterial;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Prism;
-import org.selectiverenderer.modelling.Rounds;
-import org.selectiverenderer.modelling.Standing;
+import org.selectiverenderer.modelling.ProfileCurve;
+import org.selectiverenderer.modelling.RoundSolids;
 
 /** A steel toaster for two slices, both of which look out, with its lever and dial at the right. */
 final class Toaster {
@@ -21,31 +21,31 @@ final class Toaster {
   private Toaster() {}
 
   static ParametricModel model() {
-    return Standing.centred(
+    return ModelPlacement.centred(
         "toaster",
-        Part.of("shell", Looks.POLISHED_STEEL, shell()),
-        Part.of("trim", Looks.SOFT_BLACK, base(), slots(), lever(), dial()),
+        Part.of("shell", Materials.POLISHED_STEEL, shell()),
+        Part.of("trim", Materials.SOFT_BLACK, base(), slots(), lever(), dial()),
         Part.of(
             "toast",
-            Look.matt(ModelColour.hex(0xC98F4E)),
+            ModelMaterial.matt(ModelColour.hex(0xC98F4E)),
             toast().move(-0.012, 0, 0.024),
             toast().move(-0.012, 0, -0.042)));
   }
 
   private static TriangleMesh shell() {
     Outline seenFromAbove = Outline.roundedRectangle(WIDTH, DEPTH, 0.05, 4);
-    return Slabs.lying(seenFromAbove, 0.158, 0.024, 3).move(0, 0.014, 0);
+    return RoundedSlabs.lying(seenFromAbove, 0.158, 0.024, 3).move(0, 0.014, 0);
   }
 
   private static TriangleMesh base() {
     Outline seenFromAbove = Outline.roundedRectangle(WIDTH + 0.004, DEPTH + 0.004, 0.05, 2);
-    return Prism.plate(0.022, 0.006, 1, seenFromAbove);
+    return ExtrudedSolid.plate(0.022, 0.006, 1, seenFromAbove);
   }
 
   /** Returns a raised frame around the two openings. */
   private static TriangleMesh slots() {
     Outline slot = Outline.rectangle(0.176, 0.03).move(-0.012, 0);
-    return Prism.plate(
+    return ExtrudedSolid.plate(
             0.006,
             0.002,
             1,
@@ -58,11 +58,11 @@ final class Toaster {
   /** Returns an upright slice of bread, half of it in the slot. */
   private static TriangleMesh toast() {
     Outline slice =
-        Curve.from(0.054, 0)
+        ProfileCurve.from(0.054, 0)
             .line(0.056, 0.055)
             .spline(2, 0.066, 0.076, 0.05, 0.094, 0, 0.098)
             .closedWithMirrorX();
-    return Prism.bevelled(0.018, 0.005, 1, slice).move(0, 0.118, 0);
+    return ExtrudedSolid.bevelled(0.018, 0.005, 1, slice).move(0, 0.118, 0);
   }
 
   private static TriangleMesh lever() {
@@ -72,7 +72,7 @@ final class Toaster {
   }
 
   private static TriangleMesh dial() {
-    return Rounds.roundedCylinder(0.015, 0.014, 0.004, 1, 12)
+    return RoundSolids.roundedCylinder(0.015, 0.014, 0.004, 1, 12)
         .turnZ(-90)
         .move(WIDTH / 2, 0.04, 0.042);
   }

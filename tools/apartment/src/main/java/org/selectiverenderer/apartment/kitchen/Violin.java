@@ -1,19 +1,19 @@
 package org.selectiverenderer.apartment.kitchen;
 
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Boxes;
-import org.selectiverenderer.modelling.Copies;
-import org.selectiverenderer.modelling.Curve;
-import org.selectiverenderer.modelling.Look;
+import org.selectiverenderer.modelling.ExtrudedSolid;
+import org.selectiverenderer.modelling.MeshPatterns;
 import org.selectiverenderer.modelling.ModelColour;
+import org.selectiverenderer.modelling.ModelMaterial;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Prism;
-import org.selectiverenderer.modelling.Rounds;
+import org.selectiverenderer.modelling.ProfileCurve;
+import org.selectiverenderer.modelling.RoundSolids;
 import org.selectiverenderer.modelling.Spine;
-import org.selectiverenderer.modelling.Standing;
 import org.selectiverenderer.modelling.Sweep;
 
 /**
@@ -26,23 +26,23 @@ final class Violin {
   private Violin() {}
 
   static ParametricModel model() {
-    return Standing.centred(
+    return ModelPlacement.centred(
         "violin",
-        Part.of("body", Look.glossy(ModelColour.hex(0xA2552A)), body(), neck(), scroll()),
-        Part.of("black", Looks.SOFT_BLACK, fingerboard(), tailpiece(), soundHoles(), pegs()),
-        Part.of("bridge", Looks.LIGHT_OAK, Boxes.plain(0.04, 0.022, 0.004).move(0, TOP, 0.02)),
-        Part.of("strings", Looks.POLISHED_STEEL, strings()),
-        Part.of("bow", Looks.DARK_WOOD, stick()),
+        Part.of("body", ModelMaterial.glossy(ModelColour.hex(0xA2552A)), body(), neck(), scroll()),
+        Part.of("black", Materials.SOFT_BLACK, fingerboard(), tailpiece(), soundHoles(), pegs()),
+        Part.of("bridge", Materials.LIGHT_OAK, Boxes.plain(0.04, 0.022, 0.004).move(0, TOP, 0.02)),
+        Part.of("strings", Materials.POLISHED_STEEL, strings()),
+        Part.of("bow", Materials.DARK_WOOD, stick()),
         Part.of(
             "hair",
-            Look.matt(ModelColour.hex(0xE8E2D0)),
+            ModelMaterial.matt(ModelColour.hex(0xE8E2D0)),
             Boxes.plain(0.006, 0.001, 0.66).move(0.162, 0.004, -0.05)));
   }
 
   /** Returns the body, seen from above with the neck upwards; its waist has corners. */
   private static TriangleMesh body() {
     Outline outline =
-        Curve.from(0, -0.178)
+        ProfileCurve.from(0, -0.178)
             .spline(2, 0.06, -0.17, 0.1, -0.125, 0.1, -0.075)
             .line(0.078, -0.035)
             .spline(2, 0.057, -0.005, 0.058, 0.03, 0.074, 0.058)
@@ -50,7 +50,7 @@ final class Violin {
             .spline(2, 0.083, 0.11, 0.062, 0.155, 0.022, 0.176)
             .line(0, 0.178)
             .closedWithMirrorX();
-    return Prism.plate(TOP, 0.007, 1, outline);
+    return ExtrudedSolid.plate(TOP, 0.007, 1, outline);
   }
 
   private static TriangleMesh neck() {
@@ -61,18 +61,19 @@ final class Violin {
   }
 
   private static TriangleMesh scroll() {
-    TriangleMesh curl = Rounds.cylinder(0.017, 0.02, 12).turnZ(-90).move(-0.01, 0.024, -0.39);
-    return curl.append(Rounds.cone(0.011, 0.007, 0.034, 10).turnZ(-90).move(-0.017, 0.024, -0.39));
+    TriangleMesh curl = RoundSolids.cylinder(0.017, 0.02, 12).turnZ(-90).move(-0.01, 0.024, -0.39);
+    return curl.append(
+        RoundSolids.cone(0.011, 0.007, 0.034, 10).turnZ(-90).move(-0.017, 0.024, -0.39));
   }
 
   private static TriangleMesh fingerboard() {
     Outline board = Outline.of(-0.021, 0.04, 0.021, 0.04, 0.012, 0.325, -0.012, 0.325);
-    return Prism.plate(0.006, 0, 0, board).move(0, TOP + 0.008, 0);
+    return ExtrudedSolid.plate(0.006, 0, 0, board).move(0, TOP + 0.008, 0);
   }
 
   private static TriangleMesh tailpiece() {
     Outline plate = Outline.of(-0.009, -0.175, 0.009, -0.175, 0.021, -0.07, -0.021, -0.07);
-    return Prism.plate(0.006, 0, 0, plate)
+    return ExtrudedSolid.plate(0.006, 0, 0, plate)
         .move(0, TOP + 0.006, 0)
         .append(Boxes.plain(0.01, 0.012, 0.01).move(0, TOP, 0.17));
   }
@@ -83,13 +84,13 @@ final class Violin {
         Spine.of(
             0.042, TOP, 0.058, 0.049, TOP, 0.05, 0.043, TOP, 0.02, 0.036, TOP, -0.012, 0.042, TOP,
             -0.02);
-    return Copies.bothSides(Sweep.of(Outline.rectangle(0.006, 0.0012), f));
+    return MeshPatterns.bothSides(Sweep.of(Outline.rectangle(0.006, 0.0012), f));
   }
 
   private static TriangleMesh pegs() {
-    TriangleMesh peg = Rounds.cone(0.003, 0.006, 0.03, 5);
+    TriangleMesh peg = RoundSolids.cone(0.003, 0.006, 0.03, 5);
     TriangleMesh right = peg.turnZ(-90).move(0.008, 0.034, -0.345);
-    return Copies.bothSides(right.append(right.move(0, -0.003, -0.022)));
+    return MeshPatterns.bothSides(right.append(right.move(0, -0.003, -0.022)));
   }
 
   private static TriangleMesh strings() {
@@ -98,7 +99,7 @@ final class Violin {
             Spine.of(0, TOP + 0.012, 0.075, 0, TOP + 0.0235, 0.02, 0, TOP + 0.015, -0.325),
             0.0007,
             3);
-    return Copies.row(string, 4, 0.009, 0, 0).move(-0.0135, 0, 0);
+    return MeshPatterns.row(string, 4, 0.009, 0, 0).move(-0.0135, 0, 0);
   }
 
   private static TriangleMesh stick() {

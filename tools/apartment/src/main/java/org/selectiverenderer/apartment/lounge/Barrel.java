@@ -1,12 +1,12 @@
 package org.selectiverenderer.apartment.lounge;
 
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Curve;
 import org.selectiverenderer.modelling.Lathe;
-import org.selectiverenderer.modelling.Look;
 import org.selectiverenderer.modelling.ModelColour;
+import org.selectiverenderer.modelling.ModelMaterial;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
+import org.selectiverenderer.modelling.ProfileCurve;
 
 /** A wooden barrel with four hoops, 0.6 m high; nobody expects it in a lounge. */
 final class Barrel {
@@ -16,8 +16,8 @@ final class Barrel {
   private Barrel() {}
 
   static ParametricModel model() {
-    Look oak = Look.satin(ModelColour.of(0.55, 0.36, 0.19));
-    Look iron = Look.metal(ModelColour.of(0.45, 0.45, 0.47));
+    ModelMaterial oak = ModelMaterial.satin(ModelColour.of(0.55, 0.36, 0.19));
+    ModelMaterial iron = ModelMaterial.metal(ModelColour.of(0.45, 0.45, 0.47));
     return ParametricModel.of(
         "barrel",
         Part.of("staves", oak, staves()).crease(12),
@@ -32,7 +32,7 @@ final class Barrel {
   }
 
   private static TriangleMesh staves() {
-    Curve profile = Curve.from(radius(0), 0);
+    ProfileCurve profile = ProfileCurve.from(radius(0), 0);
     for (int i = 1; i <= 6; i++) {
       double y = HEIGHT * i / 6;
       profile = profile.line(radius(y), y);
@@ -45,7 +45,8 @@ final class Barrel {
   private static TriangleMesh hoop(double low, double high) {
     double below = radius(low);
     double above = radius(high);
-    Curve profile = Curve.of(below + 0.003, low, above + 0.003, high, above - 0.004, high);
+    ProfileCurve profile =
+        ProfileCurve.of(below + 0.003, low, above + 0.003, high, above - 0.004, high);
     return Lathe.surface(profile, STAVES);
   }
 }

@@ -4,15 +4,15 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.DoublePredicate;
 import org.joml.Vector3d;
-import org.selectiverenderer.apartment.looks.Looks;
-import org.selectiverenderer.geometry.Degrees;
+import org.selectiverenderer.apartment.materials.Materials;
+import org.selectiverenderer.geometry.DegreeMath;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Look;
+import org.selectiverenderer.modelling.LoftedSurface;
 import org.selectiverenderer.modelling.ModelColour;
+import org.selectiverenderer.modelling.ModelMaterial;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Skin;
-import org.selectiverenderer.modelling.Standing;
 
 /**
  * A basketball; nobody expects it in a lounge. Its seams are narrow rows and columns of the ball
@@ -31,24 +31,30 @@ final class Basketball {
     for (double latitude : angles(-90, 180, 12, a -> a == 0 || Math.abs(a) == 45)) {
       rows.add(row(latitude));
     }
-    TriangleMesh ball = Skin.over(rows, Skin.Form.PIPE);
-    Look leather = Look.satin(ModelColour.of(0.74, 0.36, 0.13));
-    return Standing.centred(
+    TriangleMesh ball = LoftedSurface.over(rows, LoftedSurface.Form.PIPE);
+    ModelMaterial leather = ModelMaterial.satin(ModelColour.of(0.74, 0.36, 0.13));
+    return ModelPlacement.centred(
         ParametricModel.of(
                 "basketball",
-                Part.of("leather", leather, CutPieces.where(ball, p -> !isSeam(p))).crease(60),
-                Part.of("seams", Looks.BLACK_PLASTIC, CutPieces.where(ball, Basketball::isSeam))
+                Part.of("leather", leather, SurfacePartition.where(ball, p -> !isSeam(p)))
+                    .crease(60),
+                Part.of(
+                        "seams",
+                        Materials.BLACK_PLASTIC,
+                        SurfacePartition.where(ball, Basketball::isSeam))
                     .crease(60))
             .map(mesh -> mesh.turnZ(62).turnY(35)));
   }
 
   private static Vector3d[] row(double latitude) {
-    double r = RADIUS * Degrees.cos(latitude);
+    double r = RADIUS * DegreeMath.cos(latitude);
     return angles(0, 345, 23, a -> a % 180 == 0).stream()
         .map(
             a ->
                 new Vector3d(
-                    r * Degrees.cos(a), RADIUS * Degrees.sin(latitude), -r * Degrees.sin(a)))
+                    r * DegreeMath.cos(a),
+                    RADIUS * DegreeMath.sin(latitude),
+                    -r * DegreeMath.sin(a)))
         .toArray(Vector3d[]::new);
   }
 
@@ -68,8 +74,8 @@ final class Basketball {
   }
 
   private static boolean isSeam(Vector3d p) {
-    double latitude = Degrees.atan2(p.y, Math.sqrt(p.x * p.x + p.z * p.z));
-    double fromCircle = Math.abs(Degrees.atan2(p.z, Math.abs(p.x)));
+    double latitude = DegreeMath.atan2(p.y, Math.sqrt(p.x * p.x + p.z * p.z));
+    double fromCircle = Math.abs(DegreeMath.atan2(p.z, Math.abs(p.x)));
     double high = Math.abs(latitude);
     return high < SEAM || Math.abs(high - 45) < SEAM || fromCircle < SEAM;
   }

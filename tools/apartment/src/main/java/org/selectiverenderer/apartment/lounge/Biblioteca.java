@@ -2,18 +2,18 @@ package org.selectiverenderer.apartment.lounge;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Boxes;
-import org.selectiverenderer.modelling.Copies;
-import org.selectiverenderer.modelling.Look;
+import org.selectiverenderer.modelling.ExtrudedSolid;
+import org.selectiverenderer.modelling.MeshPatterns;
 import org.selectiverenderer.modelling.ModelColour;
+import org.selectiverenderer.modelling.ModelMaterial;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Prism;
-import org.selectiverenderer.modelling.Rounds;
-import org.selectiverenderer.modelling.Standing;
+import org.selectiverenderer.modelling.RoundSolids;
 
 /**
  * A shelf unit for a television and books, 2.6 m wide and 1.9 m high: a low board (its top is 0.48
@@ -32,13 +32,13 @@ final class Biblioteca {
   private Biblioteca() {}
 
   static ParametricModel model() {
-    return Standing.centred(
+    return ModelPlacement.centred(
         ParametricModel.of(
             "biblioteca",
-            Part.of("boards", Looks.WALNUT, boards()),
-            Part.of("backs", Looks.WALNUT, backs()),
-            Part.of("doors", Looks.CREAM_LACQUER, doors()),
-            Part.of("knobs", Looks.PALE_BRASS, knobs()).crease(60),
+            Part.of("boards", Materials.WALNUT, boards()),
+            Part.of("backs", Materials.WALNUT, backs()),
+            Part.of("doors", Materials.CREAM_LACQUER, doors()),
+            Part.of("knobs", Materials.PALE_BRASS, knobs()).crease(60),
             books("tealBooks", ModelColour.of(0.12, 0.3, 0.33), 0),
             books("rustBooks", ModelColour.of(0.55, 0.24, 0.14), 1),
             books("ochreBooks", ModelColour.of(0.75, 0.58, 0.28), 2)));
@@ -47,9 +47,11 @@ final class Biblioteca {
   private static TriangleMesh boards() {
     double inner = WIDTH / 2 - COLUMN;
     List<TriangleMesh> all = new ArrayList<>();
-    all.add(Copies.bothSides(board(BOARD, HEIGHT, DEPTH - 0.02).move(WIDTH / 2 - BOARD / 2, 0, 0)));
     all.add(
-        Copies.bothSides(
+        MeshPatterns.bothSides(
+            board(BOARD, HEIGHT, DEPTH - 0.02).move(WIDTH / 2 - BOARD / 2, 0, 0)));
+    all.add(
+        MeshPatterns.bothSides(
             board(BOARD, HEIGHT - TOP_OF_BOARD, DEPTH - 0.06)
                 .move(inner + BOARD / 2, TOP_OF_BOARD, -0.02)));
     all.add(board(WIDTH + 0.02, BOARD, DEPTH).move(0, TOP_OF_BOARD - BOARD, 0));
@@ -59,7 +61,7 @@ final class Biblioteca {
     double middle = (WIDTH / 2 + inner) / 2;
     for (double y : SHELVES) {
       TriangleMesh shelf = board(COLUMN - 2 * BOARD, BOARD, DEPTH - 0.06);
-      all.add(Copies.bothSides(shelf.move(middle, y, -0.02)));
+      all.add(MeshPatterns.bothSides(shelf.move(middle, y, -0.02)));
     }
     return TriangleMesh.of(all);
   }
@@ -71,7 +73,7 @@ final class Biblioteca {
   private static TriangleMesh backs() {
     TriangleMesh column = Boxes.plain(COLUMN - BOARD, HEIGHT - TOP_OF_BOARD - BOARD, 0.01);
     double z = 0.015 - DEPTH / 2;
-    return Copies.bothSides(column.move((WIDTH - COLUMN) / 2, TOP_OF_BOARD, z))
+    return MeshPatterns.bothSides(column.move((WIDTH - COLUMN) / 2, TOP_OF_BOARD, z))
         .append(Boxes.plain(WIDTH - 2 * COLUMN, HEIGHT - BRIDGE - BOARD, 0.01).move(0, BRIDGE, z));
   }
 
@@ -85,7 +87,7 @@ final class Biblioteca {
     all.add(Boxes.plain(WIDTH - 2 * BOARD, 0.37, DEPTH - 0.06).move(0, 0.08, -0.02));
     for (int door = 0; door < 5; door++) {
       Outline frame = Outline.rectangle(0.495, 0.352);
-      TriangleMesh rails = Prism.plain(0.022, frame, frame.inset(0.055)).move(0, 0.176, 0);
+      TriangleMesh rails = ExtrudedSolid.plain(0.022, frame, frame.inset(0.055)).move(0, 0.176, 0);
       TriangleMesh panel = Boxes.plain(0.39, 0.25, 0.012).move(0, 0.051, 0.006);
       all.add(rails.append(panel).move(doorX(door), 0.09, DEPTH / 2 - 0.04));
     }
@@ -93,7 +95,7 @@ final class Biblioteca {
   }
 
   private static TriangleMesh knobs() {
-    TriangleMesh knob = Rounds.sphere(0.014, 5, 8);
+    TriangleMesh knob = RoundSolids.sphere(0.014, 5, 8);
     List<TriangleMesh> all = new ArrayList<>();
     for (int door = 0; door < 5; door++) {
       double side = door < 2 ? 0.215 : -0.215;
@@ -112,7 +114,7 @@ final class Biblioteca {
     row(all, right, SHELVES[0] + BOARD, 6, which + 2);
     row(all, right, SHELVES[2] + BOARD, 5, which);
     row(all, -0.7, BRIDGE, 8, which + 1);
-    return Part.of(name, Look.satin(colour), TriangleMesh.of(all));
+    return Part.of(name, ModelMaterial.satin(colour), TriangleMesh.of(all));
   }
 
   private static void row(List<TriangleMesh> all, double x, double y, int count, int which) {

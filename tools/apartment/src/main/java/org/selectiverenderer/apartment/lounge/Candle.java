@@ -2,18 +2,18 @@ package org.selectiverenderer.apartment.lounge;
 
 import java.util.List;
 import org.joml.Vector3d;
-import org.selectiverenderer.apartment.looks.Looks;
-import org.selectiverenderer.geometry.Degrees;
+import org.selectiverenderer.apartment.materials.Materials;
+import org.selectiverenderer.geometry.DegreeMath;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Curve;
 import org.selectiverenderer.modelling.Lathe;
-import org.selectiverenderer.modelling.Look;
 import org.selectiverenderer.modelling.ModelColour;
+import org.selectiverenderer.modelling.ModelMaterial;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
+import org.selectiverenderer.modelling.ProfileCurve;
 import org.selectiverenderer.modelling.Spine;
-import org.selectiverenderer.modelling.Standing;
 import org.selectiverenderer.modelling.Sweep;
 
 /** A burning candle in a brass candlestick with a ring to carry it by; wax has run down it. */
@@ -37,23 +37,24 @@ final class Candle {
   private Candle() {}
 
   static ParametricModel model() {
-    Look wax =
-        new Look(
+    ModelMaterial wax =
+        new ModelMaterial(
             ModelColour.of(0.9, 0.84, 0.68), ModelColour.grey(0.2), 0.2, 0, ModelColour.grey(0.06));
-    Look flame = Look.matt(ModelColour.of(1, 0.7, 0.2)).glowing(ModelColour.of(1, 0.62, 0.16));
+    ModelMaterial flame =
+        ModelMaterial.matt(ModelColour.of(1, 0.7, 0.2)).glowing(ModelColour.of(1, 0.62, 0.16));
     Part body = Part.of("wax", wax, wax()).crease(70);
-    return Standing.centred(
+    return ModelPlacement.centred(
         ParametricModel.of(
             "candle",
-            Part.of("holder", Looks.PALE_BRASS, dish(), handle()),
+            Part.of("holder", Materials.PALE_BRASS, dish(), handle()),
             body,
-            Part.of("wick", Looks.BLACK_PLASTIC, wick()),
+            Part.of("wick", Materials.BLACK_PLASTIC, wick()),
             Part.of("flame", flame, flame()).crease(90)));
   }
 
   private static TriangleMesh wax() {
-    Curve profile =
-        Curve.from(0, 0.008)
+    ProfileCurve profile =
+        ProfileCurve.from(0, 0.008)
             .line(RADIUS, 0.008)
             .spline(46, RADIUS, TOP - 0.003)
             .arc(RADIUS - 0.003, TOP - 0.003, 90, 4)
@@ -67,7 +68,7 @@ final class Candle {
     if (radius < 0.018 || p.y < 0.01) {
       return p;
     }
-    double angle = Degrees.atan2(p.x, p.z);
+    double angle = DegreeMath.atan2(p.x, p.z);
     double thick = 0;
     for (Drip drip : DRIPS) {
       double off = Math.abs(angle - drip.angle);
@@ -83,8 +84,8 @@ final class Candle {
   }
 
   private static TriangleMesh dish() {
-    Curve profile =
-        Curve.from(0, 0.001)
+    ProfileCurve profile =
+        ProfileCurve.from(0, 0.001)
             .line(0.045, 0)
             .spline(4, 0.06, 0.004, 0.068, 0.016)
             .arc(0.067, 0.017, 180, 4)
@@ -109,8 +110,8 @@ final class Candle {
   }
 
   private static TriangleMesh flame() {
-    Curve drop =
-        Curve.from(0, 0)
+    ProfileCurve drop =
+        ProfileCurve.from(0, 0)
             .spline(3, 0.0058, 0.006, 0.0075, 0.013, 0.0048, 0.026, 0.0018, 0.037, 0, 0.044);
     return Lathe.solid(drop, 12).move(0.0015, TOP - 0.002, 0);
   }

@@ -1,16 +1,16 @@
 package org.selectiverenderer.apartment.lounge;
 
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Curve;
-import org.selectiverenderer.modelling.Look;
+import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.ModelColour;
+import org.selectiverenderer.modelling.ModelMaterial;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Prism;
-import org.selectiverenderer.modelling.Rounds;
-import org.selectiverenderer.modelling.Standing;
+import org.selectiverenderer.modelling.ProfileCurve;
+import org.selectiverenderer.modelling.RoundSolids;
 
 /** Three keys and a leather fob on a ring, lying fanned out. */
 final class DoorKeys {
@@ -19,17 +19,22 @@ final class DoorKeys {
   private DoorKeys() {}
 
   static ParametricModel model() {
-    Look leather = Look.satin(ModelColour.of(0.42, 0.17, 0.1));
+    ModelMaterial leather = ModelMaterial.satin(ModelColour.of(0.42, 0.17, 0.1));
     Part steel =
         Part.of(
-            "steelKeys", Looks.STEEL, onRing(key(0.052), 62, 0.001), onRing(key(0.045), 8, 0.004));
-    return Standing.centred(
+            "steelKeys",
+            Materials.STEEL,
+            onRing(key(0.052), 62, 0.001),
+            onRing(key(0.045), 8, 0.004));
+    return ModelPlacement.centred(
         ParametricModel.of(
             "keys",
             Part.of(
-                "ring", Looks.STEEL, Rounds.torus(RING, 0.0011, 22, 6).turnZ(5).move(0, 0.003, 0)),
+                "ring",
+                Materials.STEEL,
+                RoundSolids.torus(RING, 0.0011, 22, 6).turnZ(5).move(0, 0.003, 0)),
             steel,
-            Part.of("brassKey", Looks.PALE_BRASS, onRing(key(0.048), 34, 0.0025)),
+            Part.of("brassKey", Materials.PALE_BRASS, onRing(key(0.048), 34, 0.0025)),
             Part.of("fob", leather, onRing(fob(), 160, 0.0012))));
   }
 
@@ -42,7 +47,7 @@ final class DoorKeys {
   private static TriangleMesh key(double length) {
     double s = length - 0.02;
     Outline shape =
-        Curve.from(0.0155, -0.0028)
+        ProfileCurve.from(0.0155, -0.0028)
             .line(length, -0.0028)
             .line(length + 0.003, 0.0005)
             .line(length, 0.0022)
@@ -55,7 +60,7 @@ final class DoorKeys {
             .line(0.0155, 0.0028)
             .arc(0.0055, 0, 328, 18)
             .closed();
-    return Prism.plate(0.0022, 0.0004, 1, shape, Outline.circle(0.0032, 10));
+    return ExtrudedSolid.plate(0.0022, 0.0004, 1, shape, Outline.circle(0.0032, 10));
   }
 
   private static TriangleMesh fob() {
@@ -63,6 +68,6 @@ final class DoorKeys {
         Outline.spline(
             4, -0.008, 0, 0, -0.0075, 0.024, -0.0145, 0.043, -0.011, 0.05, 0, 0.043, 0.011, 0.024,
             0.0145, 0, 0.0075);
-    return Prism.plate(0.0036, 0.0012, 1, drop, Outline.circle(0.003, 10));
+    return ExtrudedSolid.plate(0.0036, 0.0012, 1, drop, Outline.circle(0.003, 10));
   }
 }

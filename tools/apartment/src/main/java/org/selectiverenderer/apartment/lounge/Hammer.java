@@ -1,17 +1,17 @@
 package org.selectiverenderer.apartment.lounge;
 
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Curve;
+import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.Lathe;
-import org.selectiverenderer.modelling.Look;
 import org.selectiverenderer.modelling.ModelColour;
+import org.selectiverenderer.modelling.ModelMaterial;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Prism;
+import org.selectiverenderer.modelling.ProfileCurve;
 import org.selectiverenderer.modelling.Spine;
-import org.selectiverenderer.modelling.Standing;
 import org.selectiverenderer.modelling.Sweep;
 
 /** A claw hammer that lies on its side, 0.33 m long; nobody expects it in a lounge. */
@@ -20,14 +20,14 @@ final class Hammer {
   private Hammer() {}
 
   static ParametricModel model() {
-    Look wood = Look.satin(ModelColour.of(0.72, 0.5, 0.28));
-    Look grip = Look.satin(ModelColour.of(0.6, 0.12, 0.1));
-    return Standing.centred(
+    ModelMaterial wood = ModelMaterial.satin(ModelColour.of(0.72, 0.5, 0.28));
+    ModelMaterial grip = ModelMaterial.satin(ModelColour.of(0.6, 0.12, 0.1));
+    return ModelPlacement.centred(
         ParametricModel.of(
             "hammer",
             Part.of("handle", wood, handle()).crease(60),
             Part.of("grip", grip, grip()).crease(60),
-            Part.of("head", Looks.STEEL, face(), claw())));
+            Part.of("head", Materials.STEEL, face(), claw())));
   }
 
   /** Returns the handle along x, its head end at +x. */
@@ -47,8 +47,8 @@ final class Hammer {
 
   /** Returns the striking end: a neck and a round face towards +z. */
   private static TriangleMesh face() {
-    Curve profile =
-        Curve.of(0.012, -0.014, 0.012, 0.016, 0.0095, 0.026, 0.0135, 0.038, 0.0145, 0.05)
+    ProfileCurve profile =
+        ProfileCurve.of(0.012, -0.014, 0.012, 0.016, 0.0095, 0.026, 0.0135, 0.038, 0.0145, 0.05)
             .line(0.0125, 0.054);
     return Lathe.solid(profile, 10).turnX(90).move(0.15, 0, 0);
   }
@@ -62,7 +62,7 @@ final class Hammer {
                 2, 0.15, 0, 0, 0.15, 0, -0.028, 0.138, 0.002, -0.055, 0.112, 0.005, -0.078),
             t -> 1 - 0.72 * t);
     TriangleMesh upper = prong.move(0, 0.0056, 0);
-    TriangleMesh eye = Prism.bevelled(0.03, 0.003, 1, Outline.circle(0.0165, 10));
+    TriangleMesh eye = ExtrudedSolid.bevelled(0.03, 0.003, 1, Outline.circle(0.0165, 10));
     return TriangleMesh.of(upper, upper.scale(1, -1, 1), eye.move(0.15, 0, -0.016));
   }
 }

@@ -3,17 +3,17 @@ package org.selectiverenderer.apartment.lounge;
 import java.util.ArrayList;
 import java.util.List;
 import org.joml.Vector3d;
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Curve;
-import org.selectiverenderer.modelling.Look;
+import org.selectiverenderer.modelling.ExtrudedSolid;
+import org.selectiverenderer.modelling.LoftedSurface;
 import org.selectiverenderer.modelling.ModelColour;
+import org.selectiverenderer.modelling.ModelMaterial;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Prism;
-import org.selectiverenderer.modelling.Skin;
-import org.selectiverenderer.modelling.Standing;
-import org.selectiverenderer.modelling.Welding;
+import org.selectiverenderer.modelling.ProfileCurve;
+import org.selectiverenderer.modelling.VertexWelding;
 
 /** A pile of four bound books, their ribbed spines to the front. */
 final class LoungeBooks {
@@ -45,11 +45,13 @@ final class LoungeBooks {
     List<Part> parts = new ArrayList<>();
     List<TriangleMesh> pages = new ArrayList<>();
     for (Book book : PILE) {
-      parts.add(Part.of(book.name, Look.satin(book.colour), place(cover(book), book)).crease(45));
+      parts.add(
+          Part.of(book.name, ModelMaterial.satin(book.colour), place(cover(book), book))
+              .crease(45));
       pages.add(place(pages(book), book));
     }
-    parts.add(Part.of("pages", Looks.CREAM_PAPER, TriangleMesh.of(pages)));
-    return Standing.centred(new ParametricModel("loungeBooks", parts));
+    parts.add(Part.of("pages", Materials.CREAM_PAPER, TriangleMesh.of(pages)));
+    return ModelPlacement.centred(new ParametricModel("loungeBooks", parts));
   }
 
   /** Moves a book from lengthways on z to lengthways on x with its spine to +z, turned a little. */
@@ -63,7 +65,7 @@ final class LoungeBooks {
    * inside. The first and the last row are folded shut.
    */
   private static TriangleMesh cover(Book book) {
-    Curve middle = middle(book);
+    ProfileCurve middle = middle(book);
     List<Vector3d[]> rows = new ArrayList<>();
     for (int r = 0; r <= ROWS + 2; r++) {
       boolean shut = r == 0 || r == ROWS + 2;
@@ -71,14 +73,14 @@ final class LoungeBooks {
       double end = shut ? Math.copySign(0.001, r - 1) : 0;
       rows.add(row(middle, z + end, shut ? 0 : COVER / 2, rib(r - 1), book.thick));
     }
-    return Welding.weld(Skin.over(rows, Skin.Form.PIPE)).outward();
+    return VertexWelding.weld(LoftedSurface.over(rows, LoftedSurface.Form.PIPE)).outward();
   }
 
   /** Returns the centre line of the boards, seen from the end; the spine is at -x. */
-  private static Curve middle(Book book) {
+  private static ProfileCurve middle(Book book) {
     double half = book.thick / 2 - COVER / 2;
     double joint = 0.012 - book.width / 2;
-    return Curve.from(book.width / 2, COVER / 2)
+    return ProfileCurve.from(book.width / 2, COVER / 2)
         .line(joint, COVER / 2)
         .bezier(
             joint - 0.014,
@@ -91,7 +93,8 @@ final class LoungeBooks {
         .line(book.width / 2, COVER / 2 + 2 * half);
   }
 
-  private static Vector3d[] row(Curve middle, double z, double half, double rib, double thick) {
+  private static Vector3d[] row(
+      ProfileCurve middle, double z, double half, double rib, double thick) {
     int n = middle.size();
     Vector3d[] row = new Vector3d[2 * n];
     for (int i = 0; i < n; i++) {
@@ -119,11 +122,12 @@ final class LoungeBooks {
     double high = book.thick - low;
     double right = book.width / 2 - 0.005;
     double left = 0.016 - book.width / 2;
-    Curve block =
-        Curve.from(left, low)
+    ProfileCurve block =
+        ProfileCurve.from(left, low)
             .line(right, low)
             .bezier(right - 0.006, low + 0.3 * high, right - 0.006, 0.7 * high, right, high, 8)
             .line(left, high);
-    return Prism.plain(book.length - 0.012, block.closed()).move(0, 0, 0.006 - book.length / 2);
+    return ExtrudedSolid.plain(book.length - 0.012, block.closed())
+        .move(0, 0, 0.006 - book.length / 2);
   }
 }

@@ -3,17 +3,17 @@ package org.selectiverenderer.apartment.lounge;
 import java.util.ArrayList;
 import java.util.List;
 import org.joml.Vector3d;
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Boxes;
-import org.selectiverenderer.modelling.Copies;
-import org.selectiverenderer.modelling.Curve;
+import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.Lathe;
+import org.selectiverenderer.modelling.LoftedSurface;
+import org.selectiverenderer.modelling.MeshPatterns;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Prism;
-import org.selectiverenderer.modelling.Skin;
+import org.selectiverenderer.modelling.ProfileCurve;
 
 /** A coffee table of walnut, 1.2 m by 0.7 m and 0.43 m high, with turned legs and a shelf below. */
 final class LoungeTable {
@@ -28,17 +28,17 @@ final class LoungeTable {
   static ParametricModel model() {
     return ParametricModel.of(
         "loungeTable",
-        Part.of("top", Looks.WALNUT, top()).crease(40),
-        Part.of("apron", Looks.WALNUT, apron()),
-        Part.of("legs", Looks.WALNUT, Copies.corners(leg(), LEG_X, LEG_Z)).crease(50),
-        Part.of("shelf", Looks.WALNUT, shelf()));
+        Part.of("top", Materials.WALNUT, top()).crease(40),
+        Part.of("apron", Materials.WALNUT, apron()),
+        Part.of("legs", Materials.WALNUT, MeshPatterns.corners(leg(), LEG_X, LEG_Z)).crease(50),
+        Part.of("shelf", Materials.WALNUT, shelf()));
   }
 
   /** Returns the table top with a moulded edge: a hollow below, a step, a quarter round above. */
   private static TriangleMesh top() {
     Outline outline = Outline.roundedRectangle(WIDTH, DEPTH, 0.06, 9);
-    Curve edge =
-        Curve.from(0.03, TOP - 0.034)
+    ProfileCurve edge =
+        ProfileCurve.from(0.03, TOP - 0.034)
             .arc(0.03, TOP - 0.012, 75, 6)
             .line(0.006, TOP - 0.016)
             .line(0.001, TOP - 0.015)
@@ -53,7 +53,7 @@ final class LoungeTable {
       }
       rows.add(row);
     }
-    return Skin.over(rows, Skin.Form.CAPPED);
+    return LoftedSurface.over(rows, LoftedSurface.Form.CAPPED);
   }
 
   private static TriangleMesh apron() {
@@ -69,8 +69,8 @@ final class LoungeTable {
 
   /** Returns a leg with a square block for the apron above, turned below: beads, a vase, a foot. */
   private static TriangleMesh leg() {
-    Curve turned =
-        Curve.from(0.012, 0)
+    ProfileCurve turned =
+        ProfileCurve.from(0.012, 0)
             .spline(4, 0.019, 0.004, 0.023, 0.018, 0.018, 0.032)
             .spline(3, 0.013, 0.036, 0.0165, 0.044, 0.013, 0.05)
             .spline(8, 0.016, 0.09, 0.0265, 0.2, 0.0225, 0.262)
@@ -82,7 +82,7 @@ final class LoungeTable {
 
   private static TriangleMesh shelf() {
     Outline outline = Outline.roundedRectangle(2 * LEG_X + 0.02, 2 * LEG_Z + 0.02, 0.02, 6);
-    TriangleMesh plate = Prism.plate(0.018, 0.008, 5, outline);
+    TriangleMesh plate = ExtrudedSolid.plate(0.018, 0.008, 5, outline);
     return plate.move(0, 0.115, 0);
   }
 }

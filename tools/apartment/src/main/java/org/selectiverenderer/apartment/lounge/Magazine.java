@@ -2,15 +2,15 @@ package org.selectiverenderer.apartment.lounge;
 
 import java.util.function.Predicate;
 import org.joml.Vector3d;
-import org.selectiverenderer.geometry.Degrees;
+import org.selectiverenderer.geometry.DegreeMath;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Boxes;
-import org.selectiverenderer.modelling.Look;
 import org.selectiverenderer.modelling.ModelColour;
+import org.selectiverenderer.modelling.ModelMaterial;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.ParametricModel;
+import org.selectiverenderer.modelling.ParametricSurface;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Sheet;
-import org.selectiverenderer.modelling.Standing;
 
 /**
  * A magazine that lies open, 0.42 m by 0.28 m: wavy pages with a picture of a room on the left, a
@@ -29,16 +29,17 @@ final class Magazine {
   private Magazine() {}
 
   static ParametricModel model() {
-    TriangleMesh pages = Sheet.field(2 * PAGE, 2 * HALF, 160, ROWS, (x, z) -> 0);
-    TriangleMesh leaf = Sheet.field(PAGE, 2 * HALF, 50, ROWS, (x, z) -> 0).move(PAGE / 2, 0, 0);
-    Look red = Look.satin(ModelColour.of(0.68, 0.16, 0.12));
-    Look ink = Look.satin(ModelColour.of(0.4, 0.4, 0.4));
-    Look wall = Look.satin(ModelColour.of(0.72, 0.79, 0.77));
-    Look floor = Look.satin(ModelColour.of(0.6, 0.44, 0.3));
-    Look sofa = Look.satin(ModelColour.of(0.2, 0.36, 0.42));
-    Look lamp = Look.satin(ModelColour.of(0.93, 0.76, 0.36));
-    Look paper = Look.satin(ModelColour.of(0.93, 0.92, 0.88));
-    return Standing.centred(
+    TriangleMesh pages = ParametricSurface.field(2 * PAGE, 2 * HALF, 160, ROWS, (x, z) -> 0);
+    TriangleMesh leaf =
+        ParametricSurface.field(PAGE, 2 * HALF, 50, ROWS, (x, z) -> 0).move(PAGE / 2, 0, 0);
+    ModelMaterial red = ModelMaterial.satin(ModelColour.of(0.68, 0.16, 0.12));
+    ModelMaterial ink = ModelMaterial.satin(ModelColour.of(0.4, 0.4, 0.4));
+    ModelMaterial wall = ModelMaterial.satin(ModelColour.of(0.72, 0.79, 0.77));
+    ModelMaterial floor = ModelMaterial.satin(ModelColour.of(0.6, 0.44, 0.3));
+    ModelMaterial sofa = ModelMaterial.satin(ModelColour.of(0.2, 0.36, 0.42));
+    ModelMaterial lamp = ModelMaterial.satin(ModelColour.of(0.93, 0.76, 0.36));
+    ModelMaterial paper = ModelMaterial.satin(ModelColour.of(0.93, 0.92, 0.88));
+    return ModelPlacement.centred(
         ParametricModel.of(
             "magazine",
             Part.of("cover", red, Boxes.plain(2 * PAGE + 0.004, COVER, 2 * HALF + 0.003)),
@@ -54,20 +55,24 @@ final class Magazine {
             leaf("photograph", sofa, leaf, MagazinePrint::isPhotograph)));
   }
 
-  private static Part page(String name, Look look, TriangleMesh flat, Predicate<Vector3d> where) {
-    TriangleMesh mesh = CutPieces.where(flat, where).deform(p -> p.set(p.x, height(p.x, p.z), p.z));
+  private static Part page(
+      String name, ModelMaterial look, TriangleMesh flat, Predicate<Vector3d> where) {
+    TriangleMesh mesh =
+        SurfacePartition.where(flat, where).deform(p -> p.set(p.x, height(p.x, p.z), p.z));
     return Part.of(name, look, mesh).crease(60);
   }
 
-  private static Part leaf(String name, Look look, TriangleMesh flat, Predicate<Vector3d> where) {
-    return Part.of(name, look, CutPieces.where(flat, where).deform(Magazine::lift)).crease(60);
+  private static Part leaf(
+      String name, ModelMaterial look, TriangleMesh flat, Predicate<Vector3d> where) {
+    return Part.of(name, look, SurfacePartition.where(flat, where).deform(Magazine::lift))
+        .crease(60);
   }
 
   /** Returns the height of the pages, which sink into the fold and wave towards the corners. */
   private static double height(double x, double z) {
     double out = Math.abs(x) / PAGE;
     double bulge = 0.0115 * out * 1.15 / (out + 0.15) - 0.0055 * out * out;
-    double wave = 0.0013 * out * Degrees.sin(900 * z + 500 * x + 40);
+    double wave = 0.0013 * out * DegreeMath.sin(900 * z + 500 * x + 40);
     return COVER + 0.003 + bulge + wave;
   }
 
@@ -75,7 +80,7 @@ final class Magazine {
   private static Vector3d lift(Vector3d p) {
     double along = Math.max(0, p.x / PAGE);
     double corner = 0.5 + p.z / (2 * HALF);
-    double rise = (0.012 + 0.026 * corner) * Degrees.sin(180 * Degrees.power(along, 0.8));
+    double rise = (0.012 + 0.026 * corner) * DegreeMath.sin(180 * DegreeMath.power(along, 0.8));
     double curl = 0.016 * corner * corner * along * along * along;
     double x = p.x - 0.012 * along * corner;
     double y = height(p.x, p.z) + 0.001 + rise + curl;
@@ -86,8 +91,8 @@ final class Magazine {
    * Returns the cut edges of the pages, from the border of the uppermost page down to the cover.
    */
   private static TriangleMesh edges(TriangleMesh pages) {
-    TriangleMesh walls = Sheet.thicken(pages, 0, -1, 0);
-    return CutPieces.where(walls, p -> Math.abs(p.y + 0.5) < 0.4)
+    TriangleMesh walls = ParametricSurface.thicken(pages, 0, -1, 0);
+    return SurfacePartition.where(walls, p -> Math.abs(p.y + 0.5) < 0.4)
         .deform(p -> p.set(p.x, p.y < -0.5 ? COVER : height(p.x, p.z), p.z));
   }
 }

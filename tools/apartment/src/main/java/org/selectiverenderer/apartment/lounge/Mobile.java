@@ -3,16 +3,16 @@ package org.selectiverenderer.apartment.lounge;
 import java.util.ArrayList;
 import java.util.List;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Copies;
-import org.selectiverenderer.modelling.Look;
+import org.selectiverenderer.modelling.ExtrudedSolid;
+import org.selectiverenderer.modelling.MeshPatterns;
 import org.selectiverenderer.modelling.ModelColour;
+import org.selectiverenderer.modelling.ModelMaterial;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Prism;
-import org.selectiverenderer.modelling.RaisedLetters;
-import org.selectiverenderer.modelling.Rounds;
-import org.selectiverenderer.modelling.Standing;
+import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.TextGeometry;
 
 /** A mobile phone with keys, of the thesis's time, lying on its back, 0.112 m long. */
 final class Mobile {
@@ -22,15 +22,16 @@ final class Mobile {
   private Mobile() {}
 
   static ParametricModel model() {
-    Look shell = Look.satin(ModelColour.of(0.5, 0.54, 0.6));
-    Look face = Look.glossy(ModelColour.of(0.08, 0.09, 0.11));
-    Look keys = Look.satin(ModelColour.of(0.78, 0.8, 0.82));
-    Look screen =
-        Look.glossy(ModelColour.of(0.35, 0.6, 0.66)).glowing(ModelColour.of(0.1, 0.2, 0.23));
-    Look ink = Look.matt(ModelColour.of(0.1, 0.11, 0.13));
-    Look green = Look.satin(ModelColour.of(0.2, 0.52, 0.24));
-    Look red = Look.satin(ModelColour.of(0.66, 0.15, 0.13));
-    return Standing.centred(
+    ModelMaterial shell = ModelMaterial.satin(ModelColour.of(0.5, 0.54, 0.6));
+    ModelMaterial face = ModelMaterial.glossy(ModelColour.of(0.08, 0.09, 0.11));
+    ModelMaterial keys = ModelMaterial.satin(ModelColour.of(0.78, 0.8, 0.82));
+    ModelMaterial screen =
+        ModelMaterial.glossy(ModelColour.of(0.35, 0.6, 0.66))
+            .glowing(ModelColour.of(0.1, 0.2, 0.23));
+    ModelMaterial ink = ModelMaterial.matt(ModelColour.of(0.1, 0.11, 0.13));
+    ModelMaterial green = ModelMaterial.satin(ModelColour.of(0.2, 0.52, 0.24));
+    ModelMaterial red = ModelMaterial.satin(ModelColour.of(0.66, 0.15, 0.13));
+    return ModelPlacement.centred(
         ParametricModel.of(
             "mobile",
             Part.of("shell", shell, shell()),
@@ -45,22 +46,22 @@ final class Mobile {
   private static TriangleMesh shell() {
     Outline outline = Outline.superellipse(0.0235, 0.056, 3.4, 72);
     TriangleMesh antenna =
-        Rounds.capsule(0.0032, 0.026, 6, 16).turnX(-90).move(0.0145, 0.01, -0.04);
-    return Prism.plate(0.0175, 0.0065, 9, outline).append(antenna);
+        RoundSolids.capsule(0.0032, 0.026, 6, 16).turnX(-90).move(0.0145, 0.01, -0.04);
+    return ExtrudedSolid.plate(0.0175, 0.0065, 9, outline).append(antenna);
   }
 
   private static TriangleMesh face() {
     Outline outline = Outline.superellipse(0.0198, 0.0515, 3.4, 72);
-    return Prism.plate(0.0035, 0.0015, 3, outline).move(0, FACE - 0.0035, 0);
+    return ExtrudedSolid.plate(0.0035, 0.0015, 3, outline).move(0, FACE - 0.0035, 0);
   }
 
   private static TriangleMesh screen() {
     Outline outline = Outline.roundedRectangle(0.031, 0.034, 0.003, 6);
-    return Prism.plate(0.0012, 0.0005, 2, outline).move(0, FACE - 0.0004, -0.0205);
+    return ExtrudedSolid.plate(0.0012, 0.0005, 2, outline).move(0, FACE - 0.0004, -0.0205);
   }
 
   private static TriangleMesh key(double radiusX, double radiusZ) {
-    return Buttons.round(radiusX, 0.0016, radiusZ, 5, 32);
+    return PushButtons.round(radiusX, 0.0016, radiusZ, 5, 32);
   }
 
   private static double x(int key) {
@@ -81,18 +82,18 @@ final class Mobile {
 
   /** Returns the navigation key, a rocker in a ring below the screen. */
   private static TriangleMesh navigation() {
-    return Rounds.torus(0.0058, 0.0011, 40, 10)
-        .append(Buttons.round(0.0036, 0.0012, 0.0036, 5, 32))
+    return RoundSolids.torus(0.0058, 0.0011, 40, 10)
+        .append(PushButtons.round(0.0036, 0.0012, 0.0036, 5, 32))
         .move(0, FACE, 0.0035);
   }
 
   private static TriangleMesh ear() {
-    TriangleMesh slot = Rounds.capsule(0.0006, 0.004, 4, 12).turnX(-90);
-    return Copies.row(slot.move(-0.0048, FACE, -0.0405), 5, 0.0024, 0, 0);
+    TriangleMesh slot = RoundSolids.capsule(0.0006, 0.004, 4, 12).turnX(-90);
+    return MeshPatterns.row(slot.move(-0.0048, FACE, -0.0405), 5, 0.0024, 0, 0);
   }
 
   private static TriangleMesh digits() {
-    RaisedLetters lettering = RaisedLetters.bold();
+    TextGeometry lettering = TextGeometry.bold();
     List<TriangleMesh> all = new ArrayList<>();
     for (int key = 0; key < KEYS.length(); key++) {
       TriangleMesh digit = lettering.flat(KEYS.substring(key, key + 1), 0.0058).turnX(-90);

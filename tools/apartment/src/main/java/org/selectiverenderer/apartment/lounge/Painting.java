@@ -1,17 +1,17 @@
 package org.selectiverenderer.apartment.lounge;
 
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Boxes;
-import org.selectiverenderer.modelling.Curve;
-import org.selectiverenderer.modelling.Look;
+import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.ModelColour;
+import org.selectiverenderer.modelling.ModelMaterial;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Prism;
+import org.selectiverenderer.modelling.ProfileCurve;
 import org.selectiverenderer.modelling.Spine;
-import org.selectiverenderer.modelling.Standing;
 import org.selectiverenderer.modelling.Sweep;
 
 /** A framed painting, 1 m by 0.7 m: the sun over hills by the sea. Its back is flat. */
@@ -29,29 +29,30 @@ final class Painting {
     double x = WIDTH / 2 - 0.02;
     double y = HEIGHT / 2 - 0.02;
     Outline hills =
-        Curve.from(-x, -0.06)
+        ProfileCurve.from(-x, -0.06)
             .spline(3, -0.3, 0.05, -0.12, -0.03, 0.08, 0.07, 0.28, -0.02, x, -0.05)
             .line(x, -0.12)
             .line(-x, -0.12)
             .closed();
-    Outline shore = Curve.from(-x, -0.2).spline(3, -0.15, -0.23, 0.1, -y).line(-x, -y).closed();
+    Outline shore =
+        ProfileCurve.from(-x, -0.2).spline(3, -0.15, -0.23, 0.1, -y).line(-x, -y).closed();
     Outline sun = Outline.circle(0.065, 12).move(0.2, 0.14);
-    return Standing.centred(
+    return ModelPlacement.centred(
         ParametricModel.of(
             "painting",
-            Part.of("frame", Looks.PALE_BRASS, frame),
+            Part.of("frame", Materials.PALE_BRASS, frame),
             Part.of(
                 "sky", paint(0.95, 0.8, 0.62), Boxes.plain(2 * x, 2 * y, 0.01).move(0, -y, 0.005)),
-            Part.of("sun", paint(0.9, 0.45, 0.22), Prism.plain(0.012, sun)),
+            Part.of("sun", paint(0.9, 0.45, 0.22), ExtrudedSolid.plain(0.012, sun)),
             Part.of(
                 "sea",
                 paint(0.24, 0.5, 0.56),
-                Prism.plain(0.0125, Outline.of(-x, -y, x, -y, x, -0.1, -x, -0.1))),
-            Part.of("hills", paint(0.42, 0.46, 0.52), Prism.plain(0.014, hills)),
-            Part.of("shore", paint(0.8, 0.68, 0.46), Prism.plain(0.0155, shore))));
+                ExtrudedSolid.plain(0.0125, Outline.of(-x, -y, x, -y, x, -0.1, -x, -0.1))),
+            Part.of("hills", paint(0.42, 0.46, 0.52), ExtrudedSolid.plain(0.014, hills)),
+            Part.of("shore", paint(0.8, 0.68, 0.46), ExtrudedSolid.plain(0.0155, shore))));
   }
 
-  private static Look paint(double red, double green, double blue) {
-    return Look.matt(ModelColour.of(red, green, blue));
+  private static ModelMaterial paint(double red, double green, double blue) {
+    return ModelMaterial.matt(ModelColour.of(red, green, blue));
   }
 }

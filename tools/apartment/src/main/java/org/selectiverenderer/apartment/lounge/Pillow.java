@@ -1,16 +1,16 @@
 package org.selectiverenderer.apartment.lounge;
 
 import org.joml.Vector3d;
-import org.selectiverenderer.apartment.looks.Looks;
-import org.selectiverenderer.geometry.Degrees;
+import org.selectiverenderer.apartment.materials.Materials;
+import org.selectiverenderer.geometry.DegreeMath;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Copies;
-import org.selectiverenderer.modelling.Look;
+import org.selectiverenderer.modelling.MeshPatterns;
+import org.selectiverenderer.modelling.ModelMaterial;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.ParametricModel;
+import org.selectiverenderer.modelling.ParametricSurface;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Sheet;
-import org.selectiverenderer.modelling.Standing;
-import org.selectiverenderer.modelling.Welding;
+import org.selectiverenderer.modelling.VertexWelding;
 
 /**
  * A square pillow with a piped seam, drawn in by a stitch in the middle of both sides. It stands
@@ -29,20 +29,21 @@ final class Pillow {
   private Pillow() {}
 
   static ParametricModel first() {
-    return model("sofa1Pillow", Looks.TEAL_CLOTH);
+    return model("sofa1Pillow", Materials.TEAL_CLOTH);
   }
 
   static ParametricModel second() {
-    return model("sofa2Pillow", Looks.RUST_CLOTH);
+    return model("sofa2Pillow", Materials.RUST_CLOTH);
   }
 
-  private static ParametricModel model(String name, Look cloth) {
-    TriangleMesh quarter = Sheet.of(SQUARES, SQUARES, (u, v) -> new Vector3d(grid(u), grid(v), 1));
-    TriangleMesh half = Copies.bothSides(quarter);
+  private static ParametricModel model(String name, ModelMaterial cloth) {
+    TriangleMesh quarter =
+        ParametricSurface.of(SQUARES, SQUARES, (u, v) -> new Vector3d(grid(u), grid(v), 1));
+    TriangleMesh half = MeshPatterns.bothSides(quarter);
     TriangleMesh front = half.append(half.scale(1, -1, 1));
-    TriangleMesh cover = Welding.weld(front.append(front.mirrorZ()).deform(Pillow::plump));
+    TriangleMesh cover = VertexWelding.weld(front.append(front.mirrorZ()).deform(Pillow::plump));
     ParametricModel upright = ParametricModel.of(name, Part.of("cover", cloth, cover).crease(80));
-    return Standing.centred(upright.map(mesh -> mesh.turnX(-LEAN)));
+    return ModelPlacement.centred(upright.map(mesh -> mesh.turnX(-LEAN)));
   }
 
   /**
@@ -58,7 +59,7 @@ final class Pillow {
   private static Vector3d plump(Vector3d p) {
     double fromX = 1 - p.x * p.x;
     double fromY = 1 - p.y * p.y;
-    double belly = Degrees.power(Math.max(0, fromX * fromY), 0.55);
+    double belly = DegreeMath.power(Math.max(0, fromX * fromY), 0.55);
     double square = (p.x * p.x + p.y * p.y) * HALF * HALF;
     double dent = 0.62 / (1 + square / (0.045 * 0.045));
     double rim = Math.max(Math.abs(p.x), Math.abs(p.y));

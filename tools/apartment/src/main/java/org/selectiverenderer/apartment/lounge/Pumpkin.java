@@ -1,17 +1,17 @@
 package org.selectiverenderer.apartment.lounge;
 
 import org.joml.Vector3d;
-import org.selectiverenderer.geometry.Degrees;
+import org.selectiverenderer.geometry.DegreeMath;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Look;
+import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.ModelColour;
+import org.selectiverenderer.modelling.ModelMaterial;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Prism;
-import org.selectiverenderer.modelling.Rounds;
+import org.selectiverenderer.modelling.RoundSolids;
 import org.selectiverenderer.modelling.Spine;
-import org.selectiverenderer.modelling.Standing;
 import org.selectiverenderer.modelling.Sweep;
 
 /** A pumpkin with a lit face, as for Halloween; nobody expects it in a lounge. */
@@ -22,12 +22,13 @@ final class Pumpkin {
   private Pumpkin() {}
 
   static ParametricModel model() {
-    Look skin = Look.satin(ModelColour.of(0.82, 0.4, 0.08));
-    Look lit = Look.matt(ModelColour.of(1, 0.8, 0.3)).glowing(ModelColour.of(0.95, 0.68, 0.18));
-    Look stalk = Look.matt(ModelColour.of(0.36, 0.4, 0.18));
+    ModelMaterial skin = ModelMaterial.satin(ModelColour.of(0.82, 0.4, 0.08));
+    ModelMaterial lit =
+        ModelMaterial.matt(ModelColour.of(1, 0.8, 0.3)).glowing(ModelColour.of(0.95, 0.68, 0.18));
+    ModelMaterial stalk = ModelMaterial.matt(ModelColour.of(0.36, 0.4, 0.18));
     TriangleMesh body =
-        Rounds.ellipsoid(RADIUS, FLAT * RADIUS, RADIUS, 10, 30).deform(Pumpkin::ribbed);
-    return Standing.centred(
+        RoundSolids.ellipsoid(RADIUS, FLAT * RADIUS, RADIUS, 10, 30).deform(Pumpkin::ribbed);
+    return ModelPlacement.centred(
         ParametricModel.of(
             "pumpkin",
             Part.of("skin", skin, body).crease(60),
@@ -38,7 +39,7 @@ final class Pumpkin {
   /** Deforms a sphere to ten ribs with a hollow at the stalk and below. */
   private static Vector3d ribbed(Vector3d p) {
     double level = Math.sqrt(p.x * p.x + p.z * p.z) / RADIUS;
-    double ribs = 1 + 0.045 * level * Degrees.cos(10 * Degrees.atan2(p.x, p.z));
+    double ribs = 1 + 0.045 * level * DegreeMath.cos(10 * DegreeMath.atan2(p.x, p.z));
     double hollow = 1 - 0.3 / (1 + 20 * level * level);
     return p.mul(ribs, hollow, ribs);
   }
@@ -55,7 +56,7 @@ final class Pumpkin {
   }
 
   private static TriangleMesh shape(Outline millimetres) {
-    return Prism.plain(0.012, millimetres.scale(0.001, 0.001)).deform(Pumpkin::onSkin);
+    return ExtrudedSolid.plain(0.012, millimetres.scale(0.001, 0.001)).deform(Pumpkin::onSkin);
   }
 
   /** Maps a point of the flat face to the skin; z is its distance outside of the skin. */

@@ -3,16 +3,16 @@ package org.selectiverenderer.apartment.lounge;
 import java.util.ArrayList;
 import java.util.List;
 import org.joml.Vector3d;
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Look;
+import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.ModelColour;
+import org.selectiverenderer.modelling.ModelMaterial;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Prism;
-import org.selectiverenderer.modelling.Rounds;
-import org.selectiverenderer.modelling.Standing;
+import org.selectiverenderer.modelling.RoundSolids;
 
 /** A remote control, 0.2 m long, with its head away from the viewer. */
 final class RemoteControl {
@@ -21,18 +21,20 @@ final class RemoteControl {
   private RemoteControl() {}
 
   static ParametricModel model() {
-    Look body = Look.satin(ModelColour.of(0.13, 0.13, 0.14));
-    Look grey = Look.satin(ModelColour.of(0.62, 0.63, 0.64));
-    Look dark = Look.glossy(ModelColour.of(0.3, 0.02, 0.03));
-    return Standing.centred(
+    ModelMaterial body = ModelMaterial.satin(ModelColour.of(0.13, 0.13, 0.14));
+    ModelMaterial grey = ModelMaterial.satin(ModelColour.of(0.62, 0.63, 0.64));
+    ModelMaterial dark = ModelMaterial.glossy(ModelColour.of(0.3, 0.02, 0.03));
+    return ModelPlacement.centred(
         ParametricModel.of(
             "remoteControl",
             Part.of("body", body, body()),
             Part.of("window", dark, window()),
             Part.of("digits", grey, digits()),
-            Part.of("rockers", Looks.STEEL, rockers(), ring()),
+            Part.of("rockers", Materials.STEEL, rockers(), ring()),
             Part.of(
-                "power", Look.satin(ModelColour.of(0.75, 0.14, 0.12)), at(0.0052, -0.0145, -0.078)),
+                "power",
+                ModelMaterial.satin(ModelColour.of(0.75, 0.14, 0.12)),
+                at(0.0052, -0.0145, -0.078)),
             colour("red", 0, ModelColour.of(0.72, 0.16, 0.14)),
             colour("green", 1, ModelColour.of(0.2, 0.5, 0.25)),
             colour("yellow", 2, ModelColour.of(0.85, 0.68, 0.2)),
@@ -42,7 +44,7 @@ final class RemoteControl {
   /** Returns the body, a rounded bar with a waist. */
   private static TriangleMesh body() {
     Outline outline = Outline.superellipse(0.0245, 0.1, 4.5, 108);
-    return Prism.plate(TOP, 0.0085, 18, outline).deform(RemoteControl::waist);
+    return ExtrudedSolid.plate(TOP, 0.0085, 18, outline).deform(RemoteControl::waist);
   }
 
   private static Vector3d waist(Vector3d p) {
@@ -51,7 +53,7 @@ final class RemoteControl {
   }
 
   private static TriangleMesh window() {
-    return Rounds.superellipsoid(0.012, 0.0055, 0.006, 2.5, 3, 20, 40).move(0, 0.011, -0.0955);
+    return RoundSolids.superellipsoid(0.012, 0.0055, 0.006, 2.5, 3, 20, 40).move(0, 0.011, -0.0955);
   }
 
   private static TriangleMesh at(double radius, double x, double z) {
@@ -59,7 +61,7 @@ final class RemoteControl {
   }
 
   private static TriangleMesh button(double radiusX, double radiusZ) {
-    return Buttons.round(radiusX, 0.0024, radiusZ, 9, 48);
+    return PushButtons.round(radiusX, 0.0024, radiusZ, 9, 48);
   }
 
   /** Returns the digit keys, three columns of four. */
@@ -76,7 +78,7 @@ final class RemoteControl {
 
   private static Part colour(String name, int i, ModelColour colour) {
     TriangleMesh key = button(0.0036, 0.0024).move((i - 1.5) * 0.0098, TOP, 0.069);
-    return Part.of(name, Look.satin(colour), key);
+    return Part.of(name, ModelMaterial.satin(colour), key);
   }
 
   /** Returns the volume and programme keys, and five keys at the lower end. */
@@ -93,7 +95,7 @@ final class RemoteControl {
 
   /** Returns the navigation ring with a key in its middle. */
   private static TriangleMesh ring() {
-    TriangleMesh ring = Rounds.torus(0.0105, 0.0028, 80, 24).move(0, TOP, 0);
+    TriangleMesh ring = RoundSolids.torus(0.0105, 0.0028, 80, 24).move(0, TOP, 0);
     return ring.append(button(0.0055, 0.0055).move(0, TOP, 0)).move(0, 0, 0.038);
   }
 }

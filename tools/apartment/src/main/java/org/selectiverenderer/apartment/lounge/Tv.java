@@ -1,20 +1,20 @@
 package org.selectiverenderer.apartment.lounge;
 
 import org.joml.Vector3d;
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Boxes;
-import org.selectiverenderer.modelling.Copies;
-import org.selectiverenderer.modelling.Look;
+import org.selectiverenderer.modelling.ExtrudedSolid;
+import org.selectiverenderer.modelling.MeshPatterns;
 import org.selectiverenderer.modelling.ModelColour;
+import org.selectiverenderer.modelling.ModelMaterial;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
+import org.selectiverenderer.modelling.ParametricSurface;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Prism;
-import org.selectiverenderer.modelling.Rounds;
-import org.selectiverenderer.modelling.Sheet;
+import org.selectiverenderer.modelling.RoundSolids;
 import org.selectiverenderer.modelling.Spine;
-import org.selectiverenderer.modelling.Standing;
 import org.selectiverenderer.modelling.Sweep;
 
 /** A flat television of 1.02 m by 0.7 m with its stand; slots for the sound, a ribbed back. */
@@ -28,34 +28,36 @@ final class Tv {
   private Tv() {}
 
   static ParametricModel model() {
-    Look lacquer = Look.glossy(ModelColour.of(0.06, 0.06, 0.065));
-    Look off =
-        Look.glossy(ModelColour.of(0.1, 0.12, 0.15)).glowing(ModelColour.of(0.03, 0.04, 0.055));
-    Look light = Look.matt(ModelColour.of(0.5, 0.05, 0.05)).glowing(ModelColour.of(0.8, 0.1, 0.08));
-    return Standing.centred(
+    ModelMaterial lacquer = ModelMaterial.glossy(ModelColour.of(0.06, 0.06, 0.065));
+    ModelMaterial off =
+        ModelMaterial.glossy(ModelColour.of(0.1, 0.12, 0.15))
+            .glowing(ModelColour.of(0.03, 0.04, 0.055));
+    ModelMaterial light =
+        ModelMaterial.matt(ModelColour.of(0.5, 0.05, 0.05)).glowing(ModelColour.of(0.8, 0.1, 0.08));
+    return ModelPlacement.centred(
         ParametricModel.of(
             "tv",
             Part.of("frame", lacquer, frame(), stand()),
             Part.of("screen", off, screen()),
-            Part.of("trim", Looks.STEEL, trim(), buttons()),
-            Part.of("back", Looks.BLACK_PLASTIC, back()),
+            Part.of("trim", Materials.STEEL, trim(), buttons()),
+            Part.of("back", Materials.BLACK_PLASTIC, back()),
             Part.of(
                 "light",
                 light,
-                Rounds.ellipsoid(0.004, 0.004, 0.002, 4, 8).move(0.46, 0.118, 0.03))));
+                RoundSolids.ellipsoid(0.004, 0.004, 0.002, 4, 8).move(0.46, 0.118, 0.03))));
   }
 
   private static TriangleMesh frame() {
     Outline outer = Outline.roundedRectangle(WIDTH, HEIGHT, 0.022, 7);
     Outline window = Outline.rectangle(WIDTH - 0.08, HEIGHT - 0.1).move(0, 0.012);
-    return Prism.bevelled(0.05, 0.01, 4, outer, window).move(0, MIDDLE, -0.02);
+    return ExtrudedSolid.bevelled(0.05, 0.01, 4, outer, window).move(0, MIDDLE, -0.02);
   }
 
   /**
    * Returns the screen, a millimetre behind the frame's front and a little larger than its window.
    */
   private static TriangleMesh screen() {
-    return Sheet.of(
+    return ParametricSurface.of(
         1,
         1,
         (u, v) ->
@@ -72,13 +74,13 @@ final class Tv {
   }
 
   private static TriangleMesh buttons() {
-    TriangleMesh button = Buttons.round(0.007, 0.003, 0.004, 2, 10).turnX(90);
-    return Copies.row(button.move(0.34, 0.118, 0.03), 4, 0.024, 0, 0);
+    TriangleMesh button = PushButtons.round(0.007, 0.003, 0.004, 2, 10).turnX(90);
+    return MeshPatterns.row(button.move(0.34, 0.118, 0.03), 4, 0.024, 0, 0);
   }
 
   private static TriangleMesh stand() {
     Outline ellipse = Outline.superellipse(0.28, 0.125, 2.4, 40);
-    TriangleMesh base = Prism.plate(0.018, 0.008, 4, ellipse);
+    TriangleMesh base = ExtrudedSolid.plate(0.018, 0.008, 4, ellipse);
     TriangleMesh neck = Boxes.bevelled(0.16, 0.12, 0.035, 0.012, 3).move(0, 0.012, -0.01);
     return base.append(neck);
   }
@@ -86,6 +88,6 @@ final class Tv {
   private static TriangleMesh back() {
     TriangleMesh hump = Boxes.bevelled(0.8, 0.42, 0.07, 0.03, 3).move(0, MIDDLE - 0.21, -0.035);
     TriangleMesh rib = Boxes.bevelled(0.018, 0.1, 0.012, 0.004, 1).move(0, MIDDLE + 0.06, -0.07);
-    return hump.append(Copies.row(rib.move(-0.3, 0, 0), 21, 0.03, 0, 0));
+    return hump.append(MeshPatterns.row(rib.move(-0.3, 0, 0), 21, 0.03, 0, 0));
   }
 }

@@ -1,15 +1,15 @@
 package org.selectiverenderer.apartment.lounge;
 
 import org.joml.Vector3d;
-import org.selectiverenderer.apartment.looks.Looks;
-import org.selectiverenderer.geometry.Degrees;
+import org.selectiverenderer.apartment.materials.Materials;
+import org.selectiverenderer.geometry.DegreeMath;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Curve;
 import org.selectiverenderer.modelling.Lathe;
-import org.selectiverenderer.modelling.Look;
 import org.selectiverenderer.modelling.ModelColour;
+import org.selectiverenderer.modelling.ModelMaterial;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
+import org.selectiverenderer.modelling.ProfileCurve;
 
 /** A bottle of red wine, 0.3 m high: green glass, a paper label with two gold lines, a capsule. */
 final class Wine {
@@ -19,22 +19,24 @@ final class Wine {
 
   static ParametricModel model() {
     TriangleMesh bottle = Lathe.solid(profile(), 72);
-    Look glass = Look.glossy(ModelColour.of(0.03, 0.1, 0.05));
-    Look gold = Look.metal(ModelColour.of(0.85, 0.66, 0.3));
-    Look capsule = Look.satin(ModelColour.of(0.36, 0.04, 0.07));
-    Look ink = Look.matt(ModelColour.of(0.36, 0.04, 0.07));
+    ModelMaterial glass = ModelMaterial.glossy(ModelColour.of(0.03, 0.1, 0.05));
+    ModelMaterial gold = ModelMaterial.metal(ModelColour.of(0.85, 0.66, 0.3));
+    ModelMaterial capsule = ModelMaterial.satin(ModelColour.of(0.36, 0.04, 0.07));
+    ModelMaterial ink = ModelMaterial.matt(ModelColour.of(0.36, 0.04, 0.07));
     return ParametricModel.of(
         "wine",
-        Part.of("glass", glass, CutPieces.where(bottle, p -> !isCapsule(p) && !isLabel(p))),
-        Part.of("capsule", capsule, CutPieces.where(bottle, Wine::isCapsule)),
+        Part.of("glass", glass, SurfacePartition.where(bottle, p -> !isCapsule(p) && !isLabel(p))),
+        Part.of("capsule", capsule, SurfacePartition.where(bottle, Wine::isCapsule)),
         Part.of(
-            "label", Looks.CREAM_PAPER, CutPieces.where(bottle, p -> isLabel(p) && !isPrint(p))),
-        Part.of("gold", gold, CutPieces.where(bottle, p -> isLabel(p) && isGold(p))),
-        Part.of("emblem", ink, CutPieces.where(bottle, p -> isLabel(p) && isEmblem(p))));
+            "label",
+            Materials.CREAM_PAPER,
+            SurfacePartition.where(bottle, p -> isLabel(p) && !isPrint(p))),
+        Part.of("gold", gold, SurfacePartition.where(bottle, p -> isLabel(p) && isGold(p))),
+        Part.of("emblem", ink, SurfacePartition.where(bottle, p -> isLabel(p) && isEmblem(p))));
   }
 
-  private static Curve profile() {
-    return Curve.from(0, 0.018)
+  private static ProfileCurve profile() {
+    return ProfileCurve.from(0, 0.018)
         .spline(6, 0.018, 0.012, 0.029, 0)
         .spline(4, 0.034, 0.0008, RADIUS, 0.006)
         .spline(4, RADIUS, 0.05)
@@ -74,6 +76,6 @@ final class Wine {
 
   /** Returns the angle of a point about the bottle's axis from the front, degrees. */
   private static double angle(Vector3d p) {
-    return Degrees.atan2(p.x, p.z);
+    return DegreeMath.atan2(p.x, p.z);
   }
 }

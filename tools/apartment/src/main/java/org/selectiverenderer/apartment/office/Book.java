@@ -2,9 +2,9 @@ package org.selectiverenderer.apartment.office;
 
 import org.joml.Vector3d;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Curve;
-import org.selectiverenderer.modelling.Prism;
-import org.selectiverenderer.modelling.Sheet;
+import org.selectiverenderer.modelling.ExtrudedSolid;
+import org.selectiverenderer.modelling.ParametricSurface;
+import org.selectiverenderer.modelling.ProfileCurve;
 
 /**
  * A bound book that stands upright with its spine to +z.
@@ -29,8 +29,8 @@ record Book(double thick, double height, double deep) {
   TriangleMesh cover() {
     double x = thick / 2;
     double inner = x - BOARD;
-    Curve outside =
-        Curve.from(x, deep / 2)
+    ProfileCurve outside =
+        ProfileCurve.from(x, deep / 2)
             .line(x, -front())
             .bezier(
                 0.75 * x,
@@ -41,8 +41,8 @@ record Book(double thick, double height, double deep) {
                 -front(),
                 24)
             .line(-x, deep / 2);
-    Curve inside =
-        Curve.from(-inner, deep / 2)
+    ProfileCurve inside =
+        ProfileCurve.from(-inner, deep / 2)
             .line(-inner, -front() + BOARD)
             .bezier(
                 -0.7 * inner,
@@ -53,7 +53,7 @@ record Book(double thick, double height, double deep) {
                 BOARD - front(),
                 16)
             .line(inner, deep / 2);
-    return Prism.plate(height, 0.001, 4, outside.then(inside).closed());
+    return ExtrudedSolid.plate(height, 0.001, 4, outside.then(inside).closed());
   }
 
   /**
@@ -62,7 +62,7 @@ record Book(double thick, double height, double deep) {
   TriangleMesh pages() {
     double x = thick / 2 - BOARD + 0.0005;
     double upper = height - 0.004;
-    return Sheet.of(
+    return ParametricSurface.of(
         10,
         4,
         (u, v) -> {
@@ -81,7 +81,7 @@ record Book(double thick, double height, double deep) {
   TriangleMesh label() {
     double out = deep / 2 + 0.0006;
     return TriangleMesh.of(
-        Placing.flat(0.62 * thick, 0.13 * height).move(0, 0.75 * height, out),
-        Placing.flat(0.62 * thick, 0.005).move(0, 0.16 * height, out));
+        MeshOrientation.flat(0.62 * thick, 0.13 * height).move(0, 0.75 * height, out),
+        MeshOrientation.flat(0.62 * thick, 0.005).move(0, 0.16 * height, out));
   }
 }

@@ -1,17 +1,17 @@
 package org.selectiverenderer.apartment.office;
 
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.Lathe;
-import org.selectiverenderer.modelling.Look;
 import org.selectiverenderer.modelling.ModelColour;
+import org.selectiverenderer.modelling.ModelMaterial;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Prism;
-import org.selectiverenderer.modelling.Rounds;
-import org.selectiverenderer.modelling.Standing;
+import org.selectiverenderer.modelling.RoundSolids;
 
 /**
  * A stack of three jewel cases, and an open one beside it with the disc in it: 0.31 m wide (thesis
@@ -23,32 +23,33 @@ final class Cd {
   private Cd() {}
 
   static ParametricModel model() {
-    Look rainbow =
-        new Look(
+    ModelMaterial rainbow =
+        new ModelMaterial(
             ModelColour.of(0.5, 0.56, 0.6),
             ModelColour.of(0.9, 0.8, 0.95),
             0.6,
             0,
             ModelColour.grey(0));
     TriangleMesh label =
-        Placing.flat(0.122, 0.116).turnX(-90).turnY(8).move(-0.077, 3 * CASE + 0.0004, 0);
+        MeshOrientation.flat(0.122, 0.116).turnX(-90).turnY(8).move(-0.077, 3 * CASE + 0.0004, 0);
     TriangleMesh title =
-        Placing.flat(0.08, 0.02)
+        MeshOrientation.flat(0.08, 0.02)
             .turnX(-90)
             .move(0, 0.0004, 0.03)
             .turnY(8)
             .move(-0.077, 3 * CASE + 0.0004, 0);
-    return Standing.centred(
+    return ModelPlacement.centred(
         ParametricModel.of(
             "cd",
-            Part.of("blueCase", Looks.BLUE, stacked(0, -5)),
-            Part.of("redCase", Look.satin(ModelColour.of(0.55, 0.13, 0.12)), stacked(1, 4)),
-            Part.of("topCase", Looks.SILVER, stacked(2, 8)),
-            Part.of("cover", Look.glossy(ModelColour.of(0.82, 0.5, 0.16)), label),
-            Part.of("title", Looks.PAPER, title),
-            Part.of("tray", Looks.CHARCOAL, tray().move(0.085, 0, 0)),
+            Part.of("blueCase", Materials.BLUE, stacked(0, -5)),
+            Part.of(
+                "redCase", ModelMaterial.satin(ModelColour.of(0.55, 0.13, 0.12)), stacked(1, 4)),
+            Part.of("topCase", Materials.SILVER, stacked(2, 8)),
+            Part.of("cover", ModelMaterial.glossy(ModelColour.of(0.82, 0.5, 0.16)), label),
+            Part.of("title", Materials.PAPER, title),
+            Part.of("tray", Materials.CHARCOAL, tray().move(0.085, 0, 0)),
             Part.of("disc", rainbow, disc().move(0.085, 0.0072, 0)),
-            Part.of("discMiddle", Looks.CHROME, middle().move(0.085, 0.0072, 0))));
+            Part.of("discMiddle", Materials.CHROME, middle().move(0.085, 0.0072, 0))));
   }
 
   private static TriangleMesh stacked(int level, double degrees) {
@@ -61,7 +62,7 @@ final class Cd {
   private static TriangleMesh tray() {
     TriangleMesh floor = Boxes.plain(0.136, 0.004, 0.119);
     TriangleMesh rim =
-        Prism.plate(
+        ExtrudedSolid.plate(
             0.0078,
             0.0008,
             1,
@@ -78,7 +79,7 @@ final class Cd {
   /** Returns the clear ring of the disc, and the hub that holds it. */
   private static TriangleMesh middle() {
     Outline ring = Outline.of(0.0075, 0.0001, 0.0182, 0.0001, 0.0182, 0.0011, 0.0075, 0.0011);
-    TriangleMesh hub = Rounds.roundedCylinder(0.0068, 0.004, 0.0015, 2, 32).move(0, -0.002, 0);
+    TriangleMesh hub = RoundSolids.roundedCylinder(0.0068, 0.004, 0.0015, 2, 32).move(0, -0.002, 0);
     return Lathe.ring(ring, 48).append(hub);
   }
 }

@@ -2,17 +2,17 @@ package org.selectiverenderer.apartment.office;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.selectiverenderer.apartment.looks.Looks;
-import org.selectiverenderer.geometry.Degrees;
+import org.selectiverenderer.apartment.materials.Materials;
+import org.selectiverenderer.geometry.DegreeMath;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.Lathe;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Prism;
-import org.selectiverenderer.modelling.RaisedLetters;
-import org.selectiverenderer.modelling.Rounds;
+import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.TextGeometry;
 
 /**
  * A round wall clock, 0.32 m wide, at ten past ten (thesis Fig 71). It hangs: its back lies in the
@@ -31,21 +31,25 @@ final class Clock {
             0.138, 0.02);
     return ParametricModel.of(
         "clock",
-        Part.of("rim", Looks.CHARCOAL, Placing.forward(Lathe.ring(rim, SEGMENTS))).crease(50),
-        Part.of("dial", Looks.PAPER, Placing.forward(Rounds.cylinder(0.139, DIAL, SEGMENTS))),
-        Part.of("numerals", Looks.BLACK, numerals()),
-        Part.of("ticks", Looks.BLACK, ticks()),
-        Part.of("hands", Looks.BLACK, hand(0.075, 0.007, -305), hand(0.115, 0.005, -60)),
-        Part.of("secondHand", Looks.RED, secondHand(), hub()));
+        Part.of("rim", Materials.CHARCOAL, MeshOrientation.forward(Lathe.ring(rim, SEGMENTS)))
+            .crease(50),
+        Part.of(
+            "dial",
+            Materials.PAPER,
+            MeshOrientation.forward(RoundSolids.cylinder(0.139, DIAL, SEGMENTS))),
+        Part.of("numerals", Materials.BLACK, numerals()),
+        Part.of("ticks", Materials.BLACK, ticks()),
+        Part.of("hands", Materials.BLACK, hand(0.075, 0.007, -305), hand(0.115, 0.005, -60)),
+        Part.of("secondHand", Materials.RED, secondHand(), hub()));
   }
 
   private static TriangleMesh numerals() {
-    RaisedLetters letters = RaisedLetters.bold();
+    TextGeometry letters = TextGeometry.bold();
     List<TriangleMesh> all = new ArrayList<>();
     for (int hour = 3; hour <= 12; hour += 3) {
       TriangleMesh numeral = letters.flat(Integer.toString(hour), 0.045);
-      double x = 0.105 * Degrees.sin(30.0 * hour);
-      double y = 0.105 * Degrees.cos(30.0 * hour);
+      double x = 0.105 * DegreeMath.sin(30.0 * hour);
+      double y = 0.105 * DegreeMath.cos(30.0 * hour);
       all.add(numeral.move(x, y, DIAL + 0.001));
     }
     return TriangleMesh.of(all);
@@ -66,7 +70,7 @@ final class Clock {
     Outline shape =
         Outline.of(-width * 0.6, -0.02, width * 0.6, -0.02, width, 0, 0.002, length, -0.002, length)
             .turn(degrees);
-    return Prism.bevelled(0.003, 0.001, 1, shape).move(0, 0, DIAL + 0.002);
+    return ExtrudedSolid.bevelled(0.003, 0.001, 1, shape).move(0, 0, DIAL + 0.002);
   }
 
   private static TriangleMesh secondHand() {
@@ -74,6 +78,7 @@ final class Clock {
   }
 
   private static TriangleMesh hub() {
-    return Placing.forward(Rounds.roundedCylinder(0.008, 0.008, 0.003, 1, 16)).move(0, 0, DIAL);
+    return MeshOrientation.forward(RoundSolids.roundedCylinder(0.008, 0.008, 0.003, 1, 16))
+        .move(0, 0, DIAL);
   }
 }

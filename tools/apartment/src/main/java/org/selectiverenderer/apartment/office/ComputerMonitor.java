@@ -1,13 +1,13 @@
 package org.selectiverenderer.apartment.office;
 
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Prism;
-import org.selectiverenderer.modelling.Rounds;
+import org.selectiverenderer.modelling.RoundSolids;
 
 /** A flat screen with a desktop and a window on it, 0.52 m wide, for a {@link ComputerSet}. */
 final class ComputerMonitor {
@@ -18,24 +18,24 @@ final class ComputerMonitor {
   static ParametricModel model() {
     return ParametricModel.of(
         "monitor",
-        Part.of("frame", Looks.BLACK, frame(), back(), neck()),
-        Part.of("stand", Looks.CHARCOAL, stand()),
-        Part.of("monitorLamp", Looks.lit(0.25, 0.6, 1), lamp()),
-        Part.of("desktop", Looks.lit(0.14, 0.34, 0.52), screen(0.484, 0.284, 0, 0, 1)),
-        Part.of("taskBar", Looks.lit(0.07, 0.12, 0.2), screen(0.484, 0.016, 0, -0.134, 2)),
+        Part.of("frame", Materials.BLACK, frame(), back(), neck()),
+        Part.of("stand", Materials.CHARCOAL, stand()),
+        Part.of("monitorLamp", Materials.lit(0.25, 0.6, 1), lamp()),
+        Part.of("desktop", Materials.lit(0.14, 0.34, 0.52), screen(0.484, 0.284, 0, 0, 1)),
+        Part.of("taskBar", Materials.lit(0.07, 0.12, 0.2), screen(0.484, 0.016, 0, -0.134, 2)),
         Part.of(
             "window",
-            Looks.lit(0.88, 0.89, 0.9),
+            Materials.lit(0.88, 0.89, 0.9),
             screen(0.25, 0.17, 0.05, 0.0, 2),
             icon(0),
             icon(1),
             icon(2)),
-        Part.of("windowTitle", Looks.lit(0.85, 0.5, 0.15), screen(0.25, 0.016, 0.05, 0.085, 3)),
-        Part.of("writing", Looks.lit(0.25, 0.27, 0.3), writing()));
+        Part.of("windowTitle", Materials.lit(0.85, 0.5, 0.15), screen(0.25, 0.016, 0.05, 0.085, 3)),
+        Part.of("writing", Materials.lit(0.25, 0.27, 0.3), writing()));
   }
 
   private static TriangleMesh frame() {
-    return Prism.bevelled(
+    return ExtrudedSolid.bevelled(
             0.026,
             0.006,
             5,
@@ -55,11 +55,12 @@ final class ComputerMonitor {
   }
 
   private static TriangleMesh stand() {
-    return Prism.plate(0.014, 0.006, 5, Outline.ellipse(0.13, 0.09, 80)).move(0, 0, -0.03);
+    return ExtrudedSolid.plate(0.014, 0.006, 5, Outline.ellipse(0.13, 0.09, 80)).move(0, 0, -0.03);
   }
 
   private static TriangleMesh lamp() {
-    return Placing.forward(Rounds.cylinder(0.0025, 0.001, 16)).move(0.235, HEIGHT - 0.1505, 0.026);
+    return MeshOrientation.forward(RoundSolids.cylinder(0.0025, 0.001, 16))
+        .move(0.235, HEIGHT - 0.1505, 0.026);
   }
 
   private static TriangleMesh writing() {
@@ -77,6 +78,7 @@ final class ComputerMonitor {
 
   /** Returns a rectangle of the screen; higher layers lie in front of lower ones. */
   private static TriangleMesh screen(double width, double height, double x, double y, int layer) {
-    return Placing.flat(width, height).move(x, HEIGHT + y, 0.0165 + 0.0004 * layer + 0.0005);
+    return MeshOrientation.flat(width, height)
+        .move(x, HEIGHT + y, 0.0165 + 0.0004 * layer + 0.0005);
   }
 }

@@ -1,12 +1,12 @@
 package org.selectiverenderer.apartment.office;
 
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Boxes;
-import org.selectiverenderer.modelling.Copies;
-import org.selectiverenderer.modelling.Curve;
+import org.selectiverenderer.modelling.MeshPatterns;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
+import org.selectiverenderer.modelling.ProfileCurve;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
@@ -24,11 +24,11 @@ final class Desk {
   static ParametricModel model() {
     return ParametricModel.of(
         "desk",
-        Part.of("top", Looks.OAK, Boxes.bevelled(1.6, TOP, 0.8, 0.008, 2).move(0, UNDER, 0)),
-        Part.of("pedestal", Looks.DARK_OAK, pedestal(), panel()),
-        Part.of("drawers", Looks.OAK, drawers()),
-        Part.of("handles", Looks.CHROME, handles()),
-        Part.of("legs", Looks.CHARCOAL, legs()));
+        Part.of("top", Materials.OAK, Boxes.bevelled(1.6, TOP, 0.8, 0.008, 2).move(0, UNDER, 0)),
+        Part.of("pedestal", Materials.DARK_OAK, pedestal(), panel()),
+        Part.of("drawers", Materials.OAK, drawers()),
+        Part.of("handles", Materials.CHROME, handles()),
+        Part.of("legs", Materials.CHARCOAL, legs()));
   }
 
   private static TriangleMesh pedestal() {
@@ -44,13 +44,14 @@ final class Desk {
 
   private static TriangleMesh drawers() {
     TriangleMesh drawer = Boxes.plain(0.43, 0.21, 0.022);
-    return Copies.row(drawer.move(-0.54, 0.046, 0.357), 3, 0, 0.218, 0);
+    return MeshPatterns.row(drawer.move(-0.54, 0.046, 0.357), 3, 0, 0.218, 0);
   }
 
   private static TriangleMesh handles() {
-    Curve arch = Curve.of(-0.075, 0, -0.07, 0.02, -0.055, 0.03, 0.055, 0.03, 0.07, 0.02, 0.075, 0);
+    ProfileCurve arch =
+        ProfileCurve.of(-0.075, 0, -0.07, 0.02, -0.055, 0.03, 0.055, 0.03, 0.07, 0.02, 0.075, 0);
     TriangleMesh handle = Sweep.tube(Spine.of(arch), 0.006, 5).turnX(90).move(-0.54, 0.19, 0.365);
-    return Copies.row(handle, 3, 0, 0.218, 0);
+    return MeshPatterns.row(handle, 3, 0, 0.218, 0);
   }
 
   private static TriangleMesh legs() {

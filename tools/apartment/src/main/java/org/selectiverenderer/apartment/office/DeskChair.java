@@ -1,13 +1,13 @@
 package org.selectiverenderer.apartment.office;
 
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Boxes;
-import org.selectiverenderer.modelling.Copies;
+import org.selectiverenderer.modelling.MeshPatterns;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Rounds;
+import org.selectiverenderer.modelling.RoundSolids;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
@@ -20,23 +20,23 @@ final class DeskChair {
   static ParametricModel model() {
     return ParametricModel.of(
         "deskChair",
-        Part.of("cushions", Looks.BLUE, seat(), back()).crease(70),
-        Part.of("frame", Looks.BLACK, spine(), Copies.bothSides(arm())),
-        Part.of("armPads", Looks.CHARCOAL, Copies.bothSides(pad())),
-        Part.of("column", Looks.CHROME, Rounds.cylinder(0.025, 0.24, 8).move(0, 0.19, 0)),
-        Part.of("star", Looks.BLACK, Copies.around(leg(), 5), hub()),
-        Part.of("castors", Looks.RUBBER, Copies.around(castor(), 5)));
+        Part.of("cushions", Materials.BLUE, seat(), back()).crease(70),
+        Part.of("frame", Materials.BLACK, spine(), MeshPatterns.bothSides(arm())),
+        Part.of("armPads", Materials.CHARCOAL, MeshPatterns.bothSides(pad())),
+        Part.of("column", Materials.CHROME, RoundSolids.cylinder(0.025, 0.24, 8).move(0, 0.19, 0)),
+        Part.of("star", Materials.BLACK, MeshPatterns.around(leg(), 5), hub()),
+        Part.of("castors", Materials.RUBBER, MeshPatterns.around(castor(), 5)));
   }
 
   private static TriangleMesh seat() {
-    return Rounds.superellipsoid(0.245, 0.045, 0.235, 3, 3.2, 6, 16)
+    return RoundSolids.superellipsoid(0.245, 0.045, 0.235, 3, 3.2, 6, 16)
         .deform(p -> p.add(0, -0.35 * p.z * p.z - (p.z > 0.15 ? 0.1 * (p.z - 0.15) : 0), 0))
         .move(0, SEAT, 0.02);
   }
 
   /** Returns the back, curved around the sitter and leaning back. */
   private static TriangleMesh back() {
-    return Rounds.superellipsoid(0.22, 0.235, 0.035, 3, 2.6, 7, 16)
+    return RoundSolids.superellipsoid(0.22, 0.235, 0.035, 3, 2.6, 7, 16)
         .deform(p -> p.add(0, 0, 1.1 * p.x * p.x))
         .turnX(-8)
         .move(0, SEAT + 0.29, -0.24);
@@ -93,11 +93,11 @@ final class DeskChair {
   }
 
   private static TriangleMesh hub() {
-    return Rounds.cone(0.042, 0.034, 0.12, 8).move(0, 0.075, 0);
+    return RoundSolids.cone(0.042, 0.034, 0.12, 8).move(0, 0.075, 0);
   }
 
   private static TriangleMesh castor() {
-    TriangleMesh wheel = Placing.sideways(Rounds.cylinder(0.027, 0.044, 6));
+    TriangleMesh wheel = MeshOrientation.sideways(RoundSolids.cylinder(0.027, 0.044, 6));
     return wheel.move(-0.022, 0.027, 0.27);
   }
 }

@@ -1,17 +1,17 @@
 package org.selectiverenderer.apartment.office;
 
-import org.selectiverenderer.apartment.looks.Looks;
-import org.selectiverenderer.geometry.Degrees;
+import org.selectiverenderer.apartment.materials.Materials;
+import org.selectiverenderer.geometry.DegreeMath;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Curve;
 import org.selectiverenderer.modelling.Lathe;
-import org.selectiverenderer.modelling.Look;
 import org.selectiverenderer.modelling.ModelColour;
+import org.selectiverenderer.modelling.ModelMaterial;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Rounds;
+import org.selectiverenderer.modelling.ProfileCurve;
+import org.selectiverenderer.modelling.RoundSolids;
 import org.selectiverenderer.modelling.Spine;
-import org.selectiverenderer.modelling.Standing;
 import org.selectiverenderer.modelling.Sweep;
 
 /**
@@ -26,23 +26,24 @@ final class DeskLamp {
   private DeskLamp() {}
 
   static ParametricModel model() {
-    return Standing.centred(
+    return ModelPlacement.centred(
         ParametricModel.of(
             "deskLamp",
-            Part.of("base", Looks.RED, Rounds.roundedCylinder(0.085, 0.022, 0.009, 5, 96)),
-            Part.of("post", Looks.CHROME, Rounds.cylinder(0.009, 0.05, 24).move(0, 0.018, 0)),
-            Part.of("arms", Looks.CHROME, arm(FOOT, ELBOW), arm(ELBOW, HEAD)),
-            Part.of("springs", Looks.SILVER, springs(FOOT, ELBOW, 0.1, 19)),
-            Part.of("joints", Looks.BLACK, joint(FOOT), joint(ELBOW), joint(HEAD)),
-            Part.of("button", Looks.BLACK, button()),
-            Part.of("shade", Looks.RED, atHead(shade())).crease(50),
-            Part.of("reflector", Looks.WHITE, atHead(reflector())).crease(60),
+            Part.of("base", Materials.RED, RoundSolids.roundedCylinder(0.085, 0.022, 0.009, 5, 96)),
+            Part.of(
+                "post", Materials.CHROME, RoundSolids.cylinder(0.009, 0.05, 24).move(0, 0.018, 0)),
+            Part.of("arms", Materials.CHROME, arm(FOOT, ELBOW), arm(ELBOW, HEAD)),
+            Part.of("springs", Materials.SILVER, springs(FOOT, ELBOW, 0.1, 19)),
+            Part.of("joints", Materials.BLACK, joint(FOOT), joint(ELBOW), joint(HEAD)),
+            Part.of("button", Materials.BLACK, button()),
+            Part.of("shade", Materials.RED, atHead(shade())).crease(50),
+            Part.of("reflector", Materials.WHITE, atHead(reflector())).crease(60),
             Part.of("bulb", bulbLook(), atHead(bulb())),
-            Part.of("cable", Looks.RUBBER, cable())));
+            Part.of("cable", Materials.RUBBER, cable())));
   }
 
-  private static Look bulbLook() {
-    return Looks.WHITE.glowing(ModelColour.of(0.95, 0.88, 0.65));
+  private static ModelMaterial bulbLook() {
+    return Materials.WHITE.glowing(ModelColour.of(0.95, 0.88, 0.65));
   }
 
   /** Returns an arm of two parallel bars. */
@@ -54,19 +55,19 @@ final class DeskLamp {
 
   /** Returns a spring outside of each bar, from the lower joint upwards. */
   private static TriangleMesh springs(double[] from, double[] to, double length, int turns) {
-    double lean = Degrees.atan2(from[0] - to[0], to[1] - from[1]);
+    double lean = DegreeMath.atan2(from[0] - to[0], to[1] - from[1]);
     TriangleMesh spring = Sweep.tube(Spine.helix(0.0075, length, turns, 16), 0.0013, 8);
     TriangleMesh placed = spring.move(-0.014, 0.03, 0.011).turnZ(lean).move(from[0], from[1], 0);
     return placed.append(placed.mirrorZ());
   }
 
   private static TriangleMesh joint(double[] at) {
-    return Placing.forward(Rounds.roundedCylinder(0.015, 0.036, 0.004, 3, 32))
+    return MeshOrientation.forward(RoundSolids.roundedCylinder(0.015, 0.036, 0.004, 3, 32))
         .move(at[0], at[1], -0.018);
   }
 
   private static TriangleMesh button() {
-    return Rounds.roundedCylinder(0.009, 0.007, 0.003, 3, 32).move(0.02, 0.021, 0.05);
+    return RoundSolids.roundedCylinder(0.009, 0.007, 0.003, 3, 32).move(0.02, 0.021, 0.05);
   }
 
   /** Moves a mesh, whose axis goes through the origin, to the end of the upper arm. */
@@ -76,30 +77,30 @@ final class DeskLamp {
 
   /** Returns the shade, a bell of sheet metal that opens downwards. */
   private static TriangleMesh shade() {
-    Curve outside =
-        Curve.from(0.078, -0.118)
+    ProfileCurve outside =
+        ProfileCurve.from(0.078, -0.118)
             .bezier(0.074, -0.08, 0.06, -0.045, 0.032, -0.03, 14)
             .line(0.03, 0.01)
             .arc(0.022, 0.01, 70, 5)
             .line(0.014, 0.026)
             .line(0, 0.027);
-    Curve inside =
-        Curve.from(0, -0.02)
+    ProfileCurve inside =
+        ProfileCurve.from(0, -0.02)
             .line(0.028, -0.033)
             .bezier(0.057, -0.047, 0.071, -0.08, 0.0755, -0.118, 10);
     return Lathe.solid(inside.then(outside), 64);
   }
 
   private static TriangleMesh reflector() {
-    Curve profile =
-        Curve.from(0.074, -0.117)
+    ProfileCurve profile =
+        ProfileCurve.from(0.074, -0.117)
             .bezier(0.07, -0.08, 0.056, -0.049, 0.027, -0.0345, 12)
             .line(0.004, -0.0245);
     return Lathe.surface(profile, 64).flip();
   }
 
   private static TriangleMesh bulb() {
-    return Rounds.ellipsoid(0.026, 0.034, 0.026, 18, 32).move(0, -0.068, 0);
+    return RoundSolids.ellipsoid(0.026, 0.034, 0.026, 18, 32).move(0, -0.068, 0);
   }
 
   private static TriangleMesh cable() {

@@ -1,17 +1,17 @@
 package org.selectiverenderer.apartment.office;
 
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Boxes;
-import org.selectiverenderer.modelling.Curve;
+import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.Lathe;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Prism;
-import org.selectiverenderer.modelling.Rounds;
+import org.selectiverenderer.modelling.ProfileCurve;
+import org.selectiverenderer.modelling.RoundSolids;
 import org.selectiverenderer.modelling.Spine;
-import org.selectiverenderer.modelling.Standing;
 import org.selectiverenderer.modelling.Sweep;
 
 /**
@@ -24,22 +24,22 @@ final class FireExtinguisher {
   private FireExtinguisher() {}
 
   static ParametricModel model() {
-    return Standing.centred(
+    return ModelPlacement.centred(
         ParametricModel.of(
             "fireExtinguisher",
-            Part.of("bottle", Looks.RED, bottle()).crease(50),
-            Part.of("label", Looks.PAPER, band(0.14, 0.27, 130)),
-            Part.of("stripe", Looks.RED, band(0.2, 0.235, 118).scale(1.02, 1, 1.02)),
-            Part.of("valve", Looks.BRASS, valve()),
-            Part.of("levers", Looks.BLACK, lever(0), lever(16).move(0, 0.017, 0)),
-            Part.of("gauge", Looks.WHITE, gauge()),
-            Part.of("hose", Looks.RUBBER, hose(), horn()),
-            Part.of("bracket", Looks.CHARCOAL, bracket())));
+            Part.of("bottle", Materials.RED, bottle()).crease(50),
+            Part.of("label", Materials.PAPER, band(0.14, 0.27, 130)),
+            Part.of("stripe", Materials.RED, band(0.2, 0.235, 118).scale(1.02, 1, 1.02)),
+            Part.of("valve", Materials.BRASS, valve()),
+            Part.of("levers", Materials.BLACK, lever(0), lever(16).move(0, 0.017, 0)),
+            Part.of("gauge", Materials.WHITE, gauge()),
+            Part.of("hose", Materials.RUBBER, hose(), horn()),
+            Part.of("bracket", Materials.CHARCOAL, bracket())));
   }
 
   private static TriangleMesh bottle() {
-    Curve profile =
-        Curve.from(0, 0.012)
+    ProfileCurve profile =
+        ProfileCurve.from(0, 0.012)
             .line(RADIUS - 0.012, 0.008)
             .line(RADIUS - 0.006, 0)
             .line(RADIUS - 0.002, 0)
@@ -55,15 +55,16 @@ final class FireExtinguisher {
   /** Returns a label around the front of the bottle. */
   private static TriangleMesh band(double from, double to, double degrees) {
     double radius = RADIUS + 0.0015;
-    return Lathe.sector(Curve.of(radius, from, radius, to), degrees, 18).turnY(270 - degrees / 2);
+    return Lathe.sector(ProfileCurve.of(radius, from, radius, to), degrees, 18)
+        .turnY(270 - degrees / 2);
   }
 
   private static TriangleMesh valve() {
-    Curve profile =
-        Curve.of(
+    ProfileCurve profile =
+        ProfileCurve.of(
             0.023, 0.416, 0.023, 0.424, 0.015, 0.427, 0.015, 0.452, 0.011, 0.452, 0.011, 0.475,
             0.008, 0.478);
-    TriangleMesh outlet = Placing.sideways(Rounds.cylinder(0.008, 0.034, 16));
+    TriangleMesh outlet = MeshOrientation.sideways(RoundSolids.cylinder(0.008, 0.034, 16));
     return Lathe.solid(profile, 24).append(outlet.mirrorX().move(0, 0.44, 0));
   }
 
@@ -73,14 +74,16 @@ final class FireExtinguisher {
    */
   private static TriangleMesh lever(double degrees) {
     Outline side =
-        Curve.of(-0.012, 0, 0.05, 0, 0.095, -0.014, 0.097, -0.006, 0.052, 0.009, -0.012, 0.009)
+        ProfileCurve.of(
+                -0.012, 0, 0.05, 0, 0.095, -0.014, 0.097, -0.006, 0.052, 0.009, -0.012, 0.009)
             .closed()
             .rounded(0.004, 2);
-    return Prism.bevelled(0.02, 0.001, 1, side).turnZ(degrees).move(0, 0.452, -0.01);
+    return ExtrudedSolid.bevelled(0.02, 0.001, 1, side).turnZ(degrees).move(0, 0.452, -0.01);
   }
 
   private static TriangleMesh gauge() {
-    return Placing.forward(Rounds.roundedCylinder(0.013, 0.01, 0.003, 2, 20)).move(0, 0.439, 0.012);
+    return MeshOrientation.forward(RoundSolids.roundedCylinder(0.013, 0.01, 0.003, 2, 20))
+        .move(0, 0.439, 0.012);
   }
 
   /** Returns the hose from the valve over to the left and down beside the bottle. */
@@ -93,14 +96,15 @@ final class FireExtinguisher {
   }
 
   private static TriangleMesh horn() {
-    Curve profile = Curve.of(0.022, 0, 0.023, 0.004, 0.011, 0.07, 0.0105, 0.085, 0.007, 0.09);
+    ProfileCurve profile =
+        ProfileCurve.of(0.022, 0, 0.023, 0.004, 0.011, 0.07, 0.0105, 0.085, 0.007, 0.09);
     return Lathe.solid(profile, 16).move(-0.095, 0.075, 0.02);
   }
 
   /** Returns the bracket: a plate at the wall, and the strap that holds the bottle to it. */
   private static TriangleMesh bracket() {
     TriangleMesh plate =
-        Prism.bevelled(0.006, 0.002, 2, Outline.roundedRectangle(0.06, 0.32, 0.02, 4))
+        ExtrudedSolid.bevelled(0.006, 0.002, 2, Outline.roundedRectangle(0.06, 0.32, 0.02, 4))
             .move(0, 0.24, -RADIUS - 0.012);
     Outline section = Outline.roundedRectangle(0.003, 0.022, 0.0014, 1).move(RADIUS + 0.001, 0);
     TriangleMesh spacer = Boxes.plain(0.03, 0.03, 0.02).move(0, 0.3, -RADIUS);

@@ -1,14 +1,14 @@
 package org.selectiverenderer.apartment.office;
 
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Boxes;
-import org.selectiverenderer.modelling.Copies;
+import org.selectiverenderer.modelling.ExtrudedSolid;
+import org.selectiverenderer.modelling.MeshPatterns;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Prism;
-import org.selectiverenderer.modelling.Rounds;
+import org.selectiverenderer.modelling.RoundSolids;
 
 /** A full keyboard, 0.45 m wide, for a {@link ComputerSet}. */
 final class Keyboard {
@@ -19,24 +19,24 @@ final class Keyboard {
 
   static ParametricModel model() {
     TriangleMesh keys =
-        keys(KeyboardKeys.MAIN).append(keys(KeyboardKeys.RIGHT).move(15 * PITCH, 0, 0));
+        keys(KeyboardLayout.MAIN).append(keys(KeyboardLayout.RIGHT).move(15 * PITCH, 0, 0));
     TriangleMesh body =
-        Prism.plate(
+        ExtrudedSolid.plate(
             0.018, 0.005, 4, Outline.roundedRectangle(WIDTH + 0.022, 6 * PITCH + 0.03, 0.01, 7));
     TriangleMesh lamps =
-        Copies.row(Rounds.cylinder(0.002, 0.001, 10), 3, 0.012, 0, 0)
+        MeshPatterns.row(RoundSolids.cylinder(0.002, 0.001, 10), 3, 0.012, 0, 0)
             .move(WIDTH / 2 - 0.065, 0.018, -2.6 * PITCH);
     ParametricModel flat =
         ParametricModel.of(
             "keyboard",
-            Part.of("keyboardBody", Looks.BLACK, body),
-            Part.of("keys", Looks.CHARCOAL, keys.move(-WIDTH / 2, 0.015, -3 * PITCH)),
-            Part.of("keyboardLamps", Looks.lit(0.2, 0.8, 0.3), lamps));
+            Part.of("keyboardBody", Materials.BLACK, body),
+            Part.of("keys", Materials.CHARCOAL, keys.move(-WIDTH / 2, 0.015, -3 * PITCH)),
+            Part.of("keyboardLamps", Materials.lit(0.2, 0.8, 0.3), lamps));
     return flat.map(mesh -> mesh.turnX(4).move(0, 0.005, 0));
   }
 
   private static TriangleMesh keys(double[][] rows) {
-    return KeyboardKeys.of(
+    return KeyboardLayout.of(
         rows,
         PITCH,
         PITCH,

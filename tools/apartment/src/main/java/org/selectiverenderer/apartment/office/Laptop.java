@@ -1,16 +1,16 @@
 package org.selectiverenderer.apartment.office;
 
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Boxes;
-import org.selectiverenderer.modelling.Copies;
-import org.selectiverenderer.modelling.Look;
+import org.selectiverenderer.modelling.ExtrudedSolid;
+import org.selectiverenderer.modelling.MeshPatterns;
+import org.selectiverenderer.modelling.ModelMaterial;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Prism;
-import org.selectiverenderer.modelling.Rounds;
-import org.selectiverenderer.modelling.Standing;
+import org.selectiverenderer.modelling.RoundSolids;
 
 /** An open portable computer, 0.34 m wide (thesis Fig 71). */
 final class Laptop {
@@ -23,45 +23,50 @@ final class Laptop {
   private Laptop() {}
 
   static ParametricModel model() {
-    Look picture = Looks.lit(0.16, 0.36, 0.5);
-    return Standing.centred(
+    ModelMaterial picture = Materials.lit(0.16, 0.36, 0.5);
+    return ModelPlacement.centred(
         ParametricModel.of(
             "laptop",
-            Part.of("base", Looks.SILVER, base()),
-            Part.of("keyBed", Looks.BLACK, keyBed()),
-            Part.of("keys", Looks.CHARCOAL, keys()),
-            Part.of("touchPad", Looks.GREY, touchPad()),
-            Part.of("hinges", Looks.GREY, hinge(-0.11), hinge(0.11)),
-            Part.of("lid", Looks.SILVER, lifted(lid())),
-            Part.of("bezel", Looks.BLACK, lifted(bezel())),
+            Part.of("base", Materials.SILVER, base()),
+            Part.of("keyBed", Materials.BLACK, keyBed()),
+            Part.of("keys", Materials.CHARCOAL, keys()),
+            Part.of("touchPad", Materials.GREY, touchPad()),
+            Part.of("hinges", Materials.GREY, hinge(-0.11), hinge(0.11)),
+            Part.of("lid", Materials.SILVER, lifted(lid())),
+            Part.of("bezel", Materials.BLACK, lifted(bezel())),
             Part.of("screen", picture, lifted(screen(0.302, 0.178, 0, 0, 0))),
             Part.of(
                 "screenBar",
-                Looks.lit(0.08, 0.13, 0.2),
+                Materials.lit(0.08, 0.13, 0.2),
                 lifted(screen(0.302, 0.012, 0, -0.083, 1))),
             Part.of(
-                "window", Looks.lit(0.88, 0.89, 0.9), lifted(screen(0.17, 0.11, 0.03, 0.01, 1))),
+                "window",
+                Materials.lit(0.88, 0.89, 0.9),
+                lifted(screen(0.17, 0.11, 0.03, 0.01, 1))),
             Part.of(
-                "title", Looks.lit(0.8, 0.45, 0.15), lifted(screen(0.17, 0.012, 0.03, 0.064, 2))),
-            Part.of("writing", Looks.lit(0.3, 0.32, 0.35), lifted(writing())),
-            Part.of("feet", Looks.RUBBER, feet())));
+                "title",
+                Materials.lit(0.8, 0.45, 0.15),
+                lifted(screen(0.17, 0.012, 0.03, 0.064, 2))),
+            Part.of("writing", Materials.lit(0.3, 0.32, 0.35), lifted(writing())),
+            Part.of("feet", Materials.RUBBER, feet())));
   }
 
   private static TriangleMesh base() {
-    return Prism.plate(TOP - 0.002, 0.005, 6, Outline.roundedRectangle(WIDTH, DEPTH, 0.016, 10))
+    return ExtrudedSolid.plate(
+            TOP - 0.002, 0.005, 6, Outline.roundedRectangle(WIDTH, DEPTH, 0.016, 10))
         .move(0, 0.002, 0);
   }
 
   private static TriangleMesh keyBed() {
-    return Prism.plate(
+    return ExtrudedSolid.plate(
             0.0012, 0.0005, 2, Outline.roundedRectangle(15 * PITCH + 0.006, 0.11, 0.004, 5))
         .move(0, TOP - 0.0008, -0.034);
   }
 
   private static TriangleMesh keys() {
     double depth = 0.0177;
-    return KeyboardKeys.of(
-            KeyboardKeys.MAIN,
+    return KeyboardLayout.of(
+            KeyboardLayout.MAIN,
             PITCH,
             depth,
             width -> Boxes.bevelled(width - 0.0028, 0.0036, depth - 0.0026, 0.0018, 5))
@@ -69,12 +74,12 @@ final class Laptop {
   }
 
   private static TriangleMesh touchPad() {
-    return Prism.plate(0.001, 0.0004, 3, Outline.roundedRectangle(0.09, 0.06, 0.005, 8))
+    return ExtrudedSolid.plate(0.001, 0.0004, 3, Outline.roundedRectangle(0.09, 0.06, 0.005, 8))
         .move(0, TOP - 0.0004, 0.066);
   }
 
   private static TriangleMesh hinge(double x) {
-    return Placing.sideways(Rounds.roundedCylinder(0.006, 0.05, 0.0015, 4, 48))
+    return MeshOrientation.sideways(RoundSolids.roundedCylinder(0.006, 0.05, 0.0015, 4, 48))
         .move(x - 0.025, TOP + 0.001, -DEPTH / 2 + 0.002);
   }
 
@@ -84,12 +89,13 @@ final class Laptop {
   }
 
   private static TriangleMesh lid() {
-    return Prism.bevelled(0.007, 0.0033, 6, Outline.roundedRectangle(WIDTH, 0.214, 0.014, 10))
+    return ExtrudedSolid.bevelled(
+            0.007, 0.0033, 6, Outline.roundedRectangle(WIDTH, 0.214, 0.014, 10))
         .move(0, 0.109, -0.004);
   }
 
   private static TriangleMesh bezel() {
-    return Prism.bevelled(
+    return ExtrudedSolid.bevelled(
             0.0022,
             0.0008,
             3,
@@ -99,14 +105,15 @@ final class Laptop {
   }
 
   private static TriangleMesh screen(double width, double height, double x, double y, int layer) {
-    return Placing.flat(width, height).move(x, 0.109 + y, 0.0032 + 0.0003 * layer);
+    return MeshOrientation.flat(width, height).move(x, 0.109 + y, 0.0032 + 0.0003 * layer);
   }
 
   private static TriangleMesh writing() {
-    return Copies.row(screen(0.14, 0.005, 0.03, 0.042, 2), 6, 0, -0.014, 0);
+    return MeshPatterns.row(screen(0.14, 0.005, 0.03, 0.042, 2), 6, 0, -0.014, 0);
   }
 
   private static TriangleMesh feet() {
-    return Copies.corners(Rounds.roundedCylinder(0.008, 0.004, 0.0015, 3, 32), 0.145, 0.095);
+    return MeshPatterns.corners(
+        RoundSolids.roundedCylinder(0.008, 0.004, 0.0015, 3, 32), 0.145, 0.095);
   }
 }

@@ -1,12 +1,12 @@
 package org.selectiverenderer.apartment.office;
 
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Boxes;
-import org.selectiverenderer.modelling.Copies;
+import org.selectiverenderer.modelling.MeshPatterns;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Standing;
 
 /** Two trays for letters above each other, open at the front, 0.26 m wide; one version. */
 final class LetterTray {
@@ -18,14 +18,14 @@ final class LetterTray {
 
   static ParametricModel model() {
     TriangleMesh paper = Boxes.plain(0.21, 0.012, 0.297).move(0, 0.003, 0);
-    return Standing.centred(
+    return ModelPlacement.centred(
         ParametricModel.of(
             "letterTray",
-            Part.of("trays", Looks.CHARCOAL, tray(), tray().move(0, STEP, 0)),
-            Part.of("posts", Looks.SILVER, posts()),
-            Part.of("papers", Looks.PAPER, paper, paper.turnY(2).move(0, STEP, 0.006)),
-            Part.of("letter", Looks.WHITE, letter()),
-            Part.of("stamp", Looks.RED, stamp())));
+            Part.of("trays", Materials.CHARCOAL, tray(), tray().move(0, STEP, 0)),
+            Part.of("posts", Materials.SILVER, posts()),
+            Part.of("papers", Materials.PAPER, paper, paper.turnY(2).move(0, STEP, 0.006)),
+            Part.of("letter", Materials.WHITE, letter()),
+            Part.of("stamp", Materials.RED, stamp())));
   }
 
   private static TriangleMesh tray() {
@@ -36,7 +36,8 @@ final class LetterTray {
   }
 
   private static TriangleMesh posts() {
-    return Copies.corners(Boxes.plain(0.008, STEP + 0.01, 0.012), WIDTH / 2, DEPTH / 2 - 0.03);
+    return MeshPatterns.corners(
+        Boxes.plain(0.008, STEP + 0.01, 0.012), WIDTH / 2, DEPTH / 2 - 0.03);
   }
 
   private static TriangleMesh letter() {
@@ -44,7 +45,7 @@ final class LetterTray {
   }
 
   private static TriangleMesh stamp() {
-    return Placing.flat(0.02, 0.024)
+    return MeshOrientation.flat(0.02, 0.024)
         .turnX(-90)
         .move(0.075, 0.0026, -0.038)
         .turnY(-7)

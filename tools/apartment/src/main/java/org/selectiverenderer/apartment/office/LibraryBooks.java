@@ -3,11 +3,11 @@ package org.selectiverenderer.apartment.office;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
-import org.selectiverenderer.apartment.looks.Looks;
-import org.selectiverenderer.geometry.Degrees;
+import org.selectiverenderer.apartment.materials.Materials;
+import org.selectiverenderer.geometry.DegreeMath;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Look;
 import org.selectiverenderer.modelling.ModelColour;
+import org.selectiverenderer.modelling.ModelMaterial;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
 
@@ -25,7 +25,7 @@ final class LibraryBooks {
     {4, -1, 1.0}, {4, 1, 0.66}, {3, -1, 0.72}, {1, 1, 0.5}, {0, 1, 0.62}
   };
 
-  private static final List<Look> COVERS =
+  private static final List<ModelMaterial> COVERS =
       List.of(
           cover(0.45, 0.11, 0.1),
           cover(0.13, 0.24, 0.4),
@@ -53,23 +53,23 @@ final class LibraryBooks {
     for (int i = 0; i < COVERS.size(); i++) {
       parts.add(Part.of("covers" + (i + 1), COVERS.get(i), TriangleMesh.of(books.covers.get(i))));
     }
-    parts.add(Part.of("pages", Looks.PAPER, TriangleMesh.of(books.pages)));
-    Look gold = Look.satin(ModelColour.of(0.85, 0.72, 0.4));
+    parts.add(Part.of("pages", Materials.PAPER, TriangleMesh.of(books.pages)));
+    ModelMaterial gold = ModelMaterial.satin(ModelColour.of(0.85, 0.72, 0.4));
     parts.add(Part.of("labels", gold, TriangleMesh.of(books.labels)));
     return new ParametricModel("libraryBooks", parts);
   }
 
-  private static Look cover(double red, double green, double blue) {
-    return Look.satin(ModelColour.of(red, green, blue));
+  private static ModelMaterial cover(double red, double green, double blue) {
+    return ModelMaterial.satin(ModelColour.of(red, green, blue));
   }
 
   /**
    * Fills a bay from the outer wall towards the post; the last book leans unless the bay is full.
    */
   private void fill(int shelf, int side, double part) {
-    double wall = Shelves.WIDTH / 2 - Shelves.BOARD;
+    double wall = BookcaseDimensions.WIDTH / 2 - BookcaseDimensions.BOARD;
     double at = 0;
-    double end = part * Shelves.BAY;
+    double end = part * BookcaseDimensions.BAY;
     while (at < end - 0.03) {
       double left = end - at;
       double thick = Math.min(left, 0.038 + 0.036 * random.nextDouble());
@@ -81,7 +81,7 @@ final class LibraryBooks {
       at += thick;
       double middle = at - thick / 2;
       boolean leans = part < 1 && at >= end - 0.03;
-      double y = Shelves.top(shelf) - Shelves.top(LOWEST_SHELF);
+      double y = BookcaseDimensions.top(shelf) - BookcaseDimensions.top(LOWEST_SHELF);
       place(book, side * (wall - middle), y, leans ? side : 0);
     }
   }
@@ -105,7 +105,7 @@ final class LibraryBooks {
       placed =
           mesh.move(-edge, 0, 0)
               .turnZ(lean)
-              .move(edge - leaningTo * book.height() * Degrees.sin(9), 0, 0);
+              .move(edge - leaningTo * book.height() * DegreeMath.sin(9), 0, 0);
     }
     return placed.move(x, y, 0.11 - book.deep() / 2);
   }

@@ -1,10 +1,10 @@
 package org.selectiverenderer.apartment.office;
 
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Standing;
 
 /**
  * A computer mouse with its cable laid in a bow, 0.12 m long, its buttons to the front and the left
@@ -23,11 +23,11 @@ final class LibraryMouse {
     ParametricModel mouse =
         ParametricModel.of(
             "libraryMouse",
-            Part.of("palm", Looks.SILVER, shape.palm()).crease(60),
-            Part.of("buttons", Looks.GREY, shape.buttons()).crease(60),
-            Part.of("seam", Looks.BLACK, shape.seam(24)),
-            Part.of("wheel", Looks.CHARCOAL, shape.wheel(40, 16)),
-            Part.of("cable", Looks.CHARCOAL, cable));
-    return Standing.centred(mouse.map(mesh -> mesh.turnY(-40)));
+            Part.of("palm", Materials.SILVER, shape.palm()).crease(60),
+            Part.of("buttons", Materials.GREY, shape.buttons()).crease(60),
+            Part.of("seam", Materials.BLACK, shape.seam(24)),
+            Part.of("wheel", Materials.CHARCOAL, shape.wheel(40, 16)),
+            Part.of("cable", Materials.CHARCOAL, cable));
+    return ModelPlacement.centred(mouse.map(mesh -> mesh.turnY(-40)));
   }
 }

@@ -1,16 +1,16 @@
 package org.selectiverenderer.apartment.office;
 
 import java.util.function.DoubleFunction;
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Boxes;
-import org.selectiverenderer.modelling.Look;
+import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.ModelColour;
+import org.selectiverenderer.modelling.ModelMaterial;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Prism;
-import org.selectiverenderer.modelling.Standing;
 
 /**
  * A square wooden box with pencils, pens and a pair of scissors, 0.21 m high in all (thesis Fig
@@ -26,23 +26,26 @@ final class LibraryPencilHolder {
 
   static ParametricModel model() {
     TriangleMesh walls =
-        Prism.plate(
+        ExtrudedSolid.plate(
             0.105,
             0.002,
             2,
             Outline.roundedRectangle(0.09, 0.09, 0.012, 4),
             Outline.roundedRectangle(0.078, 0.078, 0.006, 4));
-    return Standing.centred(
+    return ModelPlacement.centred(
         ParametricModel.of(
             "libraryPencilHolder",
-            Part.of("box", Looks.DARK_OAK, walls, Boxes.plain(0.082, 0.006, 0.082)),
-            each("pencils", Looks.GREEN, WritingTools::pencil).crease(20),
-            each("wood", Look.matt(ModelColour.of(0.82, 0.66, 0.46)), WritingTools::sharpenedWood),
-            each("leads", Looks.BLACK, WritingTools::lead),
-            Part.of("pens", Looks.BLUE, pen(5), pen(95)),
-            Part.of("redPen", Looks.RED, pen(270)),
-            Part.of("scissorsHandles", Looks.RED, loop(), loop().mirrorX()),
-            Part.of("scissorsBlades", Looks.CHROME, blades())));
+            Part.of("box", Materials.DARK_OAK, walls, Boxes.plain(0.082, 0.006, 0.082)),
+            each("pencils", Materials.GREEN, WritingTools::pencil).crease(20),
+            each(
+                "wood",
+                ModelMaterial.matt(ModelColour.of(0.82, 0.66, 0.46)),
+                WritingTools::sharpenedWood),
+            each("leads", Materials.BLACK, WritingTools::lead),
+            Part.of("pens", Materials.BLUE, pen(5), pen(95)),
+            Part.of("redPen", Materials.RED, pen(270)),
+            Part.of("scissorsHandles", Materials.RED, loop(), loop().mirrorX()),
+            Part.of("scissorsBlades", Materials.CHROME, blades())));
   }
 
   private static TriangleMesh pen(double around) {
@@ -57,7 +60,7 @@ final class LibraryPencilHolder {
     return Boxes.plain(0.014, 0.13, 0.003).move(0, 0.007, 0);
   }
 
-  private static Part each(String name, Look look, DoubleFunction<TriangleMesh> piece) {
+  private static Part each(String name, ModelMaterial look, DoubleFunction<TriangleMesh> piece) {
     TriangleMesh all = TriangleMesh.EMPTY;
     for (double[] pencil : PENCILS) {
       TriangleMesh mesh = piece.apply(pencil[0]);

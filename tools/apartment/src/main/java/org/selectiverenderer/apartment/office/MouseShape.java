@@ -1,10 +1,10 @@
 package org.selectiverenderer.apartment.office;
 
 import java.util.Arrays;
-import org.selectiverenderer.geometry.Degrees;
+import org.selectiverenderer.geometry.DegreeMath;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Outline;
-import org.selectiverenderer.modelling.Rounds;
+import org.selectiverenderer.modelling.RoundSolids;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
@@ -38,8 +38,8 @@ record MouseShape(int rings, int segments) {
 
   private TriangleMesh body() {
     TriangleMesh egg =
-        Rounds.superellipsoid(HALF_WIDTH, HALF_LENGTH, HEIGHT, ALONG, AROUND, rings, segments);
-    return Placing.forward(egg)
+        RoundSolids.superellipsoid(HALF_WIDTH, HALF_LENGTH, HEIGHT, ALONG, AROUND, rings, segments);
+    return MeshOrientation.forward(egg)
         .deform(p -> p.mul(waist(p.z), p.y < 0 ? SOLE : slope(p.z), 1))
         .move(0, SOLE * HEIGHT, 0);
   }
@@ -57,8 +57,8 @@ record MouseShape(int rings, int segments) {
 
   /** Returns the height of the body's upper side along its middle. */
   private static double top(double z) {
-    double width = 1 - Degrees.power(Math.abs(z) / HALF_LENGTH, ALONG);
-    return HEIGHT * (SOLE + slope(z) * Degrees.power(width, 1 / ALONG));
+    double width = 1 - DegreeMath.power(Math.abs(z) / HALF_LENGTH, ALONG);
+    return HEIGHT * (SOLE + slope(z) * DegreeMath.power(width, 1 / ALONG));
   }
 
   /** Returns the dark line between the buttons. */
@@ -74,7 +74,8 @@ record MouseShape(int rings, int segments) {
 
   TriangleMesh wheel(int steps, int around) {
     double z = 0.03;
-    return Placing.sideways(Rounds.torus(0.0075, 0.0036, steps, around)).move(0, top(z) - 0.005, z);
+    return MeshOrientation.sideways(RoundSolids.torus(0.0075, 0.0036, steps, around))
+        .move(0, top(z) - 0.005, z);
   }
 
   /** Returns a cable that leaves between the buttons and runs through the points. */

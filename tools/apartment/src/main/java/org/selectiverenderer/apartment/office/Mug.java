@@ -1,16 +1,16 @@
 package org.selectiverenderer.apartment.office;
 
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Curve;
 import org.selectiverenderer.modelling.Lathe;
-import org.selectiverenderer.modelling.Look;
 import org.selectiverenderer.modelling.ModelColour;
+import org.selectiverenderer.modelling.ModelMaterial;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Rounds;
+import org.selectiverenderer.modelling.ProfileCurve;
+import org.selectiverenderer.modelling.RoundSolids;
 import org.selectiverenderer.modelling.Spine;
-import org.selectiverenderer.modelling.Standing;
 import org.selectiverenderer.modelling.Sweep;
 
 /** A china mug of coffee, 0.1 m high, its handle to the right (thesis Fig 71). */
@@ -20,8 +20,8 @@ final class Mug {
   private Mug() {}
 
   static ParametricModel model() {
-    Curve profile =
-        Curve.from(0, 0.003)
+    ProfileCurve profile =
+        ProfileCurve.from(0, 0.003)
             .line(0.026, 0.003)
             .line(0.028, 0)
             .line(0.031, 0)
@@ -32,13 +32,16 @@ final class Mug {
             .line(0.0365, 0.016)
             .bezier(0.0365, 0.01, 0.032, 0.007, 0.026, 0.007, 5)
             .line(0, 0.007);
-    Look china = Look.glossy(ModelColour.of(0.2, 0.4, 0.52));
-    Look coffee = Look.glossy(ModelColour.of(0.19, 0.1, 0.05));
-    return Standing.centred(
+    ModelMaterial china = ModelMaterial.glossy(ModelColour.of(0.2, 0.4, 0.52));
+    ModelMaterial coffee = ModelMaterial.glossy(ModelColour.of(0.19, 0.1, 0.05));
+    return ModelPlacement.centred(
         ParametricModel.of(
             "mug",
             Part.of("body", china, Lathe.solid(profile, SEGMENTS), handle()),
-            Part.of("coffee", coffee, Rounds.cylinder(0.0368, 0.004, SEGMENTS).move(0, 0.074, 0))));
+            Part.of(
+                "coffee",
+                coffee,
+                RoundSolids.cylinder(0.0368, 0.004, SEGMENTS).move(0, 0.074, 0))));
   }
 
   private static TriangleMesh handle() {

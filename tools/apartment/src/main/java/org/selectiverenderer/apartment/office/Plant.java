@@ -3,17 +3,17 @@ package org.selectiverenderer.apartment.office;
 import java.util.ArrayList;
 import java.util.List;
 import org.joml.Vector3d;
-import org.selectiverenderer.apartment.looks.Looks;
-import org.selectiverenderer.geometry.Degrees;
+import org.selectiverenderer.apartment.materials.Materials;
+import org.selectiverenderer.geometry.DegreeMath;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Curve;
 import org.selectiverenderer.modelling.Lathe;
-import org.selectiverenderer.modelling.Look;
 import org.selectiverenderer.modelling.ModelColour;
+import org.selectiverenderer.modelling.ModelMaterial;
 import org.selectiverenderer.modelling.ParametricModel;
+import org.selectiverenderer.modelling.ParametricSurface;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Rounds;
-import org.selectiverenderer.modelling.Sheet;
+import org.selectiverenderer.modelling.ProfileCurve;
+import org.selectiverenderer.modelling.RoundSolids;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
@@ -32,8 +32,8 @@ final class Plant {
   private Plant() {}
 
   static ParametricModel model() {
-    Curve pot =
-        Curve.of(0.105, 0, 0.112, 0.006, 0.142, 0.235, 0.153, 0.24, 0.156, 0.275, 0.15, 0.28)
+    ProfileCurve pot =
+        ProfileCurve.of(0.105, 0, 0.112, 0.006, 0.142, 0.235, 0.153, 0.24, 0.156, 0.275, 0.15, 0.28)
             .line(0.14, 0.277)
             .line(0.134, 0.235);
     List<TriangleMesh> canes = new ArrayList<>();
@@ -50,23 +50,24 @@ final class Plant {
     }
     return ParametricModel.of(
         "plant",
-        Part.of("pot", Looks.WHITE, Lathe.solid(pot, 40)),
+        Part.of("pot", Materials.WHITE, Lathe.solid(pot, 40)),
         Part.of("soil", soilLook(), soil()),
-        Part.of("canes", Look.matt(ModelColour.of(0.46, 0.34, 0.22)), TriangleMesh.of(canes)),
+        Part.of(
+            "canes", ModelMaterial.matt(ModelColour.of(0.46, 0.34, 0.22)), TriangleMesh.of(canes)),
         Part.of("youngLeaves", leaves(0.3, 0.52, 0.18), TriangleMesh.of(young)).crease(40),
         Part.of("oldLeaves", leaves(0.16, 0.38, 0.13), TriangleMesh.of(old)).crease(40));
   }
 
-  private static Look leaves(double red, double green, double blue) {
-    return Look.satin(ModelColour.of(red, green, blue));
+  private static ModelMaterial leaves(double red, double green, double blue) {
+    return ModelMaterial.satin(ModelColour.of(red, green, blue));
   }
 
-  private static Look soilLook() {
-    return Look.matt(ModelColour.of(0.2, 0.13, 0.08));
+  private static ModelMaterial soilLook() {
+    return ModelMaterial.matt(ModelColour.of(0.2, 0.13, 0.08));
   }
 
   private static TriangleMesh soil() {
-    return Rounds.roundedCylinder(0.138, 0.05, 0.02, 2, 40).move(0, 0.205, 0);
+    return RoundSolids.roundedCylinder(0.138, 0.05, 0.02, 2, 40).move(0, 0.205, 0);
   }
 
   private static TriangleMesh cane(double[] head) {
@@ -94,15 +95,15 @@ final class Plant {
   private static TriangleMesh leaf(double length, double rise, double droop) {
     double radius = length / Math.toRadians(droop);
     TriangleMesh blade =
-        Sheet.of(
+        ParametricSurface.of(
             9,
             2,
             (u, v) -> {
-              double out = radius * (Degrees.sin(rise) - Degrees.sin(rise - droop * u));
-              double up = radius * (Degrees.cos(rise - droop * u) - Degrees.cos(rise));
+              double out = radius * (DegreeMath.sin(rise) - DegreeMath.sin(rise - droop * u));
+              double up = radius * (DegreeMath.cos(rise - droop * u) - DegreeMath.cos(rise));
               double side = 0.058 * (v - 0.5) * (0.45 + 1.4 * u) * (1.002 - u * u);
               return new Vector3d(out, up + 0.5 * Math.abs(side), -side);
             });
-    return Sheet.thicken(blade, 0, -0.0015, 0);
+    return ParametricSurface.thicken(blade, 0, -0.0015, 0);
   }
 }

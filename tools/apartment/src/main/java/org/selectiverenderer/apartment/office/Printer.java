@@ -1,17 +1,17 @@
 package org.selectiverenderer.apartment.office;
 
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Boxes;
-import org.selectiverenderer.modelling.Copies;
+import org.selectiverenderer.modelling.ExtrudedSolid;
+import org.selectiverenderer.modelling.MeshPatterns;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
+import org.selectiverenderer.modelling.ParametricSurface;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Prism;
-import org.selectiverenderer.modelling.RaisedLetters;
-import org.selectiverenderer.modelling.Rounds;
-import org.selectiverenderer.modelling.Sheet;
-import org.selectiverenderer.modelling.Standing;
+import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.TextGeometry;
 
 /**
  * A desk printer, 0.4 m wide: paper stands in its back, a printed page lies in its mouth (thesis
@@ -25,27 +25,27 @@ final class Printer {
   private Printer() {}
 
   static ParametricModel model() {
-    return Standing.centred(
+    return ModelPlacement.centred(
         ParametricModel.of(
             "printer",
-            Part.of("body", Looks.SILVER, body()),
-            Part.of("lid", Looks.CHARCOAL, lid(), feeder()),
-            Part.of("inside", Looks.RUBBER, inside()),
-            Part.of("rollers", Looks.GREY, rollers()),
-            Part.of("vents", Looks.RUBBER, vents(), vents().mirrorX()),
-            Part.of("tray", Looks.CHARCOAL, tray()),
-            Part.of("paper", Looks.PAPER, paper()),
-            Part.of("print", Looks.GREY, print()),
-            Part.of("panel", Looks.BLACK, panel()),
-            Part.of("buttons", Looks.GREY, buttons()),
-            Part.of("startButton", Looks.lit(0.2, 0.6, 0.25), button(0.0085).move(0.168, 0, 0)),
-            Part.of("display", Looks.lit(0.35, 0.55, 0.7), display()),
-            Part.of("brand", Looks.CHARCOAL, brand())));
+            Part.of("body", Materials.SILVER, body()),
+            Part.of("lid", Materials.CHARCOAL, lid(), feeder()),
+            Part.of("inside", Materials.RUBBER, inside()),
+            Part.of("rollers", Materials.GREY, rollers()),
+            Part.of("vents", Materials.RUBBER, vents(), vents().mirrorX()),
+            Part.of("tray", Materials.CHARCOAL, tray()),
+            Part.of("paper", Materials.PAPER, paper()),
+            Part.of("print", Materials.GREY, print()),
+            Part.of("panel", Materials.BLACK, panel()),
+            Part.of("buttons", Materials.GREY, buttons()),
+            Part.of("startButton", Materials.lit(0.2, 0.6, 0.25), button(0.0085).move(0.168, 0, 0)),
+            Part.of("display", Materials.lit(0.35, 0.55, 0.7), display()),
+            Part.of("brand", Materials.CHARCOAL, brand())));
   }
 
   /** Returns the body, open at the front where the pages come out. */
   private static TriangleMesh body() {
-    return Prism.bevelled(
+    return ExtrudedSolid.bevelled(
             0.235,
             0.01,
             7,
@@ -55,7 +55,7 @@ final class Printer {
   }
 
   private static TriangleMesh lid() {
-    return Prism.plate(0.026, 0.009, 6, Outline.roundedRectangle(0.392, 0.16, 0.02, 10))
+    return ExtrudedSolid.plate(0.026, 0.009, 6, Outline.roundedRectangle(0.392, 0.16, 0.02, 10))
         .move(0, LID - 0.004, FRONT - 0.115);
   }
 
@@ -69,17 +69,18 @@ final class Printer {
   }
 
   private static TriangleMesh rollers() {
-    TriangleMesh roller = Placing.sideways(Rounds.roundedCylinder(0.009, 0.03, 0.003, 3, 32));
-    return Copies.row(roller.move(-0.115, 0.06, FRONT - 0.035), 4, 0.068, 0, 0);
+    TriangleMesh roller =
+        MeshOrientation.sideways(RoundSolids.roundedCylinder(0.009, 0.03, 0.003, 3, 32));
+    return MeshPatterns.row(roller.move(-0.115, 0.06, FRONT - 0.035), 4, 0.068, 0, 0);
   }
 
   private static TriangleMesh vents() {
     TriangleMesh slot = Boxes.bevelled(0.003, 0.05, 0.005, 0.0014, 3);
-    return Copies.row(slot.move(WIDTH / 2, 0.05, -0.1), 10, 0, 0, 0.013);
+    return MeshPatterns.row(slot.move(WIDTH / 2, 0.05, -0.1), 10, 0, 0, 0.013);
   }
 
   private static TriangleMesh tray() {
-    return Prism.plate(0.006, 0.0025, 4, Outline.roundedRectangle(0.25, 0.11, 0.016, 10))
+    return ExtrudedSolid.plate(0.006, 0.0025, 4, Outline.roundedRectangle(0.25, 0.11, 0.016, 10))
         .turnX(-4)
         .move(0, 0.022, FRONT + 0.006);
   }
@@ -88,8 +89,9 @@ final class Printer {
   private static TriangleMesh paper() {
     TriangleMesh stack = Boxes.plain(0.21, 0.2, 0.006).turnX(-10).move(0, LID - 0.02, -0.1);
     TriangleMesh page =
-        Sheet.thicken(
-            Sheet.field(0.21, 0.13, 20, 14, (x, z) -> 1.2 * z * z + 0.1 * Math.abs(x) * 0.3),
+        ParametricSurface.thicken(
+            ParametricSurface.field(
+                0.21, 0.13, 20, 14, (x, z) -> 1.2 * z * z + 0.1 * Math.abs(x) * 0.3),
             0,
             -0.0008,
             0);
@@ -97,33 +99,33 @@ final class Printer {
   }
 
   private static TriangleMesh print() {
-    TriangleMesh line = Placing.flat(0.16, 0.0035).turnX(-90);
-    return Copies.row(line.move(0, 0.0362, FRONT + 0.032), 4, 0, 0.0009, 0.0075);
+    TriangleMesh line = MeshOrientation.flat(0.16, 0.0035).turnX(-90);
+    return MeshPatterns.row(line.move(0, 0.0362, FRONT + 0.032), 4, 0, 0.0009, 0.0075);
   }
 
   /** Returns the control panel, which stands out on the right above the output slot. */
   private static TriangleMesh panel() {
-    return Prism.bevelled(0.012, 0.004, 6, Outline.roundedRectangle(0.35, 0.038, 0.01, 10))
+    return ExtrudedSolid.bevelled(0.012, 0.004, 6, Outline.roundedRectangle(0.35, 0.038, 0.01, 10))
         .move(0, LID - 0.03, FRONT - 0.006);
   }
 
   private static TriangleMesh button(double radius) {
-    return Placing.forward(Rounds.roundedCylinder(radius, 0.005, 0.002, 3, 28))
+    return MeshOrientation.forward(RoundSolids.roundedCylinder(radius, 0.005, 0.002, 3, 28))
         .move(-0.012, LID - 0.03, FRONT + 0.004);
   }
 
   private static TriangleMesh buttons() {
     TriangleMesh small = button(0.0055).move(0.04, 0, 0);
-    return Copies.row(small.move(0, 0.0085, 0), 6, 0.018, 0, 0)
-        .append(Copies.row(small.move(0, -0.0085, 0), 6, 0.018, 0, 0));
+    return MeshPatterns.row(small.move(0, 0.0085, 0), 6, 0.018, 0, 0)
+        .append(MeshPatterns.row(small.move(0, -0.0085, 0), 6, 0.018, 0, 0));
   }
 
   private static TriangleMesh display() {
-    return Prism.bevelled(0.003, 0.001, 3, Outline.roundedRectangle(0.075, 0.024, 0.003, 6))
+    return ExtrudedSolid.bevelled(0.003, 0.001, 3, Outline.roundedRectangle(0.075, 0.024, 0.003, 6))
         .move(-0.055, LID - 0.03, FRONT + 0.0045);
   }
 
   private static TriangleMesh brand() {
-    return RaisedLetters.bold().flat("PAGE 210", 0.0095).move(-0.163, 0.08, FRONT + 0.0005);
+    return TextGeometry.bold().flat("PAGE 210", 0.0095).move(-0.163, 0.08, FRONT + 0.0005);
   }
 }

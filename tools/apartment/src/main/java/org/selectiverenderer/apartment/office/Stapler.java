@@ -1,13 +1,13 @@
 package org.selectiverenderer.apartment.office;
 
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.ExtrudedSolid;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Prism;
-import org.selectiverenderer.modelling.Standing;
 
 /** A stapler, 0.14 m long, seen from its side, its mouth to the right; one version. */
 final class Stapler {
@@ -21,16 +21,16 @@ final class Stapler {
         Outline.of(
             -0.072, 0.026, -0.062, 0.042, -0.03, 0.05, 0.03, 0.05, 0.066, 0.043, 0.07, 0.03, 0.06,
             0.029, -0.045, 0.026);
-    return Standing.centred(
+    return ModelPlacement.centred(
         ParametricModel.of(
             "stapler",
-            Part.of("base", Looks.CHARCOAL, slab(base, 0.032)),
-            Part.of("arm", Looks.RED, slab(arm, 0.028)),
-            Part.of("magazine", Looks.CHROME, magazine(), anvil())));
+            Part.of("base", Materials.CHARCOAL, slab(base, 0.032)),
+            Part.of("arm", Materials.RED, slab(arm, 0.028)),
+            Part.of("magazine", Materials.CHROME, magazine(), anvil())));
   }
 
   private static TriangleMesh slab(Outline side, double width) {
-    return Prism.bevelled(width, 0.002, 1, side).move(0, 0, -width / 2);
+    return ExtrudedSolid.bevelled(width, 0.002, 1, side).move(0, 0, -width / 2);
   }
 
   private static TriangleMesh magazine() {

@@ -3,20 +3,20 @@ package org.selectiverenderer.apartment.office;
 import java.util.ArrayList;
 import java.util.List;
 import org.joml.Vector3d;
-import org.selectiverenderer.apartment.looks.Looks;
-import org.selectiverenderer.geometry.Degrees;
+import org.selectiverenderer.apartment.materials.Materials;
+import org.selectiverenderer.geometry.DegreeMath;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Boxes;
-import org.selectiverenderer.modelling.Copies;
+import org.selectiverenderer.modelling.ExtrudedSolid;
+import org.selectiverenderer.modelling.MeshPatterns;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Prism;
-import org.selectiverenderer.modelling.RaisedLetters;
-import org.selectiverenderer.modelling.Rounds;
+import org.selectiverenderer.modelling.RoundSolids;
 import org.selectiverenderer.modelling.Spine;
-import org.selectiverenderer.modelling.Standing;
 import org.selectiverenderer.modelling.Sweep;
+import org.selectiverenderer.modelling.TextGeometry;
 
 /**
  * A desk telephone, 0.2 m wide: handset on the left, keys and display on the right, a coiled cord
@@ -29,19 +29,19 @@ final class TelephoneLibrary {
   private TelephoneLibrary() {}
 
   static ParametricModel model() {
-    return Standing.centred(
+    return ModelPlacement.centred(
         ParametricModel.of(
             "telephoneLibrary",
-            Part.of("body", Looks.CHARCOAL, body(), cradle(-0.072), cradle(0.058)),
-            Part.of("handset", Looks.BLACK, handset()).crease(50),
-            Part.of("cord", Looks.BLACK, cord()),
-            Part.of("keys", Looks.SILVER, grid(4, 3, 0.021, 0.0165, 0.04, 0.006)),
-            Part.of("functionKeys", Looks.GREY, grid(1, 4, 0.0205, 0, 0.04, -0.026)),
-            Part.of("lineKeys", Looks.BLUE, grid(1, 3, 0.0275, 0, 0.04, 0.074)),
-            Part.of("digits", Looks.BLACK, digits()),
-            Part.of("displayFrame", Looks.BLACK, displayFrame()),
-            Part.of("display", Looks.lit(0.42, 0.52, 0.4), onFace(display(), 0.04, -0.054)),
-            Part.of("feet", Looks.RUBBER, feet())));
+            Part.of("body", Materials.CHARCOAL, body(), cradle(-0.072), cradle(0.058)),
+            Part.of("handset", Materials.BLACK, handset()).crease(50),
+            Part.of("cord", Materials.BLACK, cord()),
+            Part.of("keys", Materials.SILVER, grid(4, 3, 0.021, 0.0165, 0.04, 0.006)),
+            Part.of("functionKeys", Materials.GREY, grid(1, 4, 0.0205, 0, 0.04, -0.026)),
+            Part.of("lineKeys", Materials.BLUE, grid(1, 3, 0.0275, 0, 0.04, 0.074)),
+            Part.of("digits", Materials.BLACK, digits()),
+            Part.of("displayFrame", Materials.BLACK, displayFrame()),
+            Part.of("display", Materials.lit(0.42, 0.52, 0.4), onFace(display(), 0.04, -0.054)),
+            Part.of("feet", Materials.RUBBER, feet())));
   }
 
   /** Returns the body, a wedge that slopes down to the front. */
@@ -49,7 +49,7 @@ final class TelephoneLibrary {
     Outline side =
         Outline.of(-0.095, 0.003, 0.098, 0.003, 0.098, 0.0213, -0.075, 0.062, -0.095, 0.056)
             .rounded(0.009, 8);
-    return Placing.across(Prism.bevelled(0.2, 0.006, 6, side), 0.2);
+    return MeshOrientation.across(ExtrudedSolid.bevelled(0.2, 0.006, 6, side), 0.2);
   }
 
   /** Moves a mesh that stands on y = 0 onto the sloping face. */
@@ -70,7 +70,7 @@ final class TelephoneLibrary {
     Outline section = Outline.superellipse(0.021, 0.0105, 2.8, 32);
     TriangleMesh grip =
         Sweep.of(section, arch, t -> 0.8 + 0.8 * Math.abs(t - 0.5) * Math.abs(t - 0.5));
-    TriangleMesh cup = Rounds.roundedCylinder(0.0245, 0.027, 0.008, 6, 40).move(0, 0.009, 0);
+    TriangleMesh cup = RoundSolids.roundedCylinder(0.0245, 0.027, 0.008, 6, 40).move(0, 0.009, 0);
     return onFace(
         TriangleMesh.of(grip, cup.move(0, 0, -0.072), cup.move(0, 0, 0.072)), -0.068, -0.004);
   }
@@ -92,8 +92,8 @@ final class TelephoneLibrary {
       double angle = 360.0 * i / steps;
       coil.add(
           new Vector3d(path.get(i))
-              .fma(0.0055 * Degrees.cos(angle), right)
-              .fma(0.0055 * Degrees.sin(angle), up));
+              .fma(0.0055 * DegreeMath.cos(angle), right)
+              .fma(0.0055 * DegreeMath.sin(angle), up));
     }
     return Sweep.tube(new Spine(coil, false), 0.0017, 8);
   }
@@ -102,12 +102,12 @@ final class TelephoneLibrary {
   private static TriangleMesh grid(
       int rows, int columns, double dx, double dz, double x, double z) {
     TriangleMesh key = Boxes.bevelled(dx - 0.006, KEY_TOP, 0.0105, 0.0025, 3);
-    TriangleMesh row = Copies.row(key, columns, dx, 0, 0).move(-dx * (columns - 1) / 2, 0, 0);
-    return onFace(Copies.row(row, rows, 0, 0, dz), x, z);
+    TriangleMesh row = MeshPatterns.row(key, columns, dx, 0, 0).move(-dx * (columns - 1) / 2, 0, 0);
+    return onFace(MeshPatterns.row(row, rows, 0, 0, dz), x, z);
   }
 
   private static TriangleMesh digits() {
-    RaisedLetters letters = RaisedLetters.bold();
+    TextGeometry letters = TextGeometry.bold();
     List<TriangleMesh> all = new ArrayList<>();
     String order = "123456789*0#";
     for (int i = 0; i < order.length(); i++) {
@@ -119,7 +119,7 @@ final class TelephoneLibrary {
 
   private static TriangleMesh displayFrame() {
     return onFace(
-        Prism.plate(
+        ExtrudedSolid.plate(
             0.005,
             0.002,
             5,
@@ -130,10 +130,11 @@ final class TelephoneLibrary {
   }
 
   private static TriangleMesh display() {
-    return Placing.flat(0.085, 0.025).turnX(-90).move(0, 0.0012, 0);
+    return MeshOrientation.flat(0.085, 0.025).turnX(-90).move(0, 0.0012, 0);
   }
 
   private static TriangleMesh feet() {
-    return Copies.corners(Rounds.roundedCylinder(0.008, 0.005, 0.0015, 2, 20), 0.08, 0.08);
+    return MeshPatterns.corners(
+        RoundSolids.roundedCylinder(0.008, 0.005, 0.0015, 2, 20), 0.08, 0.08);
   }
 }

@@ -1,14 +1,14 @@
 package org.selectiverenderer.apartment.office;
 
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Boxes;
-import org.selectiverenderer.modelling.Copies;
+import org.selectiverenderer.modelling.ExtrudedSolid;
+import org.selectiverenderer.modelling.MeshPatterns;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Prism;
-import org.selectiverenderer.modelling.Rounds;
+import org.selectiverenderer.modelling.RoundSolids;
 
 /** The case of a {@link ComputerSet}, 0.17 m wide and 0.4 m high; its front lies at z = 0. */
 final class Tower {
@@ -19,17 +19,19 @@ final class Tower {
     return ParametricModel.of(
         "tower",
         Part.of(
-            "case", Looks.BLACK, Boxes.bevelled(0.17, 0.38, 0.36, 0.006, 4).move(0, 0.012, -0.2)),
-        Part.of("towerFront", Looks.CHARCOAL, front()),
-        Part.of("drives", Looks.SILVER, drives()),
-        Part.of("slots", Looks.RUBBER, slots(), sockets()),
-        Part.of("powerButton", Looks.CHROME, button(0.011, 0.004)),
-        Part.of("powerLight", Looks.lit(0.2, 0.55, 1), ring()),
-        Part.of("towerFeet", Looks.RUBBER, feet()));
+            "case",
+            Materials.BLACK,
+            Boxes.bevelled(0.17, 0.38, 0.36, 0.006, 4).move(0, 0.012, -0.2)),
+        Part.of("towerFront", Materials.CHARCOAL, front()),
+        Part.of("drives", Materials.SILVER, drives()),
+        Part.of("slots", Materials.RUBBER, slots(), sockets()),
+        Part.of("powerButton", Materials.CHROME, button(0.011, 0.004)),
+        Part.of("powerLight", Materials.lit(0.2, 0.55, 1), ring()),
+        Part.of("towerFeet", Materials.RUBBER, feet()));
   }
 
   private static TriangleMesh front() {
-    return Prism.bevelled(0.02, 0.007, 5, Outline.roundedRectangle(0.17, 0.38, 0.02, 8))
+    return ExtrudedSolid.bevelled(0.02, 0.007, 5, Outline.roundedRectangle(0.17, 0.38, 0.02, 8))
         .move(0, 0.202, -0.022);
   }
 
@@ -38,31 +40,33 @@ final class Tower {
     TriangleMesh drive =
         Boxes.bevelled(0.146, 0.038, 0.006, 0.0025, 3)
             .append(Boxes.bevelled(0.014, 0.006, 0.006, 0.002, 3).move(0.055, 0.006, 0.003));
-    return Copies.row(drive.move(0, 0.335, -0.003), 2, 0, -0.045, 0);
+    return MeshPatterns.row(drive.move(0, 0.335, -0.003), 2, 0, -0.045, 0);
   }
 
   private static TriangleMesh slots() {
     TriangleMesh slot = Boxes.bevelled(0.11, 0.006, 0.004, 0.0019, 3);
-    return Copies.row(slot.move(0, 0.04, -0.003), 9, 0, 0.0115, 0)
+    return MeshPatterns.row(slot.move(0, 0.04, -0.003), 9, 0, 0.0115, 0)
         .append(Boxes.plain(0.13, 0.002, 0.001).move(0, 0.349, 0.003))
         .append(Boxes.plain(0.13, 0.002, 0.001).move(0, 0.304, 0.003));
   }
 
   private static TriangleMesh sockets() {
-    return Copies.row(Boxes.plain(0.014, 0.006, 0.002).move(-0.05, 0.2, -0.0015), 3, 0.022, 0, 0);
+    return MeshPatterns.row(
+        Boxes.plain(0.014, 0.006, 0.002).move(-0.05, 0.2, -0.0015), 3, 0.022, 0, 0);
   }
 
   private static TriangleMesh button(double radius, double height) {
-    return Placing.forward(Rounds.roundedCylinder(radius, height, 0.0018, 4, 48))
+    return MeshOrientation.forward(RoundSolids.roundedCylinder(radius, height, 0.0018, 4, 48))
         .move(0, 0.245, -0.002);
   }
 
   private static TriangleMesh ring() {
-    return Placing.forward(Rounds.torus(0.014, 0.0016, 48, 12)).move(0, 0.245, -0.002);
+    return MeshOrientation.forward(RoundSolids.torus(0.014, 0.0016, 48, 12)).move(0, 0.245, -0.002);
   }
 
   private static TriangleMesh feet() {
-    return Copies.corners(Rounds.roundedCylinder(0.014, 0.014, 0.003, 2, 20), 0.065, 0.15)
+    return MeshPatterns.corners(
+            RoundSolids.roundedCylinder(0.014, 0.014, 0.003, 2, 20), 0.065, 0.15)
         .move(0, 0, -0.19);
   }
 }

@@ -1,15 +1,15 @@
 package org.selectiverenderer.apartment.office;
 
-import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Copies;
-import org.selectiverenderer.modelling.Curve;
 import org.selectiverenderer.modelling.Lathe;
+import org.selectiverenderer.modelling.MeshPatterns;
+import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Rounds;
+import org.selectiverenderer.modelling.ProfileCurve;
+import org.selectiverenderer.modelling.RoundSolids;
 import org.selectiverenderer.modelling.Spine;
-import org.selectiverenderer.modelling.Standing;
 import org.selectiverenderer.modelling.Sweep;
 
 /**
@@ -27,20 +27,23 @@ final class Trumpet {
   private Trumpet() {}
 
   static ParametricModel model() {
-    return Standing.centred(
+    return ModelPlacement.centred(
         ParametricModel.of(
             "trumpet",
-            Part.of("bell", Looks.BRASS, bell().move(RIGHT, 0, SIDE)).crease(60),
-            Part.of("tubes", Looks.BRASS, bow(), slide()).crease(60),
-            Part.of("valves", Looks.BRASS, valves(0.016, -0.05, 0.1)),
+            Part.of("bell", Materials.BRASS, bell().move(RIGHT, 0, SIDE)).crease(60),
+            Part.of("tubes", Materials.BRASS, bow(), slide()).crease(60),
+            Part.of("valves", Materials.BRASS, valves(0.016, -0.05, 0.1)),
             Part.of(
-                "pistons", Looks.CHROME, valves(0.005, 0.05, 0.035), valves(0.011, 0.083, 0.005)),
-            Part.of("mouthpiece", Looks.CHROME, mouthpiece())));
+                "pistons",
+                Materials.CHROME,
+                valves(0.005, 0.05, 0.035),
+                valves(0.011, 0.083, 0.005)),
+            Part.of("mouthpiece", Materials.CHROME, mouthpiece())));
   }
 
   private static TriangleMesh bell() {
-    Curve profile =
-        Curve.of(0.06, 0, 0.0615, 0.003, 0.048, 0.014, 0.034, 0.035, 0.024, 0.07)
+    ProfileCurve profile =
+        ProfileCurve.of(0.06, 0, 0.0615, 0.003, 0.048, 0.014, 0.034, 0.035, 0.024, 0.07)
             .line(0.016, 0.12)
             .line(0.0105, 0.2)
             .line(0.0075, 0.3);
@@ -50,8 +53,8 @@ final class Trumpet {
   /** Returns the bow from the bell's tube around the upper bend down to the third valve. */
   private static TriangleMesh bow() {
     double middle = (RIGHT + LEFT) / 2;
-    Curve path =
-        Curve.from(RIGHT, 0.29).line(RIGHT, 0.37).arc(middle, 0.37, 180, 6).line(LEFT, 0.22);
+    ProfileCurve path =
+        ProfileCurve.from(RIGHT, 0.29).line(RIGHT, 0.37).arc(middle, 0.37, 180, 6).line(LEFT, 0.22);
     return Sweep.tube(Spine.of(path), TUBE, 6).move(0, 0, SIDE);
   }
 
@@ -61,20 +64,24 @@ final class Trumpet {
    */
   private static TriangleMesh slide() {
     double middle = (RIGHT + LEFT) / 2;
-    Curve path =
-        Curve.from(RIGHT, 0.46).line(RIGHT, 0.13).arc(middle, 0.13, -180, 6).line(LEFT, 0.29);
+    ProfileCurve path =
+        ProfileCurve.from(RIGHT, 0.46)
+            .line(RIGHT, 0.13)
+            .arc(middle, 0.13, -180, 6)
+            .line(LEFT, 0.29);
     return Sweep.tube(Spine.of(path), TUBE, 6).move(0, 0, -SIDE);
   }
 
   /** Returns three cylinders that lie from left to right above each other. */
   private static TriangleMesh valves(double radius, double from, double length) {
-    TriangleMesh valve = Placing.sideways(Rounds.cylinder(radius, length, 8));
-    return Copies.row(valve.move(from, 0.215, 0), 3, 0, 0.036, 0);
+    TriangleMesh valve = MeshOrientation.sideways(RoundSolids.cylinder(radius, length, 8));
+    return MeshPatterns.row(valve.move(from, 0.215, 0), 3, 0, 0.036, 0);
   }
 
   private static TriangleMesh mouthpiece() {
-    Curve profile =
-        Curve.of(0.005, 0, 0.007, 0.05, 0.013, 0.065, 0.0135, 0.072, 0.012, 0.074, 0.003, 0.064);
+    ProfileCurve profile =
+        ProfileCurve.of(
+            0.005, 0, 0.007, 0.05, 0.013, 0.065, 0.0135, 0.072, 0.012, 0.074, 0.003, 0.064);
     return Lathe.solid(profile, 8).move(RIGHT, 0.445, -SIDE);
   }
 }

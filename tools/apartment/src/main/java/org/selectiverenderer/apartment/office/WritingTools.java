@@ -1,9 +1,9 @@
 package org.selectiverenderer.apartment.office;
 
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Curve;
 import org.selectiverenderer.modelling.Lathe;
-import org.selectiverenderer.modelling.Rounds;
+import org.selectiverenderer.modelling.ProfileCurve;
+import org.selectiverenderer.modelling.RoundSolids;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
@@ -15,23 +15,23 @@ final class WritingTools {
 
   /** Returns the painted body of a pencil, 24 triangles. */
   static TriangleMesh pencil(double length) {
-    return Rounds.cylinder(RADIUS, length, 6);
+    return RoundSolids.cylinder(RADIUS, length, 6);
   }
 
   /** Returns the sharpened wood on top of the body, 24 triangles. */
   static TriangleMesh sharpenedWood(double length) {
-    return Rounds.cone(RADIUS, 0.0014, 0.016, 6).move(0, length, 0);
+    return RoundSolids.cone(RADIUS, 0.0014, 0.016, 6).move(0, length, 0);
   }
 
   /** Returns the lead on top of the wood, 12 triangles. */
   static TriangleMesh lead(double length) {
-    return Rounds.cone(0.0014, 0, 0.005, 6).move(0, length + 0.016, 0);
+    return RoundSolids.cone(0.0014, 0, 0.005, 6).move(0, length + 0.016, 0);
   }
 
   /** Returns a ball-point pen with cap, {@code 12 segments} triangles. */
   static TriangleMesh pen(double length, int segments) {
-    Curve profile =
-        Curve.of(0.0035, 0, 0.0046, 0.004, 0.0046, length - 0.06)
+    ProfileCurve profile =
+        ProfileCurve.of(0.0035, 0, 0.0046, 0.004, 0.0046, length - 0.06)
             .line(0.0056, length - 0.058)
             .line(0.0056, length - 0.004)
             .line(0.004, length);

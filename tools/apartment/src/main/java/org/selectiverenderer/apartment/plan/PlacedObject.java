@@ -1,8 +1,8 @@
 package org.selectiverenderer.apartment.plan;
 
 import java.util.Arrays;
-import org.selectiverenderer.base.decimal.Rounded;
-import org.selectiverenderer.geometry.Bounds;
+import org.selectiverenderer.base.decimal.DecimalRounding;
+import org.selectiverenderer.geometry.BoundingBox;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.ParametricModel;
 
@@ -20,7 +20,7 @@ public record PlacedObject(
   }
 
   private static double rounded(double value) {
-    return Rounded.to(4, value);
+    return DecimalRounding.to(4, value);
   }
 
   public String object() {
@@ -33,7 +33,7 @@ public record PlacedObject(
   }
 
   /** Returns its bounding box in its own coordinates, before rotation and translation. */
-  public Bounds box() {
+  public BoundingBox box() {
     return model.bounds();
   }
 
@@ -41,7 +41,7 @@ public record PlacedObject(
    * Returns the bounding box of its points up to a height above its lowest one, in its own
    * coordinates.
    */
-  public Bounds lowerBox(double height) {
+  public BoundingBox lowerBox(double height) {
     double limit = box().minY() + height;
     float[] all = model.mesh().positions();
     float[] low = new float[all.length];
@@ -52,6 +52,6 @@ public record PlacedObject(
         n += 3;
       }
     }
-    return Bounds.around(Arrays.copyOf(low, n));
+    return BoundingBox.around(Arrays.copyOf(low, n));
   }
 }

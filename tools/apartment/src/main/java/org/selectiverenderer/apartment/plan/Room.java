@@ -70,7 +70,7 @@ public enum Room {
   }
 
   /** Returns the thickness of this room's part of a wall. */
-  public double thickness(Side side) {
+  public double thickness(WallSide side) {
     boolean inner =
         switch (side) {
           case NORTH, SOUTH -> false;

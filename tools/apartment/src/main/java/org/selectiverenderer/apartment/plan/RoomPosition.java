@@ -2,7 +2,7 @@ package org.selectiverenderer.apartment.plan;
 
 /**
  * The position of an object in a room, relative to the floor, a wall, the ceiling or another
- * object; {@link PlanLayout} computes the coordinates. Metres and degrees; yaw turns
+ * object; {@link PlacementResolver} computes the coordinates. Metres and degrees; yaw turns
  * counter-clockwise seen from above, 0 shows the front to the south.
  */
 public sealed interface RoomPosition {
@@ -16,10 +16,10 @@ public sealed interface RoomPosition {
    * @param along x or z of the object's middle in world coordinates
    * @param gap distance between back and wall
    */
-  record Against(Side side, double along, double gap) implements RoomPosition {}
+  record Against(WallSide side, double along, double gap) implements RoomPosition {}
 
   /** Hung on a wall with its back, its lower end at a height above the floor. */
-  record Hung(Side side, double along, double height) implements RoomPosition {}
+  record Hung(WallSide side, double along, double height) implements RoomPosition {}
 
   /** Hung from the ceiling. */
   record Ceiling(double x, double z) implements RoomPosition {}

@@ -3,8 +3,8 @@ package org.selectiverenderer.apartment.scene;
 import java.util.ArrayList;
 import java.util.List;
 import org.selectiverenderer.apartment.plan.Room;
-import org.selectiverenderer.base.decimal.DecimalText;
-import org.selectiverenderer.geometry.Degrees;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
+import org.selectiverenderer.geometry.DegreeMath;
 
 /**
  * The recorded walk: kitchen, lounge, sofa, lounge, through the kitchen to the office, desk, desk
@@ -65,7 +65,7 @@ public final class ApartmentTour {
     StringBuilder text = new StringBuilder("t,x,y,z,yaw,pitch,roll\n");
     for (double[] row : tour.rows) {
       for (int i = 0; i < row.length; i++) {
-        text.append(i == 0 ? "" : ",").append(DecimalText.rounded(row[i], 3));
+        text.append(i == 0 ? "" : ",").append(DecimalFormatter.rounded(row[i], 3));
       }
       text.append('\n');
     }
@@ -76,7 +76,7 @@ public final class ApartmentTour {
   private ApartmentTour walk(double toX, double toZ) {
     double dx = toX - x;
     double dz = toZ - z;
-    look(Degrees.atan2(-dx, -dz));
+    look(DegreeMath.atan2(-dx, -dz));
     x = toX;
     z = toZ;
     return after(Math.sqrt(dx * dx + dz * dz) / PACE);
@@ -100,6 +100,6 @@ public final class ApartmentTour {
   }
 
   private void mark() {
-    rows.add(new double[] {time, x, Room.FLOOR + ApartmentScene.EYE, z, yaw, -8, 0});
+    rows.add(new double[] {time, x, Room.FLOOR + ApartmentSceneWriter.EYE, z, yaw, -8, 0});
   }
 }

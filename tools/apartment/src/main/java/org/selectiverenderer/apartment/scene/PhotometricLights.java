@@ -1,7 +1,7 @@
 package org.selectiverenderer.apartment.scene;
 
 import org.selectiverenderer.apartment.plan.Room;
-import org.selectiverenderer.base.decimal.DecimalText;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
 /**
@@ -49,7 +49,7 @@ final class PhotometricLights {
       double width,
       double height,
       double brighter) {
-    open(xml, SceneNumbers.numbers(x, y, z), direction, SKY);
+    open(xml, FieldValueText.numbers(x, y, z), direction, SKY);
     size(xml, width, height);
     value(xml, "luminance", DAYLIGHT * brighter);
     xml.close().close();
@@ -89,7 +89,7 @@ final class PhotometricLights {
         "name",
         "size",
         "value",
-        SceneNumbers.numbers(width, height));
+        FieldValueText.numbers(width, height));
   }
 
   private static void value(X3dWriter xml, String name, double value) {
@@ -100,6 +100,6 @@ final class PhotometricLights {
         "name",
         name,
         "value",
-        DecimalText.rounded(value, 0));
+        DecimalFormatter.rounded(value, 0));
   }
 }

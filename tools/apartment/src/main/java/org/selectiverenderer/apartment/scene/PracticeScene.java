@@ -1,6 +1,6 @@
 package org.selectiverenderer.apartment.scene;
 
-import org.selectiverenderer.geometry.Degrees;
+import org.selectiverenderer.geometry.DegreeMath;
 import org.selectiverenderer.modelling.ModelColour;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
@@ -25,7 +25,7 @@ public final class PracticeScene {
         "type",
         "\"WALK\" \"ANY\"",
         "avatarSize",
-        SceneNumbers.numbers(0.25, ApartmentScene.EYE, 0.3),
+        FieldValueText.numbers(0.25, ApartmentSceneWriter.EYE, 0.3),
         "speed",
         "1.2",
         "headlight",
@@ -64,7 +64,7 @@ public final class PracticeScene {
         "position",
         position,
         "orientation",
-        SceneNumbers.orientation(yaw, pitch),
+        FieldValueText.orientation(yaw, pitch),
         "fieldOfView",
         fieldOfView);
   }
@@ -112,25 +112,25 @@ public final class PracticeScene {
     int kind = (row + 2 * column) % 4;
     double half = SPACING * (ROWS - 1) / 2;
     // Positions are slightly off the grid, so that the ways between are no straight corridors.
-    double x = SPACING * column - half + 0.35 * Degrees.sin(137 * number);
-    double z = SPACING * row - half + 0.35 * Degrees.cos(137 * number);
+    double x = SPACING * column - half + 0.35 * DegreeMath.sin(137 * number);
+    double z = SPACING * row - half + 0.35 * DegreeMath.cos(137 * number);
     double height = kind == 3 ? 1.2 : 0.9 + 0.15 * (number * 7 % 8);
     xml.open(
         "Transform",
         "DEF",
         "Shape_" + (number + 1),
         "translation",
-        SceneNumbers.numbers(x, height / 2, z),
+        FieldValueText.numbers(x, height / 2, z),
         "rotation",
-        SceneNumbers.yaw(kind == 0 ? 17 * number : 0));
+        FieldValueText.yaw(kind == 0 ? 17 * number : 0));
     xml.open("Shape");
     xml.material(
         "diffuseColor", colour(number), "specularColor", "0.25 0.25 0.25", "shininess", "0.3");
     switch (kind) {
-      case 0 -> xml.empty("Box", "size", SceneNumbers.numbers(0.9, height, 0.9));
-      case 1 -> xml.empty("Cylinder", "radius", "0.45", "height", SceneNumbers.numbers(height));
-      case 2 -> xml.empty("Cone", "bottomRadius", "0.55", "height", SceneNumbers.numbers(height));
-      default -> xml.empty("Sphere", "radius", SceneNumbers.numbers(height / 2));
+      case 0 -> xml.empty("Box", "size", FieldValueText.numbers(0.9, height, 0.9));
+      case 1 -> xml.empty("Cylinder", "radius", "0.45", "height", FieldValueText.numbers(height));
+      case 2 -> xml.empty("Cone", "bottomRadius", "0.55", "height", FieldValueText.numbers(height));
+      default -> xml.empty("Sphere", "radius", FieldValueText.numbers(height / 2));
     }
     xml.close().close();
   }
@@ -140,9 +140,9 @@ public final class PracticeScene {
     double hue = 137.508 * number;
     ModelColour colour =
         ModelColour.of(
-            0.55 + 0.35 * Degrees.cos(hue),
-            0.5 + 0.35 * Degrees.cos(hue - 120),
-            0.5 + 0.35 * Degrees.cos(hue + 120));
-    return SceneNumbers.numbers(colour.red(), colour.green(), colour.blue());
+            0.55 + 0.35 * DegreeMath.cos(hue),
+            0.5 + 0.35 * DegreeMath.cos(hue - 120),
+            0.5 + 0.35 * DegreeMath.cos(hue + 120));
+    return FieldValueText.numbers(colour.red(), colour.green(), colour.blue());
   }
 }

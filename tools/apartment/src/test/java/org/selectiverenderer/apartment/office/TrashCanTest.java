@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.geometry.Bounds;
+import org.selectiverenderer.geometry.BoundingBox;
 import org.selectiverenderer.modelling.ParametricModel;
 
 class TrashCanTest {
@@ -17,7 +17,7 @@ class TrashCanTest {
   @Test
   void standsOnTheFloorAndIsSeenFromBothSides() {
     ParametricModel can = TrashCan.model();
-    Bounds bounds = can.bounds();
+    BoundingBox bounds = can.bounds();
 
     assertThat(bounds.minY()).isZero();
     assertThat(bounds.height()).isCloseTo(0.32, within(1e-6));

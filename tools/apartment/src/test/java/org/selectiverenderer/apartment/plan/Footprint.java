@@ -1,10 +1,10 @@
 package org.selectiverenderer.apartment.plan;
 
 import java.util.List;
-import org.selectiverenderer.geometry.Bounds;
+import org.selectiverenderer.geometry.BoundingBox;
 
 /** An upright box around a placed object or a piece of it, turned with it. */
-public record Footprint(PlacedObject placed, Bounds box) {
+public record Footprint(PlacedObject placed, BoundingBox box) {
 
   /** Around all of the object. */
   public Footprint(PlacedObject placed) {
@@ -13,7 +13,9 @@ public record Footprint(PlacedObject placed, Bounds box) {
 
   /** Around each of its pieces that hang together. */
   public static List<Footprint> pieces(PlacedObject placed) {
-    return Pieces.boxes(placed.model()).stream().map(b -> new Footprint(placed, b)).toList();
+    return ConnectedPieces.boxes(placed.model()).stream()
+        .map(b -> new Footprint(placed, b))
+        .toList();
   }
 
   /** By how much two boxes reach into each other, metres; 0 or less when they are apart. */

@@ -9,7 +9,7 @@ import org.selectiverenderer.document.area.AreaBox;
 import org.selectiverenderer.enricher.menu.NodeCommand;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
-import org.selectiverenderer.geometry.Bounds;
+import org.selectiverenderer.geometry.BoundingBox;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** The commands that create areas and Switches, for menus, keys and views. */
@@ -18,15 +18,15 @@ public final class AreaCommands {
   private static final Set<String> NO_OBJECTS = Set.of("ProximitySensor", "X3D", "Scene");
 
   private final EnricherSession session;
-  private final SceneProbe probe;
-  private final NameQuestion question;
+  private final SceneQueries probe;
+  private final NamePrompt question;
   private final NodeCommands nodes;
 
   /**
    * @param probe answers queries of the running scene
    * @param question asks for names
    */
-  public AreaCommands(EnricherSession session, SceneProbe probe, NameQuestion question) {
+  public AreaCommands(EnricherSession session, SceneQueries probe, NamePrompt question) {
     this.session = session;
     this.probe = probe;
     this.question = question;
@@ -37,7 +37,7 @@ public final class AreaCommands {
     return nodes;
   }
 
-  public SceneProbe probe() {
+  public SceneQueries probe() {
     return probe;
   }
 
@@ -52,7 +52,7 @@ public final class AreaCommands {
   public void addAroundSelection() {
     Optional<DocumentElement> around =
         selected().filter(element -> !NO_OBJECTS.contains(element.name()));
-    Consumer<Optional<Bounds>> answer =
+    Consumer<Optional<BoundingBox>> answer =
         bounds ->
             bounds.ifPresentOrElse(
                 found -> add(AreaBox.of(found)),

@@ -1,8 +1,8 @@
 package org.selectiverenderer.enricher.area;
 
 import java.util.List;
-import org.selectiverenderer.base.decimal.DecimalText;
-import org.selectiverenderer.document.area.GridStep;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
+import org.selectiverenderer.document.area.GridSnap;
 import org.selectiverenderer.enricher.settings.EnricherSettings;
 import org.selectiverenderer.enricher.text.Texts;
 
@@ -20,18 +20,18 @@ public final class GridSetting {
   }
 
   /** The present grid. */
-  public GridStep step() {
+  public GridSnap step() {
     String word = settings.word("area.grid", "");
     return STEPS.stream()
-        .filter(step -> DecimalText.rounded(step, 2).equals(word))
+        .filter(step -> DecimalFormatter.rounded(step, 2).equals(word))
         .findFirst()
-        .map(GridStep::new)
-        .orElse(new GridStep(USUAL));
+        .map(GridSnap::new)
+        .orElse(new GridSnap(USUAL));
   }
 
   /** Sets another step, in metres. */
   public void use(double step) {
-    settings.put("area.grid", DecimalText.rounded(step, 2));
+    settings.put("area.grid", DecimalFormatter.rounded(step, 2));
   }
 
   /** Whether areas in the plan snap to walls. */
@@ -47,6 +47,6 @@ public final class GridSetting {
   public static String title(double step) {
     return step == 0
         ? Texts.of("area.grid.off")
-        : Texts.of("area.grid.step", DecimalText.rounded(step, 2));
+        : Texts.of("area.grid.step", DecimalFormatter.rounded(step, 2));
   }
 }

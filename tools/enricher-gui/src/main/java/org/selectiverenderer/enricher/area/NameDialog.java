@@ -16,7 +16,7 @@ import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.enricher.text.Texts;
 
 /** Asks for a node name in a dialog. */
-public final class NameDialog implements NameQuestion {
+public final class NameDialog implements NamePrompt {
   private final Supplier<Component> owner;
 
   /**

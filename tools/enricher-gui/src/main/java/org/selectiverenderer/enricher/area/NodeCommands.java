@@ -4,11 +4,11 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import org.joml.Vector3d;
 import org.selectiverenderer.document.Edit;
-import org.selectiverenderer.document.EditRefused;
+import org.selectiverenderer.document.EditRejectedException;
 import org.selectiverenderer.document.area.AreaBox;
 import org.selectiverenderer.document.area.AreaEdits;
+import org.selectiverenderer.document.area.AreaLocator;
 import org.selectiverenderer.document.area.PlacedArea;
-import org.selectiverenderer.document.area.PlacedAreas;
 import org.selectiverenderer.document.enrichment.EnrichedSwitch;
 import org.selectiverenderer.document.nodes.NodeEdits;
 import org.selectiverenderer.document.switches.SwitchEdits;
@@ -58,7 +58,7 @@ public final class NodeCommands {
         ? session
             .enrichment()
             .sensorNode(element)
-            .flatMap(sensor -> PlacedAreas.of(session.enrichment(), sensor))
+            .flatMap(sensor -> AreaLocator.of(session.enrichment(), sensor))
         : Optional.empty();
   }
 
@@ -67,7 +67,7 @@ public final class NodeCommands {
     try {
       nodes.check(name);
       return Optional.empty();
-    } catch (EditRefused e) {
+    } catch (EditRejectedException e) {
       return Optional.of(String.valueOf(e.getMessage()));
     }
   }
@@ -100,7 +100,7 @@ public final class NodeCommands {
   }
 
   /** Asks for another name of a node. */
-  public void rename(DocumentElement node, NameQuestion question) {
+  public void rename(DocumentElement node, NamePrompt question) {
     String before = node.def().orElse("");
     String proposal = before.isEmpty() ? free(node.name()) : before;
     question

@@ -3,7 +3,7 @@
  * and select the result. The edits are those of {@code document.area}, {@code document.switches}
  * and {@code document.nodes}.
  *
- * <p>{@link org.selectiverenderer.enricher.area.SceneProbe} declares the queries of the running
+ * <p>{@link org.selectiverenderer.enricher.area.SceneQueries} declares the queries of the running
  * scene (how large is a node, where are floor and ceiling, what is seen from above); the preview
  * implements it, so that this package does not depend on the preview. {@link
  * org.selectiverenderer.enricher.area.GridSetting} is the grid that every view snaps to.

@@ -8,6 +8,7 @@ import java.io.File;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import javax.swing.DefaultCellEditor;
 import javax.swing.JButton;
 import javax.swing.JFileChooser;
 import javax.swing.JLabel;
@@ -15,17 +16,18 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JSplitPane;
 import javax.swing.JTable;
+import javax.swing.JTextField;
 import javax.swing.SwingConstants;
 import javax.swing.event.CellEditorListener;
 import javax.swing.event.ChangeEvent;
 import javax.swing.table.DefaultTableCellRenderer;
 import net.miginfocom.swing.MigLayout;
-import org.selectiverenderer.base.decimal.DecimalText;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.document.enrichment.EnrichedSwitch;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
 import org.selectiverenderer.enricher.text.Texts;
-import org.selectiverenderer.polygon.count.StateShares;
+import org.selectiverenderer.polygon.count.StateBreakdown;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
@@ -41,12 +43,12 @@ public final class CostPanel extends JPanel {
   private static final int SCROLLING = 20;
 
   private final transient EnricherSession session;
-  private final transient BudgetPlace place;
+  private final transient BudgetFileLocator place;
   private final transient Runnable settingsChanged;
-  private final transient CostFeed feed;
+  private final transient CostUpdater feed;
   private final transient SelectionListener selecting = this::selected;
-  private final StatesModel states = new StatesModel(this::limit);
-  private final ObjectsModel objects = new ObjectsModel();
+  private final StatesTableModel states = new StatesTableModel(this::limit);
+  private final ObjectsTableModel objects = new ObjectsTableModel();
   private final CostTable statesTable = new CostTable(states, Texts.of("cost.statesname"));
   private final CostTable objectsTable = new CostTable(objects, Texts.of("cost.objectsname"));
   private final JSplitPane split;
@@ -62,7 +64,7 @@ public final class CostPanel extends JPanel {
   /**
    * @param settingsChanged runs when the limits or the settings file change
    */
-  public CostPanel(EnricherSession session, BudgetPlace place, Runnable settingsChanged) {
+  public CostPanel(EnricherSession session, BudgetFileLocator place, Runnable settingsChanged) {
     super(new MigLayout("insets 4 8 4 8, fill", "[grow,fill]", "[grow,fill][]"));
     this.session = session;
     this.place = place;
@@ -89,7 +91,7 @@ public final class CostPanel extends JPanel {
     split.getAccessibleContext().setAccessibleName(Texts.of("cost.border"));
     JButton choose = new JButton(Texts.of("cost.choose"));
     choose.setName("cost.choose");
-    choose.setToolTipText(Texts.of("cost.choosetip", BudgetPlace.NAME));
+    choose.setToolTipText(Texts.of("cost.choosetip", BudgetFileLocator.NAME));
     choose.addActionListener(event -> choose());
     JPanel foot = new JPanel(new MigLayout("insets 0", "[][grow,fill][]"));
     fixed.getAccessibleContext().setAccessibleName(Texts.of("cost.fixedname"));
@@ -99,7 +101,7 @@ public final class CostPanel extends JPanel {
     add(split, "wmin 0, hmin 0, wrap");
     add(foot, "wmin 0");
     session.addSelectionListener(selecting);
-    feed = new CostFeed(session, place, this::found);
+    feed = new CostUpdater(session, place, this::found);
     addHierarchyListener(event -> feed.seen(isShowing()));
     tellFile(Optional.empty());
     feed.now();
@@ -120,19 +122,22 @@ public final class CostPanel extends JPanel {
 
   private void dressStates() {
     statesTable
-        .column(StatesModel.SCOPE, 9, 8)
-        .column(StatesModel.STATE, 20, 14)
-        .numbers(StatesModel.POLYGONS, 9, 8)
-        .numbers(StatesModel.PERCENT, 7, 7)
-        .column(StatesModel.LIMIT, 9, 7)
-        .column(StatesModel.BAR, 17, 11);
+        .column(StatesTableModel.SCOPE, 9, 8)
+        .column(StatesTableModel.STATE, 20, 14)
+        .numbers(StatesTableModel.POLYGONS, 9, 8)
+        .numbers(StatesTableModel.PERCENT, 7, 7)
+        .column(StatesTableModel.LIMIT, 9, 7)
+        .column(StatesTableModel.BAR, 17, 11);
     LimitCell limits = new LimitCell();
     limits.setHorizontalAlignment(SwingConstants.TRAILING);
-    statesTable.getColumnModel().getColumn(StatesModel.LIMIT).setCellRenderer(limits);
-    LimitEditor editor = new LimitEditor();
+    statesTable.getColumnModel().getColumn(StatesTableModel.LIMIT).setCellRenderer(limits);
+    LimitCellEditor editor = new LimitCellEditor();
     editor.addCellEditorListener(new Written());
-    statesTable.getColumnModel().getColumn(StatesModel.LIMIT).setCellEditor(editor);
-    statesTable.getColumnModel().getColumn(StatesModel.BAR).setCellRenderer(new BudgetBar());
+    statesTable.getColumnModel().getColumn(StatesTableModel.LIMIT).setCellEditor(editor);
+    statesTable
+        .getColumnModel()
+        .getColumn(StatesTableModel.BAR)
+        .setCellRenderer(new BudgetBarRenderer());
     statesTable.putClientProperty("terminateEditOnFocusLost", true);
     statesTable
         .getSelectionModel()
@@ -163,11 +168,11 @@ public final class CostPanel extends JPanel {
 
   private void dressObjects() {
     objectsTable
-        .column(ObjectsModel.OBJECT, 18, 11)
-        .numbers(ObjectsModel.POLYGONS, 8, 8)
-        .numbers(ObjectsModel.PERCENT, 7, 6)
-        .column(ObjectsModel.SHOWN, 8, 8)
-        .column(ObjectsModel.VERSIONS, 14, 9);
+        .column(ObjectsTableModel.OBJECT, 18, 11)
+        .numbers(ObjectsTableModel.POLYGONS, 8, 8)
+        .numbers(ObjectsTableModel.PERCENT, 7, 6)
+        .column(ObjectsTableModel.SHOWN, 8, 8)
+        .column(ObjectsTableModel.VERSIONS, 14, 9);
     objectsTable
         .getSelectionModel()
         .addListSelectionListener(
@@ -216,7 +221,7 @@ public final class CostPanel extends JPanel {
     }
   }
 
-  private void found(CostFeed.Found found) {
+  private void found(CostUpdater.Found found) {
     found.rows().ifPresent(this::show);
     tellFile(found.fault());
   }
@@ -273,7 +278,7 @@ public final class CostPanel extends JPanel {
     for (CostRow row : rows) {
       boolean held = before.stream().anyMatch(old -> old.same(row) && !old.broken());
       if (row.broken() && held) {
-        session.message(CostWords.warning(row, row.status().orElseThrow()));
+        session.message(CostFormatter.warning(row, row.status().orElseThrow()));
         return;
       }
     }
@@ -284,7 +289,7 @@ public final class CostPanel extends JPanel {
     if (row >= 0) {
       chosen = Optional.of(states.row(row));
     }
-    Optional<StateShares> shares = chosen.flatMap(CostRow::shares);
+    Optional<StateBreakdown> shares = chosen.flatMap(CostRow::shares);
     following = true;
     objects.show(shares);
     following = false;
@@ -294,10 +299,10 @@ public final class CostPanel extends JPanel {
   }
 
   /** Describes the polygons that the list of objects leaves out. */
-  private static String rest(StateShares shares) {
+  private static String rest(StateBreakdown shares) {
     return shares.objects().isEmpty()
         ? Texts.of("cost.plain")
-        : Texts.of("cost.fixed", DecimalText.grouped(shares.fixed()));
+        : Texts.of("cost.fixed", DecimalFormatter.grouped(shares.fixed()));
   }
 
   private void tellFile(Optional<String> fault) {
@@ -356,5 +361,33 @@ public final class CostPanel extends JPanel {
   public void dispose() {
     session.removeSelectionListener(selecting);
     feed.dispose();
+  }
+
+  /** The cell editor of a limit. It stays open and marked until the text is a number or empty. */
+  private static final class LimitCellEditor extends DefaultCellEditor {
+    private static final long serialVersionUID = 1L;
+
+    LimitCellEditor() {
+      super(new JTextField());
+      JTextField field = (JTextField) getComponent();
+      field.setHorizontalAlignment(JTextField.TRAILING);
+      field.getAccessibleContext().setAccessibleName(Texts.of("cost.limit"));
+      field.setToolTipText(Texts.of("cost.limittip"));
+    }
+
+    @Override
+    public boolean stopCellEditing() {
+      JTextField field = (JTextField) getComponent();
+      String text = field.getText();
+      boolean fits = text.isBlank() || StatesTableModel.number(text).isPresent();
+      field.putClientProperty("JComponent.outline", fits ? null : "error");
+      return fits && super.stopCellEditing();
+    }
+
+    @Override
+    public void cancelCellEditing() {
+      ((JTextField) getComponent()).putClientProperty("JComponent.outline", null);
+      super.cancelCellEditing();
+    }
   }
 }

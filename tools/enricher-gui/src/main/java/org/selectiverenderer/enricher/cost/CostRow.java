@@ -5,14 +5,14 @@ import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
-import org.selectiverenderer.polygon.count.SceneCounter.Counted;
-import org.selectiverenderer.polygon.count.SceneModel;
+import org.selectiverenderer.polygon.count.EnrichmentModel;
+import org.selectiverenderer.polygon.count.IncrementalSceneCounter.CountResult;
 import org.selectiverenderer.polygon.count.SceneStatistics;
 import org.selectiverenderer.polygon.count.SceneStatistics.ScopeCount;
-import org.selectiverenderer.polygon.count.StateShares;
-import org.selectiverenderer.validation.Budget;
+import org.selectiverenderer.polygon.count.StateBreakdown;
+import org.selectiverenderer.validation.PolygonBudget;
 import org.selectiverenderer.validation.budget.BudgetStatus;
-import org.selectiverenderer.validation.settings.BudgetFile;
+import org.selectiverenderer.validation.settings.BudgetSettingsEditor;
 
 /**
  * A row of the cost table: a part of the scene in a state of its Switches; a value.
@@ -31,10 +31,10 @@ record CostRow(
     List<String> schemas,
     long polygons,
     double percent,
-    Optional<Budget> limit,
+    Optional<PolygonBudget> limit,
     Optional<BudgetStatus> status,
     boolean limitable,
-    Optional<StateShares> shares) {
+    Optional<StateBreakdown> shares) {
   /** The kind of state. */
   enum Kind {
     /** All objects at their most detailed. */
@@ -46,8 +46,8 @@ record CostRow(
   }
 
   /** The budget for this row with a limit. */
-  Budget budget(long most) {
-    return new Budget(scope, schemas, most);
+  PolygonBudget budget(long most) {
+    return new PolygonBudget(scope, schemas, most);
   }
 
   boolean broken() {
@@ -63,7 +63,7 @@ record CostRow(
    * Returns the rows of a scene: for each part full detail, as loaded, its states and the worst;
    * then limits that fit none of these.
    */
-  static List<CostRow> of(Counted counted, List<Budget> budgets) {
+  static List<CostRow> of(CountResult counted, List<PolygonBudget> budgets) {
     Making making = new Making(counted.model(), new ArrayList<>(budgets));
     for (ScopeCount scope : counted.statistics().scopes()) {
       making.scope(
@@ -74,30 +74,30 @@ record CostRow(
     return List.copyOf(making.rows);
   }
 
-  private record Making(SceneModel model, List<Budget> left, List<CostRow> rows) {
-    Making(SceneModel model, List<Budget> budgets) {
+  private record Making(EnrichmentModel model, List<PolygonBudget> left, List<CostRow> rows) {
+    Making(EnrichmentModel model, List<PolygonBudget> budgets) {
       this(model, budgets, new ArrayList<>());
     }
 
-    void scope(ScopeCount count, List<StateShares> states) {
+    void scope(ScopeCount count, List<StateBreakdown> states) {
       String scope = count.scope().equals(SceneStatistics.WHOLE_SCENE) ? "" : count.scope();
-      Optional<StateShares> none = Optional.empty();
+      Optional<StateBreakdown> none = Optional.empty();
       if (count.high() > 0) {
         add(scope, Kind.ALL, List.of(), count.high(), 100, none);
       }
-      for (StateShares state : states) {
+      for (StateBreakdown state : states) {
         Kind kind = state == states.get(0) ? Kind.LOADED : Kind.STATE;
         add(scope, kind, state.schemas(), state.polygons(), state.percent(), Optional.of(state));
       }
       worst(scope, count.high(), states);
     }
 
-    private void worst(String scope, long high, List<StateShares> states) {
+    private void worst(String scope, long high, List<StateBreakdown> states) {
       model.states(scope).stream()
-          .max(Comparator.comparingLong(SceneModel.State::polygons))
+          .max(Comparator.comparingLong(EnrichmentModel.State::polygons))
           .ifPresent(
               worst -> {
-                Optional<StateShares> shares =
+                Optional<StateBreakdown> shares =
                     states.stream().filter(state -> state.polygons() == worst.polygons()).findAny();
                 double percent = high == 0 ? 0 : 100.0 * worst.polygons() / high;
                 add(scope, Kind.WORST, List.of(), worst.polygons(), percent, shares);
@@ -110,17 +110,19 @@ record CostRow(
         List<String> schemas,
         long polygons,
         double percent,
-        Optional<StateShares> shares) {
-      Budget wanted = new Budget(scope, schemas, 0);
+        Optional<StateBreakdown> shares) {
+      PolygonBudget wanted = new PolygonBudget(scope, schemas, 0);
       boolean limitable =
           kind != Kind.ALL
               && (kind == Kind.WORST || !schemas.isEmpty())
               && BudgetStatus.of(wanted, model)
                   .filter(status -> !status.worst().schemas().isEmpty() || kind != Kind.STATE)
                   .isPresent();
-      Optional<Budget> limit =
+      Optional<PolygonBudget> limit =
           limitable
-              ? left.stream().filter(budget -> BudgetFile.same(budget, wanted)).findFirst()
+              ? left.stream()
+                  .filter(budget -> BudgetSettingsEditor.same(budget, wanted))
+                  .findFirst()
               : Optional.empty();
       limit.ifPresent(left::remove);
       rows.add(
@@ -143,7 +145,7 @@ record CostRow(
         CostRow whole = rows.remove(rows.size() - 1);
         rows.add(whole.withoutPercent());
       }
-      for (Budget budget : List.copyOf(left)) {
+      for (PolygonBudget budget : List.copyOf(left)) {
         BudgetStatus.of(budget, model)
             .filter(status -> new HashSet<>(rows).stream().noneMatch(row -> row.limit(budget)))
             .ifPresent(
@@ -163,7 +165,7 @@ record CostRow(
     }
   }
 
-  private boolean limit(Budget budget) {
+  private boolean limit(PolygonBudget budget) {
     return limit.equals(Optional.of(budget));
   }
 

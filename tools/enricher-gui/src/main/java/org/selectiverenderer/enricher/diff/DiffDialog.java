@@ -13,15 +13,15 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
-import org.selectiverenderer.base.decimal.DecimalText;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
+import org.selectiverenderer.document.DocumentSnapshot;
 import org.selectiverenderer.document.SceneDocument;
-import org.selectiverenderer.document.Snapshot;
 import org.selectiverenderer.document.file.UnifiedDiff;
 import org.selectiverenderer.enricher.session.EnricherSession;
-import org.selectiverenderer.enricher.task.Task;
-import org.selectiverenderer.enricher.text.Letters;
+import org.selectiverenderer.enricher.task.BackgroundTask;
+import org.selectiverenderer.enricher.text.Mnemonics;
 import org.selectiverenderer.enricher.text.Texts;
-import org.selectiverenderer.experiment.window.PackedWindow;
+import org.selectiverenderer.experiment.window.WindowPacker;
 
 /** Shows the changes that saving will make to the file, and asks whether to save. */
 @SuppressWarnings("serial") // never written
@@ -30,10 +30,10 @@ public final class DiffDialog extends JDialog {
 
   private final DiffView view = new DiffView();
   private final JLabel summary = new JLabel(Texts.of("diff.comparing"));
-  private final JButton previous = Letters.button("diff.previous");
-  private final JButton next = Letters.button("diff.next");
-  private final JButton save = Letters.button("diff.save");
-  private final Task comparing;
+  private final JButton previous = Mnemonics.button("diff.previous");
+  private final JButton next = Mnemonics.button("diff.next");
+  private final JButton save = Mnemonics.button("diff.save");
+  private final BackgroundTask comparing;
   private boolean confirmed;
 
   public DiffDialog(Window owner, EnricherSession session) {
@@ -67,7 +67,7 @@ public final class DiffDialog extends JDialog {
     view.getActionMap().put("previous", new Step(view::previous));
     enableButtons(false);
     comparing = compare(session);
-    PackedWindow.pack(this);
+    WindowPacker.pack(this);
     setLocationRelativeTo(owner);
   }
 
@@ -96,9 +96,9 @@ public final class DiffDialog extends JDialog {
             e -> work.run(), KeyStroke.getKeyStroke(key), JComponent.WHEN_IN_FOCUSED_WINDOW);
   }
 
-  private Task compare(EnricherSession session) {
+  private BackgroundTask compare(EnricherSession session) {
     Path file = session.file().path();
-    Snapshot snapshot = session.document().snapshot();
+    DocumentSnapshot snapshot = session.document().snapshot();
     return session
         .tasks()
         .run(
@@ -110,7 +110,7 @@ public final class DiffDialog extends JDialog {
   }
 
   /** Compares the document with its file; a missing file counts as empty. */
-  private static DiffLines diff(Path file, Snapshot snapshot) throws IOException {
+  private static DiffLines diff(Path file, DocumentSnapshot snapshot) throws IOException {
     String name = String.valueOf(file.getFileName());
     String before =
         Files.exists(file)
@@ -128,10 +128,10 @@ public final class DiffDialog extends JDialog {
             : Texts.of(
                 "diff.summary",
                 lines.changes().size(),
-                DecimalText.grouped(lines.changes().size()),
+                DecimalFormatter.grouped(lines.changes().size()),
                 lines.added(),
-                DecimalText.grouped(lines.added()),
-                DecimalText.grouped(lines.removed())));
+                DecimalFormatter.grouped(lines.added()),
+                DecimalFormatter.grouped(lines.removed())));
     enableButtons(!lines.changes().isEmpty());
     view.requestFocusInWindow();
   }

@@ -23,13 +23,13 @@ import javax.swing.ListSelectionModel;
 import javax.swing.table.AbstractTableModel;
 import javax.swing.table.DefaultTableCellRenderer;
 import net.miginfocom.swing.MigLayout;
-import org.selectiverenderer.base.decimal.DecimalText;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.document.SceneDocument;
-import org.selectiverenderer.document.file.LineMerge;
-import org.selectiverenderer.document.file.LineMerge.Choice;
+import org.selectiverenderer.document.file.ThreeWayMerge;
+import org.selectiverenderer.document.file.ThreeWayMerge.Choice;
 import org.selectiverenderer.enricher.text.Texts;
-import org.selectiverenderer.experiment.window.PackedWindow;
-import org.selectiverenderer.x3d.source.DocumentFault;
+import org.selectiverenderer.experiment.window.WindowPacker;
+import org.selectiverenderer.x3d.source.DocumentError;
 
 /**
  * Shows the document and its changed file side by side, marks which lines of both are taken, and
@@ -39,7 +39,7 @@ import org.selectiverenderer.x3d.source.DocumentFault;
 public final class MergeDialog extends JDialog {
   private static final long serialVersionUID = 1L;
 
-  private final LineMerge merge;
+  private final ThreeWayMerge merge;
   private final MergeRows rows;
   private final JTable table;
   private final JLabel summary = new JLabel();
@@ -49,7 +49,7 @@ public final class MergeDialog extends JDialog {
   private boolean confirmed;
   private boolean warned;
 
-  public MergeDialog(Window owner, LineMerge merge) {
+  public MergeDialog(Window owner, ThreeWayMerge merge) {
     super(owner, Texts.of("merge.title"), ModalityType.DOCUMENT_MODAL);
     this.merge = merge;
     this.rows = new MergeRows(merge);
@@ -74,7 +74,7 @@ public final class MergeDialog extends JDialog {
             e -> next(), KeyStroke.getKeyStroke("F3"), JComponent.WHEN_IN_FOCUSED_WINDOW);
     next();
     refresh();
-    PackedWindow.pack(this);
+    WindowPacker.pack(this);
     setLocationRelativeTo(owner);
   }
 
@@ -168,20 +168,20 @@ public final class MergeDialog extends JDialog {
     deciding.values().forEach(button -> button.setEnabled(conflict));
     next.setEnabled(rows.conflicts() > 0);
     apply.setEnabled(rows.undecided() == 0);
-    int theirs = merge.count(LineMerge.Kind.THEIRS);
-    int mine = merge.count(LineMerge.Kind.MINE);
+    int theirs = merge.count(ThreeWayMerge.Kind.THEIRS);
+    int mine = merge.count(ThreeWayMerge.Kind.MINE);
     summary.setText(
         Texts.of(
             "merge.summary",
-            DecimalText.grouped(mine),
-            DecimalText.grouped(theirs),
-            DecimalText.grouped(rows.conflicts()),
-            DecimalText.grouped(rows.undecided())));
+            DecimalFormatter.grouped(mine),
+            DecimalFormatter.grouped(theirs),
+            DecimalFormatter.grouped(rows.conflicts()),
+            DecimalFormatter.grouped(rows.undecided())));
   }
 
   /** Confirms the merge; warns first if the result is not well-formed XML. */
   private void confirm() {
-    Optional<DocumentFault> fault = fault();
+    Optional<DocumentError> fault = fault();
     if (fault.isPresent() && !warned) {
       warned = true;
       summary.setText(
@@ -195,7 +195,7 @@ public final class MergeDialog extends JDialog {
     dispose();
   }
 
-  private Optional<DocumentFault> fault() {
+  private Optional<DocumentError> fault() {
     try {
       return SceneDocument.of("", rows.text().getBytes(StandardCharsets.UTF_8)).fault();
     } catch (IOException e) {
@@ -251,7 +251,7 @@ public final class MergeDialog extends JDialog {
         JTable shown, Object value, boolean selected, boolean focused, int row, int column) {
       MergeRows.Row line = rows.rows().get(row);
       Optional<Boolean> taken = rows.taken(line, column == 0);
-      boolean same = line.kind() == LineMerge.Kind.SAME;
+      boolean same = line.kind() == ThreeWayMerge.Kind.SAME;
       String sign = same ? "  " : taken.map(is -> is ? "+ " : "\u2212 ").orElse("? ");
       boolean empty = String.valueOf(value).isEmpty();
       super.getTableCellRendererComponent(

@@ -3,9 +3,9 @@ package org.selectiverenderer.enricher.diff;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.selectiverenderer.document.file.LineMerge;
-import org.selectiverenderer.document.file.LineMerge.Choice;
-import org.selectiverenderer.document.file.LineMerge.Kind;
+import org.selectiverenderer.document.file.ThreeWayMerge;
+import org.selectiverenderer.document.file.ThreeWayMerge.Choice;
+import org.selectiverenderer.document.file.ThreeWayMerge.Kind;
 
 /** The rows of two texts side by side, and the decisions about their conflicts. */
 final class MergeRows {
@@ -19,15 +19,15 @@ final class MergeRows {
    */
   record Row(int part, int conflict, Kind kind, String mine, String theirs) {}
 
-  private final LineMerge merge;
+  private final ThreeWayMerge merge;
   private final List<Row> rows = new ArrayList<>();
   private final List<Optional<Choice>> choices = new ArrayList<>();
 
-  MergeRows(LineMerge merge) {
+  MergeRows(ThreeWayMerge merge) {
     this.merge = merge;
-    List<LineMerge.Part> parts = merge.parts();
+    List<ThreeWayMerge.Part> parts = merge.parts();
     for (int i = 0; i < parts.size(); i++) {
-      LineMerge.Part part = parts.get(i);
+      ThreeWayMerge.Part part = parts.get(i);
       if (part.kind() == Kind.SAME) {
         same(i, part.mine().lines().toList(), i == 0, i == parts.size() - 1);
       } else {
@@ -55,7 +55,7 @@ final class MergeRows {
     rows.add(new Row(part, -1, Kind.SAME, line, line));
   }
 
-  private void add(int index, LineMerge.Part part, int conflict) {
+  private void add(int index, ThreeWayMerge.Part part, int conflict) {
     List<String> mine = part.mine().lines().toList();
     List<String> theirs = part.theirs().lines().toList();
     for (int i = 0; i < Math.max(mine.size(), theirs.size()); i++) {

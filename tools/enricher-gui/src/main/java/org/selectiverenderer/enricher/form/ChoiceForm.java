@@ -8,12 +8,12 @@ import javax.swing.JPanel;
 import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.decimal.DecimalText;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.document.enrichment.EnrichedSwitch;
 import org.selectiverenderer.document.enrichment.EnrichedSwitch.ChoiceNode;
 import org.selectiverenderer.enricher.help.HelpTopic;
-import org.selectiverenderer.enricher.preview.VersionPicture;
-import org.selectiverenderer.enricher.preview.VersionPictures;
+import org.selectiverenderer.enricher.preview.VersionImage;
+import org.selectiverenderer.enricher.preview.VersionImageRenderer;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.schema.ConsistencyType;
@@ -21,7 +21,7 @@ import org.selectiverenderer.schema.ConsistencyType;
 /** The form of one choice of a Switch (a row of thesis Fig 44): the version and its metadata. */
 final class ChoiceForm {
   private final EnricherSession session;
-  private final VersionPictures pictures;
+  private final VersionImageRenderer pictures;
   private final ChoiceNode choice;
   private final JPanel panel =
       new JPanel(new MigLayout("insets 0, hidemode 3, wrap 4", "[][grow,fill][][fill]"));
@@ -29,12 +29,12 @@ final class ChoiceForm {
   private final JLabel polygons = new JLabel("\u2026");
   private final JLabel title;
   private final JLabel url;
-  private final List<FormField> fields;
-  private @Nullable VersionLoading loading;
+  private final List<FieldBinding> fields;
+  private @Nullable VersionThumbnailLoader loading;
 
   ChoiceForm(
       EnricherSession session,
-      VersionPictures pictures,
+      VersionImageRenderer pictures,
       EnrichedSwitch node,
       ChoiceNode choice,
       JComponent buttons) {
@@ -42,24 +42,24 @@ final class ChoiceForm {
     this.pictures = pictures;
     this.choice = choice;
     String number = String.valueOf(choice.index());
-    ChoiceEditing editing = new ChoiceEditing(session, node.element(), choice.index());
+    ChoiceFormModel editing = new ChoiceFormModel(session, node.element(), choice.index());
     JComboBox<String> type = new JComboBox<>();
-    type.addItem(ChoiceEditing.none());
+    type.addItem(ChoiceFormModel.none());
     for (ConsistencyType each : ConsistencyType.values()) {
       type.addItem(each.spelling());
     }
     name(type, Texts.of("form.type", number), HelpTopic.TYPE);
-    JComboBox<String> degree = new JComboBox<>(new String[] {DegreeInput.none(), "low", "high"});
+    JComboBox<String> degree = new JComboBox<>(new String[] {DegreeFormat.none(), "low", "high"});
     degree.setEditable(true);
     JTextField typed = (JTextField) degree.getEditor().getEditorComponent();
     typed.setColumns(4); // fits the longest degree
     name(degree, Texts.of("form.degree", number), HelpTopic.DEGREE);
     name(typed, Texts.of("form.degree", number), HelpTopic.DEGREE);
     typed.setName("Typed degree of choice " + number);
-    SchemasField schemas = new SchemasField(() -> session.enrichment().schemas());
+    SchemaListField schemas = new SchemaListField(() -> session.enrichment().schemas());
     name(schemas, Texts.of("form.schemas.of", number), HelpTopic.SCHEMAS);
     schemas.putClientProperty("JTextField.placeholderText", Texts.of("form.commas"));
-    title = Labels.of("", type);
+    title = LabelFactory.of("", type);
     title.putClientProperty("FlatLaf.styleClass", "h4");
     if (choice.index() < 10) {
       title.setDisplayedMnemonic('0' + choice.index());
@@ -75,9 +75,9 @@ final class ChoiceForm {
     degree.setEnabled(writable);
     schemas.setEditable(writable);
 
-    JLabel degreeComplaint = Labels.complaint();
-    JLabel schemasComplaint = Labels.complaint();
-    JLabel typeComplaint = Labels.complaint();
+    JLabel degreeComplaint = LabelFactory.complaint();
+    JLabel schemasComplaint = LabelFactory.complaint();
+    JLabel typeComplaint = LabelFactory.complaint();
     panel.add(title, "split 2, span, growx, pushx, wmin 0");
     panel.add(buttons, "growx 0");
     JPanel facts = new JPanel(new MigLayout("insets 0, wrap 1, gapy 2", "[grow,fill]"));
@@ -85,24 +85,25 @@ final class ChoiceForm {
     facts.add(polygons, "wmin 0");
     panel.add(thumbnail, "split 2, span, growx 0");
     panel.add(facts, "growx, wmin 0");
-    panel.add(Labels.of(Texts.of("terms.type"), type, "consistencyType"));
+    panel.add(LabelFactory.of(Texts.of("terms.type"), type, "consistencyType"));
     panel.add(type, "wmin 0");
-    panel.add(Labels.of(Texts.of("terms.degree"), degree, "degreeOfConsistency"));
+    panel.add(LabelFactory.of(Texts.of("terms.degree"), degree, "degreeOfConsistency"));
     panel.add(degree, "wmin pref");
-    panel.add(Labels.of(Texts.of("terms.schemas"), schemas, "schemaBelonginess"));
+    panel.add(LabelFactory.of(Texts.of("terms.schemas"), schemas, "schemaBelonginess"));
     panel.add(schemas, "spanx 3, wmin 0");
-    JPanel complaints = Labels.room(typeComplaint, degreeComplaint, schemasComplaint);
+    JPanel complaints = LabelFactory.room(typeComplaint, degreeComplaint, schemasComplaint);
     panel.add(complaints, "skip 1, spanx 3, wmin 0, hmin pref");
     panel.getAccessibleContext().setAccessibleName(Texts.of("form.choice", number));
     fields =
         List.of(
-            FormField.of(type, typeComplaint, new FormField.Source(editing::type, editing::type)),
-            FormField.of(
-                degree, degreeComplaint, new FormField.Source(editing::degree, editing::degree)),
-            FormField.of(
+            FieldBinding.of(
+                type, typeComplaint, new FieldBinding.Source(editing::type, editing::type)),
+            FieldBinding.of(
+                degree, degreeComplaint, new FieldBinding.Source(editing::degree, editing::degree)),
+            FieldBinding.of(
                 schemas,
                 schemasComplaint,
-                new FormField.Source(editing::schemas, editing::schemas)));
+                new FieldBinding.Source(editing::schemas, editing::schemas)));
     follow(node);
   }
 
@@ -132,15 +133,17 @@ final class ChoiceForm {
   void load() {
     if (loading == null) {
       loading =
-          new VersionLoading(session, pictures, thumbnail.pixels(), this::taken, this::failed);
+          new VersionThumbnailLoader(
+              session, pictures, thumbnail.pixels(), this::taken, this::failed);
       loading.begin(choice);
     }
   }
 
-  private void taken(VersionPicture picture) {
+  private void taken(VersionImage picture) {
     thumbnail.show(picture.image());
     String text =
-        Texts.of("counts.polygons", picture.polygons(), DecimalText.grouped(picture.polygons()));
+        Texts.of(
+            "counts.polygons", picture.polygons(), DecimalFormatter.grouped(picture.polygons()));
     polygons.setText(text);
     polygons.getAccessibleContext().setAccessibleName(text);
   }
@@ -161,15 +164,15 @@ final class ChoiceForm {
         Texts.of(
             node.whichChoice() == choice.index() ? "form.choice.start" : "form.choice",
             String.valueOf(choice.index())));
-    fields.forEach(FormField::follow);
+    fields.forEach(FieldBinding::follow);
   }
 
   void commit() {
-    fields.forEach(FormField::commit);
+    fields.forEach(FieldBinding::commit);
   }
 
   void dispose() {
-    fields.forEach(FormField::close);
+    fields.forEach(FieldBinding::close);
     if (loading != null) {
       loading.cancel();
     }

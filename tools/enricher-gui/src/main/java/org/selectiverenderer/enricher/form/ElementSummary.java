@@ -8,7 +8,7 @@ import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.DocumentElement;
-import org.selectiverenderer.x3d.source.Entities;
+import org.selectiverenderer.x3d.source.EntityTable;
 
 /**
  * What the form panel says of an element that has no metadata form.
@@ -63,7 +63,7 @@ record ElementSummary(
   /** Describes what an entity reference stands for. */
   private static String reference(SceneDocument document, DocumentElement node) {
     String name = node.name().substring(1, node.name().length() - 1);
-    Optional<Entities.Declared> declared = document.entities().find(name);
+    Optional<EntityTable.Declared> declared = document.entities().find(name);
     if (declared.isEmpty()) {
       return Texts.of("node.referenceNowhere");
     }

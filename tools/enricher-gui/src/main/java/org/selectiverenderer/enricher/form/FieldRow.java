@@ -12,8 +12,8 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.document.hand.FieldEdits;
-import org.selectiverenderer.document.hand.NodeField;
+import org.selectiverenderer.document.editing.FieldEdits;
+import org.selectiverenderer.document.editing.NodeField;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
@@ -27,10 +27,10 @@ final class FieldRow {
   private final DocumentElement element;
   private final FieldEdits edits;
   private final JLabel label;
-  private final JLabel complaint = Labels.complaint();
+  private final JLabel complaint = LabelFactory.complaint();
   private final JButton reset = new JButton("\u00d7");
   private final JComponent control;
-  private final @Nullable FormField typed;
+  private final @Nullable FieldBinding typed;
   private @Nullable JCheckBox check;
   private @Nullable ColorSwatch swatch;
   private NodeField field;
@@ -42,7 +42,7 @@ final class FieldRow {
     this.field = field;
     this.edits = new FieldEdits(session.document());
     boolean free = session.document().locked().isEmpty() && field.readOnly().isEmpty();
-    FormField.Source source = new FormField.Source(this::read, this::write);
+    FieldBinding.Source source = new FieldBinding.Source(this::read, this::write);
     switch (field.kind()) {
       case BOOLEAN -> {
         JCheckBox box = new JCheckBox();
@@ -56,14 +56,14 @@ final class FieldRow {
         JComboBox<String> box = new JComboBox<>(field.choices().toArray(String[]::new));
         box.setEditable(true);
         box.setEnabled(free);
-        typed = FormField.of(box, complaint, source);
+        typed = FieldBinding.of(box, complaint, source);
         control = box;
       }
       default -> {
         JTextField text = new JTextField();
         text.putClientProperty("JTextField.placeholderText", field.defaultText());
         text.setEditable(free);
-        typed = FormField.of(text, complaint, source);
+        typed = FieldBinding.of(text, complaint, source);
         control = text;
         if (field.kind() == NodeField.Kind.COLOR) {
           ColorSwatch colour = new ColorSwatch(field.name(), this::shown, this::write);
@@ -77,7 +77,7 @@ final class FieldRow {
     control.setName("field " + field.name());
     control.setToolTipText(why.isEmpty() ? null : why);
     control.getAccessibleContext().setAccessibleName(field.name());
-    label = Labels.of(field.name(), control);
+    label = LabelFactory.of(field.name(), control);
     label.setToolTipText(control.getToolTipText());
     reset.setName("reset " + field.name());
     reset.setToolTipText(Texts.of("fields.reset", field.name()));
@@ -157,7 +157,7 @@ final class FieldRow {
       if (box != null) {
         box.setSelected(field.written().orElse(field.defaultText()).strip().equals("true"));
       }
-      FormField text = typed;
+      FieldBinding text = typed;
       if (text != null) {
         text.follow();
         field

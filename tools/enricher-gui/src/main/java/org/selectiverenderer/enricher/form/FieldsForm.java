@@ -10,8 +10,8 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JSeparator;
 import net.miginfocom.swing.MigLayout;
-import org.selectiverenderer.document.hand.NodeField;
-import org.selectiverenderer.document.hand.NodeFields;
+import org.selectiverenderer.document.editing.NodeField;
+import org.selectiverenderer.document.editing.NodeFieldList;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
@@ -60,7 +60,7 @@ final class FieldsForm implements Form {
   }
 
   private List<NodeField> wanted() {
-    return NodeFields.of(session.document(), session.catalogue(), element).stream()
+    return NodeFieldList.of(session.document(), session.catalogue(), element).stream()
         .filter(field -> choice.all || field.written().isPresent())
         .toList();
   }
@@ -81,7 +81,7 @@ final class FieldsForm implements Form {
       made.add(row);
     }
     if (fields.isEmpty()) {
-      rows.add(Labels.sentences(Texts.of("fields.none")), "span, wmin 0");
+      rows.add(LabelFactory.sentences(Texts.of("fields.none")), "span, wmin 0");
     }
     shown = made;
     rows.revalidate();

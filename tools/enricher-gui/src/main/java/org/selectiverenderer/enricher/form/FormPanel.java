@@ -1,8 +1,10 @@
 package org.selectiverenderer.enricher.form;
 
 import java.awt.Rectangle;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
@@ -10,7 +12,7 @@ import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.document.DocumentListener;
 import org.selectiverenderer.enricher.help.HelpTopic;
-import org.selectiverenderer.enricher.preview.VersionPictures;
+import org.selectiverenderer.enricher.preview.VersionImageRenderer;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
 import org.selectiverenderer.enricher.text.Texts;
@@ -27,27 +29,27 @@ public final class FormPanel extends JPanel {
   private static final long serialVersionUID = 1L;
 
   private final transient EnricherSession session;
-  private final transient VersionPictures pictures;
+  private final transient VersionImageRenderer pictures;
   private final transient SelectionListener onSelection = (element, origin) -> selected();
   private final transient DocumentListener onChange = change -> changed();
   private transient Consumer<DocumentElement> makeVersions = element -> {};
   private final transient FieldsForm.Choice allFields = new FieldsForm.Choice();
   private final JPanel body =
-      new FittingPanel(new MigLayout("insets 8, wrap 1, hidemode 3", "[grow,fill]"));
+      new ScrollablePanel(new MigLayout("insets 8, wrap 1, hidemode 3", "[grow,fill]"));
   private final JLabel title = new JLabel();
   private final JLabel place = new JLabel();
-  private final FindingsBox findings;
+  private final FindingsPanel findings;
   private transient @Nullable DocumentElement element;
   private transient @Nullable Form form;
 
   /**
    * @param pictures renders the thumbnails of versions; owned and closed by the caller
    */
-  public FormPanel(EnricherSession session, VersionPictures pictures) {
+  public FormPanel(EnricherSession session, VersionImageRenderer pictures) {
     super(new MigLayout("insets 0, wrap 1, hidemode 3, gapy 0", "[grow,fill]", "[grow,fill][]"));
     this.session = session;
     this.pictures = pictures;
-    this.findings = new FindingsBox(session);
+    this.findings = new FindingsPanel(session);
     title.putClientProperty("FlatLaf.styleClass", "h3");
     title.getAccessibleContext().setAccessibleDescription(Texts.of("form.node"));
     place.getAccessibleContext().setAccessibleDescription(Texts.of("form.position"));
@@ -104,11 +106,11 @@ public final class FormPanel extends JPanel {
     body.add(title, "wmin 0");
     body.add(place, "wmin 0");
     if (element != null) {
-      Form made = BothForms.of(form(element), new FieldsForm(session, element, allFields));
+      Form made = CompositeForm.of(form(element), new FieldsForm(session, element, allFields));
       form = made;
       body.add(made.component(), "wmin 0");
     } else {
-      body.add(Labels.sentences(hint()), "wmin 0");
+      body.add(LabelFactory.sentences(hint()), "wmin 0");
     }
     findings.setVisible(described());
     head();
@@ -180,6 +182,37 @@ public final class FormPanel extends JPanel {
     session.document().removeListener(onChange);
     if (form != null) {
       form.dispose();
+    }
+  }
+
+  /** A form composed of other forms of one node, one below the other. */
+  private record CompositeForm(JComponent component, List<Form> forms) implements Form {
+    static CompositeForm of(Form... forms) {
+      JPanel panel = new JPanel(new MigLayout("insets 0, gap 0, wrap 1", "[grow,fill]"));
+      for (Form form : forms) {
+        panel.add(form.component(), "wmin 0");
+      }
+      return new CompositeForm(panel, List.of(forms));
+    }
+
+    @Override
+    public boolean fits() {
+      return forms.stream().allMatch(Form::fits);
+    }
+
+    @Override
+    public void follow() {
+      forms.forEach(Form::follow);
+    }
+
+    @Override
+    public void commit() {
+      forms.forEach(Form::commit);
+    }
+
+    @Override
+    public void dispose() {
+      forms.forEach(Form::dispose);
     }
   }
 }

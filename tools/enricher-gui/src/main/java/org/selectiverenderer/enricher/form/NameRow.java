@@ -9,7 +9,7 @@ import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.enricher.area.NodeCommands;
 import org.selectiverenderer.enricher.session.EnricherSession;
-import org.selectiverenderer.enricher.text.MenuTitle;
+import org.selectiverenderer.enricher.text.MnemonicText;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
@@ -21,7 +21,7 @@ final class NameRow {
   private final JPanel panel =
       new JPanel(new MigLayout("insets 0, wrap 1, hidemode 3", "[grow,fill]"));
   private final JPanel buttons = new JPanel(new MigLayout("insets 0, gapx 4", ""));
-  private final FormField field;
+  private final FieldBinding field;
   private final boolean writable;
 
   NameRow(EnricherSession session, NodeCommands nodes, DocumentElement element) {
@@ -29,17 +29,17 @@ final class NameRow {
     JTextField name = new JTextField();
     name.setName("Node name");
     name.setEditable(writable);
-    JLabel label = Labels.of(Texts.of("area.name"), name);
-    JLabel complaint = Labels.complaint();
+    JLabel label = LabelFactory.of(Texts.of("area.name"), name);
+    JLabel complaint = LabelFactory.complaint();
     panel.add(label);
     panel.add(name, "wmin 0");
     panel.add(complaint, "wmin 0");
     panel.add(buttons, "wmin 0");
     field =
-        FormField.of(
+        FieldBinding.of(
             name,
             complaint,
-            new FormField.Source(
+            new FieldBinding.Source(
                 () -> element.def().orElse(""),
                 text ->
                     text.isBlank() && element.def().isEmpty()
@@ -51,7 +51,7 @@ final class NameRow {
 
   /** Adds a button whose text and tooltip have these keys. */
   void add(String text, String tip, String name, ActionListener does) {
-    JButton button = new JButton(MenuTitle.of(Texts.of(text)).words());
+    JButton button = new JButton(MnemonicText.of(Texts.of(text)).words());
     button.setToolTipText(Texts.of(tip));
     button.getAccessibleContext().setAccessibleDescription(Texts.of(tip));
     button.setName(name);
@@ -64,7 +64,7 @@ final class NameRow {
     return panel;
   }
 
-  FormField field() {
+  FieldBinding field() {
     return field;
   }
 }

@@ -15,7 +15,7 @@ import org.selectiverenderer.document.enrichment.EnrichedSensor;
 import org.selectiverenderer.enricher.area.NodeCommands;
 import org.selectiverenderer.enricher.help.HelpTopic;
 import org.selectiverenderer.enricher.session.EnricherSession;
-import org.selectiverenderer.enricher.text.Letters;
+import org.selectiverenderer.enricher.text.Mnemonics;
 import org.selectiverenderer.enricher.text.Texts;
 
 /** The form of a ProximitySensor (thesis Fig 47): its name, its schemas and its box. */
@@ -24,9 +24,9 @@ final class SensorForm implements Form {
   private final EnrichedSensor node;
   private final JPanel panel =
       new JPanel(new MigLayout("insets 0, wrap 1, hidemode 3", "[grow,fill]"));
-  private final List<FormField> fields = new ArrayList<>();
+  private final List<FieldBinding> fields = new ArrayList<>();
   private final NodeCommands nodes;
-  private final BoxFields box;
+  private final AreaBoxEditor box;
   private final boolean placed;
 
   SensorForm(EnricherSession session, EnrichedSensor node) {
@@ -34,13 +34,13 @@ final class SensorForm implements Form {
     this.node = node;
     NodeCommands nodes = new NodeCommands(session);
     NameRow name = new NameRow(session, nodes, node.element());
-    box = new BoxFields(session, nodes, node.element());
+    box = new AreaBoxEditor(session, nodes, node.element());
     placed = nodes.area(node.element()).isPresent();
     this.nodes = nodes;
     fields.add(name.field());
     fields.addAll(box.fields());
     panel.add(name.component(), "wmin 0");
-    SensorEditing editing = new SensorEditing(session, node.element());
+    SensorFormModel editing = new SensorFormModel(session, node.element());
     add("form.enter", "enterTimeSchema", HelpTopic.ENTER, editing::enter, editing::enter);
     add("form.exit", "exitTimeSchema", HelpTopic.EXIT, editing::exit, editing::exit);
     panel.add(new JSeparator());
@@ -53,9 +53,9 @@ final class SensorForm implements Form {
       HelpTopic topic,
       Supplier<String> read,
       Function<String, Optional<String>> write) {
-    SchemasField schemas = new SchemasField(() -> session.enrichment().schemas());
+    SchemaListField schemas = new SchemaListField(() -> session.enrichment().schemas());
     String lettered = Texts.of(key);
-    String title = Letters.without(lettered);
+    String title = Mnemonics.without(lettered);
     schemas.setName(title);
     schemas
         .getAccessibleContext()
@@ -63,13 +63,13 @@ final class SensorForm implements Form {
     schemas.putClientProperty("JTextField.placeholderText", Texts.of("form.commas"));
     schemas.setEditable(session.document().locked().isEmpty());
     topic.explain(schemas);
-    JLabel label = Labels.of(title + "  (" + name + ")", schemas, name);
-    label.setDisplayedMnemonic(Letters.code(lettered));
-    JLabel complaint = Labels.complaint();
+    JLabel label = LabelFactory.of(title + "  (" + name + ")", schemas, name);
+    label.setDisplayedMnemonic(Mnemonics.code(lettered));
+    JLabel complaint = LabelFactory.complaint();
     panel.add(label);
     panel.add(schemas, "wmin 0");
-    panel.add(Labels.room(complaint), "wmin 0, hmin pref");
-    fields.add(FormField.of(schemas, complaint, new FormField.Source(read, write)));
+    panel.add(LabelFactory.room(complaint), "wmin 0, hmin pref");
+    fields.add(FieldBinding.of(schemas, complaint, new FieldBinding.Source(read, write)));
   }
 
   @Override
@@ -85,17 +85,17 @@ final class SensorForm implements Form {
 
   @Override
   public void follow() {
-    fields.forEach(FormField::follow);
+    fields.forEach(FieldBinding::follow);
     box.follow();
   }
 
   @Override
   public void commit() {
-    fields.forEach(FormField::commit);
+    fields.forEach(FieldBinding::commit);
   }
 
   @Override
   public void dispose() {
-    fields.forEach(FormField::close);
+    fields.forEach(FieldBinding::close);
   }
 }

@@ -6,7 +6,7 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.enricher.session.EnricherSession;
-import org.selectiverenderer.enricher.text.Letters;
+import org.selectiverenderer.enricher.text.Mnemonics;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
@@ -29,19 +29,19 @@ final class SummaryForm implements Form {
     this.element = element;
     summary = summary();
     if (!summary.path().isEmpty()) {
-      panel.add(Labels.sentences(Texts.of("form.in", summary.path())), "wmin 0");
+      panel.add(LabelFactory.sentences(Texts.of("form.in", summary.path())), "wmin 0");
     }
-    panel.add(Labels.sentences(summary.advice()), "wmin 0");
+    panel.add(LabelFactory.sentences(summary.advice()), "wmin 0");
     summary
         .around()
         .ifPresent(
             around -> {
-              JButton go = Letters.button("form.go", around.toString());
+              JButton go = Mnemonics.button("form.go", around.toString());
               go.addActionListener(event -> session.select(around, this));
               panel.add(go, "growx 0");
             });
     if (summary.versions()) {
-      JButton make = Letters.button("form.make");
+      JButton make = Mnemonics.button("form.make");
       make.addActionListener(event -> makeVersions.accept(element));
       panel.add(make, "growx 0");
     }

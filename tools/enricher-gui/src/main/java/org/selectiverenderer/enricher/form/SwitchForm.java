@@ -8,12 +8,12 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JSeparator;
 import net.miginfocom.swing.MigLayout;
-import org.selectiverenderer.base.decimal.DecimalText;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.document.enrichment.EnrichedSwitch;
 import org.selectiverenderer.enricher.area.NodeCommands;
-import org.selectiverenderer.enricher.preview.VersionPictures;
+import org.selectiverenderer.enricher.preview.VersionImageRenderer;
 import org.selectiverenderer.enricher.session.EnricherSession;
-import org.selectiverenderer.enricher.text.Letters;
+import org.selectiverenderer.enricher.text.Mnemonics;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
@@ -26,11 +26,11 @@ final class SwitchForm implements Form {
   private static final int PAGE = 20;
 
   private final EnricherSession session;
-  private final VersionPictures pictures;
+  private final VersionImageRenderer pictures;
   private final DocumentElement element;
   private final int size;
   private final NameRow name;
-  private final SwitchTools tools;
+  private final SwitchControls tools;
   private final List<ChoiceForm> choices = new ArrayList<>();
   private final JPanel panel =
       new JPanel(new MigLayout("insets 0, wrap 1, hidemode 3", "[grow,fill]")) {
@@ -44,22 +44,23 @@ final class SwitchForm implements Form {
       };
   private final JButton more = new JButton();
 
-  SwitchForm(EnricherSession session, VersionPictures pictures, EnrichedSwitch node) {
+  SwitchForm(EnricherSession session, VersionImageRenderer pictures, EnrichedSwitch node) {
     this.session = session;
     this.pictures = pictures;
     this.element = node.element();
     this.size = node.choices().size();
     NodeCommands nodes = new NodeCommands(session);
     name = new NameRow(session, nodes, element);
-    tools = new SwitchTools(session, nodes, node);
+    tools = new SwitchControls(session, nodes, node);
     name.add("area.switch.unwrap", "area.switch.unwrap.tip", "Unwrap", event -> tools.unwrap());
     panel.add(name.component(), "wmin 0");
     panel.add(tools.component(), "wmin 0");
     if (size == 0) {
-      panel.add(Labels.sentences(Texts.of("area.switch.empty")), "wmin 0");
+      panel.add(LabelFactory.sentences(Texts.of("area.switch.empty")), "wmin 0");
     }
     panel.add(
-        Labels.names("consistencyType", "degreeOfConsistency", "schemaBelonginess"), "wmin 0");
+        LabelFactory.names("consistencyType", "degreeOfConsistency", "schemaBelonginess"),
+        "wmin 0");
 
     more.addActionListener(event -> node().ifPresent(this::page));
     page(node);
@@ -80,7 +81,7 @@ final class SwitchForm implements Form {
       panel.add(choice.component(), "wmin 0");
     }
     if (end < size) {
-      Letters.on(more, Texts.of("form.more", DecimalText.grouped(size - end)));
+      Mnemonics.on(more, Texts.of("form.more", DecimalFormatter.grouped(size - end)));
       panel.add(more, "growx 0");
     }
     panel.revalidate();

@@ -93,13 +93,13 @@ public final class HelpPanel extends JPanel {
   /** Shows the explanation of a validator rule, until the focus or the selection changes. */
   public void explain(Rule rule) {
     shown = null;
-    page.setText(HelpTexts.rule(rule));
+    page.setText(HelpPageBuilder.rule(rule));
     page.setCaretPosition(0);
   }
 
   private void write(Optional<HelpTopic> topic) {
     shown = topic.orElse(null);
-    page.setText(HelpTexts.page(topic));
+    page.setText(HelpPageBuilder.page(topic));
     page.setCaretPosition(0);
   }
 

@@ -15,7 +15,7 @@ import javax.swing.JPopupMenu;
 import javax.swing.JTree;
 import javax.swing.KeyStroke;
 import org.selectiverenderer.enricher.session.EnricherSession;
-import org.selectiverenderer.enricher.text.MenuTitle;
+import org.selectiverenderer.enricher.text.MnemonicText;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
@@ -55,7 +55,7 @@ public final class NodeMenu {
         menu.addSeparator();
       }
       for (NodeCommand command : group) {
-        MenuTitle title = MenuTitle.of(command.title());
+        MnemonicText title = MnemonicText.of(command.title());
         JMenuItem item = new JMenuItem(title.words(), title.letter());
         item.setName(command.id());
         item.setEnabled(command.fits().test(selected.get()));

@@ -1,7 +1,7 @@
 /**
  * The context menu of the selected node, the same in tree, source and 3D view. {@code NodeMenu}
- * holds groups of commands, to which each part of the window adds its own; {@code NodeEditing} has
- * those that apply to every node.
+ * holds groups of commands, to which each part of the window adds its own; {@code NodeEditCommands}
+ * has those that apply to every node.
  *
  * <p>In: a session, commands. Out: edits of the document, the clipboard. Uses {@code
  * enricher.session}, {@code enricher.text}, {@code document}, {@code document.hand} and {@code

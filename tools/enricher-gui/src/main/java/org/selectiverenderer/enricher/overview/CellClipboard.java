@@ -6,8 +6,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeSet;
-import org.selectiverenderer.base.decimal.DecimalText;
-import org.selectiverenderer.document.EditRefused;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
+import org.selectiverenderer.document.EditRejectedException;
 import org.selectiverenderer.enricher.text.Texts;
 
 /**
@@ -24,10 +24,10 @@ final class CellClipboard {
   }
 
   /** Returns the bounding rectangle of some cells as text. */
-  String copy(List<CellAt> cells, boolean withNames) {
+  String copy(List<CellPosition> cells, boolean withNames) {
     TreeSet<Integer> rows = new TreeSet<>();
     TreeSet<Integer> columns = new TreeSet<>();
-    for (CellAt cell : cells) {
+    for (CellPosition cell : cells) {
       rows.add(cell.row());
       columns.add(cell.column());
     }
@@ -54,41 +54,42 @@ final class CellClipboard {
    *
    * @param selected the target cells: a block goes to their upper left corner, a single value fills
    *     all of them
-   * @throws EditRefused if a value is no degree, or the block does not fit into the table
+   * @throws EditRejectedException if a value is no degree, or the block does not fit into the table
    */
-  Map<CellAt, CellInput> paste(String text, List<CellAt> selected) {
+  Map<CellPosition, CellInput> paste(String text, List<CellPosition> selected) {
     List<List<String>> lines =
         text.lines().map(line -> Arrays.asList(line.split("\t", -1))).toList();
     if (lines.isEmpty()) {
-      throw new EditRefused(Texts.of("overview.nothing"));
+      throw new EditRejectedException(Texts.of("overview.nothing"));
     }
     if (lines.get(0).get(0).strip().equalsIgnoreCase(OBJECT)) {
       return named(lines);
     }
     if (lines.size() == 1 && lines.get(0).size() == 1) {
       CellInput input = input(lines.get(0).get(0));
-      Map<CellAt, CellInput> cells = new LinkedHashMap<>();
+      Map<CellPosition, CellInput> cells = new LinkedHashMap<>();
       selected.stream().filter(cell -> cell.column() > 0).forEach(cell -> cells.put(cell, input));
       return cells;
     }
     return placed(lines, selected);
   }
 
-  private Map<CellAt, CellInput> placed(List<List<String>> lines, List<CellAt> selected) {
-    int top = selected.stream().mapToInt(CellAt::row).min().orElse(0);
-    int left = Math.max(1, selected.stream().mapToInt(CellAt::column).min().orElse(1));
-    Map<CellAt, CellInput> cells = new LinkedHashMap<>();
+  private Map<CellPosition, CellInput> placed(
+      List<List<String>> lines, List<CellPosition> selected) {
+    int top = selected.stream().mapToInt(CellPosition::row).min().orElse(0);
+    int left = Math.max(1, selected.stream().mapToInt(CellPosition::column).min().orElse(1));
+    Map<CellPosition, CellInput> cells = new LinkedHashMap<>();
     for (int i = 0; i < lines.size(); i++) {
       for (int j = 0; j < lines.get(i).size(); j++) {
-        CellAt at = new CellAt(top + i, left + j);
+        CellPosition at = new CellPosition(top + i, left + j);
         if (at.row() >= model.getRowCount() || at.column() >= model.getColumnCount()) {
-          throw new EditRefused(
+          throw new EditRejectedException(
               Texts.of(
                   "overview.nofit",
                   lines.size(),
-                  DecimalText.grouped(lines.size()),
+                  DecimalFormatter.grouped(lines.size()),
                   lines.get(i).size(),
-                  DecimalText.grouped(lines.get(i).size())));
+                  DecimalFormatter.grouped(lines.get(i).size())));
         }
         cells.put(at, input(lines.get(i).get(j)));
       }
@@ -96,24 +97,24 @@ final class CellClipboard {
     return cells;
   }
 
-  private Map<CellAt, CellInput> named(List<List<String>> lines) {
+  private Map<CellPosition, CellInput> named(List<List<String>> lines) {
     Map<String, Integer> rows = new LinkedHashMap<>();
     for (int row = 0; row < model.getRowCount(); row++) {
       rows.putIfAbsent(model.node(row).object(), row);
     }
     List<String> heads = lines.get(0);
-    Map<CellAt, CellInput> cells = new LinkedHashMap<>();
+    Map<CellPosition, CellInput> cells = new LinkedHashMap<>();
     for (List<String> line : lines.subList(1, lines.size())) {
       Integer row = rows.get(line.get(0).strip());
       if (row == null) {
-        throw new EditRefused(Texts.of("overview.noobject", line.get(0)));
+        throw new EditRejectedException(Texts.of("overview.noobject", line.get(0)));
       }
       for (int j = 1; j < line.size() && j < heads.size(); j++) {
         int column = 1 + model.schemas().indexOf(heads.get(j).strip());
         if (column == 0) {
-          throw new EditRefused(Texts.of("overview.noschema", heads.get(j)));
+          throw new EditRejectedException(Texts.of("overview.noschema", heads.get(j)));
         }
-        cells.put(new CellAt(row, column), input(line.get(j)));
+        cells.put(new CellPosition(row, column), input(line.get(j)));
       }
     }
     return cells;
@@ -121,6 +122,6 @@ final class CellClipboard {
 
   private static CellInput input(String text) {
     return CellInput.of(text)
-        .orElseThrow(() -> new EditRefused(Texts.of("overview.nodegree", text)));
+        .orElseThrow(() -> new EditRejectedException(Texts.of("overview.nodegree", text)));
   }
 }

@@ -9,10 +9,10 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.selectiverenderer.document.EditRefused;
+import org.selectiverenderer.document.EditRejectedException;
 import org.selectiverenderer.document.enrichment.EnrichedSensor;
 import org.selectiverenderer.document.enrichment.EnrichedSwitch;
-import org.selectiverenderer.document.enrichment.MetadataCopy;
+import org.selectiverenderer.document.enrichment.MetadataClipboardFormat;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
@@ -47,8 +47,13 @@ public final class MetadataClipboard {
                     session
                         .enrichment()
                         .switchNode(element)
-                        .map(MetadataCopy::of)
-                        .or(() -> session.enrichment().sensorNode(element).map(MetadataCopy::of)));
+                        .map(MetadataClipboardFormat::of)
+                        .or(
+                            () ->
+                                session
+                                    .enrichment()
+                                    .sensorNode(element)
+                                    .map(MetadataClipboardFormat::of)));
     text.ifPresent(found -> clipboard.setContents(new StringSelection(found), null));
     session.message(Texts.of(text.isPresent() ? "overview.copied" : "overview.nocopy"));
   }
@@ -69,14 +74,15 @@ public final class MetadataClipboard {
         () ->
             session
                 .document()
-                .perform(MetadataCopy.paste(session.enrichment(), text(), objects, areas)));
+                .perform(
+                    MetadataClipboardFormat.paste(session.enrichment(), text(), objects, areas)));
   }
 
   private String text() {
     try {
       return String.valueOf(clipboard.getData(DataFlavor.stringFlavor));
     } catch (UnsupportedFlavorException | IOException | IllegalStateException e) {
-      throw new EditRefused(Texts.of("overview.notext"));
+      throw new EditRejectedException(Texts.of("overview.notext"));
     }
   }
 

@@ -10,9 +10,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JPopupMenu;
-import org.selectiverenderer.document.EditRefused;
+import org.selectiverenderer.document.EditRejectedException;
 import org.selectiverenderer.enricher.text.Texts;
-import org.selectiverenderer.schema.Degree;
+import org.selectiverenderer.schema.ConsistencyDegree;
 
 /** The actions on the selected cells, bound to keys and in the context menu. */
 final class OverviewActions {
@@ -41,10 +41,12 @@ final class OverviewActions {
     this.cells = new CellClipboard(model);
     this.say = say;
     this.high =
-        new KeyedAction(Texts.of("overview.high"), "H", () -> fill(Optional.of(Degree.HIGH)))
+        new KeyedAction(
+                Texts.of("overview.high"), "H", () -> fill(Optional.of(ConsistencyDegree.HIGH)))
             .in(table);
     this.low =
-        new KeyedAction(Texts.of("overview.low"), "L", () -> fill(Optional.of(Degree.LOW)))
+        new KeyedAction(
+                Texts.of("overview.low"), "L", () -> fill(Optional.of(ConsistencyDegree.LOW)))
             .in(table);
     this.clear =
         new KeyedAction(Texts.of("overview.clear"), "DELETE", () -> fill(Optional.empty()))
@@ -99,8 +101,8 @@ final class OverviewActions {
   }
 
   /** Sets the degree of the selected cells, or clears them. */
-  void fill(Optional<Degree> degree) {
-    List<CellAt> selected = table.selectedCells();
+  void fill(Optional<ConsistencyDegree> degree) {
+    List<CellPosition> selected = table.selectedCells();
     if (selected.isEmpty()) {
       say.accept(Texts.of("overview.fill"));
     } else {
@@ -132,7 +134,7 @@ final class OverviewActions {
   }
 
   private void copy(boolean withNames) {
-    List<CellAt> selected = table.selectedCells();
+    List<CellPosition> selected = table.selectedCells();
     if (!selected.isEmpty()) {
       clipboard().setContents(new StringSelection(cells.copy(selected, withNames)), null);
     }
@@ -145,7 +147,7 @@ final class OverviewActions {
             Object text = clipboard().getData(DataFlavor.stringFlavor);
             model.put(cells.paste(String.valueOf(text), table.selectedCells()));
           } catch (UnsupportedFlavorException | IOException e) {
-            throw new EditRefused(Texts.of("overview.noclipboard"));
+            throw new EditRejectedException(Texts.of("overview.noclipboard"));
           }
         });
   }
@@ -157,7 +159,7 @@ final class OverviewActions {
   private void attempt(Runnable work) {
     try {
       work.run();
-    } catch (EditRefused e) {
+    } catch (EditRejectedException e) {
       say.accept(e.getMessage());
     }
   }

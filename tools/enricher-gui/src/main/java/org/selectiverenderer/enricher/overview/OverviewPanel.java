@@ -4,19 +4,22 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JDialog;
 import javax.swing.JLabel;
+import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
 import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
 import net.miginfocom.swing.MigLayout;
-import org.selectiverenderer.base.decimal.DecimalText;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.document.Edit;
-import org.selectiverenderer.document.EditRefused;
-import org.selectiverenderer.enricher.parts.WrappingLines;
+import org.selectiverenderer.document.EditRejectedException;
+import org.selectiverenderer.enricher.component.WrapLayout;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
-import org.selectiverenderer.enricher.text.Letters;
+import org.selectiverenderer.enricher.text.Mnemonics;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
@@ -31,9 +34,10 @@ public final class OverviewPanel extends JPanel {
   private final EnricherSession session;
   private final OverviewTableModel model;
   private final SchemaTable table;
-  private final SchemaFindings findings;
+  private final SchemaFindingsPanel findings;
   private final JTextField name = new JTextField(14);
-  private final JComboBox<RowFilter.Which> which = new JComboBox<>(RowFilter.Which.values());
+  private final JComboBox<ObjectRowFilter.Which> which =
+      new JComboBox<>(ObjectRowFilter.Which.values());
   private final JLabel status = new JLabel(" ");
   private final org.selectiverenderer.document.DocumentListener changes = change -> changed();
   private final SelectionListener selection = this::selected;
@@ -45,7 +49,7 @@ public final class OverviewPanel extends JPanel {
     this.session = session;
     this.model = new OverviewTableModel(session.enrichment(), this::make);
     this.table = new SchemaTable(model);
-    this.findings = new SchemaFindings(e -> session.select(e, this), this::make);
+    this.findings = new SchemaFindingsPanel(e -> session.select(e, this), this::make);
     OverviewActions actions =
         new OverviewActions(table, model, new MetadataClipboard(session), this::say);
     add(filters(), "wmin 0, wrap");
@@ -80,7 +84,7 @@ public final class OverviewPanel extends JPanel {
 
   private JPanel filters() {
     JPanel tools = new JPanel(new MigLayout("insets 0", "[][grow][]"));
-    JLabel filter = Letters.label("overview.filter");
+    JLabel filter = Mnemonics.label("overview.filter");
     filter.setLabelFor(name);
     name.putClientProperty("JTextField.placeholderText", Texts.of("overview.filter.part"));
     name.putClientProperty("JTextField.showClearButton", true);
@@ -97,13 +101,13 @@ public final class OverviewPanel extends JPanel {
   /** Creates a panel whose components wrap into further lines in a narrow window. */
   private static JPanel lines() {
     JPanel lines = new JPanel();
-    WrappingLines.in(lines, 4, 1);
+    WrapLayout.in(lines, 4, 1);
     return lines;
   }
 
   private JPanel schemaTools() {
     JPanel tools = lines();
-    SchemaNaming naming = new SchemaNaming(this);
+    SchemaNameDialog naming = new SchemaNameDialog(this);
     tools.add(new JLabel(Texts.of("overview.schema")));
     tools.add(button("overview.add", () -> addSchema(naming)));
     tools.add(button("overview.rename", () -> rename(naming)));
@@ -131,7 +135,7 @@ public final class OverviewPanel extends JPanel {
   private static JPanel legend() {
     JPanel legend = lines();
     legend.add(new JLabel(Texts.of("overview.legend")));
-    for (ConsistencySign sign : ConsistencySign.values()) {
+    for (ConsistencySymbol sign : ConsistencySymbol.values()) {
       JLabel label = new JLabel(sign.words(), sign.icon(), JLabel.LEADING);
       legend.add(label);
     }
@@ -147,7 +151,7 @@ public final class OverviewPanel extends JPanel {
   }
 
   private static JButton button(String key, Runnable work) {
-    JButton button = Letters.button(key);
+    JButton button = Mnemonics.button(key);
     String help = Texts.of(key + ".tip");
     button.setToolTipText(help);
     button.getAccessibleContext().setAccessibleName(Texts.of(key + ".name"));
@@ -156,7 +160,7 @@ public final class OverviewPanel extends JPanel {
     return button;
   }
 
-  private void addSchema(SchemaNaming naming) {
+  private void addSchema(SchemaNameDialog naming) {
     naming
         .ask(Texts.of("overview.add.title"), Texts.of("overview.add.question"), "")
         .ifPresent(
@@ -171,7 +175,7 @@ public final class OverviewPanel extends JPanel {
                     }));
   }
 
-  private void rename(SchemaNaming naming) {
+  private void rename(SchemaNameDialog naming) {
     Optional<String> schema = table.currentSchema();
     if (schema.isEmpty()) {
       say(Texts.of("overview.rename.first"));
@@ -206,7 +210,8 @@ public final class OverviewPanel extends JPanel {
   }
 
   private void filter() {
-    RowFilter wanted = new RowFilter(name.getText(), (RowFilter.Which) which.getSelectedItem());
+    ObjectRowFilter wanted =
+        new ObjectRowFilter(name.getText(), (ObjectRowFilter.Which) which.getSelectedItem());
     follow(() -> table.keepingSelection(() -> model.filter(wanted)));
     count();
   }
@@ -234,15 +239,15 @@ public final class OverviewPanel extends JPanel {
     int all = model.objectCount();
     String shown =
         model.getRowCount() == all
-            ? Texts.of("counts.objects", all, DecimalText.grouped(all))
+            ? Texts.of("counts.objects", all, DecimalFormatter.grouped(all))
             : Texts.of(
                 "counts.someobjects",
-                DecimalText.grouped(model.getRowCount()),
+                DecimalFormatter.grouped(model.getRowCount()),
                 all,
-                DecimalText.grouped(all));
+                DecimalFormatter.grouped(all));
     int schemas = model.schemas().size();
     status.setText(
-        shown + ", " + Texts.of("counts.schemas", schemas, DecimalText.grouped(schemas)));
+        shown + ", " + Texts.of("counts.schemas", schemas, DecimalFormatter.grouped(schemas)));
   }
 
   private void say(String message) {
@@ -252,7 +257,7 @@ public final class OverviewPanel extends JPanel {
   private void attempt(Runnable work) {
     try {
       work.run();
-    } catch (EditRefused e) {
+    } catch (EditRejectedException e) {
       say(e.getMessage());
     }
   }
@@ -307,6 +312,55 @@ public final class OverviewPanel extends JPanel {
     @Override
     public void changedUpdate(DocumentEvent event) {
       filter();
+    }
+  }
+
+  /** Asks for the name of a schema in a dialog. */
+  private static final class SchemaNameDialog {
+    private final JComponent parent;
+
+    SchemaNameDialog(JComponent parent) {
+      this.parent = parent;
+    }
+
+    /**
+     * Returns the name that the author types.
+     *
+     * @return empty if the author cancels
+     */
+    Optional<String> ask(String title, String question, String proposed) {
+      JTextField field = new JTextField(proposed, 24);
+      field.getAccessibleContext().setAccessibleName(question);
+      field.selectAll();
+      FieldFirst pane = new FieldFirst(question, field);
+      JDialog dialog = pane.createDialog(parent, title);
+      dialog.setVisible(true);
+      dialog.dispose();
+      return Integer.valueOf(JOptionPane.OK_OPTION).equals(pane.getValue())
+          ? Optional.of(field.getText())
+          : Optional.empty();
+    }
+
+    /**
+     * An option pane that focuses its field whenever the dialog gets the focus; a request before
+     * that is lost where a window manager gives the focus later.
+     */
+    @SuppressWarnings("serial") // never written
+    private static final class FieldFirst extends JOptionPane {
+      private static final long serialVersionUID = 1L;
+
+      private final JTextField field;
+
+      FieldFirst(String question, JTextField field) {
+        super(new Object[] {question, field}, PLAIN_MESSAGE, OK_CANCEL_OPTION);
+        this.field = field;
+      }
+
+      @Override
+      public void selectInitialValue() {
+        super.selectInitialValue(); // OK stays what Enter presses
+        field.requestFocusInWindow();
+      }
     }
   }
 }

@@ -6,9 +6,9 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.selectiverenderer.document.enrichment.DocumentEnrichment;
 import org.selectiverenderer.document.enrichment.EnrichedSwitch;
-import org.selectiverenderer.document.enrichment.Enrichment;
-import org.selectiverenderer.schema.Degree;
+import org.selectiverenderer.schema.ConsistencyDegree;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
@@ -18,22 +18,25 @@ import org.selectiverenderer.x3d.source.DocumentElement;
 final class OverviewRows {
   /** Reads the degree in a cell. */
   interface Degrees {
-    Optional<Degree> of(EnrichedSwitch node, String schema);
+    Optional<ConsistencyDegree> of(EnrichedSwitch node, String schema);
   }
 
-  private final Enrichment enrichment;
+  private final DocumentEnrichment enrichment;
   private final Degrees degrees;
   private final Map<DocumentElement, Integer> places = new IdentityHashMap<>();
   private List<EnrichedSwitch> rows = List.of();
 
-  OverviewRows(Enrichment enrichment, Degrees degrees) {
+  OverviewRows(DocumentEnrichment enrichment, Degrees degrees) {
     this.enrichment = enrichment;
     this.degrees = degrees;
   }
 
   /** Filters and sorts all rows again. */
   void arrange(
-      List<EnrichedSwitch> objects, List<String> columns, RowFilter filter, RowOrder order) {
+      List<EnrichedSwitch> objects,
+      List<String> columns,
+      ObjectRowFilter filter,
+      RowSortKey order) {
     List<EnrichedSwitch> shown = new ArrayList<>();
     objects.stream().filter(filter::shows).forEach(shown::add);
     if (order.column() == 0) {
@@ -47,7 +50,7 @@ final class OverviewRows {
           order.descending() ? Comparator.reverseOrder() : Comparator.naturalOrder();
       shown.sort(
           Comparator.comparing(
-              node -> degrees.of(node, schema).map(Degree::value).orElse(null),
+              node -> degrees.of(node, schema).map(ConsistencyDegree::value).orElse(null),
               Comparator.nullsLast(values)));
     }
     rows = shown;

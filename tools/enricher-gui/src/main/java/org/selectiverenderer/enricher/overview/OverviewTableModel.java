@@ -12,19 +12,19 @@ import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.table.AbstractTableModel;
-import org.selectiverenderer.base.decimal.DecimalText;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.document.Edit;
-import org.selectiverenderer.document.EditRefused;
+import org.selectiverenderer.document.EditRejectedException;
 import org.selectiverenderer.document.ElementFinding;
+import org.selectiverenderer.document.enrichment.DocumentEnrichment;
 import org.selectiverenderer.document.enrichment.EnrichedSwitch;
-import org.selectiverenderer.document.enrichment.Enrichment;
-import org.selectiverenderer.document.enrichment.SchemaOverview;
-import org.selectiverenderer.document.enrichment.SchemaOverview.Cell;
-import org.selectiverenderer.document.enrichment.SchemaOverview.Place;
-import org.selectiverenderer.document.enrichment.SchemaSpelling;
-import org.selectiverenderer.document.enrichment.VersionLadder;
+import org.selectiverenderer.document.enrichment.ObjectSchemaMatrix;
+import org.selectiverenderer.document.enrichment.ObjectSchemaMatrix.Cell;
+import org.selectiverenderer.document.enrichment.ObjectSchemaMatrix.Place;
+import org.selectiverenderer.document.enrichment.SchemaNameValidator;
+import org.selectiverenderer.document.enrichment.VersionDegreeMapping;
 import org.selectiverenderer.enricher.text.Texts;
-import org.selectiverenderer.schema.Degree;
+import org.selectiverenderer.schema.ConsistencyDegree;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
@@ -35,24 +35,24 @@ import org.selectiverenderer.x3d.source.DocumentElement;
 final class OverviewTableModel extends AbstractTableModel {
   private static final long serialVersionUID = 1L;
 
-  private final Enrichment enrichment;
+  private final DocumentEnrichment enrichment;
   private final Consumer<Supplier<Edit>> make;
   private final List<String> added = new ArrayList<>();
   private List<String> columns = List.of();
   private final OverviewRows rows;
-  private SchemaOverview overview;
+  private ObjectSchemaMatrix overview;
   private Map<String, ElementFinding> marks = Map.of();
-  private RowFilter filter = RowFilter.NONE;
-  private RowOrder order = RowOrder.DOCUMENT;
+  private ObjectRowFilter filter = ObjectRowFilter.NONE;
+  private RowSortKey order = RowSortKey.DOCUMENT;
 
   /**
    * @param make creates and performs an edit, and tells the author if it is refused
    */
-  OverviewTableModel(Enrichment enrichment, Consumer<Supplier<Edit>> make) {
+  OverviewTableModel(DocumentEnrichment enrichment, Consumer<Supplier<Edit>> make) {
     this.enrichment = enrichment;
     this.make = make;
     this.rows = new OverviewRows(enrichment, this::degree);
-    this.overview = new SchemaOverview(enrichment, added);
+    this.overview = new ObjectSchemaMatrix(enrichment, added);
     this.marks = enrichment.schemaFindings();
     this.columns = overview.schemas();
     arrange();
@@ -62,7 +62,7 @@ final class OverviewTableModel extends AbstractTableModel {
   void refresh() {
     List<String> before = columns;
     int objectsBefore = overview.objects().size();
-    overview = new SchemaOverview(enrichment, added);
+    overview = new ObjectSchemaMatrix(enrichment, added);
     columns = stable(before, overview.schemas());
     marks = enrichment.schemaFindings();
     boolean sameRows = overview.objects().size() == objectsBefore && rows.stay();
@@ -90,17 +90,17 @@ final class OverviewTableModel extends AbstractTableModel {
     rows.arrange(overview.objects(), columns, filter, order);
   }
 
-  void filter(RowFilter wanted) {
+  void filter(ObjectRowFilter wanted) {
     filter = wanted;
     arrange();
     fireTableDataChanged();
   }
 
-  RowOrder order() {
+  RowSortKey order() {
     return order;
   }
 
-  void sort(RowOrder wanted) {
+  void sort(RowSortKey wanted) {
     order = wanted;
     arrange();
     fireTableDataChanged();
@@ -142,20 +142,20 @@ final class OverviewTableModel extends AbstractTableModel {
   /**
    * Adds a column for a schema that nothing in the scene names yet.
    *
-   * @throws EditRefused if there is such a column, or the name is invalid
+   * @throws EditRejectedException if there is such a column, or the name is invalid
    */
   void addSchema(String name) {
     String schema = name.strip();
     if (schema.isEmpty()) {
-      throw new EditRefused(Texts.of("overview.noname"));
+      throw new EditRejectedException(Texts.of("overview.noname"));
     }
-    SchemaSpelling.complaint(schema)
+    SchemaNameValidator.complaint(schema)
         .ifPresent(
             why -> {
-              throw new EditRefused(why);
+              throw new EditRejectedException(why);
             });
     if (columns.contains(schema)) {
-      throw new EditRefused(Texts.of("overview.twice", schema));
+      throw new EditRejectedException(Texts.of("overview.twice", schema));
     }
     added.add(schema);
     refresh();
@@ -176,7 +176,7 @@ final class OverviewTableModel extends AbstractTableModel {
   }
 
   /** Sets cells to a degree, or clears them, as one undo step; ignores column 0. */
-  void fill(Collection<CellAt> cells, Optional<Degree> degree) {
+  void fill(Collection<CellPosition> cells, Optional<ConsistencyDegree> degree) {
     List<Place> filled =
         cells.stream().filter(c -> c.column() > 0).map(this::place).distinct().toList();
     if (!filled.isEmpty()) {
@@ -186,34 +186,35 @@ final class OverviewTableModel extends AbstractTableModel {
   }
 
   /** Sets each cell to its own degree, as one undo step. */
-  void put(Map<CellAt, CellInput> cells) {
-    Map<Place, Optional<Degree>> wanted = new LinkedHashMap<>();
+  void put(Map<CellPosition, CellInput> cells) {
+    Map<Place, Optional<ConsistencyDegree>> wanted = new LinkedHashMap<>();
     cells.forEach((at, input) -> wanted.put(place(at), input.degree()));
     make.accept(
         () ->
             overview.edit(
-                Texts.of("overview.paste.step", wanted.size(), DecimalText.grouped(wanted.size())),
+                Texts.of(
+                    "overview.paste.step", wanted.size(), DecimalFormatter.grouped(wanted.size())),
                 wanted));
   }
 
-  private Place place(CellAt cell) {
+  private Place place(CellPosition cell) {
     return new Place(rows.node(cell.row()), schema(cell.column()));
   }
 
   /**
    * The degree of a cell: as given in the metadata, else by the version's position; empty for none.
    */
-  private Optional<Degree> degree(EnrichedSwitch node, String schema) {
+  private Optional<ConsistencyDegree> degree(EnrichedSwitch node, String schema) {
     return overview.cell(node, schema).map(cell -> degree(node, cell));
   }
 
-  private static Degree degree(EnrichedSwitch node, Cell cell) {
-    return cell.degree().orElse(VersionLadder.degree(cell.choice(), node.choices().size()));
+  private static ConsistencyDegree degree(EnrichedSwitch node, Cell cell) {
+    return cell.degree().orElse(VersionDegreeMapping.degree(cell.choice(), node.choices().size()));
   }
 
   /** The symbol of a cell. */
-  ConsistencySign sign(int row, int column) {
-    return ConsistencySign.of(overview.cell(rows.node(row), schema(column)));
+  ConsistencySymbol sign(int row, int column) {
+    return ConsistencySymbol.of(overview.cell(rows.node(row), schema(column)));
   }
 
   /** The tooltip of a cell. */
@@ -224,7 +225,7 @@ final class OverviewTableModel extends AbstractTableModel {
           "overview.versions",
           node.name(),
           node.choices().size(),
-          DecimalText.grouped(node.choices().size()));
+          DecimalFormatter.grouped(node.choices().size()));
     }
     String schema = schema(column);
     return overview
@@ -235,8 +236,8 @@ final class OverviewTableModel extends AbstractTableModel {
                     "overview.shows",
                     node.object(),
                     schema,
-                    DecimalText.grouped(cell.choice() + 1),
-                    DecimalText.grouped(node.choices().size()),
+                    DecimalFormatter.grouped(cell.choice() + 1),
+                    DecimalFormatter.grouped(node.choices().size()),
                     cell.type().map(type -> ", " + type.spelling()).orElse("")))
         .orElse(Texts.of("overview.outside", node.object(), schema));
   }
@@ -291,7 +292,7 @@ final class OverviewTableModel extends AbstractTableModel {
   public void setValueAt(Object value, int row, int column) {
     if (!getValueAt(row, column).equals(value)) {
       CellInput.of(String.valueOf(value))
-          .ifPresent(input -> fill(List.of(new CellAt(row, column)), input.degree()));
+          .ifPresent(input -> fill(List.of(new CellPosition(row, column)), input.degree()));
     }
   }
 }

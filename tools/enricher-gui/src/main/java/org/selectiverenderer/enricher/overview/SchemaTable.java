@@ -11,9 +11,11 @@ import javax.swing.JTable;
 import javax.swing.ListSelectionModel;
 import javax.swing.SwingUtilities;
 import javax.swing.event.TableModelEvent;
+import javax.swing.table.DefaultTableCellRenderer;
 import javax.swing.table.DefaultTableColumnModel;
 import javax.swing.table.JTableHeader;
 import javax.swing.table.TableColumn;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
@@ -37,8 +39,8 @@ final class SchemaTable extends JTable {
     setAutoCreateColumnsFromModel(false);
     setCellSelectionEnabled(true);
     setSelectionMode(ListSelectionModel.MULTIPLE_INTERVAL_SELECTION);
-    setDefaultEditor(String.class, new DegreeEditor());
-    setDefaultRenderer(String.class, new ConsistencyCell(model));
+    setDefaultEditor(String.class, new DegreeCellEditor());
+    setDefaultRenderer(String.class, new ConsistencyCellRenderer(model));
     setSurrendersFocusOnKeystroke(true);
     putClientProperty("terminateEditOnFocusLost", true);
     putClientProperty("JTable.autoStartsEdit", false); // letters are shortcuts here
@@ -85,7 +87,7 @@ final class SchemaTable extends JTable {
     table.addPropertyChangeListener("font", event -> rowHeight(table));
     JTableHeader header = table.getTableHeader();
     header.setReorderingAllowed(false);
-    header.setDefaultRenderer(new SchemaHeader(model));
+    header.setDefaultRenderer(new SchemaHeaderRenderer(model));
     header.addMouseListener(
         new MouseAdapter() {
           @Override
@@ -171,11 +173,11 @@ final class SchemaTable extends JTable {
   }
 
   /** The selected cells, row by row. */
-  List<CellAt> selectedCells() {
-    List<CellAt> cells = new ArrayList<>();
+  List<CellPosition> selectedCells() {
+    List<CellPosition> cells = new ArrayList<>();
     for (int row : getSelectedRows()) {
       for (int column : getSelectedColumns()) {
-        cells.add(new CellAt(row, convertColumnIndexToModel(column)));
+        cells.add(new CellPosition(row, convertColumnIndexToModel(column)));
       }
     }
     return cells;
@@ -219,14 +221,14 @@ final class SchemaTable extends JTable {
     int row = getSelectionModel().getLeadSelectionIndex();
     int column = getColumnModel().getSelectionModel().getLeadSelectionIndex();
     if (row >= 0 && column >= 0 && editCellAt(row, column)) {
-      ((DegreeEditor) getCellEditor()).begin(first);
+      ((DegreeCellEditor) getCellEditor()).begin(first);
     }
   }
 
   /** Sets a value; one written into a selected cell goes to all selected cells. */
   @Override
   public void setValueAt(Object value, int row, int column) {
-    List<CellAt> cells = selectedCells();
+    List<CellPosition> cells = selectedCells();
     if (cells.size() < 2 || !isCellSelected(row, column)) {
       super.setValueAt(value, row, column);
       return;
@@ -252,5 +254,35 @@ final class SchemaTable extends JTable {
                 model.node(row).object(),
                 model.schema(convertColumnIndexToModel(column))));
     return component;
+  }
+
+  /** Renders a degree with the symbol and the tint of the consistency type. */
+  private static final class ConsistencyCellRenderer extends DefaultTableCellRenderer {
+    private static final long serialVersionUID = 1L;
+
+    private final OverviewTableModel model;
+
+    ConsistencyCellRenderer(OverviewTableModel model) {
+      this.model = model;
+    }
+
+    @Override
+    public Component getTableCellRendererComponent(
+        JTable table,
+        @Nullable Object value,
+        boolean selected,
+        boolean focused,
+        int row,
+        int column) {
+      setBackground(null);
+      super.getTableCellRendererComponent(table, value, selected, focused, row, column);
+      ConsistencySymbol sign = model.sign(row, table.convertColumnIndexToModel(column));
+      setIcon(sign.icon());
+      if (!selected) {
+        setBackground(sign.ground(table.getBackground()));
+      }
+      getAccessibleContext().setAccessibleName((value + " " + sign.words()).strip());
+      return this;
+    }
   }
 }

@@ -1,6 +1,6 @@
 package org.selectiverenderer.enricher.plan;
 
-import org.selectiverenderer.geometry.Bounds;
+import org.selectiverenderer.geometry.BoundingBox;
 
 /**
  * A drag in the plan that moves or resizes a rectangle. For each axis -1 or 1 says that the lesser
@@ -12,7 +12,7 @@ import org.selectiverenderer.geometry.Bounds;
  * @param x world X at which the drag began
  * @param z world Z at which the drag began
  */
-record PlanDrag(Bounds start, int sideX, int sideZ, double x, double z) {
+record PlanDrag(BoundingBox start, int sideX, int sideZ, double x, double z) {
   /** Least length of a side in metres. */
   static final double LEAST = 0.05;
 
@@ -27,11 +27,11 @@ record PlanDrag(Bounds start, int sideX, int sideZ, double x, double z) {
   }
 
   /** Returns the rectangle for a pointer position; heights stay. */
-  Bounds at(double nowX, double nowZ, Snapping snap) {
+  BoundingBox at(double nowX, double nowZ, Snapping snap) {
     if (sideX == 0 && sideZ == 0) {
       double dx = shift(0, start.minX(), start.maxX(), nowX - x, snap);
       double dz = shift(1, start.minZ(), start.maxZ(), nowZ - z, snap);
-      return new Bounds(
+      return new BoundingBox(
           start.minX() + dx,
           start.minY(),
           start.minZ() + dz,
@@ -53,7 +53,7 @@ record PlanDrag(Bounds start, int sideX, int sideZ, double x, double z) {
     } else if (sideZ > 0) {
       maxZ = Math.max(snap.at(1, maxZ + nowZ - z), minZ + LEAST);
     }
-    return new Bounds(minX, start.minY(), minZ, maxX, start.maxY(), maxZ);
+    return new BoundingBox(minX, start.minY(), minZ, maxX, start.maxY(), maxZ);
   }
 
   /**
@@ -71,7 +71,8 @@ record PlanDrag(Bounds start, int sideX, int sideZ, double x, double z) {
   }
 
   /** Returns a new rectangle between two corners. */
-  static Bounds between(double x1, double z1, double x2, double z2, double y) {
-    return new Bounds(Math.min(x1, x2), y, Math.min(z1, z2), Math.max(x1, x2), y, Math.max(z1, z2));
+  static BoundingBox between(double x1, double z1, double x2, double z2, double y) {
+    return new BoundingBox(
+        Math.min(x1, x2), y, Math.min(z1, z2), Math.max(x1, x2), y, Math.max(z1, z2));
   }
 }

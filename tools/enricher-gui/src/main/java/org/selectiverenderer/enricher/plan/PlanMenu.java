@@ -8,19 +8,19 @@ import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.document.area.PlacedArea;
 import org.selectiverenderer.enricher.area.AreaCommands;
-import org.selectiverenderer.enricher.area.NameQuestion;
-import org.selectiverenderer.enricher.text.MenuTitle;
+import org.selectiverenderer.enricher.area.NamePrompt;
+import org.selectiverenderer.enricher.text.MnemonicText;
 import org.selectiverenderer.enricher.text.Texts;
-import org.selectiverenderer.geometry.Bounds;
+import org.selectiverenderer.geometry.BoundingBox;
 
 /** The commands for the selected area in the plan, for its context menu and keys. */
 final class PlanMenu {
   private final PlanView view;
   private final AreaCommands commands;
-  private final NameQuestion question;
+  private final NamePrompt question;
   private @Nullable PlacedArea copied;
 
-  PlanMenu(PlanView view, AreaCommands commands, NameQuestion question) {
+  PlanMenu(PlanView view, AreaCommands commands, NamePrompt question) {
     this.view = view;
     this.commands = commands;
     this.question = question;
@@ -47,10 +47,10 @@ final class PlanMenu {
     if (from == null || !from.element().attached()) {
       return;
     }
-    Bounds seen = view.scale().seen(view.getVisibleRect());
-    Bounds box = PlanView.bounds(from);
+    BoundingBox seen = view.scale().seen(view.getVisibleRect());
+    BoundingBox box = PlanView.bounds(from);
     Vector3d shift = new Vector3d(box.width() * 0.25, 0, box.depth() * 0.25);
-    if (seen.apart(new Bounds(box.minX(), 0, box.minZ(), box.maxX(), 0, box.maxZ()))) {
+    if (seen.apart(new BoundingBox(box.minX(), 0, box.minZ(), box.maxX(), 0, box.maxZ()))) {
       shift.set(
           (seen.minX() + seen.maxX() - box.minX() - box.maxX()) / 2,
           0,
@@ -79,7 +79,7 @@ final class PlanMenu {
   }
 
   private static JMenuItem item(String key, String stroke, Runnable does) {
-    MenuTitle title = MenuTitle.of(Texts.of(key));
+    MnemonicText title = MnemonicText.of(Texts.of(key));
     JMenuItem item = new JMenuItem(title.words(), title.letter());
     if (!stroke.isEmpty()) {
       item.setAccelerator(KeyStroke.getKeyStroke(stroke));

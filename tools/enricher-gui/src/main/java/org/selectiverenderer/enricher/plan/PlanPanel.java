@@ -20,12 +20,12 @@ import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
 import org.joml.Vector3d;
 import org.selectiverenderer.document.DocumentListener;
+import org.selectiverenderer.document.area.AreaLocator;
 import org.selectiverenderer.document.area.PlacedArea;
-import org.selectiverenderer.document.area.PlacedAreas;
 import org.selectiverenderer.enricher.area.AreaCommands;
+import org.selectiverenderer.enricher.area.FloorPlanImage;
 import org.selectiverenderer.enricher.area.GridSetting;
-import org.selectiverenderer.enricher.area.NameQuestion;
-import org.selectiverenderer.enricher.area.PlanPicture;
+import org.selectiverenderer.enricher.area.NamePrompt;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
 import org.selectiverenderer.enricher.text.Texts;
@@ -43,7 +43,7 @@ public final class PlanPanel extends JPanel {
   private final transient EnricherSession session;
   private final transient AreaCommands commands;
   private final transient GridSetting grid;
-  private final transient PlanHands hands;
+  private final transient PlanMouseController hands;
   private final transient PlanMenu menu;
   private final transient SelectionListener onSelection = (element, origin) -> repaint();
   private final transient DocumentListener onChange = change -> changed();
@@ -62,14 +62,14 @@ public final class PlanPanel extends JPanel {
    * @param question asks for names
    */
   public PlanPanel(
-      EnricherSession session, AreaCommands commands, NameQuestion question, GridSetting grid) {
+      EnricherSession session, AreaCommands commands, NamePrompt question, GridSetting grid) {
     super(new MigLayout("insets 0, gap 0, wrap 1", "[grow,fill]", "[][grow,fill][]"));
     this.session = session;
     this.commands = commands;
     this.grid = grid;
     view = new PlanView(this::areas, session::selection);
     menu = new PlanMenu(view, commands, question);
-    hands = new PlanHands(view, session, commands, grid, menu);
+    hands = new PlanMouseController(view, session, commands, grid, menu);
     later.setRepeats(false);
     layOut();
     keys();
@@ -217,7 +217,7 @@ public final class PlanPanel extends JPanel {
   private List<PlacedArea> areas() {
     if (read != session.document().revision()) {
       read = session.document().revision();
-      areas = PlacedAreas.of(session.enrichment());
+      areas = AreaLocator.of(session.enrichment());
     }
     return areas;
   }
@@ -236,7 +236,7 @@ public final class PlanPanel extends JPanel {
     }
   }
 
-  private void show(PlanPicture plan) {
+  private void show(FloorPlanImage plan) {
     filling = true;
     cut.setValue(Math.round(plan.cut() * 100) / 100.0);
     filling = false;

@@ -18,19 +18,19 @@ import java.util.function.Supplier;
 import javax.swing.UIManager;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.decimal.DecimalText;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.document.area.PlacedArea;
-import org.selectiverenderer.enricher.area.PlanPicture;
-import org.selectiverenderer.enricher.parts.PaintedComponent;
+import org.selectiverenderer.enricher.area.FloorPlanImage;
+import org.selectiverenderer.enricher.component.AccessibleCanvas;
 import org.selectiverenderer.enricher.text.Texts;
-import org.selectiverenderer.geometry.Bounds;
+import org.selectiverenderer.geometry.BoundingBox;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
  * The component that paints the plan: the image below the cut, walls, areas, and the rectangle
  * being drawn.
  */
-final class PlanView extends PaintedComponent {
+final class PlanView extends AccessibleCanvas {
   private static final long serialVersionUID = 1L;
   private static final Color PAPER = new Color(0xf4f2ee);
   private static final Color WALL = new Color(0x303030);
@@ -44,15 +44,15 @@ final class PlanView extends PaintedComponent {
 
   private final transient Supplier<List<PlacedArea>> areas;
   private final transient Supplier<Optional<DocumentElement>> selection;
-  private transient @Nullable PlanPicture picture;
-  private transient @Nullable PlanScale scale;
+  private transient @Nullable FloorPlanImage picture;
+  private transient @Nullable PlanTransform scale;
 
   /**
    * The component size for which the plan was fitted; null once the author has zoomed or panned.
    */
   private transient @Nullable Dimension fitted;
 
-  private transient @Nullable Bounds drawn;
+  private transient @Nullable BoundingBox drawn;
   private transient @Nullable PlacedArea moved;
   private double grid;
 
@@ -64,7 +64,7 @@ final class PlanView extends PaintedComponent {
     getAccessibleContext().setAccessibleDescription(Texts.of("area.plan.empty"));
   }
 
-  void show(PlanPicture of) {
+  void show(FloorPlanImage of) {
     if (picture == null || !near(picture.extent(), of.extent())) {
       scale = null; // another scene or much more of it
     }
@@ -73,7 +73,7 @@ final class PlanView extends PaintedComponent {
     repaint();
   }
 
-  private static boolean near(Bounds a, Bounds b) {
+  private static boolean near(BoundingBox a, BoundingBox b) {
     double some = 0.25 * Math.max(a.extent(), b.extent());
     return Math.abs(a.minX() - b.minX()) < some
         && Math.abs(a.minZ() - b.minZ()) < some
@@ -81,7 +81,7 @@ final class PlanView extends PaintedComponent {
         && Math.abs(a.maxZ() - b.maxZ()) < some;
   }
 
-  Optional<PlanPicture> picture() {
+  Optional<FloorPlanImage> picture() {
     return Optional.ofNullable(picture);
   }
 
@@ -96,11 +96,12 @@ final class PlanView extends PaintedComponent {
     repaint();
   }
 
-  PlanScale scale() {
-    PlanScale now = scale;
+  PlanTransform scale() {
+    PlanTransform now = scale;
     if (now == null || fitted != null && !fitted.equals(getSize())) {
-      Bounds all = picture().map(PlanPicture::extent).orElse(new Bounds(-5, 0, -5, 5, 0, 5));
-      now = PlanScale.fitting(all, Math.max(1, getWidth()), Math.max(1, getHeight()));
+      BoundingBox all =
+          picture().map(FloorPlanImage::extent).orElse(new BoundingBox(-5, 0, -5, 5, 0, 5));
+      now = PlanTransform.fitting(all, Math.max(1, getWidth()), Math.max(1, getHeight()));
       if (picture != null && getWidth() > 0) {
         scale = now;
         fitted = getSize();
@@ -109,7 +110,7 @@ final class PlanView extends PaintedComponent {
     return now;
   }
 
-  void scale(PlanScale now) {
+  void scale(PlanTransform now) {
     scale = now;
     fitted = null;
     repaint();
@@ -121,13 +122,13 @@ final class PlanView extends PaintedComponent {
    * @param rectangle null for none
    * @param of the area being changed; null for a new one
    */
-  void drawing(@Nullable Bounds rectangle, @Nullable PlacedArea of) {
+  void drawing(@Nullable BoundingBox rectangle, @Nullable PlacedArea of) {
     drawn = rectangle;
     moved = of;
     repaint();
   }
 
-  Optional<Bounds> drawing() {
+  Optional<BoundingBox> drawing() {
     return Optional.ofNullable(drawn);
   }
 
@@ -143,7 +144,7 @@ final class PlanView extends PaintedComponent {
   }
 
   private static double ground(PlacedArea area) {
-    Bounds bounds = bounds(area);
+    BoundingBox bounds = bounds(area);
     return bounds.width() * bounds.depth();
   }
 
@@ -156,7 +157,7 @@ final class PlanView extends PaintedComponent {
   }
 
   /** The axis-aligned bounds of an area in world coordinates. */
-  static Bounds bounds(PlacedArea area) {
+  static BoundingBox bounds(PlacedArea area) {
     return area.solid().map(solid -> solid.bounds()).orElse(area.box().bounds());
   }
 
@@ -172,7 +173,7 @@ final class PlanView extends PaintedComponent {
     Graphics2D g = (Graphics2D) graphics.create();
     g.setColor(PAPER);
     g.fillRect(0, 0, getWidth(), getHeight());
-    PlanScale at = scale();
+    PlanTransform at = scale();
     g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
     g.setRenderingHint(
         RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
@@ -182,7 +183,7 @@ final class PlanView extends PaintedComponent {
     paintGrid(g, at);
     areas.get().stream().filter(area -> !selected(area)).forEach(area -> paint(g, at, area));
     selected().ifPresent(area -> paint(g, at, area));
-    Bounds now = drawn;
+    BoundingBox now = drawn;
     if (now != null) {
       outline(g, at.rectangle(now), SELECTED, true);
       String name = moved == null ? Texts.of("area.add.title") : moved.name();
@@ -201,8 +202,8 @@ final class PlanView extends PaintedComponent {
     g.dispose();
   }
 
-  private static void paint(Graphics2D g, PlanScale at, PlanPicture plan) {
-    Bounds extent = plan.extent();
+  private static void paint(Graphics2D g, PlanTransform at, FloorPlanImage plan) {
+    BoundingBox extent = plan.extent();
     Rectangle2D place = at.rectangle(extent);
     AffineTransform to = AffineTransform.getTranslateInstance(place.getMinX(), place.getMinY());
     double pixel =
@@ -222,7 +223,7 @@ final class PlanView extends PaintedComponent {
     g.draw(lines);
   }
 
-  private void paintGrid(Graphics2D g, PlanScale at) {
+  private void paintGrid(Graphics2D g, PlanTransform at) {
     double step = grid;
     while (step > 0 && step * at.scale() < CLOSEST) {
       step *= step * at.scale() * 5 < CLOSEST ? 10 : 5;
@@ -240,7 +241,7 @@ final class PlanView extends PaintedComponent {
     }
   }
 
-  private void paint(Graphics2D g, PlanScale at, PlacedArea area) {
+  private void paint(Graphics2D g, PlanTransform at, PlacedArea area) {
     boolean selected = selected(area);
     boolean busy = moved != null && moved.element() == area.element();
     Color colour = selected ? SELECTED : AREA;
@@ -279,7 +280,7 @@ final class PlanView extends PaintedComponent {
 
   private static String says(String name, double width, double depth) {
     return Texts.of(
-        "area.plan.area", name, DecimalText.fixed(width, 2), DecimalText.fixed(depth, 2));
+        "area.plan.area", name, DecimalFormatter.fixed(width, 2), DecimalFormatter.fixed(depth, 2));
   }
 
   private static void outline(Graphics2D g, Rectangle2D place, Color colour, boolean faint) {

@@ -5,8 +5,9 @@
  *
  * <p>{@link org.selectiverenderer.enricher.plan.PlanPanel} requests an image of the running scene
  * when it is shown and the document has changed; areas are read from the document, so that they
- * always match the text. {@code PlanScale} transforms between world X and Z and the screen, {@code
- * PlanSnap} snaps edges to walls, {@code PlanHands} handles the mouse, {@code PlanView} paints.
+ * always match the text. {@code PlanTransform} transforms between world X and Z and the screen,
+ * {@code PlanMouseController.WallSnapper} snaps edges to walls, {@code PlanMouseController} handles
+ * the mouse, {@code PlanView} paints.
  *
  * <p>In: the document's areas, a picture of the scene, the author's mouse and keys. Out: edits by
  * {@code enricher.area}. Uses {@code enricher.parts}, {@code enricher.area}, {@code

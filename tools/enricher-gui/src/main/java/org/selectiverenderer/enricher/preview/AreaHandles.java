@@ -17,9 +17,9 @@ import javax.swing.SwingUtilities;
 import org.joml.Vector2d;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.decimal.DecimalText;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.document.area.AreaBox;
-import org.selectiverenderer.document.area.GridStep;
+import org.selectiverenderer.document.area.GridSnap;
 import org.selectiverenderer.document.area.PlacedArea;
 import org.selectiverenderer.enricher.area.NodeCommands;
 import org.selectiverenderer.enricher.session.EnricherSession;
@@ -29,7 +29,7 @@ import org.selectiverenderer.enricher.text.Texts;
  * The handles of the selected area's box in the picture: six on its faces, one at its centre.
  * Dragging one shows the changed box in the running scene only; releasing the mouse makes one edit.
  * Escape cancels the drag; Alt turns the grid off. It receives mouse events before {@link
- * PictureHands} and consumes those that it uses.
+ * PreviewInputController} and consumes those that it uses.
  */
 final class AreaHandles extends MouseAdapter {
   private static final double RADIUS = 6;
@@ -38,14 +38,14 @@ final class AreaHandles extends MouseAdapter {
   private static final Color HOT = new Color(0xffd000);
   private static final Color PAPER = new Color(0, 0, 0, 170);
 
-  private final PictureView view;
+  private final PreviewCanvas view;
   private final EnricherSession session;
   private final NodeCommands nodes;
-  private final Supplier<GridStep> grid;
+  private final Supplier<GridSnap> grid;
   private final LiveBox live;
   private boolean shown = true;
   private int hot = -1;
-  private @Nullable AreaDrag drag;
+  private @Nullable AreaHandleDrag drag;
   private AreaBox dragged;
 
   /** Whether the drag was cancelled while the mouse button is still down. */
@@ -57,7 +57,7 @@ final class AreaHandles extends MouseAdapter {
     void show(PlacedArea area, AreaBox box);
   }
 
-  AreaHandles(PictureView view, EnricherSession session, Supplier<GridStep> grid, LiveBox live) {
+  AreaHandles(PreviewCanvas view, EnricherSession session, Supplier<GridSnap> grid, LiveBox live) {
     this.view = view;
     this.session = session;
     this.nodes = new NodeCommands(session);
@@ -97,8 +97,9 @@ final class AreaHandles extends MouseAdapter {
     double scale = view.scale();
     int found = -1;
     double nearest = REACH;
-    for (int handle = 0; handle < AreaDrag.HANDLES; handle++) {
-      Optional<Vector2d> place = AreaDrag.inPicture(AreaDrag.place(area, handle), frame.camera());
+    for (int handle = 0; handle < AreaHandleDrag.HANDLES; handle++) {
+      Optional<Vector2d> place =
+          AreaHandleDrag.inPicture(AreaHandleDrag.place(area, handle), frame.camera());
       double distance =
           place.map(at -> at.distance(x * scale, y * scale) / scale).orElse(nearest + 1);
       if (distance < nearest) {
@@ -139,7 +140,7 @@ final class AreaHandles extends MouseAdapter {
       PlacedArea area = area().orElseThrow();
       double scale = view.scale();
       drag =
-          new AreaDrag(
+          new AreaHandleDrag(
               area,
               hot,
               view.frame().orElseThrow().camera(),
@@ -156,7 +157,7 @@ final class AreaHandles extends MouseAdapter {
       event.consume();
     } else if (drag != null) {
       double scale = view.scale();
-      GridStep step = event.isAltDown() ? GridStep.NONE : grid.get();
+      GridSnap step = event.isAltDown() ? GridSnap.NONE : grid.get();
       dragged = drag.at(x(event) * scale, event.getY() * scale, step);
       live.show(drag.area(), dragged);
       event.consume();
@@ -170,12 +171,14 @@ final class AreaHandles extends MouseAdapter {
       takenBack = false;
       event.consume();
     } else if (drag != null) {
-      AreaDrag done = drag;
+      AreaHandleDrag done = drag;
       drag = null;
       event.consume();
       boolean made =
           nodes.place(
-              done.area().element(), dragged, done.handle() == AreaDrag.MIDDLE ? "move" : "resize");
+              done.area().element(),
+              dragged,
+              done.handle() == AreaHandleDrag.MIDDLE ? "move" : "resize");
       if (!made) { // No edit follows that would reset the shown box.
         live.show(done.area(), done.area().box());
       }
@@ -213,14 +216,14 @@ final class AreaHandles extends MouseAdapter {
     double scale = view.scale();
     int left = view.left();
     g.clipRect(left, 0, view.getWidth() - left, view.getHeight());
-    for (int handle = 0; handle < AreaDrag.HANDLES; handle++) {
+    for (int handle = 0; handle < AreaHandleDrag.HANDLES; handle++) {
       int which = handle;
-      AreaDrag.inPicture(AreaDrag.place(now, handle), frame.camera())
+      AreaHandleDrag.inPicture(AreaHandleDrag.place(now, handle), frame.camera())
           .ifPresent(at -> dot(g, left + at.x / scale, at.y / scale, which));
     }
     if (drag != null) {
-      AreaDrag at = drag;
-      AreaDrag.inPicture(AreaDrag.place(now, at.handle()), frame.camera())
+      AreaHandleDrag at = drag;
+      AreaHandleDrag.inPicture(AreaHandleDrag.place(now, at.handle()), frame.camera())
           .ifPresent(place -> label(g, left + place.x / scale, place.y / scale, says(at, now)));
     }
   }
@@ -229,7 +232,7 @@ final class AreaHandles extends MouseAdapter {
     boolean chosen = drag == null ? handle == hot : handle == drag.handle();
     double r = chosen ? RADIUS + 1.5 : RADIUS;
     var shape =
-        handle == AreaDrag.MIDDLE
+        handle == AreaHandleDrag.MIDDLE
             ? new Ellipse2D.Double(x - r, y - r, 2 * r, 2 * r)
             : new Rectangle2D.Double(x - r + 1, y - r + 1, 2 * r - 2, 2 * r - 2);
     g.setColor(chosen ? HOT : FILL);
@@ -239,8 +242,8 @@ final class AreaHandles extends MouseAdapter {
     g.draw(shape);
   }
 
-  private static String says(AreaDrag drag, PlacedArea now) {
-    if (drag.handle() == AreaDrag.MIDDLE) {
+  private static String says(AreaHandleDrag drag, PlacedArea now) {
+    if (drag.handle() == AreaHandleDrag.MIDDLE) {
       Vector3d by = now.box().centre().sub(drag.area().box().centre(), new Vector3d());
       return Texts.of("area.handle.moved", metres(by.x), metres(by.y), metres(by.z));
     }
@@ -250,7 +253,7 @@ final class AreaHandles extends MouseAdapter {
   }
 
   private static String metres(double value) {
-    return DecimalText.fixed(value, 2);
+    return DecimalFormatter.fixed(value, 2);
   }
 
   private void label(Graphics2D g, double x, double y, String text) {

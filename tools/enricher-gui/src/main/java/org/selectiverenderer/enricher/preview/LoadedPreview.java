@@ -3,15 +3,15 @@ package org.selectiverenderer.enricher.preview;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.nio.file.Path;
-import org.selectiverenderer.base.problem.Problems;
-import org.selectiverenderer.document.Snapshot;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.document.DocumentSnapshot;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.loading.LoadedScene;
 import org.selectiverenderer.runtime.loading.SceneLoader;
 import org.selectiverenderer.runtime.nodes.NodeFactory;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
-import org.selectiverenderer.x3d.files.ContentAccess;
 import org.selectiverenderer.x3d.source.ReadLimits;
+import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 
 /**
  * A loaded world that is ready to be shown. Its owner closes it.
@@ -26,7 +26,8 @@ record LoadedPreview(World world, SceneLoader loader, long revision) implements 
    * @param access folders and hosts that the scene may read from
    * @throws IOException with a one-line message when it cannot be read at all
    */
-  static LoadedPreview of(Snapshot snapshot, Path folder, ContentAccess access) throws IOException {
+  static LoadedPreview of(DocumentSnapshot snapshot, Path folder, ContentAccessPolicy access)
+      throws IOException {
     return of(snapshot.name(), snapshot.bytes(), folder, access, snapshot.revision());
   }
 
@@ -36,9 +37,9 @@ record LoadedPreview(World world, SceneLoader loader, long revision) implements 
    * @throws IOException with a one-line message when it cannot be read at all
    */
   static LoadedPreview of(
-      String name, byte[] bytes, Path folder, ContentAccess access, long revision)
+      String name, byte[] bytes, Path folder, ContentAccessPolicy access, long revision)
       throws IOException {
-    Problems problems = new Problems(); // The document's own checks report them.
+    ProblemCollector problems = new ProblemCollector(); // The document's own checks report them.
     SceneLoader loader =
         new SceneLoader(
             NodeCatalogue.load(), new NodeFactory(), ReadLimits.standard(), access, problems);

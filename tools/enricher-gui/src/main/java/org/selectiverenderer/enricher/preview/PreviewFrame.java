@@ -3,7 +3,7 @@ package org.selectiverenderer.enricher.preview;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Optional;
-import org.selectiverenderer.enricher.compare.Compared;
+import org.selectiverenderer.enricher.compare.ReferenceImage;
 import org.selectiverenderer.runtime.camera.Camera;
 import org.selectiverenderer.schema.SensorSchemas;
 
@@ -38,7 +38,7 @@ record PreviewFrame(
     int otherLayers,
     long revision,
     String drawnBy,
-    Optional<Compared> compared,
+    Optional<ReferenceImage> compared,
     Optional<String> version) {
 
   /** Returns the same picture with other labels and another revision. */
@@ -78,5 +78,5 @@ record PreviewFrame(
       Optional<Long> polygons,
       boolean selected,
       boolean hidden,
-      Anchor anchor) {}
+      SourceAnchor anchor) {}
 }

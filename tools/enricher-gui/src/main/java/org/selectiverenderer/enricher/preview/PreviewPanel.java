@@ -15,9 +15,9 @@ import javax.swing.SwingUtilities;
 import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.document.area.AreaBox;
-import org.selectiverenderer.document.area.GridStep;
+import org.selectiverenderer.document.area.GridSnap;
 import org.selectiverenderer.document.area.PlacedArea;
-import org.selectiverenderer.enricher.area.SceneProbe;
+import org.selectiverenderer.enricher.area.SceneQueries;
 import org.selectiverenderer.enricher.compare.CompareMode;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
@@ -36,36 +36,36 @@ public final class PreviewPanel extends JPanel {
   private static final long serialVersionUID = 1L;
 
   private final transient EnricherSession session;
-  private final transient DocumentAnchors anchors;
+  private final transient SourceAnchorResolver anchors;
   private final transient PreviewThread thread;
-  private final transient SceneFeed feed;
+  private final transient PreviewUpdater feed;
   private final transient SelectionListener onSelection = (element, origin) -> tellSelection();
   private final transient AtomicReference<@Nullable PreviewFrame> arrived = new AtomicReference<>();
-  private final transient SceneProbe probe;
-  private final transient PictureClicks clicks;
-  private final PictureView view = new PictureView();
-  private final PreviewFoot foot = new PreviewFoot();
-  private final PreviewBar bar;
-  private transient Supplier<GridStep> grid = () -> GridStep.NONE;
+  private final transient SceneQueries probe;
+  private final transient PickHandler clicks;
+  private final PreviewCanvas view = new PreviewCanvas();
+  private final PreviewStatusBar foot = new PreviewStatusBar();
+  private final PreviewToolBar bar;
+  private transient Supplier<GridSnap> grid = () -> GridSnap.NONE;
   private transient Consumer<PreviewFrame> onFrame = frame -> {};
   private boolean disposed;
 
   public PreviewPanel(EnricherSession session) {
     super(new MigLayout("insets 0, gap 0, wrap 1", "[grow,fill]", "[][grow,fill][]"));
     this.session = session;
-    anchors = new DocumentAnchors(session.document());
+    anchors = new SourceAnchorResolver(session.document());
     thread = new PreviewThread(new Pictures());
-    probe = new PreviewProbe(thread, anchors::of);
-    bar = new PreviewBar(thread, view, () -> session.enrichment().schemas());
+    probe = new PreviewSceneQueries(thread, anchors::of);
+    bar = new PreviewToolBar(thread, view, () -> session.enrichment().schemas());
     AreaHandles handles = new AreaHandles(view, session, () -> grid.get(), this::showBox);
     bar.onBoxes(handles::shown);
-    clicks = new PictureClicks(view, thread, session, this);
-    new PictureHands(view, thread, clicks);
+    clicks = new PickHandler(view, thread, session, this);
+    new PreviewInputController(view, thread, clicks);
     add(bar, "wmin 0"); // a long button text must not push the picture out
     add(view, "wmin 0, hmin 0");
     add(foot);
     getAccessibleContext().setAccessibleName(Texts.of("preview.panel"));
-    PictureKeys keys = new PictureKeys(view);
+    PreviewKeyBindings keys = new PreviewKeyBindings(view);
     keys.look(view, thread);
     bar.keys(keys);
     view.addComponentListener(
@@ -85,7 +85,7 @@ public final class PreviewPanel extends JPanel {
         });
     session.addSelectionListener(onSelection);
     feed =
-        new SceneFeed(
+        new PreviewUpdater(
             session.document(),
             () -> session.file().path(),
             session.access(),
@@ -112,7 +112,7 @@ public final class PreviewPanel extends JPanel {
     }
   }
 
-  private final class Loading implements SceneFeed.Listener {
+  private final class Loading implements PreviewUpdater.Listener {
     @Override
     public void loading() {
       foot.loading();
@@ -143,14 +143,14 @@ public final class PreviewPanel extends JPanel {
 
   /** Shows an area's box in the running scene while a handle is dragged. */
   private void showBox(PlacedArea area, AreaBox box) {
-    List<Anchor> sensor = anchors.of(area.element());
+    List<SourceAnchor> sensor = anchors.of(area.element());
     float[] centre = area.frame().ownCentre(box);
     float[] size = area.frame().ownSize(box);
     thread.tell(stage -> stage.scene().ifPresent(shown -> shown.box(sensor, centre, size)));
   }
 
   private void tellSelection() {
-    List<Anchor> selected = session.selection().map(anchors::of).orElse(List.of());
+    List<SourceAnchor> selected = session.selection().map(anchors::of).orElse(List.of());
     thread.ask(stage -> stage.select(selected));
   }
 
@@ -160,12 +160,12 @@ public final class PreviewPanel extends JPanel {
   }
 
   /** The queries of the running scene. */
-  public SceneProbe probe() {
+  public SceneQueries probe() {
     return probe;
   }
 
   /** Sets the grid that the handles of areas snap to. */
-  public void grid(Supplier<GridStep> setting) {
+  public void grid(Supplier<GridSnap> setting) {
     grid = setting;
   }
 
@@ -220,7 +220,7 @@ public final class PreviewPanel extends JPanel {
   }
 
   /** The component that shows the picture. */
-  PictureView view() {
+  PreviewCanvas view() {
     return view;
   }
 

@@ -8,19 +8,19 @@ import java.util.function.Supplier;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.app.walk.Walking;
+import org.selectiverenderer.app.walk.UserNavigation;
 import org.selectiverenderer.control.SelectiveController;
-import org.selectiverenderer.geometry.Bounds;
+import org.selectiverenderer.geometry.BoundingBox;
 import org.selectiverenderer.runtime.World;
-import org.selectiverenderer.runtime.collide.RayCaster;
+import org.selectiverenderer.runtime.collision.RayCaster;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
-import org.selectiverenderer.runtime.instance.ShownBounds;
+import org.selectiverenderer.runtime.instance.VisibleBounds;
+import org.selectiverenderer.runtime.navigation.KeyboardMouseControls;
 import org.selectiverenderer.runtime.nodes.group.SwitchNode;
 import org.selectiverenderer.runtime.nodes.sensor.ProximitySensorNode;
 import org.selectiverenderer.runtime.sai.EmbeddedBrowser;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.viewer.Pose;
-import org.selectiverenderer.runtime.walk.Controls;
 
 /**
  * A running scene of one loaded state of the document, which is either looked at under simulated
@@ -35,16 +35,16 @@ final class PreviewScene implements AutoCloseable {
 
   private final LoadedPreview loaded;
   private final World world;
-  private final PreviewNodes nodes;
-  private AreaBoxes areas;
-  private AsIf asIf;
+  private final PreviewNodeIndex nodes;
+  private SensorBoxOverlay areas;
+  private SchemaSimulator asIf;
   private final RayCaster rays;
   private final EmbeddedBrowser browser;
   private List<String> schemas = List.of();
   private @Nullable SwitchNode versioned;
   private int version = -1;
   private @Nullable SelectiveController controller;
-  private @Nullable Walking walking;
+  private @Nullable UserNavigation walking;
   private double time;
   private long counted = -1;
   private long revision;
@@ -56,9 +56,9 @@ final class PreviewScene implements AutoCloseable {
     world = loaded.world();
     world.step(0, (viewer, now, dt) -> {}); // This puts the viewer at the start viewpoint.
     startHeight = world.viewer().position().y();
-    nodes = new PreviewNodes(world);
-    areas = new AreaBoxes(world, nodes);
-    asIf = new AsIf(nodes.switches(), world.cascade());
+    nodes = new PreviewNodeIndex(world);
+    areas = new SensorBoxOverlay(world, nodes);
+    asIf = new SchemaSimulator(nodes.switches(), world.cascade());
     rays = new RayCaster(world.instances(), world.meshes());
     browser = new EmbeddedBrowser(world, loaded.loader(), text -> {}, Map.of());
   }
@@ -67,11 +67,11 @@ final class PreviewScene implements AutoCloseable {
     return world;
   }
 
-  PreviewNodes nodes() {
+  PreviewNodeIndex nodes() {
     return nodes;
   }
 
-  AreaBoxes areas() {
+  SensorBoxOverlay areas() {
     return areas;
   }
 
@@ -88,7 +88,7 @@ final class PreviewScene implements AutoCloseable {
     if (patch.from() != revision) {
       return false;
     }
-    Optional<RunningPatch> running = RunningPatch.of(patch, nodes, loaded.loader());
+    Optional<ResolvedScenePatch> running = ResolvedScenePatch.of(patch, nodes, loaded.loader());
     if (running.isEmpty()) {
       return false;
     }
@@ -96,8 +96,8 @@ final class PreviewScene implements AutoCloseable {
     running.get().apply(world);
     nodes.move(patch.moved());
     revision = patch.revision();
-    areas = new AreaBoxes(world, nodes);
-    asIf = new AsIf(nodes.switches(), world.cascade());
+    areas = new SensorBoxOverlay(world, nodes);
+    asIf = new SchemaSimulator(nodes.switches(), world.cascade());
     asIf(schemas); // Also shows the chosen version of an object again.
     counted = -1;
     return true;
@@ -152,11 +152,11 @@ final class PreviewScene implements AutoCloseable {
   }
 
   /** Begins a walk under the controller, with the viewer at the bound viewpoint. */
-  void walk(Controls controls) {
+  void walk(KeyboardMouseControls controls) {
     asIf.reset();
     look(Pose.of(world.viewer()));
     world.bindables().bound("Viewpoint").ifPresent(world.views()::goTo);
-    walking = new Walking(world, controls);
+    walking = new UserNavigation(world, controls);
     controller =
         new SelectiveController(
             browser, SelectiveController.Settings.SELECTIVE, event -> {}, problem -> {});
@@ -173,7 +173,7 @@ final class PreviewScene implements AutoCloseable {
     }
   }
 
-  Optional<Walking> walking() {
+  Optional<UserNavigation> walking() {
     return Optional.ofNullable(walking);
   }
 
@@ -219,7 +219,7 @@ final class PreviewScene implements AutoCloseable {
   }
 
   /** Changes a sensor's box in the running scene only, until the document is loaded again. */
-  void box(List<Anchor> sensor, float[] centre, float[] size) {
+  void box(List<SourceAnchor> sensor, float[] centre, float[] size) {
     nodes
         .find(sensor)
         .filter(ProximitySensorNode.class::isInstance)
@@ -245,13 +245,13 @@ final class PreviewScene implements AutoCloseable {
   }
 
   /** The bounding box of a node's shown shapes, or of a sensor's boxes. */
-  Optional<Bounds> bounds(Node node) {
-    return areas.bounds(node).or(() -> ShownBounds.of(nodes.shapes(node)));
+  Optional<BoundingBox> bounds(Node node) {
+    return areas.bounds(node).or(() -> VisibleBounds.of(nodes.shapes(node)));
   }
 
   /** The bounding box of all shown shapes, or of all shapes if none is shown. */
-  Optional<Bounds> bounds() {
-    return ShownBounds.of(world.instances().shapes());
+  Optional<BoundingBox> bounds() {
+    return VisibleBounds.of(world.instances().shapes());
   }
 
   /** The viewer's pose. */

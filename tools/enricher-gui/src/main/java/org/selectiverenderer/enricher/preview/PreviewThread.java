@@ -8,14 +8,14 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.runtime.render.context.GlUnavailableException;
-import org.selectiverenderer.runtime.render.mark.MarkedView;
+import org.selectiverenderer.runtime.render.preview.ScenePreviewRenderer;
 import org.selectiverenderer.runtime.viewer.Pose;
 
 /**
  * The thread {@code enricher-preview}: owns the GL context and the running scene, executes commands
  * in order, and draws when something has changed, or thirty times a second while the author walks.
  */
-final class PreviewThread implements AutoCloseable, SceneFeed.Target {
+final class PreviewThread implements AutoCloseable, PreviewUpdater.Target {
   /** Receives frames and failures, on the preview's thread. */
   interface Listener {
     void drawn(PreviewFrame frame);
@@ -33,7 +33,7 @@ final class PreviewThread implements AutoCloseable, SceneFeed.Target {
 
   private static final long FRAME = TimeUnit.SECONDS.toNanos(1) / 30;
 
-  private final LinkedBlockingQueue<Consumer<PreviewStage>> told = new LinkedBlockingQueue<>();
+  private final LinkedBlockingQueue<Consumer<PreviewController>> told = new LinkedBlockingQueue<>();
   private final AtomicReference<@Nullable LoadedPreview> next = new AtomicReference<>();
   private final Listener listener;
   private final Thread thread;
@@ -48,7 +48,7 @@ final class PreviewThread implements AutoCloseable, SceneFeed.Target {
   }
 
   /** Queues a command for the stage, after which a frame is drawn. Thread-safe. */
-  void tell(Consumer<PreviewStage> what) {
+  void tell(Consumer<PreviewController> what) {
     ask(
         stage -> {
           what.accept(stage);
@@ -57,7 +57,7 @@ final class PreviewThread implements AutoCloseable, SceneFeed.Target {
   }
 
   /** Queues a command for the stage, which decides itself whether to draw. Thread-safe. */
-  void ask(Consumer<PreviewStage> what) {
+  void ask(Consumer<PreviewController> what) {
     told.add(what);
   }
 
@@ -110,8 +110,8 @@ final class PreviewThread implements AutoCloseable, SceneFeed.Target {
   }
 
   private void run() {
-    try (MarkedView view = MarkedView.open();
-        PreviewStage stage = new PreviewStage(view)) {
+    try (ScenePreviewRenderer view = ScenePreviewRenderer.open();
+        PreviewController stage = new PreviewController(view)) {
       serve(stage);
     } catch (GlUnavailableException e) {
       listener.failed(Texts.of("preview.none", String.valueOf(e.getMessage())));
@@ -122,11 +122,11 @@ final class PreviewThread implements AutoCloseable, SceneFeed.Target {
     }
   }
 
-  private void serve(PreviewStage stage) throws InterruptedException {
+  private void serve(PreviewController stage) throws InterruptedException {
     long begun = System.nanoTime();
     long drawn = begun;
     while (!ended) {
-      Consumer<PreviewStage> what = next(stage, stage.moving() ? begun + FRAME : drawn + REST);
+      Consumer<PreviewController> what = next(stage, stage.moving() ? begun + FRAME : drawn + REST);
       boolean hurried = what != null && System.nanoTime() - drawn < REST;
       try {
         while (what != null && !ended) {
@@ -148,7 +148,7 @@ final class PreviewThread implements AutoCloseable, SceneFeed.Target {
   }
 
   /** Waits for a command, at most until the next frame is due. */
-  private @Nullable Consumer<PreviewStage> next(PreviewStage stage, long due)
+  private @Nullable Consumer<PreviewController> next(PreviewController stage, long due)
       throws InterruptedException {
     if (!stage.moving() && !stage.rough()) {
       return told.take();

@@ -6,25 +6,25 @@
  * a Swing component shows the picture: so there is no heavyweight component, no OpenGL on the event
  * dispatch thread, and no difference in a test without a window manager. Each picture's alpha
  * channel is the mask of the selection, from which the outline is made. "As if in" asks {@link
- * org.selectiverenderer.schema.Activation}; a walk runs the controller itself, as {@code run} does;
- * no code of this package decides what a Switch shows. A click casts a ray; the node that it hits
- * is found in the document by its DEF name, or by its position in the text if that is still the
- * text that was loaded.
+ * org.selectiverenderer.schema.SchemaActivation}; a walk runs the controller itself, as {@code run}
+ * does; no code of this package decides what a Switch shows. A click casts a ray; the node that it
+ * hits is found in the document by its DEF name, or by its position in the text if that is still
+ * the text that was loaded.
  *
  * <p>An edit that only changes what may change in a running scene becomes a {@code ScenePatch}:
- * {@code TextComparison} finds it from the two texts on the loader's thread, and it is sent as
+ * {@code SceneTextDiff} finds it from the two texts on the loader's thread, and it is sent as
  * events on the preview's thread; where one of its nodes is missing, the document is loaded
  * instead.
  *
  * <p>A comparison renders the same scene again with every object at its most detailed, and then
  * restores it; {@code enricher.compare} lays out both pictures in the component. {@code
- * VersionChoice} shows one object in another version.
+ * VersionOverride} shows one object in another version.
  *
  * <p>In: snapshots of a document, the selection, the author's mouse and keys. Out: pictures in a
  * Swing component; the object that was clicked. {@code PreviewPanel} and everything of Swing
  * belongs to the event dispatch thread; the running scene and GL to one thread of {@code
  * PreviewThread}, which is told what to do and answers with {@code PreviewFrame}s; files are read
- * by {@code SceneFeed}'s thread.
+ * by {@code PreviewUpdater}'s thread.
  *
  * <p>Uses {@code enricher.parts}, {@code enricher.session}, {@code enricher.compare}, {@code
  * document}, {@code app.walk}, {@code control}, {@code runtime} with its renderer but not JOGL,

@@ -3,7 +3,7 @@ package org.selectiverenderer.enricher.problems;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.selectiverenderer.base.decimal.DecimalText;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.base.problem.Problem.Severity;
 import org.selectiverenderer.enricher.text.Texts;
 
@@ -55,7 +55,7 @@ public record ProblemCounts(int errors, int warnings, int remarks, int unenriche
   /** The count of a severity as a filter button shows it. */
   String words(Severity severity) {
     int count = of(severity);
-    String shown = DecimalText.grouped(count);
+    String shown = DecimalFormatter.grouped(count);
     return switch (severity) {
       case ERROR -> Texts.of("counts.errors", count, shown);
       case WARNING -> Texts.of("counts.warnings", count, shown);
@@ -70,7 +70,7 @@ public record ProblemCounts(int errors, int warnings, int remarks, int unenriche
         : Optional.of(
             Texts.of(
                 "counts.unenriched",
-                DecimalText.grouped(unenriched),
-                DecimalText.grouped(enrichable)));
+                DecimalFormatter.grouped(unenriched),
+                DecimalFormatter.grouped(enrichable)));
   }
 }

@@ -3,8 +3,8 @@ package org.selectiverenderer.enricher.problems;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problem.Severity;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.document.ElementFinding;
 import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.x3d.source.DocumentElement;
@@ -34,7 +34,7 @@ record ProblemEntry(
     record InText(int offset) implements Place {}
 
     /** A place in another file, or none. */
-    record Elsewhere(Location location) implements Place {}
+    record Elsewhere(SourceLocation location) implements Place {}
   }
 
   static ProblemEntry of(ElementFinding finding) {
@@ -65,14 +65,14 @@ record ProblemEntry(
   }
 
   /** The location in another file, such as an inlined one; empty otherwise. */
-  Optional<Location> otherFile() {
+  Optional<SourceLocation> otherFile() {
     return place instanceof Place.Elsewhere other && !other.location().file().isEmpty()
         ? Optional.of(other.location())
         : Optional.empty();
   }
 
   /** The present location, for messages. */
-  Location location(SceneDocument document) {
+  SourceLocation location(SceneDocument document) {
     return place instanceof Place.Elsewhere other
         ? other.location()
         : document.location(offset().orElseThrow());

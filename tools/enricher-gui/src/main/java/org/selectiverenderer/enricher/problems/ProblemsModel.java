@@ -9,13 +9,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.document.SceneDocument;
-import org.selectiverenderer.document.enrichment.Enrichment;
+import org.selectiverenderer.document.enrichment.DocumentEnrichment;
 import org.selectiverenderer.enricher.problems.ProblemEntry.Place;
 import org.selectiverenderer.x3d.source.DocumentElement;
-import org.selectiverenderer.x3d.source.DocumentFault;
+import org.selectiverenderer.x3d.source.DocumentError;
 
 /**
  * The problems of a document: those known at once (not well formed, findings about the metadata),
@@ -27,14 +27,14 @@ final class ProblemsModel {
   private static final Set<String> NOT_ENRICHED = Set.of("SR403", "SR424", "SR426");
 
   private final SceneDocument document;
-  private final Enrichment enrichment;
+  private final DocumentEnrichment enrichment;
   private List<ProblemEntry> checked = List.of();
   private List<ProblemEntry> all = List.of();
   private Set<DocumentElement> faulty = Set.of();
   private int unenriched;
   private int enrichable;
 
-  ProblemsModel(SceneDocument document, Enrichment enrichment) {
+  ProblemsModel(SceneDocument document, DocumentEnrichment enrichment) {
     this.document = document;
     this.enrichment = enrichment;
   }
@@ -139,8 +139,8 @@ final class ProblemsModel {
     now.add(entry);
   }
 
-  private ProblemEntry entry(DocumentFault fault) {
-    Location at = fault.location();
+  private ProblemEntry entry(DocumentError fault) {
+    SourceLocation at = fault.location();
     int offset = document.offset(at.line(), Math.max(1, at.column()));
     return new ProblemEntry(
         Problem.Severity.ERROR, fault.message(), new Place.InText(offset), Optional.empty());

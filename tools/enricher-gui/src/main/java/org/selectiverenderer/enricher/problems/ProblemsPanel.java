@@ -23,12 +23,12 @@ import javax.swing.JToggleButton;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
 import net.miginfocom.swing.MigLayout;
-import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problem.Severity;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.document.DocumentCheck;
 import org.selectiverenderer.document.ElementFinding;
 import org.selectiverenderer.enricher.session.EnricherSession;
-import org.selectiverenderer.enricher.text.Letters;
+import org.selectiverenderer.enricher.text.Mnemonics;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
@@ -43,10 +43,10 @@ public final class ProblemsPanel extends JPanel {
 
   private final transient EnricherSession session;
   private final transient ProblemsModel model;
-  private final transient ProblemsFeed feed;
+  private final transient ProblemsUpdater feed;
   private final ProblemsTableModel rows;
   private final JTable table;
-  private final JButton fix = Letters.button("problems.fix");
+  private final JButton fix = Mnemonics.button("problems.fix");
   private final JLabel checking = new JLabel(" ");
 
   /** Shows how many objects and areas are not enriched yet. */
@@ -56,7 +56,7 @@ public final class ProblemsPanel extends JPanel {
   private final transient Action goTo = action(Texts.of("problems.goto"), this::visit);
   private final transient Action mend = action(Texts.of("problems.fixes"), this::fix);
   private transient Consumer<ProblemCounts> onCounts = counts -> {};
-  private transient Consumer<Location> onElsewhere = place -> {};
+  private transient Consumer<SourceLocation> onElsewhere = place -> {};
   private transient Consumer<Optional<String>> onExplain = rule -> {};
   private transient IntConsumer onPlace = offset -> {};
 
@@ -94,7 +94,7 @@ public final class ProblemsPanel extends JPanel {
     getAccessibleContext().setAccessibleName(Texts.of("problems.panel"));
     keys();
     feed =
-        new ProblemsFeed(
+        new ProblemsUpdater(
             session,
             model,
             checks,
@@ -184,7 +184,7 @@ public final class ProblemsPanel extends JPanel {
   }
 
   /** Sets what opens the place of a problem in another file. */
-  public void onElsewhere(Consumer<Location> listener) {
+  public void onElsewhere(Consumer<SourceLocation> listener) {
     onElsewhere = listener;
   }
 

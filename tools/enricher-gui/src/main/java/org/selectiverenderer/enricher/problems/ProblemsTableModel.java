@@ -3,8 +3,8 @@ package org.selectiverenderer.enricher.problems;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
-import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problem.Severity;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.document.ElementFinding;
 import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.enricher.table.RowTableModel;
@@ -60,7 +60,7 @@ final class ProblemsTableModel extends RowTableModel<ProblemEntry> {
   }
 
   private String place(ProblemEntry entry) {
-    Location at = entry.location(document);
+    SourceLocation at = entry.location(document);
     if (entry.place() instanceof ProblemEntry.Place.Elsewhere) {
       return at.toString();
     }

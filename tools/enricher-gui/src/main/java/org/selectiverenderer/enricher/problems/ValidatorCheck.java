@@ -7,11 +7,11 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
-import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.document.DocumentCheck;
-import org.selectiverenderer.document.Snapshot;
+import org.selectiverenderer.document.DocumentSnapshot;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.validation.Finding;
 import org.selectiverenderer.validation.SourceFile;
@@ -43,7 +43,7 @@ public final class ValidatorCheck implements DocumentCheck {
      * @param problems collects what is wrong with them
      * @return empty when they cannot be used, so that the defaults apply
      */
-    Optional<ValidationSettings> read(Problems problems) throws IOException;
+    Optional<ValidationSettings> read(ProblemCollector problems) throws IOException;
   }
 
   /**
@@ -57,11 +57,11 @@ public final class ValidatorCheck implements DocumentCheck {
   }
 
   @Override
-  public List<Problem> check(Snapshot snapshot) {
+  public List<Problem> check(DocumentSnapshot snapshot) {
     Path path = file.get().toAbsolutePath();
     Path folder = path.getParent() == null ? path : path.getParent();
     SourceFile source = SourceFile.of(path, SourceFile.of(path, folder).name(), snapshot.bytes());
-    Problems own = new Problems();
+    ProblemCollector own = new ProblemCollector();
     try {
       ValidationSettings wanted =
           settings.read(own).orElse(ValidationSettings.standard()).ignoring(OF_OTHER_SCENES);
@@ -72,7 +72,7 @@ public final class ValidatorCheck implements DocumentCheck {
               .forEach(found::add);
       return found;
     } catch (IOException e) {
-      Location whole = Location.of(snapshot.name());
+      SourceLocation whole = SourceLocation.of(snapshot.name());
       return List.of(
           new Problem(
               Problem.Severity.ERROR,
@@ -82,8 +82,9 @@ public final class ValidatorCheck implements DocumentCheck {
   }
 
   private static Problem problem(Finding finding, String main, String document) {
-    Location at = finding.location();
-    Location named = at.file().equals(main) ? new Location(document, at.line(), at.column()) : at;
+    SourceLocation at = finding.location();
+    SourceLocation named =
+        at.file().equals(main) ? new SourceLocation(document, at.line(), at.column()) : at;
     String message = "%s [%s]".formatted(finding.message(), finding.rule().id());
     return new Problem(finding.severity(), named, message);
   }

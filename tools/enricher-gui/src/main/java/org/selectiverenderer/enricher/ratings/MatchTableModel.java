@@ -17,9 +17,9 @@ final class MatchTableModel extends RowTableModel<Match> {
 
   static final int SWITCH = 1;
 
-  private final RatingsModel model;
+  private final RatingsImportModel model;
 
-  MatchTableModel(RatingsModel model) {
+  MatchTableModel(RatingsImportModel model) {
     super(Texts.of("ratings.object"), "Switch", Texts.of("ratings.why"));
     this.model = model;
     model.addListener(() -> update(model.matches()));

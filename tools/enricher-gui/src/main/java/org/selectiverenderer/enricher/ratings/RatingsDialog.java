@@ -23,14 +23,14 @@ import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import net.miginfocom.swing.MigLayout;
-import org.selectiverenderer.base.decimal.DecimalText;
-import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.document.EditRefused;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.document.EditRejectedException;
 import org.selectiverenderer.enricher.session.EnricherSession;
-import org.selectiverenderer.enricher.text.Letters;
+import org.selectiverenderer.enricher.text.Mnemonics;
 import org.selectiverenderer.enricher.text.Texts;
-import org.selectiverenderer.experiment.window.PackedWindow;
+import org.selectiverenderer.experiment.window.WindowPacker;
 
 /**
  * Imports a table of expectancy ratings: the author chooses the file, corrects which Switch each
@@ -41,20 +41,21 @@ public final class RatingsDialog extends JDialog {
   private static final long serialVersionUID = 1L;
 
   private final EnricherSession session;
-  private final RatingsModel model;
+  private final RatingsImportModel model;
   private final JTextField file = new JTextField(30);
-  private final JCheckBox follow = Letters.on(new JCheckBox("", true), Texts.of("ratings.follow"));
+  private final JCheckBox follow =
+      Mnemonics.on(new JCheckBox("", true), Texts.of("ratings.follow"));
   private final JLabel summary = new JLabel();
   private final JTabbedPane messages = new JTabbedPane();
   private final JList<String> leftOut = new JList<>();
   private final JList<String> problems = new JList<>();
-  private final JButton proposals = Letters.button("ratings.proposals");
+  private final JButton proposals = Mnemonics.button("ratings.proposals");
   private final JButton apply = new JButton(Texts.of("ratings.apply"));
 
   public RatingsDialog(Window owner, EnricherSession session) {
     super(owner, Texts.of("ratings.title"), ModalityType.DOCUMENT_MODAL);
     this.session = session;
-    this.model = new RatingsModel(session.enrichment());
+    this.model = new RatingsImportModel(session.enrichment());
     setDefaultCloseOperation(DISPOSE_ON_CLOSE);
     JPanel content =
         new JPanel(new MigLayout("insets dialog, fill", "[grow,fill]", "[][][grow,fill][][][]"));
@@ -72,18 +73,18 @@ public final class RatingsDialog extends JDialog {
             e -> dispose(), KeyStroke.getKeyStroke("ESCAPE"), JComponent.WHEN_IN_FOCUSED_WINDOW);
     model.addListener(this::refresh);
     refresh();
-    PackedWindow.pack(this);
+    WindowPacker.pack(this);
     setLocationRelativeTo(owner);
   }
 
   private JPanel source() {
     JPanel panel = new JPanel(new MigLayout("insets 0, fillx", "[][grow,fill][]"));
-    JLabel label = Letters.label("ratings.file");
+    JLabel label = Mnemonics.label("ratings.file");
     label.setLabelFor(file);
     file.getAccessibleContext().setAccessibleName(Texts.of("ratings.file.name"));
     file.putClientProperty("JTextField.placeholderText", "RATINGS.csv: object,schema,rating");
     file.addActionListener(e -> open(Path.of(file.getText().strip())));
-    JButton browse = Letters.button("ratings.browse");
+    JButton browse = Mnemonics.button("ratings.browse");
     browse.addActionListener(e -> browse());
     panel.add(label);
     panel.add(file);
@@ -92,13 +93,13 @@ public final class RatingsDialog extends JDialog {
   }
 
   private JSplitPane tables() {
-    JTable matches = RatingsTables.matches(new MatchTableModel(model), model.candidates());
-    JTable implied = RatingsTables.implied(new ImpliedTableModel(model));
+    JTable matches = RatingsTableFactory.matches(new MatchTableModel(model), model.candidates());
+    JTable implied = RatingsTableFactory.implied(new ImpliedMetadataTableModel(model));
     JSplitPane split =
         new JSplitPane(
             JSplitPane.HORIZONTAL_SPLIT,
-            RatingsTables.captioned(Letters.label("ratings.caption.matches"), matches, 48),
-            RatingsTables.captioned(Letters.label("ratings.caption.implied"), implied, 86));
+            RatingsTableFactory.captioned(Mnemonics.label("ratings.caption.matches"), matches, 48),
+            RatingsTableFactory.captioned(Mnemonics.label("ratings.caption.implied"), implied, 86));
     split.setResizeWeight(0.4);
     split.setBorder(null);
     return split;
@@ -123,8 +124,8 @@ public final class RatingsDialog extends JDialog {
     problems.getAccessibleContext().setAccessibleName(Texts.of("ratings.problems.name"));
     messages.addTab("", new JScrollPane(leftOut));
     messages.addTab("", new JScrollPane(problems));
-    messages.setMnemonicAt(0, Letters.code(Texts.of("ratings.tab.left", "")));
-    messages.setMnemonicAt(1, Letters.code(Texts.of("ratings.tab.problems", "")));
+    messages.setMnemonicAt(0, Mnemonics.code(Texts.of("ratings.tab.left", "")));
+    messages.setMnemonicAt(1, Mnemonics.code(Texts.of("ratings.tab.problems", "")));
     messages.getAccessibleContext().setAccessibleName(Texts.of("ratings.messages"));
     return messages;
   }
@@ -156,20 +157,22 @@ public final class RatingsDialog extends JDialog {
         .tasks()
         .run(
             Texts.of("ratings.reading", String.valueOf(table.getFileName())),
-            () -> RatingsModel.read(String.valueOf(table.getFileName()), Files.readAllBytes(table)),
+            () ->
+                RatingsImportModel.read(
+                    String.valueOf(table.getFileName()), Files.readAllBytes(table)),
             model::take,
             failure -> model.take(unread(table, failure)));
   }
 
-  private static RatingsModel.Table unread(Path table, Exception failure) {
+  private static RatingsImportModel.Table unread(Path table, Exception failure) {
     String why =
         failure instanceof IOException ? Texts.of("ratings.unreadable") : failure.getMessage();
     Problem problem =
         new Problem(
             Problem.Severity.ERROR,
-            Location.of(table.toString()),
+            SourceLocation.of(table.toString()),
             Texts.of("ratings.another", why));
-    return new RatingsModel.Table(table.toString(), Optional.empty(), List.of(problem));
+    return new RatingsImportModel.Table(table.toString(), Optional.empty(), List.of(problem));
   }
 
   private void refresh() {
@@ -177,11 +180,11 @@ public final class RatingsDialog extends JDialog {
     leftOut.setListData(left.toArray(String[]::new));
     problems.setListData(model.problems().stream().map(Problem::toString).toArray(String[]::new));
     messages.setTitleAt(
-        0, Letters.without(Texts.of("ratings.tab.left", DecimalText.grouped(left.size()))));
+        0, Mnemonics.without(Texts.of("ratings.tab.left", DecimalFormatter.grouped(left.size()))));
     messages.setTitleAt(
         1,
-        Letters.without(
-            Texts.of("ratings.tab.problems", DecimalText.grouped(model.problems().size()))));
+        Mnemonics.without(
+            Texts.of("ratings.tab.problems", DecimalFormatter.grouped(model.problems().size()))));
     messages.setSelectedIndex(model.problems().isEmpty() ? 0 : 1);
     summary.setText(model.summary());
     apply.setEnabled(model.applicable());
@@ -201,7 +204,7 @@ public final class RatingsDialog extends JDialog {
                 dispose();
                 session.perform(edit);
               });
-    } catch (EditRefused e) {
+    } catch (EditRejectedException e) {
       summary.setText(e.getMessage());
     }
   }

@@ -20,8 +20,8 @@ public final class RunDialog {
    * @param before the options of the last run
    * @return empty if the author cancels
    */
-  public static Optional<RunChoice> ask(Component over, RunChoice before) {
-    JComboBox<String> condition = new JComboBox<>(RunChoice.CONDITIONS.toArray(String[]::new));
+  public static Optional<RunOptions> ask(Component over, RunOptions before) {
+    JComboBox<String> condition = new JComboBox<>(RunOptions.CONDITIONS.toArray(String[]::new));
     condition.setSelectedItem(before.condition());
     condition.setName("run.condition");
     condition.getAccessibleContext().setAccessibleName(Texts.of("run.condition"));
@@ -41,7 +41,8 @@ public final class RunDialog {
             JOptionPane.OK_CANCEL_OPTION,
             JOptionPane.PLAIN_MESSAGE);
     return answer == JOptionPane.OK_OPTION
-        ? Optional.of(new RunChoice(String.valueOf(condition.getSelectedItem()), here.isSelected()))
+        ? Optional.of(
+            new RunOptions(String.valueOf(condition.getSelectedItem()), here.isSelected()))
         : Optional.empty();
   }
 }

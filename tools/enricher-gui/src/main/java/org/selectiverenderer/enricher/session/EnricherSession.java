@@ -7,15 +7,15 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.document.DocumentListener;
 import org.selectiverenderer.document.Edit;
-import org.selectiverenderer.document.EditRefused;
+import org.selectiverenderer.document.EditRejectedException;
 import org.selectiverenderer.document.SceneDocument;
-import org.selectiverenderer.document.enrichment.Enrichment;
+import org.selectiverenderer.document.enrichment.DocumentEnrichment;
 import org.selectiverenderer.document.enrichment.EnrichmentEdits;
 import org.selectiverenderer.document.file.DocumentFile;
-import org.selectiverenderer.enricher.task.Tasks;
+import org.selectiverenderer.enricher.task.TaskExecutor;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
-import org.selectiverenderer.x3d.files.ContentAccess;
 import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 
 /**
  * One open document and its selection. For the event dispatch thread only.
@@ -26,10 +26,10 @@ import org.selectiverenderer.x3d.source.DocumentElement;
 public final class EnricherSession {
   private final DocumentFile file;
   private final NodeCatalogue catalogue;
-  private final ContentAccess access;
-  private final Tasks tasks;
+  private final ContentAccessPolicy access;
+  private final TaskExecutor tasks;
   private final Consumer<String> messages;
-  private final Enrichment enrichment;
+  private final DocumentEnrichment enrichment;
   private final EnrichmentEdits edits;
   private final List<SelectionListener> listeners = new CopyOnWriteArrayList<>();
   private final DocumentListener following = this::follow;
@@ -38,8 +38,8 @@ public final class EnricherSession {
 
   /** Creates a session with a scene that may read no other than its own files. */
   public EnricherSession(
-      DocumentFile file, NodeCatalogue catalogue, Tasks tasks, Consumer<String> messages) {
-    this(file, catalogue, ContentAccess.none(), tasks, messages);
+      DocumentFile file, NodeCatalogue catalogue, TaskExecutor tasks, Consumer<String> messages) {
+    this(file, catalogue, ContentAccessPolicy.none(), tasks, messages);
   }
 
   /**
@@ -50,15 +50,15 @@ public final class EnricherSession {
   public EnricherSession(
       DocumentFile file,
       NodeCatalogue catalogue,
-      ContentAccess access,
-      Tasks tasks,
+      ContentAccessPolicy access,
+      TaskExecutor tasks,
       Consumer<String> messages) {
     this.file = file;
     this.access = access;
     this.catalogue = catalogue;
     this.tasks = tasks;
     this.messages = messages;
-    this.enrichment = new Enrichment(file.document(), catalogue);
+    this.enrichment = new DocumentEnrichment(file.document(), catalogue);
     this.edits = new EnrichmentEdits(enrichment);
     file.document().addListener(following);
   }
@@ -75,7 +75,7 @@ public final class EnricherSession {
     return catalogue;
   }
 
-  public Enrichment enrichment() {
+  public DocumentEnrichment enrichment() {
     return enrichment;
   }
 
@@ -84,11 +84,11 @@ public final class EnricherSession {
   }
 
   /** The folders and hosts that the scene may read from. */
-  public ContentAccess access() {
+  public ContentAccessPolicy access() {
     return access;
   }
 
-  public Tasks tasks() {
+  public TaskExecutor tasks() {
     return tasks;
   }
 
@@ -144,7 +144,7 @@ public final class EnricherSession {
     try {
       making.run();
       return true;
-    } catch (EditRefused e) {
+    } catch (EditRejectedException e) {
       messages.accept(String.valueOf(e.getMessage()));
       return false;
     }

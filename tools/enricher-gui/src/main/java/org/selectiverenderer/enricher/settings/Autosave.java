@@ -3,8 +3,8 @@ package org.selectiverenderer.enricher.settings;
 import java.io.IOException;
 import java.nio.file.Path;
 import javax.swing.Timer;
-import org.selectiverenderer.document.Snapshot;
-import org.selectiverenderer.document.file.Recovery;
+import org.selectiverenderer.document.DocumentSnapshot;
+import org.selectiverenderer.document.file.CrashRecovery;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
 
@@ -16,13 +16,13 @@ public final class Autosave {
   private static final int EVERY_MILLISECONDS = 5000;
 
   private final EnricherSession session;
-  private final Recovery recovery;
+  private final CrashRecovery recovery;
   private final Timer timer;
   private final Object order = new Object();
   private long kept;
   private long forgotten = -1;
 
-  public Autosave(EnricherSession session, Recovery recovery) {
+  public Autosave(EnricherSession session, CrashRecovery recovery) {
     this.session = session;
     this.recovery = recovery;
     this.kept = session.document().revision();
@@ -36,7 +36,7 @@ public final class Autosave {
       return;
     }
     Path path = session.file().path();
-    Snapshot snapshot = session.document().snapshot();
+    DocumentSnapshot snapshot = session.document().snapshot();
     kept = snapshot.revision();
     session
         .tasks()
@@ -50,7 +50,7 @@ public final class Autosave {
             failed -> session.message(Texts.of("window.keeping.failed", message(failed))));
   }
 
-  private void write(Path path, Snapshot snapshot) throws IOException {
+  private void write(Path path, DocumentSnapshot snapshot) throws IOException {
     synchronized (order) {
       if (snapshot.revision() > forgotten) {
         recovery.keep(path, snapshot);

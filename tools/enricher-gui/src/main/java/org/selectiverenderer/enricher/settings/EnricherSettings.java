@@ -11,10 +11,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Properties;
 import java.util.regex.Pattern;
-import org.selectiverenderer.base.files.WholeFile;
-import org.selectiverenderer.x3d.files.ContentAccess;
-import org.selectiverenderer.x3d.files.HostPattern;
-import org.selectiverenderer.x3d.files.Network;
+import org.selectiverenderer.base.files.AtomicFileWriter;
+import org.selectiverenderer.x3d.url.ContentAccessPolicy;
+import org.selectiverenderer.x3d.url.HostPattern;
+import org.selectiverenderer.x3d.url.HttpFetcher;
 
 /** The window's settings, as keys with strings and numbers in one file of the user's. */
 public final class EnricherSettings {
@@ -50,7 +50,7 @@ public final class EnricherSettings {
     Files.createDirectories(file.toAbsolutePath().getParent());
     StringWriter text = new StringWriter();
     values.store(text, "Enricher");
-    WholeFile.replace(file, text.toString().getBytes(StandardCharsets.UTF_8));
+    AtomicFileWriter.replace(file, text.toString().getBytes(StandardCharsets.UTF_8));
   }
 
   /**
@@ -60,7 +60,7 @@ public final class EnricherSettings {
    *
    * @throws IllegalArgumentException with a sentence, if a host is invalid
    */
-  public ContentAccess access() {
+  public ContentAccessPolicy access() {
     List<Path> folders = new ArrayList<>();
     for (String folder : word("allow", "").split(Pattern.quote(File.pathSeparator))) {
       if (!folder.isBlank()) {
@@ -73,7 +73,7 @@ public final class EnricherSettings {
         hosts.add(new HostPattern(host));
       }
     }
-    return new ContentAccess(folders, new Network(hosts));
+    return new ContentAccessPolicy(folders, new HttpFetcher(hosts));
   }
 
   public String word(String key, String usual) {

@@ -15,7 +15,7 @@ import javax.swing.Timer;
 import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
 import net.miginfocom.swing.MigLayout;
-import org.selectiverenderer.document.hand.TextSearch;
+import org.selectiverenderer.document.editing.TextSearch;
 import org.selectiverenderer.enricher.text.Texts;
 
 /**
@@ -25,7 +25,7 @@ import org.selectiverenderer.enricher.text.Texts;
 final class FindBar {
   private static final int PAUSE_MILLISECONDS = 200;
 
-  private final FindWork work;
+  private final FindReplaceController work;
   private final JTextField words = new JTextField(18);
   private final JTextField replacement = new JTextField(18);
   private final JCheckBox expression = box("source.expression", "findExpression");
@@ -38,7 +38,7 @@ final class FindBar {
       new JPanel(new MigLayout("insets 4 6 4 6, hidemode 3, gapy 2", "[grow]"));
   private final Timer pause = new Timer(PAUSE_MILLISECONDS, event -> search());
 
-  FindBar(FindWork work) {
+  FindBar(FindReplaceController work) {
     this.work = work;
     pause.setRepeats(false);
     words.setName("findWords");
@@ -186,7 +186,7 @@ final class FindBar {
     work.replaceAll(replacement.getText());
   }
 
-  private void show(FindWork.Found found) {
+  private void show(FindReplaceController.Found found) {
     boolean wrong = !found.complaint().isEmpty();
     boolean none = found.count() == 0 && !words.getText().isEmpty();
     words.putClientProperty("JComponent.outline", wrong || none ? "error" : null);
@@ -202,7 +202,7 @@ final class FindBar {
     }
   }
 
-  private static String count(FindWork.Found found) {
+  private static String count(FindReplaceController.Found found) {
     return (found.count() >= TextSearch.MOST ? ">" : "") + number(found.count());
   }
 

@@ -4,10 +4,14 @@ import java.awt.Component;
 import java.awt.event.ActionEvent;
 import java.beans.PropertyChangeListener;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.AbstractAction;
+import javax.swing.JButton;
 import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JMenuItem;
 import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
@@ -20,15 +24,17 @@ import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
 import org.fife.ui.rtextarea.ExpandedFoldRenderStrategy;
 import org.fife.ui.rtextarea.FoldIndicator;
 import org.fife.ui.rtextarea.RTextScrollPane;
-import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.base.markup.MarkupEscaper;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.document.DocumentListener;
 import org.selectiverenderer.document.SceneDocument;
-import org.selectiverenderer.document.hand.Commenting;
-import org.selectiverenderer.document.hand.Tags;
+import org.selectiverenderer.document.editing.CommentToggle;
+import org.selectiverenderer.document.editing.TagMatcher;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.DocumentError;
 
 /**
  * The source view: an editor for the text of the scene. What is typed reaches the document after a
@@ -60,14 +66,14 @@ public final class SourcePanel {
   private final EnricherSession session;
   private final RSyntaxTextArea area = new RSyntaxTextArea();
   private final RTextScrollPane scroll = new RTextScrollPane(area);
-  private final DocumentPage page;
-  private final SourceMarks marks;
-  private final TypingSteps steps;
-  private final CompletionList completion;
-  private final FindWork finding;
+  private final SourceAreaBinding page;
+  private final SourceHighlighter marks;
+  private final TypingUndoGrouper steps;
+  private final SourceCompletion completion;
+  private final FindReplaceController finding;
   private final FindBar find;
-  private final FaultStrip fault = new FaultStrip(this::showFault);
-  private final PageStrip pages;
+  private final FaultBar fault = new FaultBar(this::showFault);
+  private final PageBar pages;
   private final JPanel panel =
       new JPanel(new MigLayout("insets 0, gap 0, fill, hidemode 2", "[grow]", "[grow][][][]"));
   private final SelectionListener selecting = this::follow;
@@ -79,14 +85,15 @@ public final class SourcePanel {
     this.session = session;
     moved.setRepeats(false);
     setUpArea();
-    page = new DocumentPage(session, area);
-    marks = new SourceMarks(area, page);
+    page = new SourceAreaBinding(session, area);
+    marks = new SourceHighlighter(area, page);
     steps =
-        new TypingSteps(area, page, document().history(), REACH_MILLISECONDS, PAUSE_MILLISECONDS);
-    completion = new CompletionList(session, area, page);
-    finding = new FindWork(session, area, page, marks);
+        new TypingUndoGrouper(
+            area, page, document().history(), REACH_MILLISECONDS, PAUSE_MILLISECONDS);
+    completion = new SourceCompletion(session, area, page);
+    finding = new FindReplaceController(session, area, page, marks);
     find = new FindBar(finding);
-    pages = new PageStrip(page);
+    pages = new PageBar(page);
     page.onShown(this::number);
     panel.add(scroll, "grow, wmin 0, hmin 0, wrap");
     // Below the text, which thus does not move while a tag is half typed.
@@ -206,7 +213,7 @@ public final class SourcePanel {
         .fault()
         .ifPresent(
             found -> {
-              Location at = found.location();
+              SourceLocation at = found.location();
               reveal(document().offset(Math.max(1, at.line()), Math.max(1, at.column())));
             });
   }
@@ -278,7 +285,7 @@ public final class SourcePanel {
     int caret = caret();
     document()
         .tree()
-        .flatMap(tree -> Tags.partner(document().text(), tree, caret))
+        .flatMap(tree -> TagMatcher.partner(document().text(), tree, caret))
         .ifPresentOrElse(this::reveal, () -> session.message(Texts.of("source.noMatchingTag")));
   }
 
@@ -296,7 +303,7 @@ public final class SourcePanel {
           () ->
               document()
                   .perform(
-                      Commenting.toggle(
+                      CommentToggle.toggle(
                           document().text(), from, to, Texts.of("source.commentStep"))));
     } catch (BadLocationException e) {
       throw new IllegalStateException("the caret is outside of the text", e);
@@ -310,7 +317,7 @@ public final class SourcePanel {
    */
   public void onMenu(Consumer<JPopupMenu> node) {
     area.setPopupMenu(
-        new SourceMenu(
+        new ContextMenu(
             area,
             () -> {
               moved.stop();
@@ -326,5 +333,121 @@ public final class SourcePanel {
     UIManager.removePropertyChangeListener(restyling);
     session.removeSelectionListener(selecting);
     session.document().removeListener(changing);
+  }
+
+  /**
+   * The bar that shows which part of a large text is shown, with buttons to the neighbouring parts.
+   */
+  private static final class PageBar {
+    private final JLabel words = new JLabel();
+    private final JPanel panel = new JPanel(new MigLayout("insets 4 6 4 6", "[][][grow]"));
+
+    PageBar(SourceAreaBinding page) {
+      JButton earlier = new JButton(Texts.of("source.earlier"));
+      JButton later = new JButton(Texts.of("source.later"));
+      earlier.setName("earlierPart");
+      later.setName("laterPart");
+      earlier.addActionListener(
+          event -> page.turn(Math.max(0, page.shown().from() - SourcePage.PAGE / 2)));
+      later.addActionListener(event -> page.turn(page.shown().to() + SourcePage.PAGE / 4));
+      panel.add(earlier);
+      panel.add(later);
+      panel.add(words, "growx, wmin 0");
+    }
+
+    JPanel component() {
+      return panel;
+    }
+
+    /**
+     * Shows the position of a part in a text of some length; hides the bar if the part is the whole
+     * text.
+     */
+    void show(SourcePage page, int all) {
+      panel.setVisible(page.length() < all);
+      words.setText(Texts.of("source.part", number(page.from()), number(page.to()), number(all)));
+    }
+
+    private static String number(int characters) {
+      return String.format(Locale.ROOT, "%,d", characters);
+    }
+  }
+
+  /** The context menu of the source, rebuilt each time it shows. */
+  private static final class ContextMenu extends JPopupMenu {
+    private static final long serialVersionUID = 1L;
+
+    private final transient RSyntaxTextArea area;
+    private final transient Runnable atCaret;
+    private final transient Consumer<JPopupMenu> node;
+
+    /**
+     * @param atCaret selects the element at the caret
+     * @param node appends the commands for that element
+     */
+    ContextMenu(RSyntaxTextArea area, Runnable atCaret, Consumer<JPopupMenu> node) {
+      this.area = area;
+      this.atCaret = atCaret;
+      this.node = node;
+      setName("sourceMenu");
+    }
+
+    @Override
+    public void show(Component over, int x, int y) {
+      atCaret.run();
+      removeAll();
+      boolean some = area.getSelectionStart() < area.getSelectionEnd();
+      add("node.textCut", "textCut", some && area.isEditable(), area::cut);
+      add("node.textCopy", "textCopy", some, area::copy);
+      add("node.textPaste", "textPaste", area.isEditable(), area::paste);
+      node.accept(this);
+      super.show(over, x, y);
+    }
+
+    private void add(String text, String name, boolean enabled, Runnable work) {
+      JMenuItem item = new JMenuItem(Texts.of(text));
+      item.setName(name);
+      item.setEnabled(enabled);
+      item.addActionListener(event -> work.run());
+      add(item);
+    }
+  }
+
+  /** The bar below the text that shows why it is not well formed, or why it is read-only. */
+  private static final class FaultBar {
+    private final JLabel notice = new JLabel();
+    private final JButton place = new JButton(Texts.of("source.show"));
+    private final JPanel panel = new JPanel(new MigLayout("insets 6", "[grow][]"));
+
+    /**
+     * @param show scrolls to the fault
+     */
+    FaultBar(Runnable show) {
+      notice.getAccessibleContext().setAccessibleName(Texts.of("source.state"));
+      place.setName("showFault");
+      place.addActionListener(event -> show.run());
+      panel.add(notice, "growx, wmin 0");
+      panel.add(place);
+    }
+
+    JPanel component() {
+      return panel;
+    }
+
+    void show(SceneDocument document) {
+      Optional<DocumentError> fault = document.fault();
+      Optional<String> locked = document.locked();
+      panel.setVisible(fault.isPresent() || locked.isPresent());
+      place.setVisible(fault.isPresent());
+      notice.setIcon(UIManager.getIcon("OptionPane.warningIcon"));
+      if (fault.isPresent()) {
+        String line = Integer.toString(fault.get().location().line());
+        String why = MarkupEscaper.text(fault.get().message());
+        notice.setText("<html>" + Texts.of("source.fault", line, why));
+      } else {
+        locked.ifPresent(
+            why -> notice.setText("<html>" + Texts.of("source.locked", MarkupEscaper.text(why))));
+      }
+    }
   }
 }

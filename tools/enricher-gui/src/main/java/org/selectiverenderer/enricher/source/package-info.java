@@ -2,12 +2,12 @@
  * The source view: an editor of the scene's text with syntax highlighting, which shows large texts
  * a page at a time.
  *
- * <p>{@code DocumentPage} synchronizes the text area with a part of the document in both
- * directions; it alone changes the area's text. {@code TypingSteps} groups typing into undo steps,
- * {@code SourceMarks} highlights (tags of the element, the fault's line, hits), {@code FindWork}
- * searches the whole document, whatever part is shown, {@code CompletionList} proposes completions.
- * {@code document.hand} computes hits, proposals and comments; {@code SourcePanel} assembles the
- * parts and follows the selection.
+ * <p>{@code SourceAreaBinding} synchronizes the text area with a part of the document in both
+ * directions; it alone changes the area's text. {@code TypingUndoGrouper} groups typing into undo
+ * steps, {@code SourceHighlighter} highlights (tags of the element, the fault's line, hits), {@code
+ * FindReplaceController} searches the whole document, whatever part is shown, {@code
+ * SourceCompletion} proposes completions. {@code document.hand} computes hits, proposals and
+ * comments; {@code SourcePanel} assembles the parts and follows the selection.
  *
  * <p>In: a session, typing. Out: changes of the document, selections. Uses {@code
  * enricher.session}, {@code enricher.proposal}, {@code enricher.text}, {@code document}, {@code

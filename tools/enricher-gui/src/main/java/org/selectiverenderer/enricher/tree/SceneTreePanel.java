@@ -18,7 +18,7 @@ import javax.swing.event.DocumentListener;
 import javax.swing.tree.TreePath;
 import javax.swing.tree.TreeSelectionModel;
 import net.miginfocom.swing.MigLayout;
-import org.selectiverenderer.base.decimal.DecimalText;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.enricher.session.ElementPath;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
@@ -53,7 +53,7 @@ public final class SceneTreePanel {
     this.session = session;
     model = new SceneTreeModel(session.document());
     tree = new JTree(model);
-    tree.setCellRenderer(new NodeRenderer(session.enrichment(), faulty));
+    tree.setCellRenderer(new NodeTreeCellRenderer(session.enrichment(), faulty));
     tree.setLargeModel(true);
     rowHeight();
     tree.addPropertyChangeListener("font", event -> rowHeight());
@@ -156,8 +156,8 @@ public final class SceneTreePanel {
     session.message(
         Texts.of(
             "nodes.hit",
-            DecimalText.grouped(next + 1L),
-            DecimalText.grouped(hits.size()),
+            DecimalFormatter.grouped(next + 1L),
+            DecimalFormatter.grouped(hits.size()),
             hits.get(next)));
     if (hits.size() == 1) {
       tree.requestFocusInWindow();

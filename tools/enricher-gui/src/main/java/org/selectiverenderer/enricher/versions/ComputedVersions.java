@@ -9,15 +9,15 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.base.problem.Problems;
-import org.selectiverenderer.document.Snapshot;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.document.DocumentSnapshot;
 import org.selectiverenderer.document.versions.ObjectVersion;
 import org.selectiverenderer.document.versions.PlannedFile;
 import org.selectiverenderer.document.versions.VersionsEdit;
 import org.selectiverenderer.polygon.model.ModelReader;
-import org.selectiverenderer.polygon.simplify.Goal;
+import org.selectiverenderer.polygon.simplify.SimplificationTarget;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.read.X3dReader;
@@ -31,7 +31,7 @@ import org.selectiverenderer.x3d.read.X3dReader;
  */
 record ComputedVersions(
     Optional<VersionsEdit> edit,
-    List<Optional<ObjectShape>> shapes,
+    List<Optional<ColoredMesh>> shapes,
     List<Problem> problems,
     int existing) {
 
@@ -40,7 +40,8 @@ record ComputedVersions(
    * whatever the request asks for.
    */
   static ComputedVersions first(
-      Snapshot snapshot, VersionsEdit.Request request, NodeCatalogue catalogue) throws IOException {
+      DocumentSnapshot snapshot, VersionsEdit.Request request, NodeCatalogue catalogue)
+      throws IOException {
     int existing = VersionsEdit.existing(snapshot, request, catalogue).size();
     if (existing < 2) {
       return of(snapshot, request, catalogue);
@@ -50,7 +51,7 @@ record ComputedVersions(
             request.scene(),
             request.access(),
             request.object(),
-            Collections.nCopies(existing - 1, new Goal.VertexPercent(100)),
+            Collections.nCopies(existing - 1, new SimplificationTarget.VertexPercent(100)),
             request.output(),
             request.inlineFolder(),
             IntStream.rangeClosed(2, existing).boxed().collect(Collectors.toSet()),
@@ -60,11 +61,12 @@ record ComputedVersions(
 
   /** Computes the versions; slow, so not for the event dispatch thread. */
   static ComputedVersions of(
-      Snapshot snapshot, VersionsEdit.Request request, NodeCatalogue catalogue) throws IOException {
+      DocumentSnapshot snapshot, VersionsEdit.Request request, NodeCatalogue catalogue)
+      throws IOException {
     int existing = VersionsEdit.existing(snapshot, request, catalogue).size();
-    Problems problems = new Problems();
+    ProblemCollector problems = new ProblemCollector();
     Optional<VersionsEdit> edit = VersionsEdit.plan(snapshot, request, catalogue, problems);
-    List<Optional<ObjectShape>> shapes = new ArrayList<>();
+    List<Optional<ColoredMesh>> shapes = new ArrayList<>();
     if (edit.isPresent()) {
       for (ObjectVersion version : edit.get().versions()) {
         shapes.add(shape(version.file(), edit.get(), catalogue, request));
@@ -77,7 +79,7 @@ record ComputedVersions(
    * Reads the mesh of a version: of a planned one from its content, of an existing one from its
    * file.
    */
-  private static Optional<ObjectShape> shape(
+  private static Optional<ColoredMesh> shape(
       Path file, VersionsEdit edit, NodeCatalogue catalogue, VersionsEdit.Request request)
       throws IOException {
     Optional<byte[]> planned =
@@ -89,13 +91,20 @@ record ComputedVersions(
       return Optional.empty();
     }
     byte[] content = planned.isPresent() ? planned.get() : Files.readAllBytes(file);
-    Problems unheard = new Problems(); // the plan has reported the object's problems
+    ProblemCollector unheard =
+        new ProblemCollector(); // the plan has reported the object's problems
     X3dFile scene = new X3dReader(catalogue).read(file.toString(), content, unheard);
     Path folder = file.toAbsolutePath().getParent();
     return new ModelReader(catalogue, request.access())
         .ofSceneIn(request.scene().toAbsolutePath().resolveSibling(""))
-        .of(scene.nodes(), scene, folder, Location.of(file.toString()), "the version", unheard)
-        .map(ObjectShape::of);
+        .of(
+            scene.nodes(),
+            scene,
+            folder,
+            SourceLocation.of(file.toString()),
+            "the version",
+            unheard)
+        .map(ColoredMesh::of);
   }
 
   List<ObjectVersion> versions() {

@@ -1,7 +1,7 @@
 package org.selectiverenderer.enricher.versions;
 
 import org.selectiverenderer.enricher.text.Texts;
-import org.selectiverenderer.polygon.simplify.Goal;
+import org.selectiverenderer.polygon.simplify.SimplificationTarget;
 
 /**
  * The number of vertices that a version is to have, as in thesis Fig 39.
@@ -65,9 +65,9 @@ record VersionGoal(Kind kind, double value) {
     return new VersionGoal(kind, Math.max(least, Math.min(most, value)));
   }
 
-  Goal goal() {
+  SimplificationTarget goal() {
     return kind == Kind.COUNT
-        ? new Goal.Vertices((int) Math.round(value))
-        : new Goal.VertexPercent(value);
+        ? new SimplificationTarget.Vertices((int) Math.round(value))
+        : new SimplificationTarget.VertexPercent(value);
   }
 }

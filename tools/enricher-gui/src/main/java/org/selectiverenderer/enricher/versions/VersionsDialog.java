@@ -23,13 +23,13 @@ import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.document.EditRefused;
+import org.selectiverenderer.document.EditRejectedException;
 import org.selectiverenderer.document.versions.PlannedFile;
 import org.selectiverenderer.document.versions.VersionsEdit;
 import org.selectiverenderer.enricher.session.EnricherSession;
-import org.selectiverenderer.enricher.text.Letters;
+import org.selectiverenderer.enricher.text.Mnemonics;
 import org.selectiverenderer.enricher.text.Texts;
-import org.selectiverenderer.experiment.window.PackedWindow;
+import org.selectiverenderer.experiment.window.WindowPacker;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
@@ -43,20 +43,20 @@ public final class VersionsDialog extends JDialog {
 
   private final EnricherSession session;
   private final VersionsModel model;
-  private final VersionsWork work;
-  private final Turntable turntable = new Turntable();
+  private final VersionsUpdater work;
+  private final TurntableCamera turntable = new TurntableCamera();
   private final JPanel columns = new JPanel(new MigLayout("insets 0, fill", "", "[grow,fill]"));
-  private final List<VersionColumn> shown = new ArrayList<>();
+  private final List<VersionPanel> shown = new ArrayList<>();
   private final JLabel summary = new JLabel(" ");
   private final JList<String> problems = new JList<>();
   private final JScrollPane problemPane = new JScrollPane(problems);
   private final JProgressBar progress = new JProgressBar();
   private final JLabel doing = new JLabel(Texts.of("versions.computing"));
   private final JTextField name = new JTextField(14);
-  private final JButton stop = Letters.button("versions.stop");
-  private final JButton more = Letters.button("versions.add");
-  private final JButton fewer = Letters.button("versions.remove");
-  private final JButton apply = Letters.button("versions.apply");
+  private final JButton stop = Mnemonics.button("versions.stop");
+  private final JButton more = Mnemonics.button("versions.add");
+  private final JButton fewer = Mnemonics.button("versions.remove");
+  private final JButton apply = Mnemonics.button("versions.apply");
   private final org.selectiverenderer.document.DocumentListener changes;
 
   /**
@@ -66,7 +66,7 @@ public final class VersionsDialog extends JDialog {
     super(owner, Texts.of("versions.apply"), ModalityType.DOCUMENT_MODAL);
     this.session = session;
     this.model = new VersionsModel(VersionsModel.nameOf(object));
-    this.work = new VersionsWork(session, model, this::failed);
+    this.work = new VersionsUpdater(session, model, this::failed);
     this.changes = change -> model.outdate();
     setDefaultCloseOperation(DISPOSE_ON_CLOSE);
     JPanel content =
@@ -92,7 +92,7 @@ public final class VersionsDialog extends JDialog {
     refresh();
     work.start();
     refresh();
-    PackedWindow.pack(this);
+    WindowPacker.pack(this);
     setLocationRelativeTo(owner);
   }
 
@@ -104,7 +104,7 @@ public final class VersionsDialog extends JDialog {
     objects.setSelectedItem(model.object());
     objects.getAccessibleContext().setAccessibleName(Texts.of("versions.object.name"));
     objects.addActionListener(e -> model.object(String.valueOf(objects.getSelectedItem())));
-    JLabel label = Letters.label("versions.object");
+    JLabel label = Mnemonics.label("versions.object");
     label.setLabelFor(objects);
 
     more.addActionListener(e -> model.add());
@@ -112,7 +112,7 @@ public final class VersionsDialog extends JDialog {
     fewer.addActionListener(e -> model.removeLast());
     panel.add(label);
     panel.add(objects);
-    JLabel nameLabel = Letters.label("versions.name");
+    JLabel nameLabel = Mnemonics.label("versions.name");
     nameLabel.setLabelFor(name);
     name.setName("Name of the files");
     name.getAccessibleContext().setAccessibleName(Texts.of("versions.name.described"));
@@ -169,7 +169,7 @@ public final class VersionsDialog extends JDialog {
     int count = 1 + model.goals().size();
     if (shown.size() != count) {
       while (shown.size() < count) {
-        shown.add(new VersionColumn(model, shown.size(), turntable));
+        shown.add(new VersionPanel(model, shown.size(), turntable));
       }
       while (shown.size() > count) {
         shown.remove(shown.size() - 1);
@@ -179,7 +179,7 @@ public final class VersionsDialog extends JDialog {
       columns.revalidate();
       columns.repaint();
     }
-    shown.forEach(VersionColumn::refresh);
+    shown.forEach(VersionPanel::refresh);
     boolean busy = !model.current() && work.busy();
     progress.setVisible(busy);
     doing.setVisible(busy);
@@ -253,7 +253,7 @@ public final class VersionsDialog extends JDialog {
     try {
       edit.get().apply(session.document());
       dispose();
-    } catch (EditRefused | IOException e) {
+    } catch (EditRejectedException | IOException e) {
       session.document().addListener(changes);
       summary.setText(e.getMessage());
     }

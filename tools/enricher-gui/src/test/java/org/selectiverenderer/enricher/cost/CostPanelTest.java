@@ -18,18 +18,18 @@ import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.base.problem.Problems;
-import org.selectiverenderer.document.enrichment.ChoiceValues;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.document.enrichment.ChoiceMetadata;
 import org.selectiverenderer.document.file.DocumentFile;
-import org.selectiverenderer.enricher.driving.Hands;
-import org.selectiverenderer.enricher.driving.Sessions;
+import org.selectiverenderer.enricher.robot.GuiRobot;
+import org.selectiverenderer.enricher.robot.TestSessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.settings.EnricherSettings;
-import org.selectiverenderer.enricher.task.Tasks;
+import org.selectiverenderer.enricher.task.TaskExecutor;
+import org.selectiverenderer.schema.ConsistencyDegree;
 import org.selectiverenderer.schema.ConsistencyType;
-import org.selectiverenderer.schema.Degree;
 import org.selectiverenderer.testing.ShowsWindows;
-import org.selectiverenderer.validation.Budget;
+import org.selectiverenderer.validation.PolygonBudget;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 
 /** Polygons, limits and contributions beside the author's edits. */
@@ -50,12 +50,12 @@ class CostPanelTest {
       """;
 
   @TempDir Path folder;
-  private final Hands hands = new Hands();
+  private final GuiRobot hands = new GuiRobot();
   private final List<String> messages = new ArrayList<>();
   private final List<String> changes = new ArrayList<>();
   private JFrame frame;
   private CostPanel panel;
-  private Tasks tasks;
+  private TaskExecutor tasks;
 
   /** An object of 12 triangles and of 2, of which nothing is said. */
   private static String object(String name) {
@@ -74,18 +74,20 @@ class CostPanelTest {
     Path file =
         Files.writeString(
             folder.resolve("scene.x3d"), SCENE.formatted(object("Cup"), object("Pan")));
-    Sessions.theme(false);
-    tasks = new Tasks(EventQueue::invokeLater);
+    TestSessions.theme(false);
+    tasks = new TaskExecutor(EventQueue::invokeLater);
     EnricherSession session =
         new EnricherSession(DocumentFile.open(file), NodeCatalogue.load(), tasks, messages::add);
     EnricherSettings settings = new EnricherSettings(folder.resolve("settings"));
     frame =
-        Hands.onEdt(
+        GuiRobot.onEdt(
             () -> {
               JFrame made = new JFrame("cost");
               panel =
                   new CostPanel(
-                      session, new BudgetPlace(() -> file, settings), () -> changes.add("other"));
+                      session,
+                      new BudgetFileLocator(() -> file, settings),
+                      () -> changes.add("other"));
               made.setContentPane(panel);
               made.setSize(1100, 300);
               return made;
@@ -105,10 +107,12 @@ class CostPanelTest {
   }
 
   private static void describe(EnricherSession session, int object) {
-    ChoiceValues desk =
-        new ChoiceValues(
-            Optional.of(ConsistencyType.INCONSISTENT), Optional.of(Degree.LOW), List.of("Desk"));
-    Hands.onEdt(
+    ChoiceMetadata desk =
+        new ChoiceMetadata(
+            Optional.of(ConsistencyType.INCONSISTENT),
+            Optional.of(ConsistencyDegree.LOW),
+            List.of("Desk"));
+    GuiRobot.onEdt(
         () -> {
           session.perform(
               session.edits().choice(session.enrichment().switches().get(object), 0, desk));
@@ -117,7 +121,7 @@ class CostPanelTest {
   }
 
   private JTable table(String name) {
-    return Hands.named(frame.getContentPane(), name, JTable.class);
+    return GuiRobot.named(frame.getContentPane(), name, JTable.class);
   }
 
   private static List<String> cells(JTable table, int column) {
@@ -129,11 +133,11 @@ class CostPanelTest {
   }
 
   private static List<String> column(JTable table, int column) {
-    return Hands.onEdt(() -> cells(table, column));
+    return GuiRobot.onEdt(() -> cells(table, column));
   }
 
   private static int deskRow(JTable states) {
-    return cells(states, StatesModel.STATE).indexOf("Desk");
+    return cells(states, StatesTableModel.STATE).indexOf("Desk");
   }
 
   @Test
@@ -142,25 +146,25 @@ class CostPanelTest {
     JTable states = table("Polygons by area and schemas");
     describe(session, 0);
     // The count before the object was described has the state already, of the whole scene.
-    hands.await("the state", () -> cells(states, StatesModel.SCOPE).contains("Office"));
-    assertThat(column(states, StatesModel.SCOPE)).contains("Office", "Whole scene");
-    int desk = Hands.onEdt(() -> deskRow(states));
-    assertThat(column(states, StatesModel.POLYGONS).get(desk)).isEqualTo("14");
+    hands.await("the state", () -> cells(states, StatesTableModel.SCOPE).contains("Office"));
+    assertThat(column(states, StatesTableModel.SCOPE)).contains("Office", "Whole scene");
+    int desk = GuiRobot.onEdt(() -> deskRow(states));
+    assertThat(column(states, StatesTableModel.POLYGONS).get(desk)).isEqualTo("14");
 
-    Hands.onEdt(
+    GuiRobot.onEdt(
         () -> {
-          states.setValueAt("1 5", desk, StatesModel.LIMIT);
+          states.setValueAt("1 5", desk, StatesTableModel.LIMIT);
           return true;
         });
-    hands.await("the limit", () -> "15".equals(states.getValueAt(desk, StatesModel.LIMIT)));
-    Path file = folder.resolve(BudgetPlace.NAME);
+    hands.await("the limit", () -> "15".equals(states.getValueAt(desk, StatesTableModel.LIMIT)));
+    Path file = folder.resolve(BudgetFileLocator.NAME);
     EnricherSettings settings = new EnricherSettings(folder.resolve("settings"));
     assertThat(
-            new BudgetPlace(() -> folder.resolve("scene.x3d"), settings)
-                .settings(new Problems())
+            new BudgetFileLocator(() -> folder.resolve("scene.x3d"), settings)
+                .settings(new ProblemCollector())
                 .orElseThrow()
                 .budgets())
-        .containsExactly(new Budget("Office", List.of("Desk"), 15));
+        .containsExactly(new PolygonBudget("Office", List.of("Desk"), 15));
     assertThat(changes).containsExactly("other");
 
     describe(session, 1);
@@ -168,26 +172,26 @@ class CostPanelTest {
     assertThat(messages)
         .containsExactly("\u25b2 Office, Desk: 24 polygons now, 9 more than its limit of 15");
     assertThat(Files.readString(file)).contains("\"polygons\": 15");
-    Hands.picture(frame.getContentPane(), "cost-broken", 2);
+    GuiRobot.picture(frame.getContentPane(), "cost-broken", 2);
 
-    hands.click(states, desk, StatesModel.STATE);
+    hands.click(states, desk, StatesTableModel.STATE);
     JTable objects = table("Polygons by object");
-    assertThat(column(objects, ObjectsModel.POLYGONS)).containsExactly("12", "12");
-    hands.click(objects, 1, ObjectsModel.OBJECT);
+    assertThat(column(objects, ObjectsTableModel.POLYGONS)).containsExactly("12", "12");
+    hands.click(objects, 1, ObjectsTableModel.OBJECT);
     assertThat(session.selection().orElseThrow().def()).contains("Switch_Pan");
-    Hands.onEdt(
+    GuiRobot.onEdt(
         () -> {
-          states.setValueAt("", desk, StatesModel.LIMIT);
+          states.setValueAt("", desk, StatesTableModel.LIMIT);
           return true;
         });
-    hands.await("no limit", () -> "".equals(states.getValueAt(desk, StatesModel.LIMIT)));
+    hands.await("no limit", () -> "".equals(states.getValueAt(desk, StatesTableModel.LIMIT)));
     assertThat(Files.readString(file)).doesNotContain("Desk");
   }
 
   @Test
   void whereThereIsLittleRoomNamesStayReadableAndTheTablesScroll() throws IOException {
     show();
-    Hands.onEdt(
+    GuiRobot.onEdt(
         () -> {
           frame.setSize(380, 300);
           frame.validate();
@@ -195,11 +199,11 @@ class CostPanelTest {
         });
     for (String name : List.of("Polygons by area and schemas", "Polygons by object")) {
       JTable table = table(name);
-      int letter = Hands.onEdt(() -> table.getFontMetrics(table.getFont()).charWidth('n'));
-      assertThat(Hands.onEdt(() -> table.getColumnModel().getColumn(0).getWidth()))
+      int letter = GuiRobot.onEdt(() -> table.getFontMetrics(table.getFont()).charWidth('n'));
+      assertThat(GuiRobot.onEdt(() -> table.getColumnModel().getColumn(0).getWidth()))
           .as(name)
           .isGreaterThanOrEqualTo(8 * letter);
-      assertThat(Hands.onEdt(() -> table.getWidth() > table.getParent().getWidth()))
+      assertThat(GuiRobot.onEdt(() -> table.getWidth() > table.getParent().getWidth()))
           .as("scrolls: " + name)
           .isTrue();
     }
@@ -208,7 +212,7 @@ class CostPanelTest {
   @Test
   void tablesStandOneAboveTheOtherBeforeAnythingHasToScrollSideways() throws IOException {
     show();
-    Hands.onEdt(
+    GuiRobot.onEdt(
         () -> {
           frame.setSize(640, 400);
           frame.validate();
@@ -218,9 +222,9 @@ class CostPanelTest {
     JTable objects = table("Polygons by object");
     hands.await("the other order", () -> below(states, objects));
     for (JTable table : List.of(states, objects)) {
-      assertThat(Hands.onEdt(() -> table.getWidth() <= table.getParent().getWidth())).isTrue();
+      assertThat(GuiRobot.onEdt(() -> table.getWidth() <= table.getParent().getWidth())).isTrue();
     }
-    Hands.onEdt(
+    GuiRobot.onEdt(
         () -> {
           frame.setSize(1100, 300);
           frame.validate();
@@ -241,27 +245,27 @@ class CostPanelTest {
     JTable states = table("Polygons by area and schemas");
     describe(session, 0);
     hands.await("the state", () -> deskRow(states) >= 0);
-    Hands.onEdt(
+    GuiRobot.onEdt(
         () -> {
-          states.editCellAt(deskRow(states), StatesModel.LIMIT);
+          states.editCellAt(deskRow(states), StatesTableModel.LIMIT);
           ((JTextField) states.getEditorComponent()).setText("7");
           return true;
         });
     describe(session, 1);
     hands.await("another count", () -> panel.waits());
-    assertThat(Hands.onEdt(() -> ((JTextField) states.getEditorComponent()).getText()))
+    assertThat(GuiRobot.onEdt(() -> ((JTextField) states.getEditorComponent()).getText()))
         .isEqualTo("7");
-    Hands.onEdt(() -> states.getCellEditor().stopCellEditing());
+    GuiRobot.onEdt(() -> states.getCellEditor().stopCellEditing());
     // It is the limit of the row that was written in, wherever the other count has that row.
-    hands.await("the limit", () -> cells(states, StatesModel.LIMIT).contains("7"));
-    assertThat(Hands.onEdt(() -> panel.waits())).isFalse();
-    assertThat(column(states, StatesModel.POLYGONS)).contains("24");
+    hands.await("the limit", () -> cells(states, StatesTableModel.LIMIT).contains("7"));
+    assertThat(GuiRobot.onEdt(() -> panel.waits())).isFalse();
+    assertThat(column(states, StatesTableModel.POLYGONS)).contains("24");
   }
 
   @Test
   void whileNoObjectIsEnrichedThePanelSaysThatWhatTheSceneShowsIsCounted() throws IOException {
     EnricherSession session = show();
-    JLabel rest = Hands.named(panel, "Polygons of objects without versions", JLabel.class);
+    JLabel rest = GuiRobot.named(panel, "Polygons of objects without versions", JLabel.class);
     hands.await("the sentence", () -> rest.getText().startsWith("No object is enriched yet"));
     describe(session, 0);
     JTable states = table("Polygons by area and schemas");
@@ -271,14 +275,14 @@ class CostPanelTest {
 
   @Test
   void aFaultOfTheSettingsFileIsSaidAndTheFileStays() throws IOException {
-    Path file = Files.writeString(folder.resolve(BudgetPlace.NAME), "{\"budget\": []}");
+    Path file = Files.writeString(folder.resolve(BudgetFileLocator.NAME), "{\"budget\": []}");
     EnricherSession session = show();
     describe(session, 0);
     JTable states = table("Polygons by area and schemas");
     hands.await("the state", () -> deskRow(states) >= 0);
-    Hands.onEdt(
+    GuiRobot.onEdt(
         () -> {
-          states.setValueAt("5", deskRow(states), StatesModel.LIMIT);
+          states.setValueAt("5", deskRow(states), StatesTableModel.LIMIT);
           return true;
         });
     hands.await("the reason", () -> !messages.isEmpty());

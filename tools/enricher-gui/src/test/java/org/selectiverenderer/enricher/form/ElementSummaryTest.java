@@ -7,7 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.enricher.driving.Sessions;
+import org.selectiverenderer.enricher.robot.TestSessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
@@ -25,7 +25,7 @@ class ElementSummaryTest {
         ]>
         <X3D><Scene>&chair;&far;&unknown;</Scene></X3D>
         """;
-    EnricherSession session = Sessions.open(Files.writeString(folder.resolve("s.x3d"), scene));
+    EnricherSession session = TestSessions.open(Files.writeString(folder.resolve("s.x3d"), scene));
     DocumentElement in = session.document().tree().orElseThrow().root().children().get(0);
     assertThat(in.children().stream().map(node -> advice(session, node)).toList())
         .satisfiesExactly(

@@ -22,7 +22,7 @@ import javax.swing.text.JTextComponent;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.enricher.Swing;
+import org.selectiverenderer.enricher.EventThread;
 import org.selectiverenderer.testing.ShowsWindows;
 
 @ShowsWindows
@@ -48,16 +48,16 @@ class FormPanelTest {
 
   @TempDir Path folder;
 
-  private FormWindow open(boolean dark) throws Exception {
+  private FormWindowDriver open(boolean dark) throws Exception {
     Files.writeString(
         folder.resolve("bin.x3d"),
         "<X3D profile='Immersive' version='4.0'><Scene><Shape><Appearance><Material/></Appearance>"
             + "<Sphere/></Shape></Scene></X3D>");
-    return new FormWindow(Files.writeString(folder.resolve("scene.x3d"), SCENE), dark);
+    return new FormWindowDriver(Files.writeString(folder.resolve("scene.x3d"), SCENE), dark);
   }
 
   private static String shown(Component control) {
-    return Swing.get(
+    return EventThread.get(
         () ->
             control instanceof JComboBox<?> box
                 ? String.valueOf(
@@ -70,13 +70,13 @@ class FormPanelTest {
   }
 
   private static Object outline(Component control) {
-    return Swing.get(() -> ((JComponent) control).getClientProperty("JComponent.outline"));
+    return EventThread.get(() -> ((JComponent) control).getClientProperty("JComponent.outline"));
   }
 
   @Test
   void anyFieldOfANodeIsEditedMarkedAndGivenItsDefaultBack() throws Exception {
-    try (FormWindow window = open(false)) {
-      Swing.edt(
+    try (FormWindowDriver window = open(false)) {
+      EventThread.edt(
           () ->
               window.session.select(
                   window
@@ -100,32 +100,32 @@ class FormPanelTest {
       window.press(KeyEvent.VK_ENTER);
       assertThat(outline(colour)).isNull();
       assertThat(window.text("Low")).contains("diffuseColor='1 0 0'");
-      Swing.edt(((JCheckBox) window.named("allFields"))::doClick);
+      EventThread.edt(((JCheckBox) window.named("allFields"))::doClick);
       JComponent transparency = (JComponent) window.named("field transparency");
-      Swing.edt(transparency::requestFocusInWindow);
+      EventThread.edt(transparency::requestFocusInWindow);
       window.settle();
       window.fill(transparency, "0.5");
       window.press(KeyEvent.VK_ENTER);
       window.screenshot("form-fields", 1);
       assertThat(window.text("Low"))
           .contains("<Material diffuseColor='1 0 0' transparency='0.5'/>");
-      Swing.edt(((AbstractButton) window.named("reset transparency"))::doClick);
+      EventThread.edt(((AbstractButton) window.named("reset transparency"))::doClick);
       assertThat(window.text("Low")).contains("<Material diffuseColor='1 0 0'/>");
-      assertThat(Swing.get(() -> window.session.document().history().names())).hasSize(3);
+      assertThat(EventThread.get(() -> window.session.document().history().names())).hasSize(3);
     }
   }
 
   @Test
   void allSchemasAreListedOnCtrlSpaceInAnEmptyField() throws Exception {
-    try (FormWindow window = open(false)) {
+    try (FormWindowDriver window = open(false)) {
       window.select("Switch_Bin");
-      SchemasField schemas = (SchemasField) window.named("Schemas of choice 0");
+      SchemaListField schemas = (SchemaListField) window.named("Schemas of choice 0");
       window.click(schemas);
       window.robot.keyPress(KeyEvent.VK_CONTROL);
       window.press(KeyEvent.VK_SPACE);
       window.robot.keyRelease(KeyEvent.VK_CONTROL);
       window.settle();
-      assertThat(Swing.get(schemas::proposing)).isTrue();
+      assertThat(EventThread.get(schemas::proposing)).isTrue();
       window.press(KeyEvent.VK_ENTER);
       assertThat(shown(schemas)).isEqualTo("DeskSchema");
     }
@@ -133,10 +133,10 @@ class FormPanelTest {
 
   @Test
   void whatIsFilledInIsWrittenUndoneAndShownForAnother() throws Exception {
-    try (FormWindow window = open(false)) {
+    try (FormWindowDriver window = open(false)) {
       window.select("Switch_Bin");
       JComboBox<?> type = (JComboBox<?>) window.named("Type of choice 0");
-      Swing.edt(() -> type.setSelectedItem("consistent"));
+      EventThread.edt(() -> type.setSelectedItem("consistent"));
       assertThat(window.text("Switch_Bin")).contains("consistencyType", "\"consistent\"");
 
       Component degree = window.named("Degree of choice 0");
@@ -151,15 +151,16 @@ class FormPanelTest {
       assertThat(shown(schemas)).isEqualTo("DeskSchema");
       window.press(KeyEvent.VK_TAB);
       assertThat(window.text("Switch_Bin")).contains("schemaBelonginess", "\"DeskSchema\"");
-      assertThat(Swing.get(() -> window.session.document().history().names())).hasSize(3);
+      assertThat(EventThread.get(() -> window.session.document().history().names())).hasSize(3);
 
-      Swing.edt(() -> window.session.document().history().undo());
+      EventThread.edt(() -> window.session.document().history().undo());
       assertThat(shown(schemas)).isEmpty();
-      Swing.edt(() -> window.session.document().history().undo());
+      EventThread.edt(() -> window.session.document().history().undo());
       assertThat(shown(degree)).isEqualTo("none");
-      Swing.edt(() -> window.session.document().history().undo());
+      EventThread.edt(() -> window.session.document().history().undo());
       assertThat(shown(type)).isEqualTo("none");
-      assertThat(Swing.get(() -> window.session.document().text().toString())).isEqualTo(SCENE);
+      assertThat(EventThread.get(() -> window.session.document().text().toString()))
+          .isEqualTo(SCENE);
 
       window.select("Desk");
       assertThat(shown(window.named("On entering"))).isEqualTo("DeskSchema");
@@ -172,56 +173,57 @@ class FormPanelTest {
 
   @Test
   void fromTheFirstSchemaOfAnAreaTabGoesOnToWhatLeavingActivates() throws Exception {
-    try (FormWindow window = open(false)) {
+    try (FormWindowDriver window = open(false)) {
       int end = SCENE.indexOf("</Scene>");
-      Swing.edt(() -> window.session.document().type(end, end, "<ProximitySensor DEF='Sofa'/>"));
+      EventThread.edt(
+          () -> window.session.document().type(end, end, "<ProximitySensor DEF='Sofa'/>"));
       window.select("Sofa");
       Component leaving = window.named("On leaving");
       window.fill(window.named("On entering"), "sofa");
       window.press(KeyEvent.VK_TAB);
       assertThat(window.text("Sofa")).contains("enterTimeSchema", "\"sofa\"");
       assertThat(window.named("On leaving")).isSameAs(leaving);
-      assertThat(Swing.get(leaving::isFocusOwner)).isTrue();
+      assertThat(EventThread.get(leaving::isFocusOwner)).isTrue();
     }
   }
 
   @Test
   void noFieldMovesUnderTheMouseWhenThereIsSomethingToSay() throws Exception {
-    try (FormWindow window = open(false)) {
+    try (FormWindowDriver window = open(false)) {
       window.select("Switch_Bin");
       Component schemas = window.named("Schemas of choice 1");
-      Swing.edt(() -> {});
-      Point before = Swing.get(schemas::getLocationOnScreen);
+      EventThread.edt(() -> {});
+      Point before = EventThread.get(schemas::getLocationOnScreen);
       Component degree = window.named("Degree of choice 0");
       window.fill(editor(degree), "2");
       window.click(schemas);
       assertThat(outline(degree)).isEqualTo("error");
-      assertThat(Swing.get(schemas::getLocationOnScreen)).isEqualTo(before);
-      assertThat(Swing.get(schemas::isFocusOwner)).isTrue();
+      assertThat(EventThread.get(schemas::getLocationOnScreen)).isEqualTo(before);
+      assertThat(EventThread.get(schemas::isFocusOwner)).isTrue();
       window.fill(editor(degree), "0.5");
       JComboBox<?> type = (JComboBox<?>) window.named("Type of choice 0");
-      Swing.edt(() -> type.setSelectedItem("consistent"));
+      EventThread.edt(() -> type.setSelectedItem("consistent"));
       JLabel said = (JLabel) window.named("Findings");
       window.settle();
-      assertThat(Swing.get(said::getText)).contains("problem");
+      assertThat(EventThread.get(said::getText)).contains("problem");
       window.screenshot("form-findings", 1);
-      assertThat(Swing.get(schemas::getLocationOnScreen)).isEqualTo(before);
+      assertThat(EventThread.get(schemas::getLocationOnScreen)).isEqualTo(before);
     }
   }
 
   @Test
   void whatMeansNothingIsMarkedAndNotWritten() throws Exception {
-    try (FormWindow window = open(false)) {
+    try (FormWindowDriver window = open(false)) {
       window.select("Switch_Bin");
       Component degree = window.named("Degree of choice 1");
       window.fill(editor(degree), "2");
       window.press(KeyEvent.VK_TAB);
       assertThat(outline(degree)).isEqualTo("error");
-      assertThat(Swing.get(() -> window.session.document().modified())).isFalse();
+      assertThat(EventThread.get(() -> window.session.document().modified())).isFalse();
       assertThat(
-              Swing.get(
+              EventThread.get(
                   () ->
-                      FormWindow.all(window.form)
+                      FormWindowDriver.all(window.form)
                           .filter(c -> c instanceof JLabel && c.isShowing())
                           .map(c -> ((JLabel) c).getText())
                           .toList()))
@@ -236,15 +238,15 @@ class FormPanelTest {
 
   @Test
   void otherElementsSayWhatCanBeDone() throws Exception {
-    try (FormWindow window = open(false)) {
+    try (FormWindowDriver window = open(false)) {
       List<String> wanted = new CopyOnWriteArrayList<>();
-      Swing.edt(() -> window.form.onMakeVersions(e -> wanted.add(e.toString())));
+      EventThread.edt(() -> window.form.onMakeVersions(e -> wanted.add(e.toString())));
       window.select("Table");
       AbstractButton make =
-          Swing.get(
+          EventThread.get(
               () ->
                   (AbstractButton)
-                      FormWindow.all(window.form)
+                      FormWindowDriver.all(window.form)
                           .filter(
                               c -> c instanceof AbstractButton b && b.getText().startsWith("Make"))
                           .findAny()
@@ -253,7 +255,7 @@ class FormPanelTest {
       assertThat(wanted).containsExactly("Transform Table");
       window.select("High");
       assertThat(
-              Swing.get(
+              EventThread.get(
                   () ->
                       ElementSummary.of(
                               window.session.document(),
@@ -266,14 +268,14 @@ class FormPanelTest {
 
   @Test
   void everyControlHasAnAccessibleName() throws Exception {
-    try (FormWindow window = open(true)) {
+    try (FormWindowDriver window = open(true)) {
       for (String def : List.of("Switch_Bin", "Desk", "Table")) {
         window.select(def);
-        Swing.edt(
+        EventThread.edt(
             () ->
                 assertThat(
                         Stream.of(window.form, window.problems, window.help)
-                            .flatMap(FormWindow::all)
+                            .flatMap(FormWindowDriver::all)
                             .filter(FormPanelTest::control)
                             .filter(FormPanelTest::nameless))
                     .isEmpty());
@@ -301,18 +303,19 @@ class FormPanelTest {
   @Test
   void picturesOfTheRepositorysApartment() throws Exception {
     for (boolean dark : new boolean[] {false, true}) {
-      try (FormWindow window = new FormWindow(Path.of("scenes", "apartment.x3d"), dark)) {
+      try (FormWindowDriver window =
+          new FormWindowDriver(Path.of("scenes", "apartment.x3d"), dark)) {
         String name =
-            Swing.get(
+            EventThread.get(
                 () -> window.session.enrichment().switches().get(0).element().def().orElseThrow());
         window.select(name);
         JLabel polygons = (JLabel) window.named("Polygons of choice 1");
-        while (!Swing.get(polygons::getText).endsWith("polygons")) {
+        while (!EventThread.get(polygons::getText).endsWith("polygons")) {
           window.settle();
         }
         window.screenshot("form-switch-" + (dark ? "dark" : "light"), dark ? 2 : 1);
         String area =
-            Swing.get(
+            EventThread.get(
                 () -> window.session.enrichment().sensors().get(0).element().def().orElseThrow());
         window.select(area);
         window.click(window.named("On entering"));

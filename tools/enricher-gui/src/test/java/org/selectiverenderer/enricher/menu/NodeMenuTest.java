@@ -1,8 +1,8 @@
 package org.selectiverenderer.enricher.menu;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.selectiverenderer.enricher.Swing.edt;
-import static org.selectiverenderer.enricher.Swing.get;
+import static org.selectiverenderer.enricher.EventThread.edt;
+import static org.selectiverenderer.enricher.EventThread.get;
 
 import java.awt.datatransfer.Clipboard;
 import java.awt.event.KeyEvent;
@@ -18,12 +18,12 @@ import javax.swing.JPopupMenu;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.enricher.area.AreaCommands;
-import org.selectiverenderer.enricher.area.NameQuestion;
-import org.selectiverenderer.enricher.area.PlanPicture;
-import org.selectiverenderer.enricher.area.SceneProbe;
-import org.selectiverenderer.enricher.driving.Sessions;
+import org.selectiverenderer.enricher.area.FloorPlanImage;
+import org.selectiverenderer.enricher.area.NamePrompt;
+import org.selectiverenderer.enricher.area.SceneQueries;
+import org.selectiverenderer.enricher.robot.TestSessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
-import org.selectiverenderer.geometry.Bounds;
+import org.selectiverenderer.geometry.BoundingBox;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** What can be done with the selected node. */
@@ -33,9 +33,9 @@ class NodeMenuTest {
   private NodeMenu menu;
 
   private void open() throws IOException {
-    session = Sessions.with(folder, "<Group DEF='A'/>\n<Group DEF='B'/>\n");
+    session = TestSessions.with(folder, "<Group DEF='A'/>\n<Group DEF='B'/>\n");
     menu = new NodeMenu(session);
-    menu.add(NodeEditing.of(session, new Clipboard("test")));
+    menu.add(NodeEditCommands.of(session, new Clipboard("test")));
   }
 
   private DocumentElement named(String def) {
@@ -109,8 +109,8 @@ class NodeMenuTest {
     open();
     edt(
         () -> {
-          SceneProbe probe = new NoScene();
-          NameQuestion question = (title, proposal, complaint) -> Optional.of(proposal);
+          SceneQueries probe = new NoScene();
+          NamePrompt question = (title, proposal, complaint) -> Optional.of(proposal);
           menu.add(new AreaCommands(session, probe, question).commands(() -> {}));
         });
     String before = text();
@@ -138,7 +138,7 @@ class NodeMenuTest {
     NoScene probe = new NoScene();
     edt(
         () -> {
-          NameQuestion question = (title, proposal, complaint) -> Optional.of(proposal);
+          NamePrompt question = (title, proposal, complaint) -> Optional.of(proposal);
           menu.add(new AreaCommands(session, probe, question).commands(() -> {}));
           session.select(session.document().tree().orElseThrow().scene().orElseThrow(), this);
           item("addArea").doClick();
@@ -149,28 +149,28 @@ class NodeMenuTest {
   }
 
   /** Where no preview runs. */
-  private static final class NoScene implements SceneProbe {
+  private static final class NoScene implements SceneQueries {
     final List<String> asked = new ArrayList<>();
 
     @Override
-    public void around(DocumentElement element, Consumer<Optional<Bounds>> answer) {
+    public void around(DocumentElement element, Consumer<Optional<BoundingBox>> answer) {
       asked.add("around " + element);
       answer.accept(Optional.empty());
     }
 
     @Override
-    public void room(Consumer<Optional<Bounds>> answer) {
+    public void room(Consumer<Optional<BoundingBox>> answer) {
       asked.add("room");
       answer.accept(Optional.empty());
     }
 
     @Override
-    public void raised(Bounds of, Consumer<Optional<Bounds>> answer) {
+    public void raised(BoundingBox of, Consumer<Optional<BoundingBox>> answer) {
       answer.accept(Optional.empty());
     }
 
     @Override
-    public void plan(Optional<Double> cut, Consumer<Optional<PlanPicture>> answer) {
+    public void plan(Optional<Double> cut, Consumer<Optional<FloorPlanImage>> answer) {
       answer.accept(Optional.empty());
     }
   }

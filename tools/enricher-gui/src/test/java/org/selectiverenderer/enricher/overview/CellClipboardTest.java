@@ -5,12 +5,13 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.document.EditRefused;
-import org.selectiverenderer.document.enrichment.Scenes;
-import org.selectiverenderer.enricher.driving.Sessions;
+import org.selectiverenderer.document.EditRejectedException;
+import org.selectiverenderer.document.enrichment.EnrichmentScenes;
+import org.selectiverenderer.enricher.robot.TestSessions;
 
 class CellClipboardTest {
-  private final Scenes scene = Scenes.with(Sessions.object("Sink") + Sessions.object("TrashCan"));
+  private final EnrichmentScenes scene =
+      EnrichmentScenes.with(TestSessions.object("Sink") + TestSessions.object("TrashCan"));
   private final OverviewTableModel model =
       new OverviewTableModel(scene.enrichment, making -> scene.perform(making.get()));
   private final CellClipboard clipboard = new CellClipboard(model);
@@ -21,8 +22,12 @@ class CellClipboardTest {
     model.addSchema("B");
   }
 
-  private static List<CellAt> all() {
-    return List.of(new CellAt(0, 1), new CellAt(0, 2), new CellAt(1, 1), new CellAt(1, 2));
+  private static List<CellPosition> all() {
+    return List.of(
+        new CellPosition(0, 1),
+        new CellPosition(0, 2),
+        new CellPosition(1, 1),
+        new CellPosition(1, 2));
   }
 
   @Test
@@ -32,7 +37,7 @@ class CellClipboardTest {
     String text = clipboard.copy(all(), false);
     assertThat(text).isEqualTo("high\t\n\tlow\n");
     model.setValueAt("", 0, 1);
-    model.put(clipboard.paste(text, List.of(new CellAt(0, 1))));
+    model.put(clipboard.paste(text, List.of(new CellPosition(0, 1))));
     assertThat(clipboard.copy(all(), false)).isEqualTo(text);
   }
 
@@ -50,14 +55,14 @@ class CellClipboardTest {
 
   @Test
   void whatDoesNotFitOrIsNoDegreeIsRefusedAsAWhole() {
-    assertThatThrownBy(() -> clipboard.paste("h\th\th", List.of(new CellAt(0, 1))))
-        .isInstanceOf(EditRefused.class)
+    assertThatThrownBy(() -> clipboard.paste("h\th\th", List.of(new CellPosition(0, 1))))
+        .isInstanceOf(EditRejectedException.class)
         .hasMessageContaining("do not fit");
-    assertThatThrownBy(() -> clipboard.paste("h\tperhaps", List.of(new CellAt(0, 1))))
-        .isInstanceOf(EditRefused.class)
+    assertThatThrownBy(() -> clipboard.paste("h\tperhaps", List.of(new CellPosition(0, 1))))
+        .isInstanceOf(EditRejectedException.class)
         .hasMessageContaining("'perhaps' is not a degree");
     assertThatThrownBy(() -> clipboard.paste("object\tA\nTub\th", List.of()))
-        .isInstanceOf(EditRefused.class)
+        .isInstanceOf(EditRejectedException.class)
         .hasMessageContaining("'Tub'");
   }
 }

@@ -17,8 +17,8 @@ import javax.swing.JTable;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.enricher.driving.Hands;
-import org.selectiverenderer.enricher.driving.Sessions;
+import org.selectiverenderer.enricher.robot.GuiRobot;
+import org.selectiverenderer.enricher.robot.TestSessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.testing.ShowsWindows;
@@ -36,11 +36,11 @@ class OverviewPanelTest {
       """;
 
   @TempDir Path folder;
-  private final Hands hands = new Hands();
+  private final GuiRobot hands = new GuiRobot();
 
   private JTable shown(EnricherSession session) {
     JFrame frame =
-        Hands.onEdt(
+        GuiRobot.onEdt(
             () -> {
               JFrame made = new JFrame("overview");
               made.setDefaultCloseOperation(JFrame.DISPOSE_ON_CLOSE);
@@ -49,11 +49,11 @@ class OverviewPanelTest {
               return made;
             });
     hands.show(frame);
-    return Hands.named(frame, "Degrees of objects by schemas", JTable.class);
+    return GuiRobot.named(frame, "Degrees of objects by schemas", JTable.class);
   }
 
   private static void close(JTable table) {
-    Hands.onEdt(
+    GuiRobot.onEdt(
         () -> {
           javax.swing.SwingUtilities.getWindowAncestor(table).dispose();
           return true;
@@ -62,17 +62,17 @@ class OverviewPanelTest {
 
   @Test
   void inANarrowWindowNothingIsCutOff() throws IOException {
-    Sessions.theme(false);
-    JTable table = shown(Sessions.with(folder, AREA + Sessions.object("Sink")));
+    TestSessions.theme(false);
+    JTable table = shown(TestSessions.with(folder, AREA + TestSessions.object("Sink")));
     JRootPane root = SwingUtilities.getRootPane(table);
-    Hands.onEdt(
+    GuiRobot.onEdt(
         () -> {
           SwingUtilities.getWindowAncestor(table).setSize(360, 640);
           return true;
         });
     List<JButton> buttons =
         Stream.of(Texts.of("overview.remove.name"), Texts.of("overview.clear"))
-            .map(name -> Hands.named(root.getContentPane(), name, JButton.class))
+            .map(name -> GuiRobot.named(root.getContentPane(), name, JButton.class))
             .toList();
     hands.await("narrow lines", () -> buttons.stream().allMatch(each -> inside(each, root)));
     close(table);
@@ -85,12 +85,13 @@ class OverviewPanelTest {
 
   @Test
   void keysFillCellsAndTheRowIsTheSessionsSelection() throws IOException {
-    Sessions.theme(false);
+    TestSessions.theme(false);
     EnricherSession session =
-        Sessions.with(folder, AREA + Sessions.object("Sink") + Sessions.object("TrashCan"));
+        TestSessions.with(
+            folder, AREA + TestSessions.object("Sink") + TestSessions.object("TrashCan"));
     JTable table = shown(session);
     hands.click(table, 0, 0);
-    Hands.picture(
+    GuiRobot.picture(
         javax.swing.SwingUtilities.getRootPane(table).getContentPane(), "overview-findings", 1);
     assertThat(session.selection().orElseThrow().def()).contains("Switch_Sink");
     hands.press(KeyEvent.VK_SHIFT, KeyEvent.VK_DOWN);
@@ -104,29 +105,29 @@ class OverviewPanelTest {
     hands.press(KeyEvent.VK_DELETE);
     assertThat(session.document().history().undoName())
         .hasValueSatisfying(name -> assertThat(name).startsWith("Clear"));
-    Hands.onEdt(
+    GuiRobot.onEdt(
         () -> {
           session.select(session.enrichment().switches().get(1).element(), "the tree");
           return true;
         });
-    assertThat(Hands.onEdt(table::getSelectedRow)).isEqualTo(1);
+    assertThat(GuiRobot.onEdt(table::getSelectedRow)).isEqualTo(1);
     close(table);
   }
 
   @Test
   void tenThousandObjectsAreNoBurden() throws IOException {
-    Sessions.theme(true);
+    TestSessions.theme(true);
     String objects =
         IntStream.range(0, 10_000)
-            .mapToObj(i -> Sessions.object("Object" + i))
+            .mapToObj(i -> TestSessions.object("Object" + i))
             .collect(Collectors.joining());
-    EnricherSession session = Sessions.with(folder, AREA + objects);
+    EnricherSession session = TestSessions.with(folder, AREA + objects);
     JTable table = shown(session);
-    assertThat(Hands.onEdt(table::getRowCount)).isEqualTo(10_000);
+    assertThat(GuiRobot.onEdt(table::getRowCount)).isEqualTo(10_000);
     hands.click(table, 9_999, 0);
     assertThat(session.selection().orElseThrow().def()).contains("Switch_Object9999");
     hands.press(KeyEvent.VK_L);
-    assertThat(Hands.onEdt(() -> table.getValueAt(9_999, 0))).isEqualTo("low");
+    assertThat(GuiRobot.onEdt(() -> table.getValueAt(9_999, 0))).isEqualTo("low");
     close(table);
   }
 }

@@ -8,15 +8,17 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.document.EditRefused;
-import org.selectiverenderer.document.enrichment.Scenes;
-import org.selectiverenderer.enricher.driving.Sessions;
-import org.selectiverenderer.schema.Degree;
+import org.selectiverenderer.document.EditRejectedException;
+import org.selectiverenderer.document.enrichment.EnrichmentScenes;
+import org.selectiverenderer.enricher.robot.TestSessions;
+import org.selectiverenderer.schema.ConsistencyDegree;
 
 class OverviewTableModelTest {
-  private final Scenes scene =
-      Scenes.with(
-          Sessions.object("Sink") + Sessions.object("TrashCan") + Sessions.object("Bottle"));
+  private final EnrichmentScenes scene =
+      EnrichmentScenes.with(
+          TestSessions.object("Sink")
+              + TestSessions.object("TrashCan")
+              + TestSessions.object("Bottle"));
   private final OverviewTableModel model =
       new OverviewTableModel(scene.enrichment, making -> scene.perform(making.get()));
 
@@ -35,7 +37,9 @@ class OverviewTableModelTest {
 
   @Test
   void manyCellsAreFilledAsOneStep() {
-    model.fill(List.of(new CellAt(0, 1), new CellAt(2, 1)), Optional.of(Degree.HIGH));
+    model.fill(
+        List.of(new CellPosition(0, 1), new CellPosition(2, 1)),
+        Optional.of(ConsistencyDegree.HIGH));
     assertThat(column(1)).containsExactly("high", "", "high");
     assertThat(scene.document.history().names()).containsExactly("Set 2 cells to high");
     scene.document.history().undo();
@@ -73,24 +77,24 @@ class OverviewTableModelTest {
   void emptyCellsAreSortedLastBothWays() {
     model.setValueAt("low", 1, 1);
     model.setValueAt("high", 2, 1);
-    model.sort(new RowOrder(1, false));
+    model.sort(new RowSortKey(1, false));
     assertThat(column(1)).containsExactly("low", "high", "");
-    model.sort(new RowOrder(1, true));
+    model.sort(new RowSortKey(1, true));
     assertThat(column(1)).containsExactly("high", "low", "");
   }
 
   @Test
   void rowsStayWhereTheyAreWhileTheyAreEdited() {
-    model.filter(new RowFilter("", RowFilter.Which.BARE));
+    model.filter(new ObjectRowFilter("", ObjectRowFilter.Which.BARE));
     model.setValueAt("high", 0, 1);
     assertThat(column(0)).containsExactly("Sink", "TrashCan", "Bottle");
-    model.filter(new RowFilter("", RowFilter.Which.BARE));
+    model.filter(new ObjectRowFilter("", ObjectRowFilter.Which.BARE));
     assertThat(column(0)).containsExactly("TrashCan", "Bottle");
   }
 
   @Test
   void rowsAreFilteredByPartOfAName() {
-    model.filter(new RowFilter("CAN", RowFilter.Which.ALL));
+    model.filter(new ObjectRowFilter("CAN", ObjectRowFilter.Which.ALL));
     assertThat(column(0)).containsExactly("TrashCan");
     assertThat(model.objectCount()).isEqualTo(3);
   }
@@ -105,15 +109,15 @@ class OverviewTableModelTest {
   @Test
   void anObjectThatIsTypedInGetsARow() {
     int at = scene.document.text().toString().indexOf("</Scene>");
-    scene.document.type(at, at, Sessions.object("Tv"));
+    scene.document.type(at, at, TestSessions.object("Tv"));
     assertThat(column(0)).containsExactly("Sink", "TrashCan", "Bottle", "Tv");
   }
 
   @Test
   void aColumnNeedsANameOfItsOwn() {
-    assertThatThrownBy(() -> model.addSchema(" ")).isInstanceOf(EditRefused.class);
+    assertThatThrownBy(() -> model.addSchema(" ")).isInstanceOf(EditRejectedException.class);
     assertThatThrownBy(() -> model.addSchema("KitchenSchema"))
-        .isInstanceOf(EditRefused.class)
+        .isInstanceOf(EditRejectedException.class)
         .hasMessageContaining("KitchenSchema");
   }
 
@@ -145,8 +149,8 @@ class OverviewTableModelTest {
   void cellsPutTogetherAreOneStep() {
     model.put(
         Map.of(
-            new CellAt(0, 1), CellInput.of("h").orElseThrow(),
-            new CellAt(1, 1), CellInput.of("0").orElseThrow()));
+            new CellPosition(0, 1), CellInput.of("h").orElseThrow(),
+            new CellPosition(1, 1), CellInput.of("0").orElseThrow()));
     assertThat(column(1)).containsExactly("high", "low", "");
     assertThat(scene.document.history().names()).containsExactly("Paste 2 cells");
   }

@@ -5,30 +5,30 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.awt.image.BufferedImage;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.document.area.GridStep;
-import org.selectiverenderer.enricher.area.PlanPicture;
-import org.selectiverenderer.geometry.Bounds;
+import org.selectiverenderer.document.area.GridSnap;
+import org.selectiverenderer.enricher.area.FloorPlanImage;
+import org.selectiverenderer.geometry.BoundingBox;
 
 class PlanDragTest {
-  private static final Bounds START = new Bounds(1, 0, 1, 3, 2.5, 2);
-  private static final PlanDrag.Snapping GRID = (axis, value) -> new GridStep(0.5).nearest(value);
+  private static final BoundingBox START = new BoundingBox(1, 0, 1, 3, 2.5, 2);
+  private static final PlanDrag.Snapping GRID = (axis, value) -> new GridSnap(0.5).nearest(value);
 
   @Test
   void aGripMovesItsEdgesToTheGridAndNoFurtherThanTheOthers() {
     PlanDrag corner = new PlanDrag(START, 1, -1, 3, 1);
-    assertThat(corner.at(4.2, 0.6, GRID)).isEqualTo(new Bounds(1, 0, 0.5, 4, 2.5, 2));
-    Bounds least = corner.at(-9, 9, GRID);
+    assertThat(corner.at(4.2, 0.6, GRID)).isEqualTo(new BoundingBox(1, 0, 0.5, 4, 2.5, 2));
+    BoundingBox least = corner.at(-9, 9, GRID);
     assertThat(least.width()).isCloseTo(PlanDrag.LEAST, within(1e-9));
     assertThat(least.depth()).isCloseTo(PlanDrag.LEAST, within(1e-9));
     assertThat(new PlanDrag(START, 0, 1, 2, 2).at(9, 3, GRID))
-        .isEqualTo(new Bounds(1, 0, 1, 3, 2.5, 3));
+        .isEqualTo(new BoundingBox(1, 0, 1, 3, 2.5, 3));
   }
 
   @Test
   void movingKeepsTheSizeAndSnapsByTheEdgeThatIsNearer() {
-    Bounds uneven = new Bounds(1, 0, 1, 3.2, 2.5, 2);
+    BoundingBox uneven = new BoundingBox(1, 0, 1, 3.2, 2.5, 2);
     PlanDrag move = new PlanDrag(uneven, 0, 0, 2, 1.5);
-    Bounds moved = move.at(2.3, 1.5, GRID);
+    BoundingBox moved = move.at(2.3, 1.5, GRID);
     assertThat(moved.maxX()).as("3.5 is on the grid").isCloseTo(3.5, within(1e-9));
     assertThat(moved.width()).isCloseTo(2.2, within(1e-9));
   }
@@ -39,7 +39,8 @@ class PlanDragTest {
       2.03f, 0, 2.03f, 4, /* short */ 5.02f, 0, 5.02f, 0.1f, /* slanted */ 7, 0, 8, 4
     };
     BufferedImage none = new BufferedImage(1, 1, BufferedImage.TYPE_INT_ARGB);
-    PlanSnap snap = new PlanSnap(new PlanPicture(START, none, walls, 1));
+    PlanMouseController.WallSnapper snap =
+        new PlanMouseController.WallSnapper(new FloorPlanImage(START, none, walls, 1));
     assertThat(snap.wall(0, 2.1, 2, 0.2).orElseThrow()).isCloseTo(2.03, within(1e-6));
     assertThat(snap.wall(0, 2.1, 9, 0.2)).as("beyond its end").isEmpty();
     assertThat(snap.wall(0, 2.4, 2, 0.2)).as("too far").isEmpty();
@@ -50,11 +51,11 @@ class PlanDragTest {
 
   @Test
   void theScaleShowsAllAndZoomsAboutAPlace() {
-    PlanScale scale = PlanScale.fitting(new Bounds(-10, 0, -5, 10, 0, 5), 400, 400);
+    PlanTransform scale = PlanTransform.fitting(new BoundingBox(-10, 0, -5, 10, 0, 5), 400, 400);
     assertThat(scale.toX(-10)).isBetween(0.0, 40.0);
     assertThat(scale.toX(10)).isBetween(360.0, 400.0);
     assertThat(scale.toY(0)).isCloseTo(200, within(1e-9));
-    PlanScale nearer = scale.zoomed(2, 100, 50);
+    PlanTransform nearer = scale.zoomed(2, 100, 50);
     assertThat(nearer.x(100)).isCloseTo(scale.x(100), within(1e-9));
     assertThat(nearer.z(50)).isCloseTo(scale.z(50), within(1e-9));
     assertThat(nearer.shifted(10, 0).toX(0)).isCloseTo(nearer.toX(0) + 10, within(1e-9));

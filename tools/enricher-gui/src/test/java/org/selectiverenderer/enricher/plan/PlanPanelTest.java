@@ -16,50 +16,50 @@ import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.document.area.PlacedAreas;
-import org.selectiverenderer.enricher.Swing;
+import org.selectiverenderer.document.area.AreaLocator;
+import org.selectiverenderer.enricher.EventThread;
 import org.selectiverenderer.enricher.area.AreaCommands;
+import org.selectiverenderer.enricher.area.FloorPlanImage;
 import org.selectiverenderer.enricher.area.GridSetting;
-import org.selectiverenderer.enricher.area.NameQuestion;
-import org.selectiverenderer.enricher.area.PlanPicture;
-import org.selectiverenderer.enricher.area.SceneProbe;
-import org.selectiverenderer.enricher.driving.Sessions;
+import org.selectiverenderer.enricher.area.NamePrompt;
+import org.selectiverenderer.enricher.area.SceneQueries;
+import org.selectiverenderer.enricher.robot.TestSessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.settings.EnricherSettings;
 import org.selectiverenderer.enricher.text.Texts;
-import org.selectiverenderer.geometry.Bounds;
+import org.selectiverenderer.geometry.BoundingBox;
 import org.selectiverenderer.testing.RequiresDisplay;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** The plan without a window: mouse events as Swing sends them. */
 @RequiresDisplay
 class PlanPanelTest {
-  private static final Bounds ROOM = new Bounds(-4, 0, -4, 4, 3, 4);
+  private static final BoundingBox ROOM = new BoundingBox(-4, 0, -4, 4, 3, 4);
 
   @TempDir Path folder;
 
   /** A room 8 m wide with a ceiling at 3 m. */
-  private static final class Room implements SceneProbe {
+  private static final class Room implements SceneQueries {
     @Override
-    public void around(DocumentElement element, Consumer<Optional<Bounds>> answer) {
+    public void around(DocumentElement element, Consumer<Optional<BoundingBox>> answer) {
       answer.accept(Optional.empty());
     }
 
     @Override
-    public void room(Consumer<Optional<Bounds>> answer) {
+    public void room(Consumer<Optional<BoundingBox>> answer) {
       answer.accept(Optional.of(ROOM));
     }
 
     @Override
-    public void raised(Bounds of, Consumer<Optional<Bounds>> answer) {
-      answer.accept(Optional.of(new Bounds(of.minX(), 0, of.minZ(), of.maxX(), 3, of.maxZ())));
+    public void raised(BoundingBox of, Consumer<Optional<BoundingBox>> answer) {
+      answer.accept(Optional.of(new BoundingBox(of.minX(), 0, of.minZ(), of.maxX(), 3, of.maxZ())));
     }
 
     @Override
-    public void plan(Optional<Double> cut, Consumer<Optional<PlanPicture>> answer) {
+    public void plan(Optional<Double> cut, Consumer<Optional<FloorPlanImage>> answer) {
       BufferedImage image = new BufferedImage(8, 8, BufferedImage.TYPE_INT_ARGB);
       float[] walls = {-4, -4, -4, 4, 4, -4, 4, 4};
-      answer.accept(Optional.of(new PlanPicture(ROOM, image, walls, 1)));
+      answer.accept(Optional.of(new FloorPlanImage(ROOM, image, walls, 1)));
     }
   }
 
@@ -68,22 +68,22 @@ class PlanPanelTest {
   private PlanView view;
 
   /** What is drawn while a name is asked for. */
-  private final List<Optional<Bounds>> whileAsked = new ArrayList<>();
+  private final List<Optional<BoundingBox>> whileAsked = new ArrayList<>();
 
   private void open(String nodes) throws Exception {
     openWithoutPlan(nodes);
-    Swing.edt(() -> new Room().plan(Optional.empty(), plan -> view.show(plan.orElseThrow())));
+    EventThread.edt(() -> new Room().plan(Optional.empty(), plan -> view.show(plan.orElseThrow())));
   }
 
   private void openWithoutPlan(String nodes) throws Exception {
-    session = Sessions.with(folder, nodes);
-    NameQuestion question =
+    session = TestSessions.with(folder, nodes);
+    NamePrompt question =
         (title, proposal, complaint) -> {
           whileAsked.add(view.drawing());
           return Optional.of(proposal);
         };
     GridSetting grid = new GridSetting(new EnricherSettings(folder));
-    Swing.edt(
+    EventThread.edt(
         () -> {
           panel =
               new PlanPanel(
@@ -99,7 +99,7 @@ class PlanPanelTest {
   }
 
   private void mouse(int kind, double x, double z) {
-    PlanScale scale = view.scale();
+    PlanTransform scale = view.scale();
     boolean down = kind != MouseEvent.MOUSE_RELEASED;
     view.dispatchEvent(
         new MouseEvent(
@@ -127,10 +127,10 @@ class PlanPanelTest {
 
   private String areas() {
     StringBuilder all = new StringBuilder();
-    PlacedAreas.of(session.enrichment())
+    AreaLocator.of(session.enrichment())
         .forEach(
             area -> {
-              Bounds b = area.box().bounds();
+              BoundingBox b = area.box().bounds();
               all.append(
                   "%s %.1f..%.1f %.1f..%.1f %.1f..%.1f; "
                       .formatted(
@@ -142,7 +142,7 @@ class PlanPanelTest {
   @Test
   void nothingIsDrawnBeforeThePlanIsThere() throws Exception {
     openWithoutPlan("<Group/>\n");
-    Swing.edt(
+    EventThread.edt(
         () -> {
           assertThat(view.getAccessibleContext().getAccessibleDescription())
               .isEqualTo(Texts.of("area.plan.empty"));
@@ -159,7 +159,7 @@ class PlanPanelTest {
   @Test
   void anAreaIsDrawnFromFloorToCeilingMovedToTheWallResizedAndTakenBack() throws Exception {
     open("<Group/>\n");
-    Swing.edt(
+    EventThread.edt(
         () -> {
           drag(-1.02, -1.98, 1.03, 1.01);
           mouse(MouseEvent.MOUSE_RELEASED, 1.03, 1.01);
@@ -183,7 +183,7 @@ class PlanPanelTest {
   @Test
   void whatWasDrawnIsSeenWhileItsNameIsAskedForAndNoLonger() throws Exception {
     open("<Group/>\n");
-    Swing.edt(
+    EventThread.edt(
         () -> {
           drag(-1, -2, 1, 1);
           mouse(MouseEvent.MOUSE_RELEASED, 1, 1);
@@ -198,7 +198,7 @@ class PlanPanelTest {
   @Test
   void allOfThePlanStaysInViewWhenTheWindowChangesUnlessTheAuthorCameNearer() throws Exception {
     open("<Group/>\n");
-    Swing.edt(
+    EventThread.edt(
         () -> {
           double wide = view.scale().scale();
           view.setSize(view.getWidth() / 3, view.getHeight());
@@ -215,7 +215,7 @@ class PlanPanelTest {
   @Test
   void keysCopyMoveAndDeleteAreas() throws Exception {
     open("<ProximitySensor DEF='A' center='0 1.5 0' size='2 3 2'/>\n");
-    Swing.edt(
+    EventThread.edt(
         () -> {
           key("PAGE_DOWN");
           key("ctrl C");

@@ -16,41 +16,41 @@ import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import javax.swing.KeyStroke;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.enricher.Swing;
-import org.selectiverenderer.enricher.area.PlanPicture;
-import org.selectiverenderer.enricher.area.SceneProbe;
-import org.selectiverenderer.enricher.driving.ControlNames;
-import org.selectiverenderer.geometry.Bounds;
+import org.selectiverenderer.enricher.EventThread;
+import org.selectiverenderer.enricher.area.FloorPlanImage;
+import org.selectiverenderer.enricher.area.SceneQueries;
+import org.selectiverenderer.enricher.robot.AccessibleNameCheck;
+import org.selectiverenderer.geometry.BoundingBox;
 import org.selectiverenderer.testing.ShowsWindows;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** What the preview shows of an open document. */
 @ShowsWindows
-class PreviewPanelTest extends PreviewCase {
+class PreviewPanelTest extends PreviewFixture {
   @Test
   void asIfInASchemaShowsItsVersionsAndTheirPolygons() throws Exception {
-    try (PreviewWindow window = open()) {
+    try (PreviewWindowDriver window = open()) {
       boxes(window, false);
       PreviewFrame start = window.await(frame -> middle(frame) == GREEN);
       assertThat(start.polygons()).isEqualTo(24);
-      Swing.edt(() -> window.panel.asIf(List.of("OfficeSchema", "DeskSchema")));
+      EventThread.edt(() -> window.panel.asIf(List.of("OfficeSchema", "DeskSchema")));
       PreviewFrame desk = window.await(frame -> middle(frame) == RED);
       assertThat(desk.polygons()).isGreaterThan(24);
       assertThat(desk.schemas()).containsExactly("OfficeSchema", "DeskSchema");
-      Swing.edt(() -> window.panel.asIf(List.of("DeskSchema", "OfficeSchema")));
+      EventThread.edt(() -> window.panel.asIf(List.of("DeskSchema", "OfficeSchema")));
       assertThat(window.await(frame -> middle(frame) == GREEN).polygons()).isEqualTo(24);
     }
   }
 
   @Test
   void sensorBoxesAreDrawnAndLabelledAndALabelSelectsItsSensor() throws Exception {
-    try (PreviewWindow window = open()) {
+    try (PreviewWindowDriver window = open()) {
       boxes(window, false);
       PreviewFrame without = window.await(frame -> frame.labels().isEmpty());
       boxes(window, true);
       PreviewFrame with = window.await(frame -> !frame.labels().isEmpty());
       PreviewFrame.Label label = with.labels().get(0);
-      assertThat(PictureView.text(label))
+      assertThat(PreviewCanvas.text(label))
           .contains("Desk", "DeskSchema", "OfficeSchema", "12 polygons");
       int changed = 0;
       for (int y = 0; y < with.image().getHeight(); y++) {
@@ -63,31 +63,31 @@ class PreviewPanelTest extends PreviewCase {
       window.click(label.x(), label.y() - 6);
       PreviewFrame selected = window.await(frame -> frame.selected().isPresent());
       assertThat(selected.labels().get(0).selected()).isTrue();
-      assertThat(Swing.get(() -> window.session.selection()).flatMap(DocumentElement::def))
+      assertThat(EventThread.get(() -> window.session.selection()).flatMap(DocumentElement::def))
           .contains("Desk");
     }
   }
 
   @Test
   void labelsFollowTheMetadataAndFadeBehindAWall() throws Exception {
-    try (PreviewWindow window = open()) {
+    try (PreviewWindowDriver window = open()) {
       PreviewFrame open = window.await(frame -> !frame.labels().isEmpty());
       assertThat(open.labels().get(0).hidden()).isFalse();
       replace(window, "value='\"DeskSchema\"'", "value='\"ShelfSchema\"'");
-      window.await(frame -> PictureView.text(frame.labels().get(0)).contains("ShelfSchema"));
+      window.await(frame -> PreviewCanvas.text(frame.labels().get(0)).contains("ShelfSchema"));
       replace(
           window,
           "<Switch DEF='TrashCan'",
           "<Transform translation='0 0 5'><Shape><Box size='40 40 0.1'/></Shape></Transform>"
               + "<Switch DEF='TrashCan'");
       PreviewFrame behind = window.await(frame -> frame.labels().get(0).hidden());
-      assertThat(PictureView.text(behind.labels().get(0))).contains("Desk");
+      assertThat(PreviewCanvas.text(behind.labels().get(0))).contains("Desk");
     }
   }
 
   @Test
   void anEditIsShownFromWhereTheAuthorLooksAndAFaultKeepsThePicture() throws Exception {
-    try (PreviewWindow window = open()) {
+    try (PreviewWindowDriver window = open()) {
       boxes(window, false);
       window.await(frame -> middle(frame) == GREEN);
       window.robot.mouseMove(5, 5);
@@ -98,8 +98,8 @@ class PreviewPanelTest extends PreviewCase {
       assertThat(count(edited, 0xffff00)).isBetween(near - 50, near + 50);
       replace(window, "</Switch>", "</Swich>");
       window.panel.reload();
-      assertThat(Swing.get(window.panel::message)).contains("not well formed");
-      assertThat(Swing.get(() -> window.panel.view().frame()))
+      assertThat(EventThread.get(window.panel::message)).contains("not well formed");
+      assertThat(EventThread.get(() -> window.panel.view().frame()))
           .get()
           .satisfies(kept -> assertThat(middle(kept)).isEqualTo(0xffff00));
     }
@@ -108,22 +108,22 @@ class PreviewPanelTest extends PreviewCase {
   @Test
   void layersThatAreNotShownAreTold() throws Exception {
     String layers = "<LayerSet order='0 1 2'><Layer/><Layer/></LayerSet>";
-    try (PreviewWindow window = open()) {
+    try (PreviewWindowDriver window = open()) {
       window.await(frame -> frame.otherLayers() == 0);
       replace(window, "</Scene>", layers + "</Scene>");
       window.await(frame -> frame.otherLayers() == 2);
-      assertThat(Swing.get(window.panel::message)).contains("2 others");
+      assertThat(EventThread.get(window.panel::message)).contains("2 others");
       replace(window, layers, "");
       window.await(frame -> frame.otherLayers() == 0);
-      assertThat(Swing.get(window.panel::message)).isBlank();
+      assertThat(EventThread.get(window.panel::message)).isBlank();
     }
   }
 
   /** Presses a key of the picture by its action and says which frame is wanted. */
-  private static Predicate<PreviewFrame> frameAfter(PreviewWindow window, String key) {
-    PictureView view = window.panel.view();
-    long before = Swing.get(() -> count(view.frame().orElseThrow(), GREEN));
-    Swing.edt(
+  private static Predicate<PreviewFrame> frameAfter(PreviewWindowDriver window, String key) {
+    PreviewCanvas view = window.panel.view();
+    long before = EventThread.get(() -> count(view.frame().orElseThrow(), GREEN));
+    EventThread.edt(
         () -> {
           Object name = view.getInputMap().get(KeyStroke.getKeyStroke(key));
           view.getActionMap().get(name).actionPerformed(new ActionEvent(view, 0, key));
@@ -133,15 +133,15 @@ class PreviewPanelTest extends PreviewCase {
 
   @Test
   void everyControlHasAnAccessibleName() throws Exception {
-    try (PreviewWindow window = open()) {
-      Swing.edt(() -> assertThat(ControlNames.missing(window.panel)).isEmpty());
+    try (PreviewWindowDriver window = open()) {
+      EventThread.edt(() -> assertThat(AccessibleNameCheck.missing(window.panel)).isEmpty());
     }
   }
 
   @Test
   void disposingEndsItsThreads() throws Exception {
     Set<Thread> own;
-    try (PreviewWindow window = open()) {
+    try (PreviewWindowDriver window = open()) {
       own = threads();
       assertThat(window.panel.isShowing()).isTrue();
       assertThat(own).extracting(Thread::getName).contains("enricher-preview");
@@ -171,23 +171,24 @@ class PreviewPanelTest extends PreviewCase {
               <Transform DEF='Table' translation='1 0.4 1'><Shape><Box size='1 0.8 1'/></Shape></Transform>
             </Scene></X3D>
             """);
-    try (PreviewWindow window = new PreviewWindow(scene)) {
+    try (PreviewWindowDriver window = new PreviewWindowDriver(scene)) {
       window.awaitPicture();
-      SceneProbe probe = window.panel.probe();
-      Bounds room = answer(probe::room);
+      SceneQueries probe = window.panel.probe();
+      BoundingBox room = answer(probe::room);
       assertThat(room.minX()).isCloseTo(-3, within(1e-3));
       assertThat(room.maxZ()).isCloseTo(2, within(1e-3));
       assertThat(room.height()).isCloseTo(1.5, within(1e-3));
       DocumentElement table =
-          Swing.get(() -> window.session.document().tree().orElseThrow().named("Table"))
+          EventThread.get(() -> window.session.document().tree().orElseThrow().named("Table"))
               .orElseThrow();
-      Bounds around = answer(answered -> probe.around(table, answered));
+      BoundingBox around = answer(answered -> probe.around(table, answered));
       assertThat(around.width()).isCloseTo(3, within(1e-3));
       assertThat(around.minY()).isLessThan(0.01);
-      Bounds raised = answer(answered -> probe.raised(new Bounds(-2, 1, -1, -1, 1, 0), answered));
+      BoundingBox raised =
+          answer(answered -> probe.raised(new BoundingBox(-2, 1, -1, -1, 1, 0), answered));
       assertThat(raised.minY()).isCloseTo(0, within(1e-3));
       assertThat(raised.maxY()).isCloseTo(1.5, within(1e-3));
-      PlanPicture plan = answer(answered -> probe.plan(Optional.of(1.0), answered));
+      FloorPlanImage plan = answer(answered -> probe.plan(Optional.of(1.0), answered));
       assertThat(plan.extent().width()).isCloseTo(6, within(1e-3));
       assertThat(plan.walls()).as("a rectangle or two").hasSizeGreaterThanOrEqualTo(16);
       int side = plan.image().getWidth();
@@ -197,7 +198,7 @@ class PreviewPanelTest extends PreviewCase {
 
   private static <T> T answer(Consumer<Consumer<Optional<T>>> question) throws Exception {
     CompletableFuture<Optional<T>> answer = new CompletableFuture<>();
-    Swing.edt(() -> question.accept(answer::complete));
+    EventThread.edt(() -> question.accept(answer::complete));
     return answer.get(60, TimeUnit.SECONDS).orElseThrow();
   }
 }

@@ -15,15 +15,15 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.selectiverenderer.document.DocumentSnapshot;
 import org.selectiverenderer.document.SceneDocument;
-import org.selectiverenderer.document.Snapshot;
 import org.selectiverenderer.runtime.nodes.group.SwitchNode;
 import org.selectiverenderer.runtime.scene.Node;
-import org.selectiverenderer.runtime.scene.NodesBelow;
+import org.selectiverenderer.runtime.scene.NodeSubgraph;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.field.FieldType;
-import org.selectiverenderer.x3d.files.ContentAccess;
+import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 
 /** A running scene that takes over an edit is the same as one that is loaded after it. */
 class ScenePatchTest {
@@ -60,21 +60,21 @@ class ScenePatchTest {
         "<X3D version='4.0' profile='Full'><Scene><Group DEF='Theirs'/></Scene></X3D>");
   }
 
-  private static Snapshot[] edited(String what, String by) throws IOException {
+  private static DocumentSnapshot[] edited(String what, String by) throws IOException {
     SceneDocument document = SceneDocument.of("scene.x3d", SCENE.getBytes(StandardCharsets.UTF_8));
-    Snapshot before = document.snapshot();
+    DocumentSnapshot before = document.snapshot();
     int at = SCENE.indexOf(what);
     assertThat(at).as(what).isNotNegative();
     document.type(at, at + what.length(), by);
-    return new Snapshot[] {before, document.snapshot()};
+    return new DocumentSnapshot[] {before, document.snapshot()};
   }
 
-  private static Optional<ScenePatch> patch(Snapshot[] edited) {
-    return TextComparison.between(edited[0], edited[1], NodeCatalogue.load());
+  private static Optional<ScenePatch> patch(DocumentSnapshot[] edited) {
+    return SceneTextDiff.between(edited[0], edited[1], NodeCatalogue.load());
   }
 
-  private PreviewScene load(Snapshot snapshot) throws IOException {
-    return new PreviewScene(LoadedPreview.of(snapshot, folder, ContentAccess.none()));
+  private PreviewScene load(DocumentSnapshot snapshot) throws IOException {
+    return new PreviewScene(LoadedPreview.of(snapshot, folder, ContentAccessPolicy.none()));
   }
 
   @ParameterizedTest
@@ -93,7 +93,7 @@ class ScenePatchTest {
           """)
   void whatMayChangeIsTakenOverAndLeavesTheSceneAsIfItWereLoaded(String what, String by)
       throws IOException {
-    Snapshot[] edited = edited(what, by);
+    DocumentSnapshot[] edited = edited(what, by);
     try (PreviewScene running = load(edited[0]);
         PreviewScene loaded = load(edited[1])) {
       running.asIf(List.of("DeskSchema"));
@@ -106,7 +106,7 @@ class ScenePatchTest {
 
   @Test
   void theVersionShownInPlaceStaysWhenAnEditIsTakenOver() throws IOException {
-    Snapshot[] edited = edited("diffuseColor='0 1 0'", "diffuseColor='1 0 0'");
+    DocumentSnapshot[] edited = edited("diffuseColor='0 1 0'", "diffuseColor='1 0 0'");
     try (PreviewScene running = load(edited[0])) {
       SwitchNode can = (SwitchNode) running.world().scene().find("Can").orElseThrow();
       running.version(can, 1);
@@ -118,7 +118,7 @@ class ScenePatchTest {
 
   @Test
   void metadataOfAnObjectThatHadNoneIsKnownToTheSchemas() throws IOException {
-    Snapshot[] edited =
+    DocumentSnapshot[] edited =
         edited(
             "<Switch DEF='Cup' whichChoice='0'>",
             """
@@ -143,14 +143,14 @@ class ScenePatchTest {
   /** What is clicked on is found in the text as it is now. */
   @Test
   void nodesAreFoundWhereAnEditHasMovedThem() throws IOException {
-    Snapshot[] edited = edited("<Scene>", "<Scene>\n\n\n");
+    DocumentSnapshot[] edited = edited("<Scene>", "<Scene>\n\n\n");
     try (PreviewScene running = load(edited[0]);
         PreviewScene loaded = load(edited[1])) {
       Node box = running.world().scene().find("Low").orElseThrow();
-      Anchor there = loaded.nodes().anchor(loaded.world().scene().find("Low").orElseThrow());
+      SourceAnchor there = loaded.nodes().anchor(loaded.world().scene().find("Low").orElseThrow());
       assertThat(running.patch(patch(edited).orElseThrow())).isTrue();
       assertThat(running.nodes().anchor(box)).isEqualTo(there);
-      Anchor nameless = new Anchor(Optional.empty(), there.line(), there.column());
+      SourceAnchor nameless = new SourceAnchor(Optional.empty(), there.line(), there.column());
       assertThat(running.nodes().find(List.of(nameless))).containsSame(box);
     }
   }
@@ -177,7 +177,7 @@ class ScenePatchTest {
 
   @Test
   void aStateThatTheSceneDoesNotShowIsRefused() throws IOException {
-    Snapshot[] edited = edited("0 1 0", "1 1 0");
+    DocumentSnapshot[] edited = edited("0 1 0", "1 1 0");
     ScenePatch patch = patch(edited).orElseThrow();
     try (PreviewScene running = load(edited[0])) {
       assertThat(running.patch(patch)).isTrue();
@@ -189,7 +189,7 @@ class ScenePatchTest {
   private static String told(PreviewScene scene) {
     StringBuilder text =
         new StringBuilder(new TreeSet<>(scene.world().scene().named().keySet()) + "\n");
-    for (Node node : NodesBelow.of(scene.world().scene().root())) {
+    for (Node node : NodeSubgraph.of(scene.world().scene().root())) {
       text.append(scene.nodes().anchor(node)).append(fields(node)).append('\n');
     }
     return text.toString();

@@ -9,11 +9,11 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.Problem.Severity;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.document.SceneDocument;
-import org.selectiverenderer.document.enrichment.Enrichment;
+import org.selectiverenderer.document.enrichment.DocumentEnrichment;
 import org.selectiverenderer.validation.ValidationSettings;
 import org.selectiverenderer.validation.run.RuleCatalogue;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
@@ -42,7 +42,7 @@ class ProblemsModelTest {
 
   private final SceneDocument document = document();
   private final ProblemsModel model =
-      new ProblemsModel(document, new Enrichment(document, NodeCatalogue.load()));
+      new ProblemsModel(document, new DocumentEnrichment(document, NodeCatalogue.load()));
 
   private static SceneDocument document() {
     try {
@@ -53,7 +53,7 @@ class ProblemsModelTest {
   }
 
   private Problem at(String text, String message) {
-    Location place = document.location(document.text().toString().indexOf(text));
+    SourceLocation place = document.location(document.text().toString().indexOf(text));
     return new Problem(Severity.WARNING, place, message);
   }
 
@@ -137,7 +137,7 @@ class ProblemsModelTest {
 
   @Test
   void problemsOfOtherFilesNameThem() {
-    Problem other = new Problem(Severity.ERROR, new Location("bin.x3d", 3, 4), "no number");
+    Problem other = new Problem(Severity.ERROR, new SourceLocation("bin.x3d", 3, 4), "no number");
     model.checked(document.revision(), List.of(other));
     model.refresh();
     assertThat(only("no number").offset()).isEmpty();
@@ -195,9 +195,10 @@ class ProblemsModelTest {
             </Scene></X3D>
             """
                 .getBytes(StandardCharsets.UTF_8));
-    ProblemsModel counting = new ProblemsModel(plain, new Enrichment(plain, NodeCatalogue.load()));
-    Location cup = plain.location(plain.text().toString().indexOf("<Switch"));
-    Location desk = plain.location(plain.text().toString().indexOf("<Prox"));
+    ProblemsModel counting =
+        new ProblemsModel(plain, new DocumentEnrichment(plain, NodeCatalogue.load()));
+    SourceLocation cup = plain.location(plain.text().toString().indexOf("<Switch"));
+    SourceLocation desk = plain.location(plain.text().toString().indexOf("<Prox"));
     counting.checked(
         plain.revision(),
         List.of(

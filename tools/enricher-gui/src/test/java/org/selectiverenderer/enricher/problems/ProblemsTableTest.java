@@ -12,7 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.selectiverenderer.base.problem.Problem.Severity;
 import org.selectiverenderer.document.SceneDocument;
-import org.selectiverenderer.enricher.Swing;
+import org.selectiverenderer.enricher.EventThread;
 import org.selectiverenderer.enricher.settings.Language;
 
 class ProblemsTableTest {
@@ -28,7 +28,7 @@ class ProblemsTableTest {
   void theSeverityIsReadableInEveryLanguage(Language language) throws IOException {
     language.apply();
     SceneDocument document = SceneDocument.of("a.x3d", new byte[0]);
-    Swing.edt(
+    EventThread.edt(
         () -> {
           ProblemsTable table = new ProblemsTable(new ProblemsTableModel(document));
           table.setSize(400, 200);

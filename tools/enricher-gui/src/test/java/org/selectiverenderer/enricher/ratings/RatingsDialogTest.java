@@ -10,8 +10,8 @@ import javax.swing.JButton;
 import javax.swing.JTable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.enricher.driving.Hands;
-import org.selectiverenderer.enricher.driving.Sessions;
+import org.selectiverenderer.enricher.robot.GuiRobot;
+import org.selectiverenderer.enricher.robot.TestSessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.testing.ShowsWindows;
 
@@ -31,35 +31,37 @@ class RatingsDialogTest {
 
   @Test
   void ratingsAreReviewedCorrectedAndAppliedAsOneStep() throws IOException {
-    Sessions.theme(false);
+    TestSessions.theme(false);
     EnricherSession session =
-        Sessions.with(
+        TestSessions.with(
             folder,
-            Sessions.object("Sink") + Sessions.object("TrashCan") + Sessions.object("Bucket"));
+            TestSessions.object("Sink")
+                + TestSessions.object("TrashCan")
+                + TestSessions.object("Bucket"));
     String before = session.document().text().toString();
     Path table = Files.writeString(folder.resolve("ratings.csv"), TABLE);
-    Hands hands = new Hands();
-    RatingsDialog dialog = Hands.onEdt(() -> new RatingsDialog(null, session));
-    Hands.onEdt(
+    GuiRobot hands = new GuiRobot();
+    RatingsDialog dialog = GuiRobot.onEdt(() -> new RatingsDialog(null, session));
+    GuiRobot.onEdt(
         () -> {
           dialog.open(table);
           return true;
         });
     hands.show(dialog);
-    JTable matches = Hands.named(dialog, "Which Switch each object is", JTable.class);
+    JTable matches = GuiRobot.named(dialog, "Which Switch each object is", JTable.class);
     hands.await("the table", () -> matches.getRowCount() == 3);
-    assertThat(Hands.onEdt(() -> matches.getValueAt(0, 2))).isEqualTo("same name");
-    assertThat(Hands.onEdt(() -> matches.getValueAt(2, 1))).isEqualTo("Switch_TrashCan");
+    assertThat(GuiRobot.onEdt(() -> matches.getValueAt(0, 2))).isEqualTo("same name");
+    assertThat(GuiRobot.onEdt(() -> matches.getValueAt(2, 1))).isEqualTo("Switch_TrashCan");
 
-    hands.click(Hands.named(dialog, "Accept Proposals", JButton.class));
-    assertThat(Hands.onEdt(() -> matches.getValueAt(2, 2))).isEqualTo("chosen");
+    hands.click(GuiRobot.named(dialog, "Accept Proposals", JButton.class));
+    assertThat(GuiRobot.onEdt(() -> matches.getValueAt(2, 2))).isEqualTo("chosen");
     hands.click(matches, 1, MatchTableModel.SWITCH); // a list of Switches opens
     hands.press(KeyEvent.VK_DOWN);
     hands.press(KeyEvent.VK_ENTER);
     hands.await("the choice", () -> "Switch_Bucket".equals(matches.getValueAt(1, 1)));
-    Hands.picture(dialog.getContentPane(), "ratings-corrected", 1);
+    GuiRobot.picture(dialog.getContentPane(), "ratings-corrected", 1);
 
-    hands.click(Hands.named(dialog, "Apply", JButton.class));
+    hands.click(GuiRobot.named(dialog, "Apply", JButton.class));
     hands.await("the end", () -> !dialog.isShowing());
     assertThat(session.document().history().names())
         .containsExactly("Import ratings of ratings.csv");
@@ -71,24 +73,24 @@ class RatingsDialogTest {
 
   @Test
   void aTableThatIsNoneIsNotUsedAndTheDialogSaysWhere() throws IOException {
-    Sessions.theme(true);
-    EnricherSession session = Sessions.with(folder, Sessions.object("Sink"));
+    TestSessions.theme(true);
+    EnricherSession session = TestSessions.with(folder, TestSessions.object("Sink"));
     Path table = Files.writeString(folder.resolve("bad.csv"), "object,schema,rating\nSink,A,9\n");
-    Hands hands = new Hands();
-    RatingsDialog dialog = Hands.onEdt(() -> new RatingsDialog(null, session));
+    GuiRobot hands = new GuiRobot();
+    RatingsDialog dialog = GuiRobot.onEdt(() -> new RatingsDialog(null, session));
     hands.show(dialog);
-    Hands.onEdt(
+    GuiRobot.onEdt(
         () -> {
           dialog.open(table);
           return true;
         });
     javax.swing.JList<?> problems =
-        Hands.named(dialog, "Problems of the table", javax.swing.JList.class);
+        GuiRobot.named(dialog, "Problems of the table", javax.swing.JList.class);
     hands.await("the problem", () -> problems.getModel().getSize() == 1);
-    assertThat(Hands.onEdt(() -> problems.getModel().getElementAt(0).toString()))
+    assertThat(GuiRobot.onEdt(() -> problems.getModel().getElementAt(0).toString()))
         .startsWith("bad.csv:2:");
-    assertThat(Hands.named(dialog, "Apply", JButton.class).isEnabled()).isFalse();
-    Hands.picture(dialog.getContentPane(), "ratings-bad-dark", 1);
+    assertThat(GuiRobot.named(dialog, "Apply", JButton.class).isEnabled()).isFalse();
+    GuiRobot.picture(dialog.getContentPane(), "ratings-bad-dark", 1);
     hands.press(KeyEvent.VK_ESCAPE);
     hands.await("the end", () -> !dialog.isShowing());
     assertThat(session.document().modified()).isFalse();

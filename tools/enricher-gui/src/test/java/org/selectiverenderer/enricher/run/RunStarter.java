@@ -8,7 +8,7 @@ public final class RunStarter {
   private RunStarter() {}
 
   public static void main(String[] words) throws IOException, InterruptedException {
-    Process run = Launcher.start(List.of(words));
+    Process run = ProcessLauncher.start(List.of(words));
     System.out.println(run.pid());
     run.getInputStream().transferTo(System.err);
     Thread.sleep(600_000);

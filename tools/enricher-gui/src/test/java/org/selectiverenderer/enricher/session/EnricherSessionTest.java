@@ -8,15 +8,15 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.document.EditRefused;
-import org.selectiverenderer.enricher.driving.Sessions;
+import org.selectiverenderer.document.EditRejectedException;
+import org.selectiverenderer.enricher.robot.TestSessions;
 
 class EnricherSessionTest {
   @TempDir Path folder;
 
   @Test
   void theSelectionComesBackWhenABrokenTextIsMended() throws IOException {
-    EnricherSession session = Sessions.with(folder, Sessions.object("Cup"));
+    EnricherSession session = TestSessions.with(folder, TestSessions.object("Cup"));
     session.select(session.document().tree().orElseThrow().named("Switch_Cup").orElseThrow(), this);
     session.document().type(0, 0, "<");
     assertThat(session.selection()).isEmpty();
@@ -27,7 +27,7 @@ class EnricherSessionTest {
 
   @Test
   void allViewsHearOfASelectionOnce() throws IOException {
-    EnricherSession session = Sessions.with(folder, Sessions.object("Cup"));
+    EnricherSession session = TestSessions.with(folder, TestSessions.object("Cup"));
     List<Object> heard = new ArrayList<>();
     session.addSelectionListener((element, origin) -> heard.add(origin));
     var element = session.document().tree().orElseThrow().root();
@@ -38,11 +38,11 @@ class EnricherSessionTest {
 
   @Test
   void anEditThatIsRefusedIsToldAndNotMade() throws IOException {
-    EnricherSession session = Sessions.with(folder, Sessions.object("Cup"));
+    EnricherSession session = TestSessions.with(folder, TestSessions.object("Cup"));
     boolean made =
         session.attempt(
             () -> {
-              throw new EditRefused("no");
+              throw new EditRejectedException("no");
             });
     assertThat(made).isFalse();
     assertThat(session.document().modified()).isFalse();

@@ -9,7 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.x3d.files.HostPattern;
+import org.selectiverenderer.x3d.url.HostPattern;
 
 class EnricherSettingsTest {
   @TempDir Path folder;

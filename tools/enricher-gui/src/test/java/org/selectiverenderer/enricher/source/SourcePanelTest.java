@@ -1,8 +1,8 @@
 package org.selectiverenderer.enricher.source;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.selectiverenderer.enricher.Swing.edt;
-import static org.selectiverenderer.enricher.Swing.get;
+import static org.selectiverenderer.enricher.EventThread.edt;
+import static org.selectiverenderer.enricher.EventThread.get;
 
 import java.awt.Component;
 import java.awt.event.KeyEvent;
@@ -19,8 +19,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.document.SceneDocument;
-import org.selectiverenderer.enricher.driving.Hands;
-import org.selectiverenderer.enricher.driving.Sessions;
+import org.selectiverenderer.enricher.robot.GuiRobot;
+import org.selectiverenderer.enricher.robot.TestSessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.testing.ShowsWindows;
 
@@ -29,14 +29,14 @@ import org.selectiverenderer.testing.ShowsWindows;
 @Timeout(value = 120, unit = TimeUnit.SECONDS)
 class SourcePanelTest {
   @TempDir Path folder;
-  private final Hands hands = new Hands();
+  private final GuiRobot hands = new GuiRobot();
   private final JFrame window = get(() -> new JFrame("Source"));
   private EnricherSession session;
   private SourcePanel panel;
 
   private void open(String nodes) throws IOException {
-    Sessions.theme(false);
-    session = Sessions.with(folder, nodes);
+    TestSessions.theme(false);
+    session = TestSessions.with(folder, nodes);
     panel = get(() -> new SourcePanel(session));
     edt(
         () -> {
@@ -138,7 +138,7 @@ class SourcePanelTest {
     edt(() -> panel.findNext(1));
     assertThat(get(this::state)).isEqualTo("1 of 3, from the other end");
     assertThat(get(() -> panel.area().getSelectedText())).isEqualTo("Cup");
-    Hands.picture(window.getContentPane(), "source-find", 1);
+    GuiRobot.picture(window.getContentPane(), "source-find", 1);
     edt(() -> by.setText("Mug"));
     edt(() -> named("replaceAll", JButton.class).doClick());
     assertThat(text()).contains("'Mug1'").contains("'Mug2'").contains("'Mug3'");
@@ -152,7 +152,7 @@ class SourcePanelTest {
   }
 
   private <T extends Component> T named(String name, Class<T> type) {
-    return type.cast(Names.find(panel.component(), name));
+    return type.cast(NamedComponents.find(panel.component(), name));
   }
 
   @Test

@@ -7,14 +7,15 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.document.SceneDocument;
-import org.selectiverenderer.enricher.driving.Sessions;
+import org.selectiverenderer.enricher.robot.TestSessions;
 
 class SceneTreeModelTest {
   @TempDir Path folder;
 
   private SceneDocument scene() throws IOException {
-    return Sessions.with(
-            folder, "<Group>" + Sessions.object("Cup") + "</Group>" + Sessions.object("Chair"))
+    return TestSessions.with(
+            folder,
+            "<Group>" + TestSessions.object("Cup") + "</Group>" + TestSessions.object("Chair"))
         .document();
   }
 
@@ -60,7 +61,7 @@ class SceneTreeModelTest {
 
   @Test
   void aTextThatNeverWasWellFormedHasAnEmptyTree() throws IOException {
-    SceneDocument document = Sessions.with(folder, "<Group>").document();
+    SceneDocument document = TestSessions.with(folder, "<Group>").document();
     SceneTreeModel model = new SceneTreeModel(document);
     assertThat(model.getChildCount(model.getRoot())).isZero();
   }

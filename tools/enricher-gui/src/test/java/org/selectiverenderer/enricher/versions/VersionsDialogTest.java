@@ -14,8 +14,8 @@ import javax.swing.JSlider;
 import javax.swing.JTextField;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.enricher.driving.Hands;
-import org.selectiverenderer.enricher.driving.Sessions;
+import org.selectiverenderer.enricher.robot.GuiRobot;
+import org.selectiverenderer.enricher.robot.TestSessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.testing.ShowsWindows;
@@ -30,26 +30,26 @@ class VersionsDialogTest {
 
   @Test
   void theSliderSaysHowManyVerticesAndTheStepMakesTheVersions() throws IOException {
-    Sessions.theme(false);
-    EnricherSession session = Sessions.with(folder, BALL);
+    TestSessions.theme(false);
+    EnricherSession session = TestSessions.with(folder, BALL);
     String before = session.document().text().toString();
-    Hands hands = new Hands();
+    GuiRobot hands = new GuiRobot();
     VersionsDialog dialog =
-        Hands.onEdt(
+        GuiRobot.onEdt(
             () ->
                 new VersionsDialog(
                     null,
                     session,
                     session.document().tree().orElseThrow().named("Ball").orElseThrow()));
     hands.show(dialog);
-    JButton make = Hands.named(dialog, "Make Versions", JButton.class);
+    JButton make = GuiRobot.named(dialog, "Make Versions", JButton.class);
     hands.await("the first result", make::isEnabled);
     int original = polygons(dialog, 1);
     int half = polygons(dialog, 2);
     assertThat(half).isBetween(original / 3, 2 * original / 3);
 
-    JSlider slider = Hands.named(dialog, "Vertices of version 2", JSlider.class);
-    Hands.onEdt(slider::requestFocusInWindow);
+    JSlider slider = GuiRobot.named(dialog, "Vertices of version 2", JSlider.class);
+    GuiRobot.onEdt(slider::requestFocusInWindow);
     hands.await("the focus", slider::isFocusOwner);
     hands.press(KeyEvent.VK_PAGE_DOWN);
     hands.press(KeyEvent.VK_PAGE_DOWN);
@@ -57,16 +57,17 @@ class VersionsDialogTest {
     hands.await("the second result", make::isEnabled);
     assertThat(polygons(dialog, 2)).isLessThan(half);
 
-    JComponent picture = Hands.named(dialog, "Picture of version 2, wireframe", JComponent.class);
+    JComponent picture =
+        GuiRobot.named(dialog, "Picture of version 2, wireframe", JComponent.class);
     hands.click(picture);
     hands.await("the focus on the picture", picture::isFocusOwner);
     hands.press(KeyEvent.VK_LEFT);
-    Hands.picture(dialog.getContentPane(), "versions-ball", 1);
+    GuiRobot.picture(dialog.getContentPane(), "versions-ball", 1);
 
-    hands.click(Hands.named(dialog, "Add Version", JButton.class));
+    hands.click(GuiRobot.named(dialog, "Add Version", JButton.class));
     hands.await("the third version", make::isEnabled);
     assertThat(polygons(dialog, 3)).isLessThan(polygons(dialog, 2));
-    Hands.picture(dialog.getContentPane(), "versions-three", 1);
+    GuiRobot.picture(dialog.getContentPane(), "versions-three", 1);
     hands.click(make);
     hands.await("the end", () -> !dialog.isShowing());
     assertThat(folder.resolve("inlineNodes/Ball_v3.x3d")).exists();
@@ -81,42 +82,42 @@ class VersionsDialogTest {
 
   @Test
   void versionsThatAreThereAreShownAndStay() throws IOException {
-    Sessions.theme(false);
+    TestSessions.theme(false);
     String byHand = "<X3D version='4.0'><Scene><Shape><Box/></Shape></Scene></X3D>";
     Files.writeString(folder.resolve("Ball_v1.x3d"), byHand.replace("Box", "Sphere"));
     Path second = Files.writeString(folder.resolve("Ball_v2.x3d"), byHand);
     EnricherSession session =
-        Sessions.with(
+        TestSessions.with(
             folder,
             "<Switch DEF='Ball'><Inline url='\"Ball_v1.x3d\"'/><Inline url='\"Ball_v2.x3d\"'/>"
                 + "</Switch>");
-    Hands hands = new Hands();
+    GuiRobot hands = new GuiRobot();
     VersionsDialog dialog =
-        Hands.onEdt(
+        GuiRobot.onEdt(
             () ->
                 new VersionsDialog(
                     null,
                     session,
                     session.document().tree().orElseThrow().named("Ball").orElseThrow()));
     hands.show(dialog);
-    JComboBox<?> goal = Hands.named(dialog, "Goal of version 2", JComboBox.class);
+    JComboBox<?> goal = GuiRobot.named(dialog, "Goal of version 2", JComboBox.class);
     hands.await("what is there", () -> goal.getSelectedItem() == VersionGoal.Kind.KEEP);
-    JButton make = Hands.named(dialog, "Make Versions", JButton.class);
-    assertThat(Hands.onEdt(make::isEnabled)).as("nothing to make").isFalse();
+    JButton make = GuiRobot.named(dialog, "Make Versions", JButton.class);
+    assertThat(GuiRobot.onEdt(make::isEnabled)).as("nothing to make").isFalse();
     assertThat(polygons(dialog, 2)).isEqualTo(12);
-    Hands.onEdt(
+    GuiRobot.onEdt(
         () -> {
           goal.setSelectedItem(VersionGoal.Kind.PERCENT);
           return null;
         });
-    JTextField name = Hands.named(dialog, Texts.of("versions.name.described"), JTextField.class);
-    Hands.onEdt(
+    JTextField name = GuiRobot.named(dialog, Texts.of("versions.name.described"), JTextField.class);
+    GuiRobot.onEdt(
         () -> {
           name.setText("Round");
           return null;
         });
     hands.await("another version", make::isEnabled);
-    Hands.picture(dialog.getContentPane(), "versions-kept", 1);
+    GuiRobot.picture(dialog.getContentPane(), "versions-kept", 1);
     hands.click(make);
     hands.await("the end", () -> !dialog.isShowing());
     assertThat(second).hasContent(byHand);
@@ -126,7 +127,7 @@ class VersionsDialogTest {
   }
 
   private static int polygons(VersionsDialog dialog, int version) {
-    JLabel label = Hands.named(dialog, "Polygons of version " + version, JLabel.class);
-    return Integer.parseInt(Hands.onEdt(label::getText).replace(",", ""));
+    JLabel label = GuiRobot.named(dialog, "Polygons of version " + version, JLabel.class);
+    return Integer.parseInt(GuiRobot.onEdt(label::getText).replace(",", ""));
   }
 }

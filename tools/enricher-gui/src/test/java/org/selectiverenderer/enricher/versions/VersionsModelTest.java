@@ -11,7 +11,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.document.file.DocumentFile;
 import org.selectiverenderer.document.versions.VersionsEdit;
-import org.selectiverenderer.polygon.simplify.Goal;
+import org.selectiverenderer.polygon.simplify.SimplificationTarget;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 
 class VersionsModelTest {
@@ -33,7 +33,7 @@ class VersionsModelTest {
         new VersionsEdit.Request(
             folder.resolve("ball.x3d"),
             model.object(),
-            model.goals().stream().<Goal>map(VersionGoal::goal).toList(),
+            model.goals().stream().<SimplificationTarget>map(VersionGoal::goal).toList(),
             "inlineNodes"),
         NodeCatalogue.load());
   }
@@ -44,7 +44,7 @@ class VersionsModelTest {
     model.take(model.wanted(), computed);
     assertThat(model.applicable()).isTrue();
     assertThat(computed.shapes()).hasSize(2).allMatch(shape -> shape.isPresent());
-    ObjectShape half = computed.shapes().get(1).orElseThrow();
+    ColoredMesh half = computed.shapes().get(1).orElseThrow();
     assertThat(half.polygons()).isEqualTo(computed.versions().get(1).polygons());
     assertThat(half.colors()[0]).isEqualTo(0xFF0000);
     assertThat(folder.resolve("inlineNodes")).doesNotExist();
@@ -59,7 +59,10 @@ class VersionsModelTest {
     Files.writeString(second, byHand);
     VersionsEdit.Request request =
         new VersionsEdit.Request(
-            folder.resolve("ball.x3d"), "Ball", List.of(new Goal.VertexPercent(50)), "inlineNodes");
+            folder.resolve("ball.x3d"),
+            "Ball",
+            List.of(new SimplificationTarget.VertexPercent(50)),
+            "inlineNodes");
     NodeCatalogue catalogue = NodeCatalogue.load();
     model.take(model.wanted(), ComputedVersions.first(document.snapshot(), request, catalogue));
     assertThat(model.kept()).containsExactly(2);
@@ -75,7 +78,7 @@ class VersionsModelTest {
             new VersionsEdit.Request(
                     folder.resolve("ball.x3d"),
                     "Ball",
-                    model.goals().stream().<Goal>map(VersionGoal::goal).toList(),
+                    model.goals().stream().<SimplificationTarget>map(VersionGoal::goal).toList(),
                     "inlineNodes")
                 .keeping(model.kept()),
             catalogue);
@@ -108,7 +111,8 @@ class VersionsModelTest {
   @Test
   void percentAndCountAreTheSameGoalSaidInTwoWays() {
     VersionGoal half = VersionGoal.percent(50);
-    assertThat(half.as(VersionGoal.Kind.COUNT, 400).goal()).isEqualTo(new Goal.Vertices(200));
+    assertThat(half.as(VersionGoal.Kind.COUNT, 400).goal())
+        .isEqualTo(new SimplificationTarget.Vertices(200));
     assertThat(half.as(VersionGoal.Kind.COUNT, 400).as(VersionGoal.Kind.PERCENT, 400))
         .isEqualTo(half);
   }

@@ -1,0 +1,243 @@
+package org.selectiverenderer.app.session;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.function.Consumer;
+import org.joml.Quaterniond;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.app.run.RunController;
+import org.selectiverenderer.app.walk.Walkthrough;
+import org.selectiverenderer.base.decimal.DecimalRounding;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.experiment.session.ExperimenterControls;
+import org.selectiverenderer.experiment.session.Session;
+import org.selectiverenderer.experiment.session.SessionStep;
+import org.selectiverenderer.experiment.study.MovementConstraint;
+import org.selectiverenderer.experiment.study.Study;
+import org.selectiverenderer.runtime.navigation.NavigationCommand;
+import org.selectiverenderer.runtime.render.window.KeyboardKey;
+import org.selectiverenderer.runtime.viewer.ViewerMotion;
+
+/**
+ * Controls the run of a practice or an exposure: it starts at the step's viewpoint and lasts for
+ * its time or until the experimenter continues. The picture fades in before the exposure's time
+ * starts and fades out after it has ended.
+ */
+final class SceneStepController implements RunController {
+  /** The angular speed of a simulated participant in radians per second: one turn in 20 s. */
+  private static final double TURN = 2 * Math.PI / 20;
+
+  private final Session session;
+  private final SessionStep step;
+  private final String viewpoint;
+  private final OptionalDouble exposure;
+  private final double fade;
+  private final ExperimenterControls controls;
+  private final OperatorViewSettings stage;
+  private final Consumer<Problem> problem;
+  private @Nullable Walkthrough walk;
+  private double begun;
+  private double ending = Double.POSITIVE_INFINITY;
+  private int frames;
+  private boolean exposed;
+
+  /**
+   * @param exposure length of the exposure in seconds; empty for until the experimenter continues
+   * @param stage the monitors and the view of the operator
+   * @param problem receives a warning when the participant cannot be confined as the study asks
+   */
+  SceneStepController(
+      Session session,
+      SessionStep step,
+      String viewpoint,
+      OptionalDouble exposure,
+      ExperimenterControls controls,
+      OperatorViewSettings stage,
+      Consumer<Problem> problem) {
+    this.session = session;
+    this.step = step;
+    this.viewpoint = viewpoint;
+    this.exposure = exposure;
+    this.controls = controls;
+    this.stage = stage;
+    this.problem = problem;
+    fade = session.material().study().fade();
+  }
+
+  @Override
+  public void opened(Walkthrough opened) {
+    walk = opened;
+    controls.takeGoOn(); // Discards a request from before the step began.
+    opened.world().views().viewpoints().stream()
+        .filter(node -> viewpoint.equals(node.name()))
+        .findFirst()
+        .ifPresent(opened.world().views()::goTo);
+  }
+
+  @Override
+  public ViewerMotion motion(ViewerMotion users) {
+    ViewerMotion moving =
+        session.options().unattended()
+            ? (viewer, time, dt) ->
+                viewer.turnTo(new Quaterniond().rotationY(TURN * dt).mul(viewer.orientation()))
+            : users;
+    Walkthrough scene = walk;
+    return scene != null && step instanceof SessionStep.Exposure exposed
+        ? kept(scene, exposed.area(), moving)
+        : moving;
+  }
+
+  /** Confines the participant during an exposure as the study asks. */
+  private ViewerMotion kept(Walkthrough scene, Study.Area area, ViewerMotion moving) {
+    Study study = session.material().study();
+    MovementConstraint stay = study.stay(area);
+    if (stay == MovementConstraint.TURN) {
+      return MovementBounds.standing(scene.world().viewer(), moving);
+    }
+    MovementBounds enclosure = MovementBounds.open(scene);
+    if (stay == MovementConstraint.WALK
+        && !area.within().map(enclosure::add).orElseGet(enclosure::addRoom)) {
+      tell(
+          area,
+          area.within()
+                  .map(name -> "the viewpoint is not in " + name + ", a ProximitySensor or room")
+                  .orElse("the viewpoint is in no room")
+              + "; the participant can walk out of the area");
+    }
+    if (study.course().closed() && !enclosure.addRoom()) {
+      tell(area, "the viewpoint is in no room, so the room cannot be closed");
+    }
+    return enclosure.around(moving);
+  }
+
+  private void tell(Study.Area area, String what) {
+    problem.accept(
+        new Problem(
+            Problem.Severity.WARNING,
+            SourceLocation.of(session.material().study().file().toString()),
+            "area " + area.name() + ": " + what));
+  }
+
+  @Override
+  public void heard(NavigationCommand command) {
+    if (command == NavigationCommand.RESET_HEADING) {
+      session
+          .journal()
+          .tell(
+              "heading-reset",
+              Map.of("step", step.id(), "mono", DecimalRounding.to(6, System.nanoTime() * 1e-9)));
+    }
+  }
+
+  @Override
+  public boolean walks() {
+    boolean turns =
+        step instanceof SessionStep.Exposure exposure
+            && session.material().study().stay(exposure.area()) == MovementConstraint.TURN;
+    return !turns && !session.options().unattended();
+  }
+
+  @Override
+  public boolean takeHeadingReset() {
+    return controls.takeResetHeading();
+  }
+
+  @Override
+  public void operatorKey(KeyboardKey key, boolean participants) {
+    // Where the operator has the pointer, keys pressed by the participant are ignored.
+    if (participants && !stage.pointerKept()) {
+      return;
+    }
+    switch (key) {
+      case F8 -> controls.pause(!controls.paused());
+      case F9 -> controls.goOn();
+      default -> {
+        // Other keys have no meaning for the operator.
+      }
+    }
+  }
+
+  @Override
+  public boolean keepsPointer() {
+    return stage.pointerKept() && !controls.paused() && !controls.asking() && !controls.aborted();
+  }
+
+  @Override
+  public boolean blind() {
+    return stage.blind();
+  }
+
+  @Override
+  public boolean paused() {
+    return controls.paused();
+  }
+
+  @Override
+  public boolean over(double seconds) {
+    // The first frame is slow because the scene is uploaded to the GPU; as a part of the fade it
+    // would make the picture appear at once.
+    if (++frames <= 2) {
+      begun = seconds;
+      ending = begun + fade + exposure.orElse(Double.POSITIVE_INFINITY);
+    }
+    if (!exposed && frames > 1 && seconds >= begun + fade) {
+      exposed = true;
+      session
+          .journal()
+          .tell("shown", Map.of("step", step.id(), "t", DecimalRounding.to(3, seconds)));
+    }
+    if (exposure.isEmpty() && controls.takeGoOn()) {
+      ending = seconds;
+    }
+    controls.status(left(seconds));
+    return controls.aborted() || seconds >= ending + fade;
+  }
+
+  @Override
+  public double darkness(double seconds) {
+    if (controls.paused()) {
+      return 1;
+    }
+    double coming = frames <= 1 ? 1 : fade > 0 ? 1 - (seconds - begun) / fade : 0;
+    double going = seconds < ending ? 0 : fade > 0 ? (seconds - ending) / fade : 1;
+    return Math.max(coming, going);
+  }
+
+  @Override
+  public boolean closing() {
+    return !controls.askAbort();
+  }
+
+  /** Returns the elapsed seconds of the exposure at a time of the run. */
+  double exposed(double seconds) {
+    return Math.max(0, Math.min(seconds, ending) - begun - fade);
+  }
+
+  private String left(double seconds) {
+    String what =
+        exposure.isPresent()
+            ? String.format(
+                Locale.ROOT, "%.0f s left", Math.ceil(exposure.getAsDouble() - exposed(seconds)))
+            : String.format(Locale.ROOT, "%.0f s so far; press Go on to end it", seconds);
+    return step.id() + ": " + (controls.paused() ? "PAUSED, " : "") + what;
+  }
+
+  @Override
+  public List<String> operatorLines(double seconds) {
+    List<String> lines = new ArrayList<>();
+    lines.add(
+        "participant "
+            + session.folder().participant()
+            + session
+                .condition()
+                .filter(known -> !stage.blind())
+                .map(condition -> ", " + condition.spelling())
+                .orElse(""));
+    lines.add(left(seconds));
+    return lines;
+  }
+}

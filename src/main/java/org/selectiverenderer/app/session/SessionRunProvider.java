@@ -1,0 +1,252 @@
+package org.selectiverenderer.app.session;
+
+import com.fasterxml.jackson.core.JsonProcessingException;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import org.selectiverenderer.app.head.HeadSampleListener;
+import org.selectiverenderer.app.metrics.RunMetrics;
+import org.selectiverenderer.app.run.RunListener;
+import org.selectiverenderer.app.run.RunRequest;
+import org.selectiverenderer.app.run.RunSequence;
+import org.selectiverenderer.app.settings.DisplaySettings;
+import org.selectiverenderer.app.settings.HeadLogSettings;
+import org.selectiverenderer.app.settings.MotionSettings;
+import org.selectiverenderer.app.settings.RunSettings;
+import org.selectiverenderer.app.timeline.TimelineEvent;
+import org.selectiverenderer.app.timeline.TimelineJson;
+import org.selectiverenderer.base.decimal.DecimalRounding;
+import org.selectiverenderer.base.json.JsonTree;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.control.Condition;
+import org.selectiverenderer.control.SelectiveController;
+import org.selectiverenderer.experiment.session.ExperimenterControls;
+import org.selectiverenderer.experiment.session.Session;
+import org.selectiverenderer.experiment.session.SessionStep;
+import org.selectiverenderer.experiment.study.SessionFlag;
+import org.selectiverenderer.experiment.study.Study;
+import org.selectiverenderer.hmd.DisplayConfiguration;
+import org.selectiverenderer.openxr.HeadsetEvent;
+
+/** Provides the steps of a session that show a scene as the runs of one {@link RunSequence}. */
+final class SessionRunProvider implements RunSequence.Runs {
+  /** The length of an unattended practice in seconds. */
+  private static final double UNATTENDED_PRACTICE = 2;
+
+  private final Session session;
+  private final SessionDisplaySettings show;
+  private final ExperimenterControls controls;
+  private final ExposureQualityCheck quality;
+  private final Set<String> brokenLogs = ConcurrentHashMap.newKeySet();
+
+  SessionRunProvider(Session session, SessionDisplaySettings show, ExperimenterControls controls) {
+    this.session = session;
+    this.show = show;
+    this.controls = controls;
+    quality = new ExposureQualityCheck(session, show.listener()::problem);
+  }
+
+  private Optional<SessionStep> upcoming() {
+    return session.remaining().stream().findFirst().filter(this::shows);
+  }
+
+  /**
+   * Returns whether a step is shown in the windows of the chain: a scene, or questions inside the
+   * headset.
+   */
+  boolean shows(SessionStep step) {
+    return step.shows()
+        || show.presentation().headset().isPresent() && session.material().insideHeadset(step);
+  }
+
+  /** Returns whether the next step is shown in the windows of the chain. */
+  boolean wanted() {
+    return upcoming().isPresent();
+  }
+
+  @Override
+  public Optional<RunRequest> next() throws IOException {
+    Optional<SessionStep> step = upcoming();
+    if (step.isEmpty() || controls.aborted()) {
+      return Optional.empty();
+    }
+    if (step.get() instanceof SessionStep.Questions questions) {
+      return Optional.of(asking(questions));
+    }
+    Path log = session.headLog(step.get());
+    session.began(step.get(), true);
+    RunListener listener = listener(step.get(), Optional.of(log));
+    return Optional.of(
+        new RunRequest(
+            settings(step.get(), scene(step.get()), Optional.of(new HeadLogSettings(log))),
+            listener,
+            guide(step.get(), listener)));
+  }
+
+  private RunRequest asking(SessionStep.Questions step) throws IOException {
+    session.began(step, false);
+    Study study = session.material().study();
+    return new RunRequest(
+        settings(step, session.material().scenery().orElseThrow(), Optional.empty()),
+        listener(step, Optional.empty()),
+        new HeadsetQuestionController(
+            session,
+            step,
+            controls,
+            show.presentation().headset().orElseThrow().layout(),
+            study.practice().isEmpty()));
+  }
+
+  private SceneStepController guide(SessionStep step, RunListener listener) {
+    OptionalDouble shortened = session.options().exposure();
+    if (step instanceof SessionStep.Exposure exposure) {
+      return new SceneStepController(
+          session,
+          step,
+          exposure.area().viewpoint(),
+          OptionalDouble.of(shortened.orElse(exposure.area().seconds())),
+          controls,
+          show.stage(),
+          listener::problem);
+    }
+    return new SceneStepController(
+        session,
+        step,
+        session.material().study().practice().map(Study.Practice::viewpoint).orElse(""),
+        session.options().unattended()
+            ? OptionalDouble.of(
+                Math.min(UNATTENDED_PRACTICE, shortened.orElse(UNATTENDED_PRACTICE)))
+            : OptionalDouble.empty(),
+        controls,
+        show.stage(),
+        listener::problem);
+  }
+
+  private Path scene(SessionStep step) {
+    return step instanceof SessionStep.Practice practice
+        ? practice.practice().scene()
+        : session.material().study().scene().orElseThrow();
+  }
+
+  private RunSettings settings(SessionStep step, Path scene, Optional<HeadLogSettings> log) {
+    Study study = session.material().study();
+    Study.Display display = study.display();
+    int width = display.width() > 0 ? display.width() : show.presentation().width();
+    int height = display.height() > 0 ? display.height() : show.presentation().height();
+    DisplayConfiguration presentation = show.presentation().withIpd(session.ipd() / 1000);
+    return new RunSettings(
+            scene,
+            new SelectiveController.Settings(session.condition().orElse(Condition.HIGH), lot()))
+        .allowing(study.access())
+        .muted(study.mute() || step instanceof SessionStep.Questions)
+        .with(MotionSettings.walking(study.mouse()))
+        .with(
+            DisplaySettings.of(presentation)
+                .filling(width, height)
+                .operator(show.operator())
+                .operatorOn(show.stage().monitor()))
+        .with(show.tracker(session.tracker()), log);
+  }
+
+  /** Returns the seed of the random condition, which is fixed for each participant. */
+  private long lot() {
+    return session.material().study().seed() * 31 + session.folder().participant().hashCode();
+  }
+
+  private RunListener listener(SessionStep step, Optional<Path> log) {
+    TimelineJson lines = new TimelineJson();
+    return new RunListener() {
+      @Override
+      public void problem(Problem problem) {
+        session.journal().tell("problem", Map.of("step", step.id(), "text", problem.toString()));
+        if (log.filter(file -> problem.location().file().equals(file.toString())).isPresent()) {
+          brokenLogs.add(step.id()); // The log's thread reports this before the log is closed.
+        }
+        show.listener().problem(problem);
+      }
+
+      @Override
+      public void displayFallback(String told) {
+        quality.flag(SessionFlag.DISPLAY_FALLBACK, step, Map.of(), told);
+      }
+
+      @Override
+      public void headset(HeadsetEvent news) {
+        session
+            .journal()
+            .tell(
+                "headset",
+                Map.of(
+                    "step",
+                    step.id(),
+                    "what",
+                    news.kind().name().toLowerCase(Locale.ROOT),
+                    "text",
+                    news.text(),
+                    "mono",
+                    DecimalRounding.to(6, System.nanoTime() * 1e-9)));
+        quality.check(step, news);
+        show.listener().headset(news);
+      }
+
+      @Override
+      public void happened(TimelineEvent event) {
+        session.journal().tell("scene", Map.of("step", step.id(), "what", read(lines.line(event))));
+      }
+
+      @Override
+      public Optional<HeadSampleListener> samples() {
+        return show.listener().samples();
+      }
+
+      @Override
+      public void printed(String text) {
+        show.listener().printed(text);
+      }
+    };
+  }
+
+  private Object read(String text) {
+    try {
+      return JsonTree.parse(text);
+    } catch (JsonProcessingException e) {
+      throw new IllegalStateException(e);
+    }
+  }
+
+  @Override
+  public void ended(RunRequest run, RunMetrics figures) throws IOException {
+    if (controls.aborted()) {
+      return;
+    }
+    SessionStep step = upcoming().orElseThrow();
+    if (run.guide() instanceof HeadsetQuestionController asked) {
+      asked.told().check();
+      if (asked.through()) {
+        session.finished(step, Map.of());
+      } else {
+        controls.abort();
+      }
+      return;
+    }
+    Map<String, Object> more = new LinkedHashMap<>();
+    more.put("condition", run.settings().scene().rendering().condition().spelling());
+    more.put("lot", run.settings().scene().rendering().seed());
+    more.put("figures", read(figures.json()));
+    more.put(
+        "display", List.of(run.settings().display().width(), run.settings().display().height()));
+    quality.check(step, figures);
+    if (brokenLogs.remove(step.id())) {
+      more.put("head_log_incomplete", true);
+      session.journal().flag(SessionFlag.HEAD_LOG_INCOMPLETE, Map.of("step", step.id()));
+    }
+    session.finished(step, more);
+  }
+}

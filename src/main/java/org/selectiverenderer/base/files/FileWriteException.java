@@ -1,0 +1,43 @@
+package org.selectiverenderer.base.files;
+
+import java.io.IOException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
+import java.nio.file.Path;
+
+/** Thrown if a file cannot be written; its one-line message names the file, cause and outcome. */
+public final class FileWriteException extends IOException {
+  private static final long serialVersionUID = 1L;
+
+  /** The cause, in words. */
+  private final String reason;
+
+  FileWriteException(Path file, Exception cause, String outcome) {
+    super("%s cannot be written (%s); %s".formatted(file, reason(cause), outcome), cause);
+    reason = reason(cause);
+  }
+
+  /** Returns the cause for use in a message: {@code permission denied}, {@code it is a folder}. */
+  public String reason() {
+    return reason;
+  }
+
+  /** Adds the file's name to an exception that lacks it, as the one for a full disk does. */
+  public static IOException named(Path file, IOException e) {
+    return e instanceof FileSystemException ? e : new IOException(file + ": " + e.getMessage(), e);
+  }
+
+  private static String reason(Exception e) {
+    if (e instanceof AccessDeniedException) {
+      return "permission denied";
+    }
+    if (e instanceof FileAlreadyExistsException) {
+      return "another program has just made it";
+    }
+    if (e instanceof FileSystemException file && file.getReason() != null) {
+      return file.getReason();
+    }
+    return e.getMessage() == null ? e.getClass().getSimpleName() : e.getMessage();
+  }
+}

@@ -1,0 +1,47 @@
+package org.selectiverenderer.base.files;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFileAttributeView;
+
+/** Resolves the target of a symbolic link, and finds free names for temporary files beside it. */
+final class TargetPaths {
+  /** The longest chain of symbolic links followed, as on Linux. */
+  private static final int MOST_LINKS = 40;
+
+  private TargetPaths() {}
+
+  /** Returns the file itself, or the target of a link, even if that does not exist yet. */
+  static Path target(Path file) throws IOException {
+    if (Files.exists(file)) {
+      return file.toRealPath();
+    }
+    Path target = file.toAbsolutePath().normalize();
+    for (int links = 0; Files.isSymbolicLink(target); links++) {
+      if (links == MOST_LINKS) {
+        throw new IOException("it is a link to itself");
+      }
+      target = target.resolveSibling(Files.readSymbolicLink(target)).normalize();
+    }
+    return target;
+  }
+
+  /** Returns an unused hidden name in the same folder. */
+  static Path beside(Path target, String kind) {
+    for (int i = 0; ; i++) {
+      Path name = target.resolveSibling("." + target.getFileName() + "." + kind + i);
+      if (Files.notExists(name)) {
+        return name;
+      }
+    }
+  }
+
+  static void copyPermissions(Path from, Path to) throws IOException {
+    PosixFileAttributeView old = Files.getFileAttributeView(from, PosixFileAttributeView.class);
+    PosixFileAttributeView made = Files.getFileAttributeView(to, PosixFileAttributeView.class);
+    if (old != null && made != null && Files.exists(from)) {
+      made.setPermissions(old.readAttributes().permissions());
+    }
+  }
+}

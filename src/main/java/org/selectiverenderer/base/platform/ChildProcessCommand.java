@@ -1,0 +1,74 @@
+package org.selectiverenderer.base.platform;
+
+import java.lang.management.ManagementFactory;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+
+/** Builds the command line that starts this program again as a child process. */
+public final class ChildProcessCommand {
+  /**
+   * The system property set by a desktop launcher, which is started with files as its only
+   * arguments: the program's command to run on them. A child process is given its own command.
+   */
+  public static final String DESKTOP = "selective-renderer.desktop";
+
+  /** JVM flags that two processes cannot share, such as a debugger's port. */
+  private static final List<String> OWN =
+      List.of(
+          "-agentlib:jdwp",
+          "-Xrunjdwp",
+          "-javaagent",
+          "-D" + DESKTOP + "=",
+          ParentProcessWatcher.FLAG);
+
+  private ChildProcessCommand() {}
+
+  /**
+   * Returns a command with the Java command, JVM flags and class path of this process.
+   *
+   * @param mainClass the main class of the program
+   * @param flags further JVM flags
+   * @param arguments the program's arguments
+   */
+  public static List<String> of(String mainClass, List<String> flags, List<String> arguments) {
+    List<String> command = new ArrayList<>();
+    command.add(java());
+    command.addAll(shared(ManagementFactory.getRuntimeMXBean().getInputArguments()));
+    command.addAll(flags);
+    command.addAll(List.of("-cp", System.getProperty("java.class.path"), mainClass));
+    command.addAll(arguments);
+    return command;
+  }
+
+  /** Returns those of a process's JVM flags that it may pass to a child. */
+  static List<String> shared(List<String> flags) {
+    return flags.stream().filter(flag -> OWN.stream().noneMatch(flag::startsWith)).toList();
+  }
+
+  private static String java() {
+    Path folder = Path.of(System.getProperty("java.home"), "bin");
+    return java(folder, System.getProperty(DESKTOP) != null)
+        .or(() -> ProcessHandle.current().info().command())
+        .orElse("java");
+  }
+
+  /**
+   * Returns the Java command in a folder. It is looked for there since in a jpackage bundle this
+   * process runs the bundle's launcher.
+   *
+   * @param folder the folder of Java's commands
+   * @param unseen whether the program runs without a terminal; Windows would open one for {@code
+   *     java.exe}
+   */
+  static Optional<String> java(Path folder, boolean unseen) {
+    return Stream.of(unseen ? "javaw.exe" : "java", "java", "java.exe")
+        .map(folder::resolve)
+        .filter(Files::isExecutable)
+        .map(Path::toString)
+        .findFirst();
+  }
+}

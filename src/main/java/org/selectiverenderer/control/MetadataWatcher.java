@@ -1,0 +1,65 @@
+package org.selectiverenderer.control;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.DoubleConsumer;
+import org.web3d.x3d.sai.X3DField;
+import org.web3d.x3d.sai.X3DFieldEventListener;
+import org.web3d.x3d.sai.X3DNode;
+
+/**
+ * Listens for changes of a node's metadata at every depth: another metadata node, other members of
+ * a set, other names or values. Field objects are kept, because a browser may know a listener only
+ * by the very field object that it was added to.
+ */
+final class MetadataWatcher {
+  private final X3DNode owner;
+  private List<X3DField> watched = List.of();
+  private final X3DFieldEventListener onChange;
+
+  /**
+   * Makes a watcher that listens from the first {@link #read()} on.
+   *
+   * @param onChange called with the time stamp when the metadata has changed
+   */
+  MetadataWatcher(X3DNode owner, ListenerLock turn, DoubleConsumer onChange) {
+    this.owner = owner;
+    this.onChange = event -> turn.take(() -> onChange.accept(event.getTime()));
+  }
+
+  /** Returns the present metadata, and listens for its changes from now on. */
+  Optional<SaiMetadata> read() {
+    close();
+    List<X3DField> fields = new ArrayList<>();
+    watch(owner, "metadata", fields);
+    Optional<SaiMetadata> metadata = SaiMetadata.of(owner);
+    metadata.ifPresent(source -> watch(source, new HashSet<>(), fields));
+    watched = List.copyOf(fields); // compact: a scene may have very many
+    return metadata;
+  }
+
+  /** Stops listening. */
+  void close() {
+    watched.forEach(field -> FieldListeners.remove(field, onChange));
+    watched = List.of();
+  }
+
+  private void watch(SaiMetadata source, Set<X3DNode> seen, List<X3DField> fields) {
+    if (seen.add(source.node())) {
+      watch(source.node(), "value", fields);
+      if (!source.isSet()) { // the name of a set has no meaning
+        watch(source.node(), "name", fields);
+      }
+      source.children().forEach(child -> watch(child, seen, fields));
+    }
+  }
+
+  private void watch(X3DNode node, String fieldName, List<X3DField> fields) {
+    X3DField field = node.getField(fieldName);
+    field.addX3DEventListener(onChange);
+    fields.add(field);
+  }
+}

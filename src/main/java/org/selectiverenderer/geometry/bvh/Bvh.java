@@ -1,0 +1,251 @@
+package org.selectiverenderer.geometry.bvh;
+
+import java.util.function.IntConsumer;
+import org.joml.Vector3dc;
+
+/**
+ * A bounding volume hierarchy (BVH) over numbered items with axis-aligned boxes. Boxes are stored
+ * as floats rounded outwards, so that queries are conservative: they may report an item too many
+ * but never miss one. Built by {@link BvhBuilder}.
+ */
+public final class Bvh {
+  /** Provides the boxes of the items. */
+  @FunctionalInterface
+  public interface Boxes {
+    /** Writes min x, y, z, max x, y, z, rounded outwards; in an empty box min is above max. */
+    void box(int item, float[] out);
+  }
+
+  /** Tests whether a ray hits an item. */
+  @FunctionalInterface
+  public interface ItemTest {
+    /** Returns the ray parameter of a hit that is nearer than {@code nearest}, else that. */
+    double test(int item, double nearest);
+  }
+
+  /** A depth greater than that of any tree of the builder. */
+  public static final int MAX_DEPTH = 96;
+
+  private final Boxes items;
+  private final int[] order;
+  private final float[] boxes;
+  private final int[] first;
+  private final int[] count;
+  private int[] parent = {};
+  private int[] leafOf = {};
+
+  /**
+   * Creates a tree from its arrays.
+   *
+   * @param order the items, those of a leaf consecutive
+   * @param boxes six numbers per node; node 0 is the root
+   * @param first for a leaf the index in {@code order} of its first item, for an inner node its
+   *     left child, which the right child follows
+   * @param count for a leaf the number of its items, 0 for an inner node
+   */
+  Bvh(Boxes items, int[] order, float[] boxes, int[] first, int[] count) {
+    this.items = items;
+    this.order = order;
+    this.boxes = boxes;
+    this.first = first;
+    this.count = count;
+  }
+
+  /** Returns the items, those of a leaf consecutive; not to be modified, as the arrays below. */
+  public int[] order() {
+    return order;
+  }
+
+  /** Returns six numbers per node; node 0 is the root. */
+  public float[] boxes() {
+    return boxes;
+  }
+
+  /**
+   * Returns for a leaf the index in {@link #order} of its first item, for an inner node its left
+   * child, which the right child follows.
+   */
+  public int[] first() {
+    return first;
+  }
+
+  /** Returns for a leaf the number of its items, 0 for an inner node. */
+  public int[] count() {
+    return count;
+  }
+
+  /**
+   * Tests the items along a ray from front to back.
+   *
+   * @param limit the ray parameter at which the ray ends, in lengths of {@code direction}
+   */
+  public void ray(Vector3dc origin, Vector3dc direction, double limit, ItemTest test) {
+    if (order.length == 0) {
+      return;
+    }
+    RaySlabIntersection slabs = new RaySlabIntersection(origin, direction);
+    int[] stack = new int[MAX_DEPTH];
+    double[] entered = new double[MAX_DEPTH];
+    int size = 0;
+    double nearest = limit;
+    entered[0] = slabs.enter(boxes, 0, nearest);
+    stack[size++] = 0;
+    while (size > 0) {
+      int node = stack[--size];
+      if (!(entered[size] <= nearest)) {
+        continue;
+      }
+      if (count[node] > 0) {
+        for (int i = first[node]; i < first[node] + count[node]; i++) {
+          nearest = test.test(order[i], nearest);
+        }
+        continue;
+      }
+      int near = first[node];
+      int far = near + 1;
+      double toNear = slabs.enter(boxes, near, nearest);
+      double toFar = slabs.enter(boxes, far, nearest);
+      if (toFar < toNear) {
+        int node2 = near;
+        near = far;
+        far = node2;
+        double swap = toNear;
+        toNear = toFar;
+        toFar = swap;
+      }
+      if (toFar <= nearest) {
+        entered[size] = toFar;
+        stack[size++] = far;
+      }
+      if (toNear <= nearest) {
+        entered[size] = toNear;
+        stack[size++] = near;
+      }
+    }
+  }
+
+  /** Reports the items of all leaves that overlap a box (min x, y, z, max x, y, z). */
+  public void overlap(double[] box, IntConsumer found) {
+    if (order.length == 0) {
+      return;
+    }
+    int[] stack = new int[MAX_DEPTH];
+    int size = 1;
+    while (size > 0) {
+      int node = stack[--size];
+      if (!touches(node, box)) {
+        continue;
+      }
+      if (count[node] == 0) {
+        stack[size++] = first[node] + 1;
+        stack[size++] = first[node];
+        continue;
+      }
+      for (int i = first[node]; i < first[node] + count[node]; i++) {
+        found.accept(order[i]);
+      }
+    }
+  }
+
+  private boolean touches(int node, double[] box) {
+    int at = 6 * node;
+    for (int axis = 0; axis < 3; axis++) {
+      if (boxes[at + axis] > box[axis + 3] || boxes[at + axis + 3] < box[axis]) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Refits the boxes of all nodes above an item whose box has changed. */
+  public void moved(int item) {
+    if (leafOf.length == 0) {
+      link();
+    }
+    float[] box = new float[6];
+    for (int node = leafOf[item]; node >= 0; node = parent[node]) {
+      if (count[node] > 0) {
+        enclose(node, box);
+      } else {
+        int left = 6 * first[node];
+        for (int axis = 0; axis < 3; axis++) {
+          box[axis] = Math.min(boxes[left + axis], boxes[left + 6 + axis]);
+          box[axis + 3] = Math.max(boxes[left + axis + 3], boxes[left + 9 + axis]);
+        }
+      }
+      System.arraycopy(box, 0, boxes, 6 * node, 6);
+    }
+  }
+
+  private void enclose(int leaf, float[] box) {
+    float[] one = new float[6];
+    for (int i = 0; i < count[leaf]; i++) {
+      items.box(order[first[leaf] + i], one);
+      for (int axis = 0; axis < 3; axis++) {
+        box[axis] = i == 0 ? one[axis] : Math.min(box[axis], one[axis]);
+        box[axis + 3] = i == 0 ? one[axis + 3] : Math.max(box[axis + 3], one[axis + 3]);
+      }
+    }
+  }
+
+  /** Computes every node's parent and every item's leaf, which only refitting needs. */
+  private void link() {
+    parent = new int[count.length];
+    parent[0] = -1;
+    leafOf = new int[order.length];
+    for (int node = 0; node < count.length; node++) {
+      if (count[node] == 0) {
+        parent[first[node]] = node;
+        parent[first[node] + 1] = node;
+      } else {
+        for (int i = first[node]; i < first[node] + count[node]; i++) {
+          leafOf[order[i]] = node;
+        }
+      }
+    }
+  }
+
+  /** A ray prepared for slab tests against many axis-aligned boxes (Kay and Kajiya 1986). */
+  private static final class RaySlabIntersection {
+    /** Enlarges the exit parameter by the rounding error of its two operations (Ize 2013). */
+    private static final double SLACK = 1 + 4 * Math.ulp(1.0);
+
+    private final double[] origin;
+    private final double[] inverse;
+
+    RaySlabIntersection(Vector3dc origin, Vector3dc direction) {
+      this.origin = new double[] {origin.x(), origin.y(), origin.z()};
+      this.inverse = new double[] {1 / direction.x(), 1 / direction.y(), 1 / direction.z()};
+    }
+
+    /**
+     * Returns the ray parameter at which the ray enters a box, in lengths of its direction, at
+     * least 0; NaN if it misses the box or enters it beyond {@code limit}, so that comparisons are
+     * false.
+     */
+    double enter(float[] boxes, int box, double limit) {
+      double from = 0;
+      double to = limit;
+      int at = 6 * box;
+      for (int axis = 0; axis < 3; axis++) {
+        double low = boxes[at + axis] - origin[axis];
+        double high = boxes[at + axis + 3] - origin[axis];
+        if (low > high) {
+          return Double.NaN;
+        }
+        if (Double.isInfinite(inverse[axis])) {
+          // parallel to the slab: entirely inside or entirely outside
+          if (low > 0 || high < 0) {
+            return Double.NaN;
+          }
+          continue;
+        }
+        double a = low * inverse[axis];
+        double b = high * inverse[axis];
+        from = Math.max(from, Math.min(a, b));
+        to = Math.min(to, Math.max(a, b) * SLACK);
+      }
+      return from <= to ? from : Double.NaN;
+    }
+  }
+}

@@ -1,8 +1,0 @@
-package org.selectiverenderer.validation.geometry;
-
-import org.selectiverenderer.x3d.read.ParsedNode;
-
-/** A check of a geometry node, or of a node with its points, normals or colours. */
-interface NodeCheck {
-  void check(ParsedNode node, GeometryFindings findings);
-}

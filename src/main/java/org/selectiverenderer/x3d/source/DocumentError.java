@@ -1,0 +1,26 @@
+package org.selectiverenderer.x3d.source;
+
+import org.selectiverenderer.base.problem.SourceLocation;
+
+/**
+ * A syntax or encoding error of a file, found before the scene is interpreted.
+ *
+ * @param message one sentence without a full stop
+ */
+public record DocumentError(Kind kind, SourceLocation location, String message) {
+  /** The kinds of errors. */
+  public enum Kind {
+    /** Nothing of the file is usable: it is too large, of another encoding, or not XML. */
+    REFUSED,
+    /** The compression is damaged. */
+    COMPRESSION,
+    /** Invalid bytes or an unknown character encoding. */
+    ENCODING,
+    /** An entity of a DOCTYPE, which is never expanded. */
+    ENTITY,
+    /** XML that is not well formed. */
+    SYNTAX,
+    /** Too many elements or too deep nesting. */
+    LIMIT
+  }
+}

@@ -1,0 +1,55 @@
+package org.selectiverenderer.x3d.source;
+
+import java.util.Optional;
+import java.util.regex.Pattern;
+
+/**
+ * The encodings of X3D and VRML scenes. The encoding of a file is detected by its first characters,
+ * not by its file name, which is often wrong.
+ */
+public enum SceneEncoding {
+  /** X3D's XML encoding (ISO/IEC 19776-1). */
+  XML("X3D XML"),
+  /** ClassicVRML (ISO/IEC 19776-2). */
+  CLASSIC("ClassicVRML"),
+  /** VRML97 (ISO/IEC 14772-1), the predecessor of ClassicVRML. */
+  VRML97("VRML97"),
+  /** X3D's JSON encoding. */
+  JSON("X3D JSON");
+
+  private static final Pattern VRML2 = Pattern.compile("#VRML[ \\t]+V2\\.");
+
+  private final String title;
+
+  SceneEncoding(String title) {
+    this.title = title;
+  }
+
+  /** Returns the name for users. */
+  public String title() {
+    return title;
+  }
+
+  /** Returns whether this is ClassicVRML or VRML97. */
+  public boolean vrml() {
+    return this == CLASSIC || this == VRML97;
+  }
+
+  /** Detects the encoding by the beginning of a text; empty if it is unknown. */
+  public static Optional<SceneEncoding> of(String head) {
+    String start = head.stripLeading();
+    if (head.isEmpty()) {
+      return Optional.empty();
+    }
+    if (start.isEmpty() || start.startsWith("<")) {
+      return Optional.of(XML);
+    }
+    if (start.startsWith("{")) {
+      return Optional.of(JSON);
+    }
+    if (start.startsWith("#X3D")) {
+      return Optional.of(CLASSIC);
+    }
+    return VRML2.matcher(start).lookingAt() ? Optional.of(VRML97) : Optional.empty();
+  }
+}

@@ -1,0 +1,37 @@
+package org.selectiverenderer.app.headset;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.selectiverenderer.testing.ShowsWindows;
+
+/** A run in a headset that is ended from outside (Ctrl-C, a session that logs out). */
+@ShowsWindows
+@Timeout(value = 120, unit = TimeUnit.SECONDS)
+class HeadsetInterruptTest {
+  @Test
+  void endsAsIfItsWindowWereClosed() throws IOException, InterruptedException {
+    Process run =
+        new ProcessBuilder(
+                ProcessHandle.current().info().command().orElse("java"),
+                "-cp",
+                System.getProperty("java.class.path"),
+                InterruptedHeadsetRun.class.getName(),
+                "scenes/trashcan.x3d")
+            .redirectErrorStream(true)
+            .start();
+    try (BufferedReader said = run.inputReader(StandardCharsets.UTF_8)) {
+      assertThat(said.lines().anyMatch(InterruptedHeadsetRun.SHOWN::equals)).isTrue();
+      run.toHandle().destroy(); // SIGTERM, where there are signals; what it says can still be read.
+      List<String> rest = said.lines().toList();
+      assertThat(rest).containsExactly(InterruptedHeadsetRun.ENDED);
+      run.waitFor();
+    }
+  }
+}

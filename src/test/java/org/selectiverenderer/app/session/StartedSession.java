@@ -1,0 +1,33 @@
+package org.selectiverenderer.app.session;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.experiment.session.Session;
+import org.selectiverenderer.experiment.session.SessionOptions;
+import org.selectiverenderer.experiment.session.SessionStep;
+import org.selectiverenderer.experiment.session.StudyMaterial;
+
+/** A session of a study's first participant, who has filled in the form. */
+final class StartedSession {
+  private StartedSession() {}
+
+  static Session of(Path study) throws IOException {
+    StudyMaterial material = StudyMaterial.read(study, new ProblemCollector()).orElseThrow();
+    Session session =
+        Session.begin(
+            material,
+            "001",
+            1,
+            new SessionOptions(Optional.empty(), OptionalDouble.empty(), false, "test"),
+            new ProblemCollector());
+    SessionStep form = session.remaining().get(0);
+    session.began(form, false);
+    session.assign("18-22");
+    session.finished(form, Map.of());
+    return session;
+  }
+}

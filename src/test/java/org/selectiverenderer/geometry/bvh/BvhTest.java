@@ -1,0 +1,65 @@
+package org.selectiverenderer.geometry.bvh;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.TreeSet;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+
+/** A thousand unit boxes in a row along X, box i centred at x = 10 i. */
+class BvhTest {
+  private final float[] centres = new float[1000];
+  private final Bvh tree;
+
+  BvhTest() {
+    for (int i = 0; i < centres.length; i++) {
+      centres[i] = 10 * i;
+    }
+    tree = BvhBuilder.build(centres.length, this::box);
+  }
+
+  private void box(int item, float[] out) {
+    for (int axis = 0; axis < 3; axis++) {
+      float centre = axis == 0 ? centres[item] : 0;
+      out[axis] = centre - 0.5f;
+      out[axis + 3] = centre + 0.5f;
+    }
+  }
+
+  private TreeSet<Integer> tested(Vector3d origin) {
+    TreeSet<Integer> tested = new TreeSet<>();
+    tree.ray(
+        origin,
+        new Vector3d(0, -1, 0),
+        Double.POSITIVE_INFINITY,
+        (item, nearest) -> {
+          tested.add(item);
+          return nearest;
+        });
+    return tested;
+  }
+
+  @Test
+  void aRayWithoutEndTestsOnlyWhatItMayMeet() {
+    assertThat(tested(new Vector3d(5000, 9, 0))).contains(500).hasSizeLessThan(9);
+    assertThat(tested(new Vector3d(5000, 9, 3))).isEmpty();
+  }
+
+  @Test
+  void aBoxThatMovedIsFoundWhereItIsAndNotWhereItWas() {
+    centres[500] = -300;
+    tree.moved(500);
+    assertThat(tested(new Vector3d(-300, 9, 0))).contains(500);
+    TreeSet<Integer> found = new TreeSet<>();
+    tree.overlap(new double[] {4995, -1, -1, 5005, 1, 1}, found::add);
+    assertThat(found).hasSizeLessThan(9);
+    tree.overlap(new double[] {-301, -1, -1, -299, 1, 1}, found::add);
+    assertThat(found).contains(500);
+  }
+
+  @Test
+  void anEmptyTreeFindsNothing() {
+    Bvh empty = BvhBuilder.build(0, this::box);
+    empty.overlap(new double[] {-1, -1, -1, 1, 1, 1}, item -> assertThat(item).isNegative());
+  }
+}

@@ -1,0 +1,54 @@
+package org.selectiverenderer.tracker.pipeline;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.locks.LockSupport;
+import org.junit.jupiter.api.Test;
+import org.selectiverenderer.tracker.PoseSample;
+import org.selectiverenderer.tracker.RecordingTrackerListener;
+import org.selectiverenderer.tracker.TrackerOptions;
+import org.selectiverenderer.tracker.TrackerSpec;
+
+class LiveTrackerTest {
+  private final RecordingTrackerListener watching = new RecordingTrackerListener();
+
+  @Test
+  void anErrorOfTheDriverIsToldAndTheConnectionOpenedAgain() throws IOException {
+    AtomicInteger opened = new AtomicInteger();
+    PoseSource source =
+        new PoseSource() {
+          @Override
+          public void open() {
+            if (opened.incrementAndGet() == 2) {
+              throw new IllegalStateException("the device is half plugged in");
+            }
+          }
+
+          @Override
+          public void read(PoseSink intake) {
+            if (opened.get() == 1) {
+              throw new IllegalStateException("of ours");
+            }
+            while (!intake.closed()) {
+              intake.angles(System.nanoTime(), 30, 20, 10);
+              LockSupport.parkNanos(1_000_000);
+            }
+          }
+
+          @Override
+          public void close() {
+            // Nothing is open.
+          }
+        };
+    TrackerSpec spec = new TrackerSpec.Tcp("here", 1);
+    try (LiveTracker tracker = LiveTracker.open(spec, source, TrackerOptions.NONE, watching)) {
+      watching.problem("the tracker's driver failed, please report it");
+      watching.until("a record", () -> watching.samples() > 0);
+      PoseSample pose = new PoseSample();
+      assertThat(tracker.read(pose)).isTrue();
+      assertThat(pose.yaw()).isEqualTo(30);
+    }
+  }
+}

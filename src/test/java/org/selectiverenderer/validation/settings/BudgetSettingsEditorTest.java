@@ -1,0 +1,138 @@
+package org.selectiverenderer.validation.settings;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.validation.PolygonBudget;
+import org.selectiverenderer.validation.run.RuleCatalogue;
+
+/** Budgets are changed in the text that a person has written. */
+class BudgetSettingsEditorTest {
+  private static final PolygonBudget OFFICE = new PolygonBudget("Office", List.of(), 170000);
+  private static final PolygonBudget DESK =
+      new PolygonBudget("Office", List.of("Desk", "Chair"), 70000);
+
+  @TempDir Path folder;
+
+  private Path file() {
+    return folder.resolve("validate.json");
+  }
+
+  private BudgetSettingsEditor with(String text) throws IOException {
+    Files.writeString(file(), text);
+    return budgets();
+  }
+
+  private BudgetSettingsEditor budgets() {
+    return new BudgetSettingsEditor(file(), RuleCatalogue.standard());
+  }
+
+  private String text() throws IOException {
+    return Files.readString(file());
+  }
+
+  private List<PolygonBudget> read() throws IOException {
+    ProblemCollector problems = new ProblemCollector();
+    List<PolygonBudget> read = budgets().read(problems).orElseThrow().budgets();
+    assertThat(problems.list()).isEmpty();
+    return read;
+  }
+
+  @Test
+  void aFileIsMadeWithItsFirstBudgetAndKeepsTheirOrder() throws IOException {
+    assertThat(read()).isEmpty();
+    budgets().put(OFFICE);
+    assertThat(text())
+        .isEqualTo(
+            """
+            {
+              "budgets": [
+                {"scope": "Office", "polygons": 170000}
+              ]
+            }
+            """);
+    budgets().put(DESK);
+    budgets().put(new PolygonBudget("", List.of(), 9));
+    assertThat(read()).containsExactly(OFFICE, DESK, new PolygonBudget("", List.of(), 9));
+  }
+
+  @Test
+  void onlyTheNumberOfABudgetThatIsThereChanges() throws IOException {
+    String before =
+        """
+        // ours
+        {
+          "ignore": ["SR207"],  /* on purpose */
+          "budgets": [
+            {"polygons": %s, "scope": "Office"}, // the room
+            { "scope" : "Office",
+              "schemas":["Chair" , "Desk"], "polygons" : 5 },
+          ],
+          "megabytes": 5.0e1,
+        }
+        """;
+    BudgetSettingsEditor file = with(before.formatted("170000"));
+    file.put(new PolygonBudget("Office", List.of(), 42));
+    assertThat(text()).isEqualTo(before.formatted("42"));
+    file.put(new PolygonBudget("Office", List.of("Desk", "Chair"), 123456));
+    assertThat(text()).isEqualTo(before.formatted("42").replace(": 5 }", ": 123456 }"));
+    file.put(new PolygonBudget("Kitchen", List.of(), 7));
+    assertThat(read()).hasSize(3);
+    assertThat(text()).contains("},\n    {\"scope\": \"Kitchen\", \"polygons\": 7},\n  ],");
+  }
+
+  @Test
+  void budgetsAreTakenAwayWithTheirCommas() throws IOException {
+    BudgetSettingsEditor file = budgets();
+    file.put(OFFICE);
+    String one = text();
+    file.put(DESK);
+    String two = text();
+    file.remove(DESK);
+    assertThat(text()).isEqualTo(one);
+    file.remove(DESK);
+    assertThat(text()).isEqualTo(one);
+    Files.writeString(file(), two);
+    file.remove(OFFICE);
+    assertThat(read()).containsExactly(DESK);
+    file.remove(DESK);
+    assertThat(read()).isEmpty();
+    file.put(OFFICE);
+    assertThat(read()).containsExactly(OFFICE);
+  }
+
+  @Test
+  void aListIsMadeAmongOtherKeysAndLineEndsStay() throws IOException {
+    BudgetSettingsEditor file = with("\uFEFF{\r\n  \"megabytes\": 50\r\n}\r\n");
+    file.put(OFFICE);
+    assertThat(text().replace("\r\n", "")).doesNotContain("\n").startsWith("\uFEFF{");
+    assertThat(text()).endsWith("\"megabytes\": 50\r\n}\r\n");
+    assertThat(read()).containsExactly(OFFICE);
+  }
+
+  @Test
+  void namesAreQuotedAndBracesInTextsAreNoBraces() throws IOException {
+    PolygonBudget odd = new PolygonBudget("a\"}b", List.of("],\\"), 1);
+    BudgetSettingsEditor file = with("{\"budgets\": [{\"scope\": \"}]\", \"polygons\": 3}]}");
+    file.put(odd);
+    file.put(new PolygonBudget("}]", List.of(), 12));
+    assertThat(read()).containsExactly(new PolygonBudget("}]", List.of(), 12), odd);
+  }
+
+  @Test
+  void aFaultyFileStaysAsItIs() throws IOException {
+    BudgetSettingsEditor file = with("{\"budgets\": [{\"scope\": \"Office\"}]}");
+    assertThatThrownBy(() -> file.put(OFFICE))
+        .isInstanceOf(IOException.class)
+        .hasMessageContaining("validate.json:1:14")
+        .hasMessageContaining("the budget is not saved");
+    assertThat(text()).isEqualTo("{\"budgets\": [{\"scope\": \"Office\"}]}");
+  }
+}

@@ -1,5 +1,0 @@
-/** The materials of the apartment's objects. Uses {@code modelling} only. */
-@NullMarked
-package org.selectiverenderer.apartment.looks;
-
-import org.jspecify.annotations.NullMarked;

@@ -1,5 +1,0 @@
-/** Tests of the rooms themselves. */
-@NullMarked
-package org.selectiverenderer.apartment.frame;
-
-import org.jspecify.annotations.NullMarked;

@@ -1,4 +1,0 @@
-@NullMarked
-package org.selectiverenderer.apartment.pictures;
-
-import org.jspecify.annotations.NullMarked;

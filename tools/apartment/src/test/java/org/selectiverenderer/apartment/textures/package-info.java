@@ -1,0 +1,4 @@
+@NullMarked
+package org.selectiverenderer.apartment.textures;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,164 @@
+package org.selectiverenderer.enricher;
+
+import java.awt.Window;
+import java.io.File;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import javax.swing.JFileChooser;
+import javax.swing.JLabel;
+import javax.swing.JOptionPane;
+import javax.swing.filechooser.FileNameExtensionFilter;
+import org.selectiverenderer.base.files.FileFinder;
+import org.selectiverenderer.base.markup.MarkupEscaper;
+import org.selectiverenderer.document.file.ThreeWayMerge;
+import org.selectiverenderer.enricher.diff.DiffDialog;
+import org.selectiverenderer.enricher.diff.MergeDialog;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.Texts;
+
+/** Asks the author by modal dialogs over the window. */
+final class DialogUserPrompts implements UserPrompts {
+
+  private final Window owner;
+
+  DialogUserPrompts(Window owner) {
+    this.owner = owner;
+  }
+
+  private int choose(String sentence, String... choices) {
+    return show(JOptionPane.QUESTION_MESSAGE, sentence, choices);
+  }
+
+  private int show(int kind, String sentence, String... choices) {
+    JLabel said = new JLabel("<html><body width=420>" + MarkupEscaper.text(sentence));
+    said.getAccessibleContext().setAccessibleName(sentence);
+    return JOptionPane.showOptionDialog(
+        owner,
+        said,
+        Texts.of("window.title"),
+        JOptionPane.DEFAULT_OPTION,
+        kind,
+        null,
+        choices,
+        choices[0]);
+  }
+
+  @Override
+  public Unsaved unsaved(String name) {
+    return switch (choose(
+        Texts.of("window.unsaved", name),
+        Texts.of("window.save"),
+        Texts.of("window.discard"),
+        Texts.of("keep.cancel"))) {
+      case 0 -> Unsaved.SAVE;
+      case 1 -> Unsaved.DISCARD;
+      default -> Unsaved.CANCEL;
+    };
+  }
+
+  @Override
+  public Left left(String sentence) {
+    return switch (choose(
+        sentence,
+        Texts.of("window.restore"),
+        Texts.of("window.discardkept"),
+        Texts.of("window.later"))) {
+      case 0 -> Left.RESTORE;
+      case 1 -> Left.DISCARD;
+      default -> Left.LATER;
+    };
+  }
+
+  @Override
+  public boolean convert(String sentence) {
+    return choose(sentence, Texts.of("keep.cancel"), Texts.of("window.doconvert")) == 1;
+  }
+
+  @Override
+  public boolean overwrite(String sentence) {
+    return choose(sentence, Texts.of("keep.cancel"), Texts.of("window.overwrite")) == 1;
+  }
+
+  @Override
+  public OnDisk changedOnDisk(String sentence, List<OnDisk> among) {
+    String[] names =
+        among.stream()
+            .map(
+                answer ->
+                    switch (answer) {
+                      case KEEP ->
+                          among.contains(OnDisk.OVERWRITE)
+                              ? Texts.of("keep.cancel")
+                              : Texts.of("merge.keep");
+                      case OVERWRITE -> Texts.of("merge.overwrite");
+                      case TAKE -> Texts.of("merge.take");
+                      case MERGE -> Texts.of("merge.merge");
+                    })
+            .toArray(String[]::new);
+    return among.get(Math.max(0, choose(sentence, names)));
+  }
+
+  @Override
+  public Optional<List<ThreeWayMerge.Choice>> merge(ThreeWayMerge merge) {
+    return new MergeDialog(owner, merge).decided();
+  }
+
+  @Override
+  public boolean leaveBehind(String sentence) {
+    return choose(sentence, Texts.of("keep.cancel"), Texts.of("window.savethere")) == 1;
+  }
+
+  @Override
+  public boolean saveFaulty(String sentence) {
+    return choose(sentence, Texts.of("keep.cancel"), Texts.of("keep.faulty.save")) == 1;
+  }
+
+  private static JFileChooser chooser(Optional<Path> near) {
+    JFileChooser chooser = new JFileChooser();
+    chooser.setFileFilter(new FileNameExtensionFilter(Texts.of("window.scenes"), endings()));
+    near.ifPresent(path -> chooser.setSelectedFile(path.toAbsolutePath().toFile()));
+    return chooser;
+  }
+
+  /**
+   * The file extensions of scenes; .json and .xml count only where the author says that a file is a
+   * scene.
+   */
+  private static String[] endings() {
+    return Stream.concat(FileFinder.SCENES.endings().stream(), Stream.of(".json", ".xml"))
+        .map(ending -> ending.substring(ending.lastIndexOf('.') + 1))
+        .distinct()
+        .toArray(String[]::new);
+  }
+
+  private static Optional<Path> chosen(JFileChooser chooser, int answer) {
+    File file = chooser.getSelectedFile();
+    return answer == JFileChooser.APPROVE_OPTION && file != null
+        ? Optional.of(file.toPath())
+        : Optional.empty();
+  }
+
+  @Override
+  public Optional<Path> fileToOpen(Optional<Path> near) {
+    JFileChooser chooser = chooser(near);
+    return chosen(chooser, chooser.showOpenDialog(owner));
+  }
+
+  @Override
+  public Optional<Path> fileToSave(Path near) {
+    JFileChooser chooser = chooser(Optional.of(near));
+    return chosen(chooser, chooser.showSaveDialog(owner));
+  }
+
+  @Override
+  public boolean review(EnricherSession session) {
+    return new DiffDialog(owner, session).confirmed();
+  }
+
+  @Override
+  public void tell(String sentence) {
+    show(JOptionPane.WARNING_MESSAGE, sentence, Texts.of("window.ok"));
+  }
+}

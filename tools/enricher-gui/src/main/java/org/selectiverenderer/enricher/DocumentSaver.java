@@ -1,0 +1,355 @@
+package org.selectiverenderer.enricher;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Queue;
+import java.util.function.Consumer;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
+import org.selectiverenderer.base.files.FileFinder;
+import org.selectiverenderer.base.files.FileTransaction;
+import org.selectiverenderer.document.DocumentSnapshot;
+import org.selectiverenderer.document.Edit;
+import org.selectiverenderer.document.file.BrokenRelativeUrls;
+import org.selectiverenderer.document.file.DocumentFile;
+import org.selectiverenderer.document.file.ExternalFileVersion;
+import org.selectiverenderer.document.file.FileChangedException;
+import org.selectiverenderer.document.file.FileState;
+import org.selectiverenderer.document.file.SaveOperation;
+import org.selectiverenderer.document.file.ThreeWayMerge;
+import org.selectiverenderer.enricher.UserPrompts.OnDisk;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.x3d.source.DocumentError;
+import org.selectiverenderer.x3d.source.TextEdit;
+
+/**
+ * Saves a document in the background, and resolves conflicts with changes of the file by other
+ * programs so that no work is lost. Requests that come while a file is being written wait until it
+ * is. Has no widgets; for the event dispatch thread.
+ */
+final class DocumentSaver {
+  private final EnricherSession session;
+  private final UserPrompts questions;
+  private final Queue<Runnable> waiting = new ArrayDeque<>();
+  private boolean writing;
+  private FileState known = FileState.SAME;
+
+  DocumentSaver(EnricherSession session, UserPrompts questions) {
+    this.session = session;
+    this.questions = questions;
+  }
+
+  /**
+   * Saves to the document's file.
+   *
+   * @param review whether the author sees the changes first
+   * @param saved runs when the file has been written
+   */
+  void save(boolean review, Runnable saved) {
+    if (writing) {
+      waiting.add(() -> save(review, saved));
+    } else if (!session.document().modified()) {
+      saved.run();
+    } else if (faultAccepted(session.file().path()) && (!review || questions.review(session))) {
+      write(session.file().writing(), saved);
+    }
+  }
+
+  /**
+   * Returns whether the text is well formed, or else whether the author wants to save it all the
+   * same.
+   */
+  private boolean faultAccepted(Path target) {
+    Optional<DocumentError> fault = session.document().fault();
+    boolean save =
+        fault.isEmpty()
+            || questions.saveFaulty(
+                Texts.of(
+                    "keep.faulty",
+                    String.valueOf(target.getFileName()),
+                    String.valueOf(fault.get().location().line()),
+                    fault.get().message()));
+    if (!save) {
+      fault.ifPresent(is -> session.message(is.location() + ": " + is.message()));
+    }
+    return save;
+  }
+
+  /** Saves to another file, which the author names; its extension is added where it is missing. */
+  void saveAs(Runnable saved) {
+    if (writing) {
+      waiting.add(() -> saveAs(saved));
+      return;
+    }
+    Path now = session.file().path().toAbsolutePath();
+    questions
+        .fileToSave(now)
+        .map(other -> SceneFileExtension.added(other, now))
+        .filter(other -> free(now, other.toAbsolutePath()))
+        .filter(other -> complete(now, other.toAbsolutePath()))
+        .filter(this::faultAccepted)
+        .ifPresent(
+            other ->
+                write(
+                    other.toAbsolutePath().equals(now)
+                        ? session.file().writing()
+                        : session.file().writing(other),
+                    saved));
+  }
+
+  /** Returns whether the file may be written: it is new, or the author agrees to overwrite it. */
+  private boolean free(Path now, Path other) {
+    return other.equals(now)
+        || !Files.exists(other)
+        || FileTransaction.sink(other)
+        || questions.overwrite(Texts.of("keep.exists", other.toString()));
+  }
+
+  /**
+   * Returns whether the scene finds its relative urls from the other folder, or else whether the
+   * author accepts that it does not.
+   */
+  private boolean complete(Path now, Path other) {
+    List<String> left =
+        BrokenRelativeUrls.in(session.document(), now.getParent(), other.getParent());
+    if (left.isEmpty()) {
+      return true;
+    }
+
+    return questions.leaveBehind(
+        Texts.of(
+            "window.left",
+            String.valueOf(other.getParent()),
+            left.size(),
+            DecimalFormatter.grouped(left.size()),
+            left.get(0),
+            String.valueOf(now.getFileName())));
+  }
+
+  private void write(SaveOperation what, Runnable saved) {
+    writing = true;
+    session
+        .tasks()
+        .runToEnd(
+            Texts.of("window.saving", String.valueOf(what.target().getFileName())),
+            () -> {
+              what.write();
+              return what;
+            },
+            done -> {
+              session.file().written(done);
+              known = FileState.SAME;
+              session.message(Texts.of("window.saved", done.target().toString()));
+              writing = false;
+              saved.run();
+              goOn();
+            },
+            failed -> {
+              writing = false;
+              failed(what, saved, failed);
+              goOn();
+            });
+  }
+
+  private void goOn() {
+    while (!writing && !waiting.isEmpty()) {
+      waiting.remove().run();
+    }
+  }
+
+  private void failed(SaveOperation what, Runnable saved, Exception why) {
+    String sentence = String.valueOf(why.getMessage());
+    if (!(why instanceof FileChangedException)) {
+      questions.tell(sentence);
+      return;
+    }
+    known = FileState.CHANGED; // asked here, so not again when the window gets the focus
+    List<OnDisk> possible = new ArrayList<>(List.of(OnDisk.KEEP, OnDisk.OVERWRITE));
+    if (session.document().locked().isEmpty()) {
+      possible.add(OnDisk.MERGE);
+    }
+    switch (questions.changedOnDisk(sentence, possible)) {
+      case OVERWRITE -> write(what.over(), saved);
+      case MERGE -> merge(() -> save(false, saved));
+      case KEEP, TAKE -> session.message(Texts.of("merge.kept"));
+    }
+  }
+
+  /** Merges the document with its file, which another program may have changed. */
+  void merge() {
+    if (writing) {
+      waiting.add(this::merge);
+    } else {
+      merge(() -> session.message(Texts.of("merge.done")));
+    }
+  }
+
+  private void merge(Runnable merged) {
+    Optional<String> common = session.file().common();
+    withDisk(
+        copy -> {
+          String mine = session.document().text().toString();
+          ThreeWayMerge merge = ThreeWayMerge.of(common, mine, copy.text());
+          if (merge.count(ThreeWayMerge.Kind.THEIRS) + merge.count(ThreeWayMerge.Kind.CONFLICT)
+              == 0) {
+            if (take(copy, merge.edit(Texts.of("merge.step"), List.of()))) {
+              session.message(Texts.of("merge.nothing"));
+              merged.run();
+            }
+            return;
+          }
+          questions
+              .merge(merge)
+              .ifPresent(
+                  choices -> {
+                    if (take(copy, merge.edit(Texts.of("merge.step"), choices))) {
+                      merged.run();
+                    }
+                  });
+        });
+  }
+
+  /**
+   * Takes the text of the file in place of the document's: as one undo step where the document
+   * would then be saved as the same bytes, else by reloading.
+   */
+  private void takeDisk(Runnable reload) {
+    withDisk(
+        copy -> {
+          DocumentSnapshot now = session.document().snapshot();
+          if (now.locked().isPresent() || !copy.sameForm(now)) {
+            reload.run(); // in another encoding it is another document
+            return;
+          }
+          ThreeWayMerge all = ThreeWayMerge.of(Optional.of(now.text()), now.text(), copy.text());
+          Edit edit =
+              all.text(List.of()).equals(copy.text())
+                  ? all.edit(Texts.of("merge.step.take"), List.of())
+                  : new Edit(
+                      Texts.of("merge.step.take"),
+                      List.of(new TextEdit(0, now.text().length(), copy.text())));
+          take(copy, edit);
+        });
+  }
+
+  /** Makes the edit and returns whether it was made; else the author has been told why not. */
+  private boolean take(ExternalFileVersion copy, Edit edit) {
+    boolean taken = session.attempt(() -> session.file().take(copy, edit));
+    if (taken) {
+      known = FileState.SAME;
+    }
+    return taken;
+  }
+
+  private void withDisk(Consumer<ExternalFileVersion> use) {
+    Path path = session.file().path();
+    session
+        .tasks()
+        .run(
+            Texts.of("merge.reading", String.valueOf(path.getFileName())),
+            () -> ExternalFileVersion.read(path),
+            use,
+            failed -> questions.tell(String.valueOf(failed.getMessage())));
+  }
+
+  /**
+   * Asks about unsaved changes before the document is closed.
+   *
+   * @param leave runs when nothing is unsaved, or the author discards the changes
+   */
+  void leaving(boolean review, Runnable leave) {
+    if (writing) {
+      waiting.add(() -> leaving(review, leave));
+    } else if (!session.document().modified()) {
+      leave.run();
+    } else {
+      switch (questions.unsaved(String.valueOf(session.file().path().getFileName()))) {
+        case SAVE -> save(review, () -> leaving(review, leave));
+        case DISCARD -> leave.run();
+        case CANCEL -> session.message(Texts.of("window.notclosed"));
+      }
+    }
+  }
+
+  /**
+   * Checks in the background whether the file has changed on the disk, and asks once for each
+   * change what to do.
+   *
+   * @param reload runs when the author wants the file as it is now
+   */
+  void lookAtDisk(Runnable reload) {
+    if (!writing) {
+      DocumentFile.ChangeGuard guard = session.file().guard();
+      session
+          .tasks()
+          .run(
+              Texts.of("window.looking", String.valueOf(session.file().path().getFileName())),
+              guard::state,
+              state -> heard(state, reload),
+              failed -> session.message(String.valueOf(failed.getMessage())));
+    }
+  }
+
+  private void heard(FileState now, Runnable reload) {
+    if (writing || now == known) {
+      return;
+    }
+    known = now;
+    Path path = session.file().path();
+    if (now == FileState.GONE) {
+      session.message(Texts.of("window.gone", path.toString()));
+    } else if (now == FileState.CHANGED) {
+      boolean mergeable = session.document().modified() && session.document().locked().isEmpty();
+      List<OnDisk> possible =
+          mergeable
+              ? List.of(OnDisk.KEEP, OnDisk.TAKE, OnDisk.MERGE)
+              : List.of(OnDisk.KEEP, OnDisk.TAKE);
+      switch (questions.changedOnDisk(Texts.of("merge.changed", path.toString()), possible)) {
+        case TAKE -> takeDisk(reload);
+        case MERGE -> merge();
+        case KEEP, OVERWRITE -> session.message(Texts.of("merge.kept"));
+      }
+    }
+  }
+
+  /** The file extensions of scenes. */
+  private static final class SceneFileExtension {
+    private static final String PLAIN = ".x3d";
+    private static final String PACKED = ".x3dz";
+
+    /** Further extensions that are accepted where the author says that a file is a scene. */
+    private static final List<String> OTHERS = List.of(".x3d.gz", ".xml", ".json", ".html");
+
+    private SceneFileExtension() {}
+
+    /**
+     * Returns a file with the extension of a scene added where it has none: without it other
+     * programs, and file dialogs, would not take it for a scene.
+     *
+     * @param named the file that the author names
+     * @param now the scene's present file; a compressed scene gets the extension of compressed ones
+     */
+    static Path added(Path named, Path now) {
+      if (known(named) || named.toAbsolutePath().equals(now) || FileTransaction.sink(named)) {
+        return named;
+      }
+      boolean packed = lower(now).endsWith(PACKED);
+      return named.resolveSibling(named.getFileName() + (packed ? PACKED : PLAIN));
+    }
+
+    private static boolean known(Path file) {
+      String name = lower(file);
+      return FileFinder.SCENES.endings().stream().anyMatch(name::endsWith)
+          || OTHERS.stream().anyMatch(name::endsWith);
+    }
+
+    private static String lower(Path file) {
+      return String.valueOf(file.getFileName()).toLowerCase(Locale.ROOT);
+    }
+  }
+}

@@ -1,0 +1,11 @@
+/**
+ * Swing components and layouts that several views share: {@code WrapLayout} wraps components into
+ * as many lines as the width needs, {@code AccessibleCanvas} is a custom-painted component that is
+ * accessible as a canvas.
+ *
+ * <p>Uses nothing of ours. For the event dispatch thread.
+ */
+@NullMarked
+package org.selectiverenderer.enricher.component;
+
+import org.jspecify.annotations.NullMarked;

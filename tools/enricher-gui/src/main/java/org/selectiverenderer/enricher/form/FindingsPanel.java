@@ -1,0 +1,143 @@
+package org.selectiverenderer.enricher.form;
+
+import java.awt.Dimension;
+import java.util.List;
+import java.util.Optional;
+import javax.swing.BorderFactory;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.UIManager;
+import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
+import org.selectiverenderer.document.ElementFinding;
+import org.selectiverenderer.document.enrichment.EnrichedSensor;
+import org.selectiverenderer.document.enrichment.EnrichedSwitch;
+import org.selectiverenderer.enricher.problems.SeverityIcon;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.x3d.source.DocumentElement;
+
+/**
+ * Lists the findings about the selected node, each with a button that fixes it where a fix is
+ * known. Its height is constant, so that no field moves under the mouse.
+ */
+final class FindingsPanel extends JPanel {
+  private static final long serialVersionUID = 1L;
+
+  /**
+   * Height in lines: the count and two findings with their buttons; further ones are scrolled to.
+   */
+  private static final int LINES = 9;
+
+  private final transient EnricherSession session;
+  private final JLabel title = new JLabel();
+  private final JPanel list =
+      new ScrollablePanel(new MigLayout("insets 0, wrap 2, hidemode 3", "[][grow,fill]"));
+  private transient List<ElementFinding> shown = List.of();
+
+  FindingsPanel(EnricherSession session) {
+    super(new MigLayout("insets 4 8 4 8, wrap 1, gapy 2", "[grow,fill]", "[][grow,fill]"));
+    this.session = session;
+    getAccessibleContext().setAccessibleName(Texts.of("keep.findings"));
+    title.setName("Findings");
+    add(title, "wmin 0");
+    JScrollPane scroll = new JScrollPane(list);
+    scroll.setBorder(null);
+    scroll.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
+    scroll.getVerticalScrollBar().setUnitIncrement(16);
+    scroll
+        .getVerticalScrollBar()
+        .getAccessibleContext()
+        .setAccessibleName(Texts.of("keep.findings.scroll"));
+    add(scroll, "wmin 0, hmin 0");
+    setBorder(
+        BorderFactory.createMatteBorder(1, 0, 0, 0, UIManager.getColor("Separator.foreground")));
+    head();
+  }
+
+  @Override
+  public Dimension getPreferredSize() {
+    int line = title.getFontMetrics(title.getFont()).getHeight();
+    return new Dimension(0, LINES * line);
+  }
+
+  @Override
+  public Dimension getMinimumSize() {
+    return getPreferredSize();
+  }
+
+  private void head() {
+    title.setText(
+        shown.isEmpty()
+            ? Texts.of("keep.findings.none")
+            : Texts.of("keep.findings.some", shown.size(), DecimalFormatter.grouped(shown.size())));
+    title.setEnabled(!shown.isEmpty());
+  }
+
+  /** Shows the findings about an element. */
+  void show(Optional<DocumentElement> element) {
+    List<ElementFinding> now = element.map(this::findings).orElse(List.of());
+    if (same(now)) {
+      shown = now;
+      return;
+    }
+    shown = now;
+    head();
+    list.removeAll();
+    for (int i = 0; i < now.size(); i++) {
+      add(now.get(i), i);
+    }
+    list.revalidate();
+    list.repaint();
+  }
+
+  private List<ElementFinding> findings(DocumentElement element) {
+    List<ElementFinding> own =
+        session
+            .enrichment()
+            .switchNode(element)
+            .map(EnrichedSwitch::findings)
+            .or(() -> session.enrichment().sensorNode(element).map(EnrichedSensor::findings))
+            .orElse(List.of());
+    return session.enrichment().findings().stream()
+        .filter(finding -> finding.element() == element || own.contains(finding))
+        .toList();
+  }
+
+  private boolean same(List<ElementFinding> now) {
+    boolean same = now.size() == shown.size();
+    for (int i = 0; same && i < now.size(); i++) {
+      same =
+          now.get(i).message().equals(shown.get(i).message())
+              && now.get(i).element() == shown.get(i).element();
+    }
+    return same;
+  }
+
+  private void add(ElementFinding finding, int index) {
+    list.add(SeverityIcon.label(finding.severity()), "aligny top");
+    list.add(LabelFactory.sentences(finding.message()), "wmin 0");
+    finding
+        .fix()
+        .ifPresent(
+            fix -> {
+              JButton mend = new JButton(fix.name());
+              mend.setName("Fix " + index);
+              if (index == 0) {
+                mend.setMnemonic('X');
+              }
+              mend.addActionListener(event -> mend(index));
+              list.add(mend, "skip 1, growx 0, wmin 0");
+            });
+  }
+
+  /** Applies the fix of the present finding at an index, as earlier ones refer to an older text. */
+  private void mend(int index) {
+    shown
+        .get(index)
+        .fix()
+        .ifPresent(fix -> session.attempt(() -> session.perform(fix.edit().get())));
+  }
+}

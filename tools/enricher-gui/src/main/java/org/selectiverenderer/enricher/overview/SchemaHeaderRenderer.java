@@ -1,0 +1,56 @@
+package org.selectiverenderer.enricher.overview;
+
+import java.awt.Component;
+import java.util.Optional;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JTable;
+import javax.swing.LookAndFeel;
+import javax.swing.UIManager;
+import javax.swing.table.JTableHeader;
+import javax.swing.table.TableCellRenderer;
+import org.selectiverenderer.document.ElementFinding;
+import org.selectiverenderer.enricher.text.Texts;
+
+/**
+ * Renders a column header: its name, the sort direction, and a warning sign where there is a
+ * finding about its schema.
+ */
+final class SchemaHeaderRenderer implements TableCellRenderer {
+  private final OverviewTableModel model;
+  private LookAndFeel theme = UIManager.getLookAndFeel();
+  private TableCellRenderer plain = new JTableHeader().getDefaultRenderer();
+
+  SchemaHeaderRenderer(OverviewTableModel model) {
+    this.model = model;
+  }
+
+  @Override
+  public Component getTableCellRendererComponent(
+      JTable table, Object value, boolean selected, boolean focused, int row, int viewColumn) {
+    if (UIManager.getLookAndFeel() != theme) {
+      theme = UIManager.getLookAndFeel(); // Swing updates default renderers only
+      plain = new JTableHeader().getDefaultRenderer();
+    }
+    Component component =
+        plain.getTableCellRendererComponent(table, value, selected, focused, row, viewColumn);
+    int column = table.convertColumnIndexToModel(viewColumn);
+    Optional<ElementFinding> mark =
+        column < model.getColumnCount() ? model.mark(column) : Optional.empty();
+    RowSortKey order = model.order();
+    String arrow = order.column() != column ? "" : order.descending() ? " \u2193" : " \u2191";
+    if (component instanceof JLabel label) {
+      label.setText((mark.isPresent() ? "\u26a0 " : "") + value + arrow);
+    }
+    if (component instanceof JComponent head) {
+      head.setToolTipText(
+          mark.map(ElementFinding::message)
+              .orElseGet(
+                  () ->
+                      Texts.of(
+                          column == 0 ? "terms.sort" : "terms.sortschema",
+                          model.getColumnName(column))));
+    }
+    return component;
+  }
+}

@@ -1,0 +1,287 @@
+package org.selectiverenderer.enricher.preview;
+
+import java.util.List;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.enricher.compare.CompareMode;
+import org.selectiverenderer.runtime.camera.Camera;
+import org.selectiverenderer.runtime.navigation.KeyboardMouseControls;
+import org.selectiverenderer.runtime.navigation.MouseMapping;
+import org.selectiverenderer.runtime.navigation.NavigationCommand;
+import org.selectiverenderer.runtime.render.AntiAliasing;
+import org.selectiverenderer.runtime.render.preview.ScenePreviewRenderer;
+import org.selectiverenderer.runtime.viewer.Pose;
+
+/**
+ * Controls what the preview shows: holds scene, camera, selection and display options, which
+ * outlive the successive states of the document. Confined to the preview's thread.
+ */
+final class PreviewController implements AutoCloseable {
+  /** Longest time step of the walk in seconds, so that the viewer does not jump after a pause. */
+  private static final double LONGEST = 0.25;
+
+  private final PreviewRenderer painter;
+  private final int motionSamples = AntiAliasing.forMotion();
+  private final PreviewCameraController eye = new PreviewCameraController();
+  private final KeyboardMouseControls controls = new KeyboardMouseControls(MouseMapping.WALK);
+  private @Nullable PreviewScene scene;
+  private int whole;
+  private int width;
+  private final VersionOverride versions = new VersionOverride();
+  private int height;
+  private List<SourceAnchor> selection = List.of();
+  private List<String> schemas = List.of();
+  private boolean changed;
+
+  /** Whether only the labels have to be updated, not the picture. */
+  private boolean told;
+
+  private @Nullable PreviewFrame last;
+  private @Nullable Camera camera;
+  private boolean rough;
+
+  PreviewController(ScenePreviewRenderer view) {
+    painter = new PreviewRenderer(view);
+  }
+
+  /** Whether frames are drawn continuously, as during a walk. */
+  boolean moving() {
+    return scene != null && scene.walking().isPresent();
+  }
+
+  /** Whether the last frame had few samples and a smoother one has to follow. */
+  boolean rough() {
+    return rough;
+  }
+
+  /** Requests a new frame. */
+  void changed() {
+    changed = true;
+  }
+
+  void size(int newWidth, int newHeight) {
+    whole = newWidth;
+    width = moving() ? newWidth : painter.compared().width(newWidth);
+    height = newHeight;
+    eye.size(width, height);
+  }
+
+  /** Shows another loaded state of the document; the viewer's pose is kept. */
+  void show(LoadedPreview loaded) {
+    boolean walked = moving();
+    Optional<Pose> before = Optional.ofNullable(scene).map(PreviewScene::pose);
+    if (scene != null) {
+      scene.close();
+    }
+    PreviewScene shown = new PreviewScene(loaded);
+    scene = shown;
+    shown.asIf(schemas);
+    versions.apply(shown);
+    if (before.isEmpty()) {
+      home();
+    } else if (walked) {
+      shown.walk(controls);
+      before.get().applyTo(shown.world().viewer());
+    }
+  }
+
+  /**
+   * Applies what an edit of the text has changed; the viewer's pose and a walk are kept.
+   *
+   * @return false if that is not possible and the document has to be loaded again
+   */
+  boolean patch(ScenePatch patch) {
+    PreviewScene of = scene;
+    if (of == null || of.revision() >= patch.revision()) {
+      return of != null; // A later state has been loaded meanwhile.
+    }
+    boolean walked = moving();
+    Pose before = of.pose();
+    of.stand();
+    boolean taken = of.patch(patch);
+    if (taken && patch.fields().isEmpty() && schemas.isEmpty()) {
+      told = true; // Metadata show in the labels only.
+    } else {
+      changed = true;
+    }
+    if (walked) {
+      of.walk(controls);
+      before.applyTo(of.world().viewer());
+    }
+    return taken;
+  }
+
+  /** Goes to the start viewpoint, or frames the whole scene where there is none. */
+  void home() {
+    if (scene != null) {
+      eye.home(scene);
+    }
+  }
+
+  /** Goes to another viewpoint, by steps from the bound one. */
+  void viewpoint(int steps) {
+    if (scene != null && !moving()) {
+      scene.world().views().goToViewpoint(steps);
+      eye.stay(scene);
+    }
+  }
+
+  /** Frames the selected node. */
+  void frameSelected() {
+    if (scene != null && !moving()) {
+      eye.frame(scene, selection);
+    }
+  }
+
+  /** The orbit camera, for turning, panning and zooming. */
+  OrbitCamera orbit() {
+    return eye.orbit();
+  }
+
+  /** Sets the pivot of the orbit camera to the point under a pixel, if there is one. */
+  void grab(int x, int y) {
+    if (scene != null) {
+      eye.cast(scene, x, y).ifPresent(hit -> eye.orbit().pivot(hit.point()));
+    }
+  }
+
+  /** Tells the walked scene which pixel the pointer is over. */
+  void point(int x, int y) {
+    if (scene != null) {
+      eye.point(scene, x, y);
+    }
+  }
+
+  /** The viewer's pose; empty while there is no scene. */
+  Optional<Pose> pose() {
+    return Optional.ofNullable(scene).map(PreviewScene::pose);
+  }
+
+  /**
+   * Returns the element that a click on a pixel selects.
+   *
+   * @param innermost whether to select the nearest element in any case
+   * @return the element's anchor and the revision that it belongs to; empty where nothing is
+   */
+  Optional<Picked> pick(int x, int y, boolean innermost) {
+    PreviewScene of = scene;
+    return of == null
+        ? Optional.empty()
+        : eye.cast(of, x, y)
+            .flatMap(hit -> of.nodes().meant(hit.shape(), innermost))
+            .map(node -> new Picked(of.nodes().anchor(node), of.revision()));
+  }
+
+  /** An element that was clicked on, in the text of a revision. */
+  record Picked(SourceAnchor anchor, long revision) {}
+
+  /**
+   * Sets the selection of the document.
+   *
+   * @param anchors of the element and those around it, the nearest first
+   */
+  void select(List<SourceAnchor> anchors) {
+    changed |= !anchors.equals(selection);
+    selection = anchors;
+  }
+
+  /** The scene; for queries on this thread. */
+  Optional<PreviewScene> scene() {
+    return Optional.ofNullable(scene);
+  }
+
+  void asIf(List<String> wanted) {
+    schemas = wanted;
+    if (scene != null) {
+      scene.asIf(wanted);
+    }
+  }
+
+  /** Sets how the scene is compared with its full detail. */
+  void compare(CompareMode mode) {
+    painter.compare(mode);
+    size(whole, height);
+  }
+
+  /**
+   * Shows another version of the selected object, by steps from the present one; 0 for the one that
+   * the schemas select.
+   */
+  void version(int steps) {
+    if (scene != null && !moving()) {
+      versions.step(scene, selection, steps);
+    }
+  }
+
+  void sensorsShown(boolean show) {
+    painter.sensorsShown(show);
+  }
+
+  void wireframe(boolean show) {
+    painter.wireframe(show);
+  }
+
+  void walk(boolean walk) {
+    if (scene == null || walk == moving()) {
+      return;
+    }
+    controls.releaseAll();
+    controls.takeCommands();
+    if (walk) {
+      scene.walk(controls);
+    } else {
+      scene.stand();
+      eye.stay(scene);
+    }
+    size(whole, height);
+  }
+
+  /** The input state of the walk. */
+  KeyboardMouseControls controls() {
+    return controls;
+  }
+
+  /**
+   * Draws the next frame.
+   *
+   * @param seconds time since the previous frame
+   * @param hurried whether further frames are likely to follow at once
+   * @return empty when nothing has changed or there is nothing to show
+   */
+  Optional<PreviewFrame> frame(double seconds, boolean hurried) {
+    boolean draw = changed || moving() || rough;
+    boolean tell = told;
+    changed = false;
+    told = false;
+    if (scene == null || width <= 0 || height <= 0 || !draw && !tell) {
+      return Optional.empty();
+    }
+    PreviewFrame before = last;
+    if (!draw && before != null && camera != null) {
+      scene.look(eye.orbit().pose());
+      return Optional.of(before.with(painter.labels(scene, selection, camera), scene.revision()));
+    }
+    if (scene.walking().isPresent()) {
+      for (NavigationCommand command : controls.takeCommands()) {
+        scene.walking().get().command(command);
+      }
+      scene.step(Math.min(seconds, LONGEST));
+    } else {
+      scene.look(eye.orbit().pose());
+    }
+    int samples = moving() || hurried ? motionSamples : AntiAliasing.SMOOTH;
+    rough = !moving() && samples < AntiAliasing.SMOOTH;
+    PreviewFrame drawn = painter.draw(scene, selection, !moving(), width, height, samples);
+    camera = drawn.camera();
+    last = drawn;
+    return Optional.of(drawn);
+  }
+
+  @Override
+  public void close() {
+    if (scene != null) {
+      scene.close();
+      scene = null;
+    }
+  }
+}

@@ -1,0 +1,196 @@
+package org.selectiverenderer.enricher.preview;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.enricher.preview.ScenePatch.Place;
+import org.selectiverenderer.runtime.World;
+import org.selectiverenderer.runtime.instance.GroupInstance;
+import org.selectiverenderer.runtime.instance.Instance;
+import org.selectiverenderer.runtime.instance.InstanceTree;
+import org.selectiverenderer.runtime.instance.ShapeInstance;
+import org.selectiverenderer.runtime.nodes.group.InlineNode;
+import org.selectiverenderer.runtime.nodes.group.SwitchNode;
+import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.runtime.scene.NodeSubgraph;
+
+/**
+ * An index of the nodes in a running scene that stand in the document's own text, by their
+ * positions in the text; and of all Switches, those of inlined files too.
+ */
+final class PreviewNodeIndex {
+  private final World world;
+  private final Map<Place, Node> byPlace = new HashMap<>();
+
+  /** The present start tag positions of nodes that edits have moved since they were loaded. */
+  private final Map<Node, Place> moved = new HashMap<>();
+
+  private final Set<Node> all = new LinkedHashSet<>();
+  private final Set<SwitchNode> switches = new LinkedHashSet<>();
+
+  PreviewNodeIndex(World world) {
+    this.world = world;
+    collect(world.instances().root());
+    switches(world.instances().root());
+  }
+
+  private void switches(GroupInstance group) {
+    if (group.node() instanceof SwitchNode versions) {
+      switches.add(versions);
+    }
+    for (Instance child : group.children()) {
+      if (child instanceof GroupInstance below) {
+        switches(below);
+      }
+    }
+  }
+
+  /** All Switches, those of inlined files too, in document order. */
+  Set<SwitchNode> switches() {
+    return Collections.unmodifiableSet(switches);
+  }
+
+  private void collect(GroupInstance group) {
+    if (group.node() instanceof InlineNode) {
+      return; // Its content is in another file.
+    }
+    for (Instance child : group.children()) {
+      Node node = child.node();
+      if (all.add(node)) {
+        byPlace.putIfAbsent(place(node), node);
+        if (child instanceof GroupInstance below) {
+          collect(below);
+        }
+      }
+    }
+  }
+
+  /** The position of a node's start tag in the present text. */
+  private Place place(Node node) {
+    Place since = moved.get(node);
+    return since != null ? since : new Place(node.location().line(), node.location().column());
+  }
+
+  /** The anchor of a node in the present text. */
+  SourceAnchor anchor(Node node) {
+    Place at = place(node);
+    return new SourceAnchor(Optional.ofNullable(node.name()), at.line(), at.column());
+  }
+
+  /**
+   * Returns the nodes whose start tags are at these positions of the document's text, also nodes in
+   * fields of others.
+   */
+  Map<Place, Node> at(Set<Place> places) {
+    Map<Place, Node> found = new HashMap<>();
+    for (Node node : NodeSubgraph.of(world.scene().root())) {
+      Place at = place(node);
+      if (places.contains(at)) {
+        found.putIfAbsent(at, node);
+      }
+    }
+    return found;
+  }
+
+  /** Updates the positions after an edit that has moved start tags. */
+  void move(Map<Place, Place> places) {
+    if (places.isEmpty()) {
+      return;
+    }
+    Map<Node, Place> now = new HashMap<>();
+    for (Node node : NodeSubgraph.of(world.scene().root())) {
+      Place before = place(node);
+      now.put(node, places.getOrDefault(before, before));
+    }
+    moved.putAll(now);
+    byPlace.clear();
+    all.forEach(node -> byPlace.putIfAbsent(place(node), node));
+  }
+
+  /**
+   * All nodes of the document with an instance in the scene (groups, shapes, lights, sensors), in
+   * document order.
+   */
+  List<Node> all() {
+    return List.copyOf(all);
+  }
+
+  /** Returns the node of the first anchor that has an instance in the scene. */
+  Optional<Node> find(List<SourceAnchor> anchors) {
+    for (SourceAnchor anchor : anchors) {
+      Node found =
+          anchor
+              .def()
+              .flatMap(world.scene()::find)
+              .orElseGet(() -> byPlace.get(new Place(anchor.line(), anchor.column())));
+      if (found != null && !world.instances().instances(found).isEmpty()) {
+        return Optional.of(found);
+      }
+    }
+    return Optional.empty();
+  }
+
+  /** Returns the shape instances in a node, shown or not. */
+  Set<ShapeInstance> shapes(Node node) {
+    Set<ShapeInstance> shapes = new HashSet<>();
+    InstanceTree tree = world.instances();
+    tree.instances(node).forEach(place -> gather(place, shapes));
+    return shapes;
+  }
+
+  private static void gather(Instance instance, Set<ShapeInstance> shapes) {
+    if (instance instanceof ShapeInstance shape) {
+      shapes.add(shape);
+    } else if (instance instanceof GroupInstance group) {
+      group.children().forEach(child -> gather(child, shapes));
+    }
+  }
+
+  /**
+   * Returns the node that a click on a shape selects: the nearest Switch around it, else the
+   * nearest node with a name, else the nearest node of the document.
+   *
+   * @param innermost whether to select the nearest node of the document in any case
+   */
+  Optional<Node> meant(ShapeInstance shape, boolean innermost) {
+    List<Node> own = own(shape);
+    if (own.isEmpty()) {
+      return Optional.empty();
+    }
+    if (!innermost) {
+      for (Node node : own) {
+        if (node instanceof SwitchNode) {
+          return Optional.of(node);
+        }
+      }
+      for (Node node : own) {
+        if (node.name() != null) {
+          return Optional.of(node);
+        }
+      }
+    }
+    return Optional.of(own.get(0));
+  }
+
+  /** Returns the nodes of the document around a shape, the nearest first. */
+  private List<Node> own(ShapeInstance shape) {
+    List<Node> own = new ArrayList<>();
+    for (@Nullable Instance at = shape; at != null; at = at.parent()) {
+      if (at.node() instanceof InlineNode) {
+        own.clear();
+      }
+      if (at.parent() != null) { // The root group is no part of the file.
+        own.add(at.node());
+      }
+    }
+    own.removeIf(node -> !all.contains(node));
+    return own;
+  }
+}

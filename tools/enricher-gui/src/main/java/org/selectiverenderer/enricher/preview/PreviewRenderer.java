@@ -1,0 +1,113 @@
+package org.selectiverenderer.enricher.preview;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.selectiverenderer.enricher.compare.CompareMode;
+import org.selectiverenderer.enricher.compare.ReferenceImage;
+import org.selectiverenderer.runtime.camera.Camera;
+import org.selectiverenderer.runtime.instance.ShapeInstance;
+import org.selectiverenderer.runtime.render.preview.PreviewImage;
+import org.selectiverenderer.runtime.render.preview.PreviewOptions;
+import org.selectiverenderer.runtime.render.preview.ScenePreviewRenderer;
+import org.selectiverenderer.runtime.scene.Node;
+
+/**
+ * Renders the preview's frames: the scene with sensor boxes and the outlined selection, and the
+ * reference image in full detail. Confined to the preview's thread.
+ */
+final class PreviewRenderer {
+  private static final int OUTLINE = 0xff8c00;
+
+  private final ScenePreviewRenderer view;
+  private CompareMode compare = CompareMode.OFF;
+  private boolean sensorsShown = true;
+  private boolean wireframe;
+
+  PreviewRenderer(ScenePreviewRenderer view) {
+    this.view = view;
+  }
+
+  void compare(CompareMode mode) {
+    compare = mode;
+  }
+
+  /** How the reference image is shown. */
+  CompareMode compared() {
+    return compare;
+  }
+
+  void sensorsShown(boolean show) {
+    sensorsShown = show;
+  }
+
+  void wireframe(boolean show) {
+    wireframe = show;
+  }
+
+  /** Returns the labels of the areas for a camera. */
+  List<PreviewFrame.Label> labels(PreviewScene of, List<SourceAnchor> selection, Camera seenBy) {
+    Optional<Node> selected = of.nodes().find(selection);
+    return sensorsShown ? of.areas().labels(seenBy, selected.orElse(null), of::sees) : List.of();
+  }
+
+  /**
+   * Renders a frame.
+   *
+   * @param comparing whether the reference image may be rendered too
+   * @param width of one picture, pixels
+   */
+  PreviewFrame draw(
+      PreviewScene shown,
+      List<SourceAnchor> selection,
+      boolean comparing,
+      int width,
+      int height,
+      int samples) {
+    Optional<Node> selected = shown.nodes().find(selection);
+    Set<ShapeInstance> outlined = selected.map(shown::shapes).orElse(Set.of());
+    PreviewImage picture =
+        view.draw(
+            shown.world(),
+            new PreviewOptions(
+                sensorsShown ? shown.areas().marks(selected.orElse(null)) : List.of(),
+                outlined,
+                wireframe,
+                Optional.empty()),
+            width,
+            height,
+            samples);
+    return new PreviewFrame(
+        outlined.isEmpty()
+            ? ScreenshotConverter.of(picture.pixels())
+            : ScreenshotConverter.outlined(picture.pixels(), OUTLINE),
+        picture.camera(),
+        labels(shown, selection, picture.camera()),
+        shown.world().instances().shownPolygons(),
+        picture.drawn().triangles(),
+        shown.enteredAreas(),
+        shown.schemas(),
+        shown.walking().isPresent(),
+        selected.map(Node::toString),
+        (int) shown.world().layers().stream().filter(layer -> !layer.active()).count(),
+        shown.revision(),
+        view.info().renderer() + ", OpenGL " + view.info().version(),
+        comparing && compare != CompareMode.OFF
+            ? Optional.of(inDetail(shown, width, height, samples))
+            : Optional.empty(),
+        VersionOverride.words(shown));
+  }
+
+  private ReferenceImage inDetail(PreviewScene shown, int width, int height, int samples) {
+    return shown.inDetail(
+        () -> {
+          PreviewOptions plain =
+              new PreviewOptions(List.of(), Set.of(), wireframe, Optional.empty());
+          PreviewImage all = view.draw(shown.world(), plain, width, height, samples);
+          return new ReferenceImage(
+              compare,
+              ScreenshotConverter.of(all.pixels()),
+              shown.world().instances().shownPolygons());
+        });
+  }
+}

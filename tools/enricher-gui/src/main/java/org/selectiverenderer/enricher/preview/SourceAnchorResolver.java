@@ -1,0 +1,60 @@
+package org.selectiverenderer.enricher.preview;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.x3d.source.DocumentElement;
+
+/**
+ * Maps elements of the document to anchors, which the running scene resolves, and picked anchors
+ * back to elements.
+ */
+final class SourceAnchorResolver {
+  private final SceneDocument document;
+
+  SourceAnchorResolver(SceneDocument document) {
+    this.document = document;
+  }
+
+  /** The element of the whole scene; empty while the text is not well formed. */
+  Optional<DocumentElement> scene() {
+    return document.tree().map(tree -> tree.scene().orElse(tree.root()));
+  }
+
+  /** Returns the anchors of an element and of those around it, the nearest first. */
+  List<SourceAnchor> of(DocumentElement element) {
+    List<SourceAnchor> anchors = new ArrayList<>();
+    Optional<DocumentElement> at = Optional.of(element).filter(DocumentElement::attached);
+    while (at.isPresent()) {
+      DocumentElement around = at.get();
+      SourceLocation place = document.location(around.start());
+      anchors.add(
+          new SourceAnchor(
+              around.def().isPresent() ? around.def() : around.use(),
+              place.line(),
+              place.column()));
+      at = around.parent();
+    }
+    return anchors;
+  }
+
+  /**
+   * Finds a picked element by its DEF name, or by its position while the text is still the one that
+   * was loaded.
+   */
+  Optional<DocumentElement> element(PreviewController.Picked picked) {
+    SourceAnchor anchor = picked.anchor();
+    return document
+        .tree()
+        .flatMap(
+            tree -> {
+              Optional<DocumentElement> named = anchor.def().flatMap(tree::named);
+              boolean sameText = document.revision() == picked.revision();
+              return named.isPresent() || !sameText
+                  ? named
+                  : tree.at(document.offset(anchor.line(), anchor.column()));
+            });
+  }
+}

@@ -1,0 +1,178 @@
+package org.selectiverenderer.enricher.ratings;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.document.Edit;
+import org.selectiverenderer.document.enrichment.DocumentEnrichment;
+import org.selectiverenderer.document.enrichment.EnrichedSwitch;
+import org.selectiverenderer.document.ratings.ObjectMatching;
+import org.selectiverenderer.document.ratings.ObjectMatching.Match;
+import org.selectiverenderer.document.ratings.RatingPlan;
+import org.selectiverenderer.document.ratings.Ratings;
+import org.selectiverenderer.enricher.text.Texts;
+
+/**
+ * The model of a ratings import under review: the table that was read, the Switch of each object,
+ * and the implied metadata, which follows each correction at once. Not thread-safe.
+ */
+final class RatingsImportModel {
+  /** The result of reading a table. */
+  record Table(String name, Optional<Ratings> ratings, List<Problem> problems) {}
+
+  private final DocumentEnrichment enrichment;
+  private final List<Runnable> listeners = new ArrayList<>();
+  private List<Problem> problems = List.of();
+  private String name = "";
+  private @Nullable Ratings ratings;
+  private @Nullable ObjectMatching matching;
+  private @Nullable RatingPlan plan;
+  private boolean unratedFollow = true;
+
+  RatingsImportModel(DocumentEnrichment enrichment) {
+    this.enrichment = enrichment;
+  }
+
+  /** Reads a table; thread-safe. */
+  static Table read(String name, byte[] table) {
+    ProblemCollector problems = new ProblemCollector();
+    return new Table(name, Ratings.read(name, table, problems), problems.list());
+  }
+
+  void addListener(Runnable listener) {
+    listeners.add(listener);
+  }
+
+  /** Uses a table that was read; of one with errors only the problems are listed. */
+  void take(Table table) {
+    name = table.name();
+    problems = table.problems();
+    ratings = table.ratings().orElse(null);
+    matching =
+        ratings == null
+            ? null
+            : new ObjectMatching(ratings.means().keySet(), enrichment.switches());
+    work();
+  }
+
+  /** Sets whether objects without ratings are treated as expected in their room. */
+  void unratedFollow(boolean follow) {
+    unratedFollow = follow;
+    work();
+  }
+
+  /** Assigns a Switch to an object of the table; empty for none. */
+  void match(String object, Optional<String> switchName) {
+    ObjectMatching current = matching;
+    if (current != null) {
+      switchName.ifPresentOrElse(
+          name -> current.choose(object, name), () -> current.leaveOut(object));
+      work();
+    }
+  }
+
+  /** Accepts all proposed Switches, whose names are only similar. */
+  void acceptProposals() {
+    ObjectMatching current = matching;
+    if (current != null) {
+      current.matches().stream()
+          .filter(match -> match.how() == ObjectMatching.How.PROPOSED)
+          .forEach(match -> current.choose(match.object(), match.switchName().orElseThrow()));
+      work();
+    }
+  }
+
+  /** Computes the plan again, as after an edit of the document. */
+  void work() {
+    plan =
+        ratings == null || matching == null
+            ? null
+            : RatingPlan.of(enrichment, ratings, matching, unratedFollow);
+    listeners.forEach(Runnable::run);
+  }
+
+  List<Match> matches() {
+    return matching == null ? List.of() : matching.matches();
+  }
+
+  /** The names of the Switches that an object can be: those with at least two versions. */
+  List<String> candidates() {
+    return enrichment.switches().stream()
+        .filter(node -> node.choices().size() > 1)
+        .map(EnrichedSwitch::name)
+        .distinct()
+        .sorted(String.CASE_INSENSITIVE_ORDER)
+        .toList();
+  }
+
+  Optional<RatingPlan> plan() {
+    return Optional.ofNullable(plan);
+  }
+
+  List<Problem> problems() {
+    return problems;
+  }
+
+  /** One sentence for each thing left out: ratings not used, proposals, objects not rated. */
+  List<String> leftOut() {
+    if (plan == null) {
+      return List.of();
+    }
+    Map<String, String> taken = new LinkedHashMap<>();
+    plan.rows().forEach(row -> row.object().ifPresent(o -> taken.put(row.node().name(), o)));
+    List<String> sentences = new ArrayList<>();
+    for (Match match : plan.unused()) {
+      sentences.add(Texts.of("ratings.unused", reason(match, taken)));
+    }
+    for (EnrichedSwitch node : plan.unrated()) {
+      sentences.add(Texts.of("ratings.unrated", node.name()));
+    }
+    return sentences;
+  }
+
+  private static String reason(Match match, Map<String, String> taken) {
+    String switchName = match.switchName().orElse("");
+    return switch (match.how()) {
+      case NONE -> Texts.of("ratings.noswitch", match.object());
+      case PROPOSED -> Texts.of("ratings.maybe", match.object(), switchName);
+      case SAME_NAME, CHOSEN ->
+          taken.containsKey(switchName)
+              ? Texts.of("ratings.already", match.object(), switchName, taken.get(switchName))
+              : Texts.of("ratings.toofew", match.object(), switchName);
+    };
+  }
+
+  /** A sentence that summarizes the import. */
+  String summary() {
+    if (plan == null) {
+      return name.isEmpty() ? Texts.of("ratings.choose") : Texts.of("ratings.notused");
+    }
+    long proposed = matches().stream().filter(m -> m.how() == ObjectMatching.How.PROPOSED).count();
+    return Texts.of(
+        "ratings.summary",
+        DecimalFormatter.grouped(plan.rows().size()),
+        DecimalFormatter.grouped(plan.sensors().size()),
+        DecimalFormatter.grouped(plan.unused().size()),
+        DecimalFormatter.grouped(matches().size()),
+        proposed,
+        DecimalFormatter.grouped(proposed));
+  }
+
+  /** Whether there is something to apply. */
+  boolean applicable() {
+    return plan != null && !(plan.rows().isEmpty() && plan.sensors().isEmpty());
+  }
+
+  /** The edit that applies the plan as one undo step; empty if there is nothing to apply. */
+  Optional<Edit> edit() {
+    // The scene may have been edited since the plan was computed.
+    work();
+    return plan().filter(p -> applicable()).map(p -> p.edit(Texts.of("ratings.step", name)));
+  }
+}

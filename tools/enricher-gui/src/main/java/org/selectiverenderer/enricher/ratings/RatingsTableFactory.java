@@ -1,0 +1,64 @@
+package org.selectiverenderer.enricher.ratings;
+
+import java.awt.Dimension;
+import java.util.List;
+import javax.swing.DefaultCellEditor;
+import javax.swing.JComboBox;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JTable;
+import javax.swing.ListSelectionModel;
+import javax.swing.table.TableModel;
+import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.enricher.text.Texts;
+
+/** Creates the two tables of the import dialog, with their captions. */
+final class RatingsTableFactory {
+  private RatingsTableFactory() {}
+
+  static JTable matches(MatchTableModel model, List<String> switches) {
+    JTable table = table(model, Texts.of("ratings.matches"));
+    JComboBox<String> box = new JComboBox<>();
+    box.addItem(MatchTableModel.none());
+    switches.forEach(box::addItem);
+    box.getAccessibleContext().setAccessibleName(Texts.of("ratings.switchof"));
+    DefaultCellEditor editor = new DefaultCellEditor(box);
+    editor.setClickCountToStart(1);
+    table.getColumnModel().getColumn(MatchTableModel.SWITCH).setCellEditor(editor);
+    return table;
+  }
+
+  static JTable implied(ImpliedMetadataTableModel model) {
+    JTable table = table(model, Texts.of("ratings.implied"));
+    int[] shares = {18, 16, 7, 9, 19, 31};
+    for (int i = 0; i < shares.length; i++) {
+      table.getColumnModel().getColumn(i).setPreferredWidth(10 * shares[i]);
+    }
+    return table;
+  }
+
+  private static JTable table(TableModel model, String name) {
+    JTable table = new JTable(model);
+    table.setFillsViewportHeight(true);
+    table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+    table.setRowHeight(Math.round(table.getFontMetrics(table.getFont()).getHeight() * 1.4f));
+    table.putClientProperty("terminateEditOnFocusLost", true);
+    table.getTableHeader().setReorderingAllowed(false);
+    table.getAccessibleContext().setAccessibleName(name);
+    return table;
+  }
+
+  /** Creates a panel with a table under its caption. */
+  static JPanel captioned(JLabel label, JTable table, int widthInLetters) {
+    JPanel panel = new JPanel(new MigLayout("insets 0, fill", "[grow,fill]", "[][grow,fill]"));
+
+    label.setLabelFor(table);
+    int letter = table.getFontMetrics(table.getFont()).charWidth('n');
+    table.setPreferredScrollableViewportSize(
+        new Dimension(letter * widthInLetters, table.getRowHeight() * 14));
+    panel.add(label, "wrap");
+    panel.add(new JScrollPane(table), "grow");
+    return panel;
+  }
+}

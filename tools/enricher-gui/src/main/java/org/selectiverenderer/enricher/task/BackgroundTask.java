@@ -1,0 +1,69 @@
+package org.selectiverenderer.enricher.task;
+
+import java.util.concurrent.Future;
+import org.jspecify.annotations.Nullable;
+
+/** A background task with its name and progress. Thread-safe. */
+public final class BackgroundTask implements TaskProgress {
+  private final String name;
+  private final long begun;
+  private final boolean stoppable;
+  private volatile double fraction = -1;
+  private volatile boolean cancelled;
+  private volatile @Nullable Future<?> running;
+
+  BackgroundTask(String name, long begun, boolean stoppable) {
+    this.name = name;
+    this.stoppable = stoppable;
+    this.begun = begun;
+  }
+
+  /** The name as the status bar shows it: {@code Counting polygons}. */
+  public String name() {
+    return name;
+  }
+
+  /** The start time by {@link System#nanoTime}. */
+  public long begun() {
+    return begun;
+  }
+
+  /** The progress from 0 to 1; negative while unknown. */
+  public double fraction() {
+    return fraction;
+  }
+
+  @Override
+  public void done(double newFraction) {
+    fraction = newFraction;
+  }
+
+  /** Whether {@link #cancel} ends it. */
+  public boolean stoppable() {
+    return stoppable;
+  }
+
+  @Override
+  public boolean cancelled() {
+    return cancelled;
+  }
+
+  /** Cancels the task as soon as possible; its result is dropped. */
+  public void cancel() {
+    if (!stoppable) {
+      return;
+    }
+    cancelled = true;
+    Future<?> future = running;
+    if (future != null) {
+      future.cancel(true);
+    }
+  }
+
+  void runs(Future<?> future) {
+    running = future;
+    if (cancelled) {
+      future.cancel(true);
+    }
+  }
+}

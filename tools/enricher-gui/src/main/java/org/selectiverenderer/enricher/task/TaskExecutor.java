@@ -1,0 +1,121 @@
+package org.selectiverenderer.enricher.task;
+
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.Executor;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.function.Consumer;
+
+/**
+ * Executes tasks on background threads and hands their results to the event dispatch thread.
+ * Cancelled tasks hand over nothing.
+ */
+public final class TaskExecutor implements AutoCloseable {
+  private static final int THREADS = 3;
+
+  private final Executor eventThread;
+  private final ExecutorService workers;
+  private final ExecutorService writer;
+  private final List<BackgroundTask> running = new CopyOnWriteArrayList<>();
+  private volatile boolean closed;
+
+  /** Work that reports its progress. */
+  @FunctionalInterface
+  public interface Work<T> {
+    T run(TaskProgress progress) throws Exception;
+  }
+
+  /**
+   * @param eventThread executes the callbacks: {@code EventQueue::invokeLater}
+   */
+  public TaskExecutor(Executor eventThread) {
+    this.eventThread = eventThread;
+    this.workers =
+        Executors.newFixedThreadPool(
+            THREADS,
+            work -> {
+              Thread thread = new Thread(work, "enricher-task");
+              thread.setDaemon(true);
+              thread.setPriority(Thread.MIN_PRIORITY + 1);
+              return thread;
+            });
+    this.writer = Executors.newSingleThreadExecutor(work -> new Thread(work, "enricher-writer"));
+  }
+
+  /**
+   * Runs work that does not report its progress.
+   *
+   * @param name name as the status bar shows it: {@code Counting polygons}
+   * @param done called with the result on the event dispatch thread
+   * @param failed called instead with the exception
+   */
+  public <T> BackgroundTask run(
+      String name, Callable<T> work, Consumer<T> done, Consumer<Exception> failed) {
+    return run(name, progress -> work.call(), done, failed);
+  }
+
+  /** Runs work that reports its progress, otherwise as the other method. */
+  public <T> BackgroundTask run(
+      String name, Work<T> work, Consumer<T> done, Consumer<Exception> failed) {
+    BackgroundTask task = new BackgroundTask(name, System.nanoTime(), true);
+    running.add(task);
+    task.runs(workers.submit(() -> work(task, work, done, failed)));
+    return task;
+  }
+
+  /**
+   * Runs work that must not be interrupted, such as writing a file: it runs on a thread for such
+   * work only, cannot be cancelled, and always hands over its result.
+   */
+  public <T> BackgroundTask runToEnd(
+      String name, Callable<T> work, Consumer<T> done, Consumer<Exception> failed) {
+    BackgroundTask task = new BackgroundTask(name, System.nanoTime(), false);
+    running.add(task);
+    writer.execute(() -> work(task, progress -> work.call(), done, failed));
+    return task;
+  }
+
+  private <T> void work(
+      BackgroundTask task, Work<T> work, Consumer<T> done, Consumer<Exception> failed) {
+    Runnable handOver;
+    try {
+      T result = work.run(task);
+      handOver = () -> done.accept(result);
+    } catch (CancellationException e) {
+      handOver = task::cancel;
+    } catch (Exception e) {
+      handOver = () -> failed.accept(e);
+    } catch (LinkageError | OutOfMemoryError | StackOverflowError e) {
+      handOver = () -> failed.accept(new ExecutionException(e));
+    }
+    Runnable last = handOver;
+    running.remove(task);
+    eventThread.execute(
+        () -> {
+          if (!closed && !task.cancelled()) {
+            last.run();
+          }
+        });
+  }
+
+  /** The running and waiting tasks, the oldest first. */
+  public List<BackgroundTask> running() {
+    running.removeIf(BackgroundTask::cancelled);
+    return List.copyOf(running);
+  }
+
+  /**
+   * Cancels all tasks that can be cancelled and accepts no more; no callback is called any more.
+   */
+  @Override
+  public void close() {
+    closed = true;
+    running.forEach(BackgroundTask::cancel);
+    workers.shutdownNow();
+    writer.shutdown();
+  }
+}

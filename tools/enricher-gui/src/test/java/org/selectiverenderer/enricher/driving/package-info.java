@@ -1,5 +1,0 @@
-/** Drives real windows as an author's hands do, and takes pictures of them for looking at. */
-@NullMarked
-package org.selectiverenderer.enricher.driving;
-
-import org.jspecify.annotations.NullMarked;

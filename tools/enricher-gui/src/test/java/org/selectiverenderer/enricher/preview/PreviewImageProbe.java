@@ -1,0 +1,20 @@
+package org.selectiverenderer.enricher.preview;
+
+/** What the picture of a preview that is shown somewhere else has come to show. */
+public final class PreviewImageProbe {
+  private PreviewImageProbe() {}
+
+  /** Whether the object that is selected is outlined in it. */
+  public static boolean selected(PreviewPanel panel) {
+    return panel.view().frame().filter(frame -> frame.selected().isPresent()).isPresent();
+  }
+
+  /** Whether it is compared with all polygons, as if in schemas. */
+  public static boolean comparedAsIf(PreviewPanel panel) {
+    return panel
+        .view()
+        .frame()
+        .filter(frame -> frame.compared().isPresent() && !frame.schemas().isEmpty())
+        .isPresent();
+  }
+}

@@ -1,0 +1,47 @@
+package org.selectiverenderer.enricher.preview;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.runtime.World;
+import org.selectiverenderer.runtime.loading.SceneLoader;
+import org.selectiverenderer.runtime.nodes.NodeFactory;
+import org.selectiverenderer.runtime.nodes.group.SwitchNode;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.source.ReadLimits;
+
+class SchemaSimulatorTest {
+  private static final String FILE = "<X3D version='4.0' profile='Full'><Scene>%s</Scene></X3D>";
+
+  @Test
+  void objectsOfInlinedRoomsFollowTheSchemasToo(@TempDir Path dir) throws IOException {
+    Files.writeString(
+        dir.resolve("room.x3d"),
+        FILE.formatted(
+            "<Switch whichChoice='1'><Group/><Group/><MetadataSet containerField='metadata'>"
+                + "<MetadataSet containerField='value'><MetadataString containerField='value'"
+                + " name='schemaBelonginess' value='\"Desk\"'/></MetadataSet></MetadataSet></Switch>"));
+    Path scene =
+        Files.writeString(dir.resolve("scene.x3d"), FILE.formatted("<Inline url='\"room.x3d\"'/>"));
+    ProblemCollector problems = new ProblemCollector();
+    try (SceneLoader loader =
+        new SceneLoader(NodeCatalogue.load(), new NodeFactory(), ReadLimits.standard(), problems)) {
+      World world = new World(loader.load(scene), problems);
+      PreviewNodeIndex nodes = new PreviewNodeIndex(world);
+      SwitchNode object = nodes.switches().iterator().next();
+      SchemaSimulator asIf = new SchemaSimulator(nodes.switches(), world.cascade());
+
+      asIf.apply(List.of("Desk"));
+      assertThat(object.whichChoice()).isZero();
+      asIf.reset();
+      assertThat(object.whichChoice()).isEqualTo(1);
+      assertThat(nodes.all()).doesNotContain(object);
+    }
+  }
+}
