@@ -94,7 +94,7 @@ public final class SlimJar {
       }
     }
     Files.setLastModifiedTime(jar, time);
-    // As JoglLibraries reads it: of which jar the folder was made, whatever time an installer gives
+    // As JoglNativeLibraries reads it: of which jar the folder was made, whatever time an installer gives
     // it.
     Files.writeString(natives.resolve("complete"), Files.size(jar) + " packaged");
   }

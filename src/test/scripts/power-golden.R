@@ -1,6 +1,6 @@
 # Power by the noncentral F distribution for simulated studies, from the exact moments of the scores.
 # Shares no code with the program: d' and c are integrated by a fine sum, not by Gauss and Hermite's rule.
-# Rscript src/test/scripts/power-golden.R src/test/resources/org/selectiverenderer/statistics/simulation
+# Rscript src/test/scripts/power-golden.R modules/statistics/src/test/resources/org/selectiverenderer/statistics/simulation
 
 out <- commandArgs(TRUE)[1]
 rate <- function(count, n, correction) {

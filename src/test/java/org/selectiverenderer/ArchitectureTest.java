@@ -44,9 +44,9 @@ class ArchitectureTest {
   /** Public for a reason that no use by another package shows. */
   private static final Set<String> PUBLIC_ALL_THE_SAME =
       Set.of(
-          "org.selectiverenderer.runtime.sai.EmbeddedBrowserFactory", // named, not called
-          "org.selectiverenderer.experiment.headlog.HeadLog", // handed on without its name
-          "org.selectiverenderer.runtime.navigation.MotionRequest", // what a motion source of
+          "org.selectiverenderer.browser.sai.EmbeddedBrowserFactory", // named, not called
+          "org.selectiverenderer.study.headlog.HeadLog", // handed on without its name
+          "org.selectiverenderer.browser.navigation.MotionRequest", // what a motion source of
           // others gives
           // what tests of other packages measure and plug in
           "org.selectiverenderer.tracker.Orientation",

@@ -8,12 +8,12 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.Locale;
-import org.selectiverenderer.cli.base.LibraryProperties;
-import org.selectiverenderer.cli.base.ProgramVersion;
 import org.selectiverenderer.cli.bundle.DesktopLaunch;
-import org.selectiverenderer.cli.output.Console;
-import org.selectiverenderer.cli.output.StandardOutputStream;
-import org.selectiverenderer.runtime.render.context.GlPreloader;
+import org.selectiverenderer.command.LibraryProperties;
+import org.selectiverenderer.command.ProgramVersion;
+import org.selectiverenderer.command.output.Console;
+import org.selectiverenderer.command.output.StandardOutputStream;
+import org.selectiverenderer.render.context.GlPreloader;
 import picocli.CommandLine.Help.Ansi;
 
 /**

@@ -1,7 +1,7 @@
 package org.selectiverenderer.cli;
 
-import org.selectiverenderer.cli.base.ProgramVersion;
-import org.selectiverenderer.cli.output.CommandException;
+import org.selectiverenderer.command.ProgramVersion;
+import org.selectiverenderer.command.output.CommandException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ScopeType;

@@ -4,11 +4,11 @@
  * users.
  *
  * <p>In: arguments, the standard streams. Out: data on standard output, messages on standard error,
- * an {@link org.selectiverenderer.cli.output.ExitStatus}. May use every other package; no other
+ * an {@link org.selectiverenderer.command.output.ExitStatus}. May use every other package; no other
  * package uses it. Only this package uses the standard streams and ends the process.
  *
  * <p>To add a command: a file with a class that extends {@link
- * org.selectiverenderer.cli.base.CliCommand} in {@code cli.view}, {@code cli.author} or {@code
+ * org.selectiverenderer.command.CliCommand} in {@code cli.view}, {@code cli.author} or {@code
  * cli.experiment}, and a line in {@link org.selectiverenderer.cli.CommandCatalogue} or {@link
  * org.selectiverenderer.cli.experiment.ExperimentCommand}.
  */

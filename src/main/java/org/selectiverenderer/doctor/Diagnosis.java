@@ -5,7 +5,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.Locale;
 import java.util.Optional;
-import org.selectiverenderer.base.json.JsonTree;
+import org.selectiverenderer.formats.json.JsonTree;
 
 /**
  * The result of a check of the machine: one line of the report.

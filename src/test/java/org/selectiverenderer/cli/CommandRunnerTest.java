@@ -14,11 +14,11 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
-import org.selectiverenderer.cli.base.CliCommand;
-import org.selectiverenderer.cli.output.CommandException;
-import org.selectiverenderer.cli.output.Console;
-import org.selectiverenderer.cli.output.ExitStatus;
-import org.selectiverenderer.cli.output.StandardOutputStream;
+import org.selectiverenderer.command.CliCommand;
+import org.selectiverenderer.command.output.CommandException;
+import org.selectiverenderer.command.output.Console;
+import org.selectiverenderer.command.output.ExitStatus;
+import org.selectiverenderer.command.output.StandardOutputStream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.cli.output.Console;
+import org.selectiverenderer.command.output.Console;
 import picocli.CommandLine.Command;
 
 class MainTest extends CommandTestCase {

@@ -8,7 +8,7 @@ import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.cli.output.Console;
+import org.selectiverenderer.command.output.Console;
 
 /** docs/options.md says what the commands' own help says. */
 class OptionsPageTest {

@@ -9,7 +9,7 @@ import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.base.image.PngEncoder;
+import org.selectiverenderer.formats.image.PngEncoder;
 import org.selectiverenderer.testing.RequiresDisplay;
 
 /** What a scene inlines or shows is lost to no command that writes a file. */

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.cli.author.ValidateCommand;
-import org.selectiverenderer.cli.output.Console;
+import org.selectiverenderer.command.output.Console;
 
 class ValidateCommandTest {
   private static final String GOOD =

@@ -17,7 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.selectiverenderer.cli.author.ValidateCommand;
-import org.selectiverenderer.cli.output.Console;
+import org.selectiverenderer.command.output.Console;
 import org.selectiverenderer.validation.SceneMutator;
 import org.selectiverenderer.validation.report.ReportFormat;
 

@@ -10,7 +10,7 @@ import java.nio.file.Path;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.experiment.questionnaire.AnswerTable;
+import org.selectiverenderer.study.questionnaire.AnswerTable;
 
 /**
  * docs/study-keys.md, and the second half of docs/formats.md, are written from the schemas and

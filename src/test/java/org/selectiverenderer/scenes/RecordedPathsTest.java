@@ -12,6 +12,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
+import org.selectiverenderer.testing.X3dDocument;
 import org.w3c.dom.Element;
 
 /** Where the recorded paths cross the sensors' boxes, computed here from the files' numbers. */

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.selectiverenderer.testing.X3dDocument;
 import org.w3c.dom.Element;
 import org.w3c.dom.Node;
 

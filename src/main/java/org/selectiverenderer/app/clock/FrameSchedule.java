@@ -2,7 +2,7 @@ package org.selectiverenderer.app.clock;
 
 import java.util.OptionalDouble;
 import org.selectiverenderer.app.settings.FollowedPath;
-import org.selectiverenderer.runtime.viewer.CameraPath;
+import org.selectiverenderer.browser.viewer.CameraPath;
 
 /** A sequence of frames whose times are known before the run; it has at least one frame. */
 interface FrameSchedule {

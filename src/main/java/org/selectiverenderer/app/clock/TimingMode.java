@@ -5,10 +5,10 @@ import java.util.List;
 import java.util.OptionalDouble;
 import org.selectiverenderer.app.settings.FollowedPath;
 import org.selectiverenderer.app.settings.RunSettings;
-import org.selectiverenderer.app.walk.UserNavigation;
-import org.selectiverenderer.runtime.World;
-import org.selectiverenderer.runtime.viewer.PathMotion;
-import org.selectiverenderer.runtime.viewer.ViewerMotion;
+import org.selectiverenderer.browser.World;
+import org.selectiverenderer.browser.viewer.PathMotion;
+import org.selectiverenderer.browser.viewer.ViewerMotion;
+import org.selectiverenderer.walkthrough.UserNavigation;
 
 /**
  * The timing of a run: in real time before a user, or as fast as possible without one. It decides

@@ -3,7 +3,7 @@
  * as possible. A run along a path has the same frames in both cases.
  *
  * <p>In: the settings of a run and the elapsed time. Out: the times of frames. Uses {@code
- * app.settings}, {@code app.walk}, {@code runtime} and {@code runtime.viewer}.
+ * app.settings}, {@code walkthrough}, {@code browser} and {@code browser.viewer}.
  */
 @NullMarked
 package org.selectiverenderer.app.clock;

@@ -12,20 +12,18 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.settings.RunSettings;
-import org.selectiverenderer.app.walk.Walkthrough;
+import org.selectiverenderer.apparatus.FieldOfView;
 import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.browser.viewer.Viewer;
 import org.selectiverenderer.control.SelectiveController;
-import org.selectiverenderer.experiment.headlog.EyeSample;
-import org.selectiverenderer.experiment.headlog.GazeTargetFinder;
-import org.selectiverenderer.experiment.headlog.HeadLogDescription;
-import org.selectiverenderer.experiment.headlog.HeadLogFiles;
-import org.selectiverenderer.experiment.headlog.HeadLogWriter;
-import org.selectiverenderer.experiment.headlog.HeadSample;
-import org.selectiverenderer.experiment.headlog.SceneMapBuilder;
 import org.selectiverenderer.hmd.DisplayConfiguration;
-import org.selectiverenderer.hmd.FieldOfView;
-import org.selectiverenderer.runtime.viewer.Viewer;
+import org.selectiverenderer.study.headlog.EyeSample;
+import org.selectiverenderer.study.headlog.HeadLogDescription;
+import org.selectiverenderer.study.headlog.HeadLogFiles;
+import org.selectiverenderer.study.headlog.HeadLogWriter;
+import org.selectiverenderer.study.headlog.HeadSample;
 import org.selectiverenderer.tracker.PoseSample;
+import org.selectiverenderer.walkthrough.Walkthrough;
 
 /** Samples the viewer's pose and gaze once per frame, for a head log, a listener, or both. */
 final class HeadLogRecorder implements AutoCloseable {

@@ -1,7 +1,7 @@
 package org.selectiverenderer.app.head;
 
-import org.selectiverenderer.experiment.headlog.HeadLogDescription;
-import org.selectiverenderer.experiment.headlog.HeadSample;
+import org.selectiverenderer.study.headlog.HeadLogDescription;
+import org.selectiverenderer.study.headlog.HeadSample;
 
 /**
  * Receives the head log's sample of every frame. It is called by the stepping thread and must not

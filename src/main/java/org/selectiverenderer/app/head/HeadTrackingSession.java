@@ -10,14 +10,13 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.settings.HeadLogSettings;
 import org.selectiverenderer.app.settings.RunSettings;
 import org.selectiverenderer.app.settings.TrackerSettings;
-import org.selectiverenderer.app.walk.Walkthrough;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
-import org.selectiverenderer.experiment.headlog.HeadLogFiles;
+import org.selectiverenderer.browser.viewer.ViewerMotion;
 import org.selectiverenderer.hmd.BodyFollower;
 import org.selectiverenderer.hmd.HeadTrackedMotion;
 import org.selectiverenderer.hmd.HeadTrackingOptions;
-import org.selectiverenderer.runtime.viewer.ViewerMotion;
+import org.selectiverenderer.study.headlog.HeadLogFiles;
 import org.selectiverenderer.tracker.HeadTracker;
 import org.selectiverenderer.tracker.LatencyHistogram;
 import org.selectiverenderer.tracker.PoseSample;
@@ -27,6 +26,7 @@ import org.selectiverenderer.tracker.TrackerSpec;
 import org.selectiverenderer.tracker.factory.TrackerFactory;
 import org.selectiverenderer.tracker.replay.FrameSteppedReplay;
 import org.selectiverenderer.tracker.replay.ReplayLog;
+import org.selectiverenderer.walkthrough.Walkthrough;
 
 /**
  * The head tracking of a run: the tracker, the head log, and the latency from a tracker sample to

@@ -8,8 +8,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
-import org.selectiverenderer.base.csv.CsvColumnSpec;
-import org.selectiverenderer.base.csv.CsvTable;
+import org.selectiverenderer.formats.csv.CsvColumnSpec;
+import org.selectiverenderer.formats.csv.CsvTable;
 
 /** Tells head logs and tracker logs apart when a log is replayed. */
 public final class ReplayLogFormat {

@@ -7,8 +7,8 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.settings.HeadLogSettings;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.experiment.headlog.TrackerLogWriter;
-import org.selectiverenderer.experiment.headlog.TrackerRecord;
+import org.selectiverenderer.study.headlog.TrackerLogWriter;
+import org.selectiverenderer.study.headlog.TrackerRecord;
 import org.selectiverenderer.tracker.PoseSample;
 import org.selectiverenderer.tracker.TrackerListener;
 

@@ -5,10 +5,10 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import org.selectiverenderer.browser.navigation.KeyboardMouseControls;
 import org.selectiverenderer.openxr.ControllerAction;
 import org.selectiverenderer.openxr.SpacePose;
 import org.selectiverenderer.openxr.XrInputState;
-import org.selectiverenderer.runtime.navigation.KeyboardMouseControls;
 
 /** Translates the input of a headset's hand controllers into navigation, commands and answers. */
 public final class HeadsetControllers {

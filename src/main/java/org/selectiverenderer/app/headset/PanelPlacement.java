@@ -4,8 +4,8 @@ import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.browser.World;
 import org.selectiverenderer.hmd.HeadsetLayout;
-import org.selectiverenderer.runtime.World;
 
 /**
  * The placement of a text panel in the world: upright before the head, at a comfortable distance.

@@ -7,11 +7,11 @@ import org.joml.Matrix4dc;
 import org.joml.Vector2d;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import org.selectiverenderer.browser.World;
+import org.selectiverenderer.browser.camera.Primitive2D;
+import org.selectiverenderer.browser.camera.WorldSpacePanel;
 import org.selectiverenderer.hmd.HeadsetLayout;
 import org.selectiverenderer.openxr.SpacePose;
-import org.selectiverenderer.runtime.World;
-import org.selectiverenderer.runtime.camera.Primitive2D;
-import org.selectiverenderer.runtime.camera.WorldSpacePanel;
 
 /**
  * A ray from the hand of a headset's user, by which the user points at a panel.

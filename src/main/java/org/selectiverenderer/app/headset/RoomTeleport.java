@@ -4,10 +4,10 @@ import java.util.List;
 import java.util.Optional;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
-import org.selectiverenderer.experiment.headlog.SceneMap;
-import org.selectiverenderer.experiment.headlog.SceneMapBuilder;
-import org.selectiverenderer.runtime.World;
-import org.selectiverenderer.runtime.collision.RayCaster;
+import org.selectiverenderer.app.head.SceneMapBuilder;
+import org.selectiverenderer.browser.World;
+import org.selectiverenderer.browser.collision.RayCaster;
+import org.selectiverenderer.study.headlog.SceneMap;
 
 /** Teleports the user of a headset to the centre of the room that the user looks at. */
 public final class RoomTeleport {

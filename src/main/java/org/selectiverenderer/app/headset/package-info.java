@@ -3,8 +3,8 @@
  * the renderer, the navigation and the listener of the run.
  *
  * <pre>
- *   openxr.XrHeadset --pose--> tracker.live.{@code HeadsetPoseTracker} --> hmd.TrackedMotion (in the step)
- *                    --eyes--> hmd.HeadsetLayout --> runtime.render.headset (both pictures)
+ *   openxr.XrHeadset --pose--> tracker.pipeline.{@code HeadsetPoseTracker} --> hmd.TrackedMotion (in the step)
+ *                    --eyes--> hmd.HeadsetLayout --> render.headset (both pictures)
  *                    --input-> HeadsetControllers --> walking, commands, answers
  *                    --news--> the run's listener: messages, time line, a session's journal
  * </pre>
@@ -14,7 +14,7 @@
  * headset}, which steps the world. Code that asks the user something reads {@link
  * org.selectiverenderer.app.headset.ControllerAnswer}s, and places its text by {@link
  * org.selectiverenderer.app.headset.PanelPlacement}. Uses {@code openxr}, {@code hmd}, {@code
- * tracker}, {@code runtime} with its renderer and {@code experiment.headlog} for rooms.
+ * tracker}, {@code browser} with its renderer and {@code study.headlog} for rooms.
  */
 @NullMarked
 package org.selectiverenderer.app.headset;

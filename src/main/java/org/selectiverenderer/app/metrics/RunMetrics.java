@@ -4,11 +4,11 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.Locale;
 import java.util.Optional;
 import org.selectiverenderer.base.decimal.DecimalRounding;
-import org.selectiverenderer.base.json.JsonTree;
-import org.selectiverenderer.base.json.JsonWriter;
-import org.selectiverenderer.runtime.render.ShadingMode;
-import org.selectiverenderer.runtime.render.context.GlInfo;
-import org.selectiverenderer.runtime.render.display.FrameTimeStatistics;
+import org.selectiverenderer.formats.json.JsonTree;
+import org.selectiverenderer.formats.json.JsonWriter;
+import org.selectiverenderer.render.ShadingMode;
+import org.selectiverenderer.render.context.GlInfo;
+import org.selectiverenderer.render.display.FrameTimeStatistics;
 import org.selectiverenderer.tracker.LatencyHistogram;
 
 /**

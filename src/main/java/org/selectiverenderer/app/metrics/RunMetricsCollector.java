@@ -7,10 +7,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import org.selectiverenderer.runtime.render.FrameStatistics;
-import org.selectiverenderer.runtime.render.ShadingMode;
-import org.selectiverenderer.runtime.render.context.GlInfo;
-import org.selectiverenderer.runtime.render.display.FrameTimeStatistics;
+import org.selectiverenderer.render.FrameStatistics;
+import org.selectiverenderer.render.ShadingMode;
+import org.selectiverenderer.render.context.GlInfo;
+import org.selectiverenderer.render.display.FrameTimeStatistics;
 import org.selectiverenderer.tracker.LatencyHistogram;
 
 /** Collects the performance measurements of a run, frame by frame. */

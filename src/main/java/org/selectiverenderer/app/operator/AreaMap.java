@@ -2,10 +2,10 @@ package org.selectiverenderer.app.operator;
 
 import java.util.List;
 import org.joml.Vector3d;
-import org.selectiverenderer.experiment.headlog.SceneMap;
-import org.selectiverenderer.hmd.FieldOfView;
-import org.selectiverenderer.runtime.camera.Primitive2D;
-import org.selectiverenderer.runtime.viewer.Viewer;
+import org.selectiverenderer.apparatus.FieldOfView;
+import org.selectiverenderer.browser.camera.Primitive2D;
+import org.selectiverenderer.browser.viewer.Viewer;
+import org.selectiverenderer.study.headlog.SceneMap;
 
 /**
  * A map of the rooms and areas from above, north (-Z) up, with the viewer and the field of view.

@@ -2,7 +2,7 @@ package org.selectiverenderer.app.operator;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.selectiverenderer.runtime.camera.Primitive2D;
+import org.selectiverenderer.browser.camera.Primitive2D;
 
 /**
  * The labels of a map: each is drawn on a dark background above the map and inside its edges, and

@@ -6,16 +6,16 @@ import java.util.Locale;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.head.HeadTrackingSession;
+import org.selectiverenderer.app.head.SceneMapBuilder;
 import org.selectiverenderer.app.settings.RunSettings;
 import org.selectiverenderer.app.settings.TrackerSettings;
-import org.selectiverenderer.app.walk.Walkthrough;
-import org.selectiverenderer.experiment.headlog.SceneMap;
-import org.selectiverenderer.experiment.headlog.SceneMapBuilder;
-import org.selectiverenderer.runtime.camera.Primitive2D;
-import org.selectiverenderer.runtime.instance.InstanceTree;
-import org.selectiverenderer.runtime.render.display.OperatorPage;
+import org.selectiverenderer.browser.camera.Primitive2D;
+import org.selectiverenderer.browser.instance.InstanceTree;
+import org.selectiverenderer.render.display.OperatorPage;
+import org.selectiverenderer.study.headlog.SceneMap;
 import org.selectiverenderer.tracker.PoseSample;
 import org.selectiverenderer.tracker.TrackerHealth;
+import org.selectiverenderer.walkthrough.Walkthrough;
 
 /**
  * The content of the operator's window during a session: the participant's picture; below it a map

@@ -5,9 +5,9 @@ import java.util.List;
 import java.util.Locale;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
-import org.selectiverenderer.app.walk.Walkthrough;
-import org.selectiverenderer.runtime.render.FrameStatistics;
-import org.selectiverenderer.runtime.viewer.Viewer;
+import org.selectiverenderer.browser.viewer.Viewer;
+import org.selectiverenderer.render.FrameStatistics;
+import org.selectiverenderer.walkthrough.Walkthrough;
 
 /** The status lines over the picture, which the user shows and hides with F1. */
 public final class StatusOverlay {

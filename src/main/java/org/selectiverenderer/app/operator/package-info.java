@@ -3,9 +3,9 @@
  * window in a session.
  *
  * <p>In: a walk, its head and its figures. Out: lines and {@link
- * org.selectiverenderer.runtime.camera.Primitive2D}s to be drawn. Uses {@code app.head}, {@code
- * app.settings}, {@code app.walk}, {@code experiment.headlog} for the map, {@code hmd}, {@code
- * tracker} and {@code runtime}.
+ * org.selectiverenderer.browser.camera.Primitive2D}s to be drawn. Uses {@code app.head}, {@code
+ * app.settings}, {@code walkthrough}, {@code study.headlog} for the map, {@code hmd}, {@code
+ * tracker} and {@code browser}.
  */
 @NullMarked
 package org.selectiverenderer.app.operator;

@@ -1,9 +1,9 @@
 package org.selectiverenderer.app.run;
 
 import org.selectiverenderer.app.clock.FrameClock;
-import org.selectiverenderer.app.walk.UserNavigation;
-import org.selectiverenderer.app.walk.Walkthrough;
-import org.selectiverenderer.runtime.viewer.ViewerMotion;
+import org.selectiverenderer.browser.viewer.ViewerMotion;
+import org.selectiverenderer.walkthrough.UserNavigation;
+import org.selectiverenderer.walkthrough.Walkthrough;
 
 /**
  * The state of a run once its scene has been read.

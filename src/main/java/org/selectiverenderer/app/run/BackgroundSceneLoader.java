@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import org.selectiverenderer.app.settings.SceneSettings;
-import org.selectiverenderer.app.walk.Walkthrough;
+import org.selectiverenderer.walkthrough.Walkthrough;
 
 /**
  * Loads a scene on a thread of its own, {@code scene-opener}, so that the caller can bring up its

@@ -2,8 +2,8 @@ package org.selectiverenderer.app.run;
 
 import java.io.IOException;
 import java.util.Optional;
-import org.selectiverenderer.runtime.render.context.GlInfo;
-import org.selectiverenderer.runtime.render.context.Screenshot;
+import org.selectiverenderer.render.context.GlInfo;
+import org.selectiverenderer.render.context.Screenshot;
 
 /** The destination of a run's frames: a window, a headset, an off-screen buffer, or none. */
 interface FrameTarget {

@@ -6,10 +6,10 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
-import org.selectiverenderer.runtime.World;
-import org.selectiverenderer.runtime.navigation.KeyboardMouseControls;
-import org.selectiverenderer.runtime.render.window.InputEvent;
-import org.selectiverenderer.runtime.render.window.KeyboardKey;
+import org.selectiverenderer.browser.World;
+import org.selectiverenderer.browser.navigation.KeyboardMouseControls;
+import org.selectiverenderer.render.window.InputEvent;
+import org.selectiverenderer.render.window.KeyboardKey;
 
 /**
  * Dispatches the keys and mouse events of a run's windows to the scene's sensors, to the run's

@@ -4,10 +4,10 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
-import org.selectiverenderer.runtime.World;
-import org.selectiverenderer.runtime.nodes.keyboard.KeyboardEvent;
-import org.selectiverenderer.runtime.render.window.InputEvent;
-import org.selectiverenderer.runtime.render.window.KeyboardKey;
+import org.selectiverenderer.browser.World;
+import org.selectiverenderer.browser.nodes.keyboard.KeyboardEvent;
+import org.selectiverenderer.render.window.InputEvent;
+import org.selectiverenderer.render.window.KeyboardKey;
 
 /**
  * Passes the keys typed in a window to the scene's key device sensors (KeySensor, StringSensor).

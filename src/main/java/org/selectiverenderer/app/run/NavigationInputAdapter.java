@@ -3,10 +3,10 @@ package org.selectiverenderer.app.run;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
-import org.selectiverenderer.runtime.navigation.KeyboardMouseControls;
-import org.selectiverenderer.runtime.navigation.MouseButton;
-import org.selectiverenderer.runtime.navigation.NavigationKey;
-import org.selectiverenderer.runtime.render.window.InputEvent;
+import org.selectiverenderer.apparatus.MouseButton;
+import org.selectiverenderer.browser.navigation.KeyboardMouseControls;
+import org.selectiverenderer.browser.navigation.NavigationKey;
+import org.selectiverenderer.render.window.InputEvent;
 
 /** Passes a window's input events to the navigation controls. */
 final class NavigationInputAdapter {

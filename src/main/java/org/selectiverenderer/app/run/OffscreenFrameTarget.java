@@ -4,10 +4,10 @@ import java.io.IOException;
 import java.util.Optional;
 import org.selectiverenderer.app.settings.DisplaySettings;
 import org.selectiverenderer.app.settings.RunSettings;
-import org.selectiverenderer.runtime.World;
-import org.selectiverenderer.runtime.render.AntiAliasing;
-import org.selectiverenderer.runtime.render.FrameStatistics;
-import org.selectiverenderer.runtime.render.display.OffscreenView;
+import org.selectiverenderer.browser.World;
+import org.selectiverenderer.render.AntiAliasing;
+import org.selectiverenderer.render.FrameStatistics;
+import org.selectiverenderer.render.display.OffscreenView;
 
 /**
  * A frame target that draws into an off-screen buffer as fast as possible. The calling thread steps

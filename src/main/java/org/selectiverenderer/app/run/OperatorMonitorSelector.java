@@ -4,10 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import org.selectiverenderer.apparatus.DisplayMode;
+import org.selectiverenderer.apparatus.DisplayProfile;
 import org.selectiverenderer.hmd.DisplayConfiguration;
-import org.selectiverenderer.hmd.DisplayMode;
-import org.selectiverenderer.hmd.DisplayProfile;
-import org.selectiverenderer.runtime.render.window.Monitor;
+import org.selectiverenderer.render.window.Monitor;
 
 /**
  * Selects the monitor of the operator, never one that shows a picture to the participant's eyes.

@@ -2,7 +2,7 @@ package org.selectiverenderer.app.run;
 
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
-import org.selectiverenderer.runtime.render.context.GlShutdownHook;
+import org.selectiverenderer.render.context.GlShutdownHook;
 
 /** Asks a run to end after its present frame, as when its window is closed; from any thread. */
 public final class RunCancellation {

@@ -3,12 +3,12 @@ package org.selectiverenderer.app.run;
 import java.util.List;
 import java.util.Optional;
 import org.selectiverenderer.app.headset.ControllerAnswer;
-import org.selectiverenderer.app.walk.Walkthrough;
+import org.selectiverenderer.browser.camera.WorldSpacePanel;
+import org.selectiverenderer.browser.navigation.NavigationCommand;
+import org.selectiverenderer.browser.viewer.ViewerMotion;
 import org.selectiverenderer.openxr.SpacePose;
-import org.selectiverenderer.runtime.camera.WorldSpacePanel;
-import org.selectiverenderer.runtime.navigation.NavigationCommand;
-import org.selectiverenderer.runtime.render.window.KeyboardKey;
-import org.selectiverenderer.runtime.viewer.ViewerMotion;
+import org.selectiverenderer.render.window.KeyboardKey;
+import org.selectiverenderer.walkthrough.Walkthrough;
 
 /**
  * Controls a run from outside, as a step of a session does: decides when the run ends, how dark its

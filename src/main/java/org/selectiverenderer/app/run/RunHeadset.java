@@ -5,12 +5,12 @@ import java.util.Optional;
 import org.selectiverenderer.app.headset.HeadsetConnection;
 import org.selectiverenderer.app.headset.RoomTeleport;
 import org.selectiverenderer.app.metrics.HeadsetMetrics;
-import org.selectiverenderer.app.timeline.TimelineEvent;
-import org.selectiverenderer.app.walk.Walkthrough;
+import org.selectiverenderer.browser.World;
+import org.selectiverenderer.browser.navigation.KeyboardMouseControls;
 import org.selectiverenderer.openxr.ControllerAction;
 import org.selectiverenderer.openxr.HeadsetEvent;
-import org.selectiverenderer.runtime.World;
-import org.selectiverenderer.runtime.navigation.KeyboardMouseControls;
+import org.selectiverenderer.walkthrough.Walkthrough;
+import org.selectiverenderer.walkthrough.timeline.TimelineEvent;
 
 /**
  * The headset of a run, if any: whether its user sees the picture, its events, and the commands of

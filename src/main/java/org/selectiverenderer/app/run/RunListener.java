@@ -3,9 +3,9 @@ package org.selectiverenderer.app.run;
 import java.io.IOException;
 import java.util.Optional;
 import org.selectiverenderer.app.head.HeadSampleListener;
-import org.selectiverenderer.app.timeline.TimelineEvent;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.openxr.HeadsetEvent;
+import org.selectiverenderer.walkthrough.timeline.TimelineEvent;
 
 /**
  * Receives the events of a run. It is called on the stepping thread, or during loading, in order.

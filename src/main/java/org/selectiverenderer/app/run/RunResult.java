@@ -2,7 +2,7 @@ package org.selectiverenderer.app.run;
 
 import java.util.Optional;
 import org.selectiverenderer.app.metrics.RunMetrics;
-import org.selectiverenderer.runtime.render.context.Screenshot;
+import org.selectiverenderer.render.context.Screenshot;
 
 /**
  * The result of a run.

@@ -13,14 +13,14 @@ import org.selectiverenderer.app.headset.HeadsetConnection;
 import org.selectiverenderer.app.metrics.RunMetrics;
 import org.selectiverenderer.app.operator.OperatorConsole;
 import org.selectiverenderer.app.settings.RunSettings;
-import org.selectiverenderer.runtime.World;
-import org.selectiverenderer.runtime.camera.WorldSpacePanel;
-import org.selectiverenderer.runtime.render.FrameStatistics;
-import org.selectiverenderer.runtime.render.context.GlInfo;
-import org.selectiverenderer.runtime.render.display.OperatorPage;
-import org.selectiverenderer.runtime.render.display.WorldDisplay;
-import org.selectiverenderer.runtime.render.display.WorldHost;
-import org.selectiverenderer.runtime.render.window.InputEvent;
+import org.selectiverenderer.browser.World;
+import org.selectiverenderer.browser.camera.WorldSpacePanel;
+import org.selectiverenderer.render.FrameStatistics;
+import org.selectiverenderer.render.context.GlInfo;
+import org.selectiverenderer.render.display.OperatorPage;
+import org.selectiverenderer.render.display.WorldDisplay;
+import org.selectiverenderer.render.display.WorldHost;
+import org.selectiverenderer.render.window.InputEvent;
 
 /**
  * Shows several runs one after the other in the same windows. The windows stay open and are black

@@ -7,8 +7,8 @@ import org.selectiverenderer.app.head.HeadTrackingSession;
 import org.selectiverenderer.app.operator.OperatorConsole;
 import org.selectiverenderer.app.operator.StatusOverlay;
 import org.selectiverenderer.app.settings.RunSettings;
-import org.selectiverenderer.runtime.render.FrameStatistics;
-import org.selectiverenderer.runtime.render.display.OperatorPage;
+import org.selectiverenderer.render.FrameStatistics;
+import org.selectiverenderer.render.display.OperatorPage;
 
 /** The status text of a run: over its picture, and in the operator's window. */
 final class RunStatusText {

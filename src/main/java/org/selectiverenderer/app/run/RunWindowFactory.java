@@ -7,18 +7,18 @@ import java.util.function.Consumer;
 import org.selectiverenderer.app.headset.HeadsetConnection;
 import org.selectiverenderer.app.settings.DisplaySettings;
 import org.selectiverenderer.app.settings.RunSettings;
-import org.selectiverenderer.hmd.DisplayMode;
-import org.selectiverenderer.hmd.DisplayProfile;
-import org.selectiverenderer.runtime.render.AntiAliasing;
-import org.selectiverenderer.runtime.render.display.WindowSetup;
-import org.selectiverenderer.runtime.render.display.WorldDisplay;
-import org.selectiverenderer.runtime.render.display.WorldHost;
-import org.selectiverenderer.runtime.render.display.WorldWindow;
-import org.selectiverenderer.runtime.render.headset.HeadsetView;
-import org.selectiverenderer.runtime.render.window.Monitor;
-import org.selectiverenderer.runtime.render.window.Monitors;
-import org.selectiverenderer.runtime.render.window.QuadBufferSupport;
-import org.selectiverenderer.runtime.render.window.WindowOptions;
+import org.selectiverenderer.apparatus.DisplayMode;
+import org.selectiverenderer.apparatus.DisplayProfile;
+import org.selectiverenderer.render.AntiAliasing;
+import org.selectiverenderer.render.display.WindowSetup;
+import org.selectiverenderer.render.display.WorldDisplay;
+import org.selectiverenderer.render.display.WorldHost;
+import org.selectiverenderer.render.display.WorldWindow;
+import org.selectiverenderer.render.headset.HeadsetView;
+import org.selectiverenderer.render.window.Monitor;
+import org.selectiverenderer.render.window.Monitors;
+import org.selectiverenderer.render.window.QuadBufferSupport;
+import org.selectiverenderer.render.window.WindowOptions;
 
 /**
  * Creates the windows of a run by the monitors of the desktop. Where a monitor or the driver's quad

@@ -15,22 +15,22 @@ import org.selectiverenderer.app.headset.HeadsetConnection;
 import org.selectiverenderer.app.metrics.RunMetrics;
 import org.selectiverenderer.app.metrics.RunMetricsCollector;
 import org.selectiverenderer.app.settings.RunSettings;
-import org.selectiverenderer.app.walk.UserNavigation;
-import org.selectiverenderer.app.walk.ViewpointFinder;
-import org.selectiverenderer.app.walk.Walkthrough;
 import org.selectiverenderer.base.problem.SourceLocation;
-import org.selectiverenderer.runtime.World;
-import org.selectiverenderer.runtime.camera.WorldSpacePanel;
-import org.selectiverenderer.runtime.navigation.KeyboardMouseControls;
-import org.selectiverenderer.runtime.navigation.NavigationCommand;
-import org.selectiverenderer.runtime.render.FrameStatistics;
-import org.selectiverenderer.runtime.render.context.GlInfo;
-import org.selectiverenderer.runtime.render.display.OperatorPage;
-import org.selectiverenderer.runtime.render.display.WorldHost;
-import org.selectiverenderer.runtime.render.window.InputEvent;
-import org.selectiverenderer.runtime.sound.AudioPlayer;
-import org.selectiverenderer.runtime.sound.SoundDeviceLine;
-import org.selectiverenderer.runtime.viewer.ViewerMotion;
+import org.selectiverenderer.browser.World;
+import org.selectiverenderer.browser.camera.WorldSpacePanel;
+import org.selectiverenderer.browser.navigation.KeyboardMouseControls;
+import org.selectiverenderer.browser.navigation.NavigationCommand;
+import org.selectiverenderer.browser.sound.AudioPlayer;
+import org.selectiverenderer.browser.sound.SoundDeviceLine;
+import org.selectiverenderer.browser.viewer.ViewerMotion;
+import org.selectiverenderer.render.FrameStatistics;
+import org.selectiverenderer.render.context.GlInfo;
+import org.selectiverenderer.render.display.OperatorPage;
+import org.selectiverenderer.render.display.WorldHost;
+import org.selectiverenderer.render.window.InputEvent;
+import org.selectiverenderer.walkthrough.UserNavigation;
+import org.selectiverenderer.walkthrough.ViewpointFinder;
+import org.selectiverenderer.walkthrough.Walkthrough;
 
 /**
  * A run of a scene: everything that happens between one frame and the next, whatever the frame

@@ -9,9 +9,9 @@ import org.selectiverenderer.app.head.TrackerRecorder;
 import org.selectiverenderer.app.headset.HeadsetConnection;
 import org.selectiverenderer.app.settings.DisplaySettings;
 import org.selectiverenderer.app.settings.RunSettings;
-import org.selectiverenderer.runtime.render.context.GlInfo;
-import org.selectiverenderer.runtime.render.display.WorldDisplay;
-import org.selectiverenderer.runtime.render.display.WorldHost;
+import org.selectiverenderer.render.context.GlInfo;
+import org.selectiverenderer.render.display.WorldDisplay;
+import org.selectiverenderer.render.display.WorldHost;
 import org.selectiverenderer.tracker.HeadTracker;
 
 /** Runs a scene from its beginning to its end. */

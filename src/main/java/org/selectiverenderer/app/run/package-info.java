@@ -18,7 +18,7 @@
  *
  * <p>In: {@link org.selectiverenderer.app.settings.RunSettings}. Out: frames, a time line, a head
  * log, figures, the last pictures. Uses all of {@code app} but {@code session} and {@code sai},
- * {@code hmd}, {@code tracker}, {@code runtime} with its renderer and {@code base.problem}.
+ * {@code hmd}, {@code tracker}, {@code browser} with its renderer and {@code base.problem}.
  */
 @NullMarked
 package org.selectiverenderer.app.run;

@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.joml.AxisAngle4d;
-import org.selectiverenderer.runtime.viewer.CameraPath;
+import org.selectiverenderer.browser.viewer.CameraPath;
 import org.web3d.x3d.sai.ExternalBrowser;
 import org.web3d.x3d.sai.X3DScene;
 import org.web3d.x3d.sai.navigation.NavigationInfo;

@@ -3,8 +3,8 @@
  * Interface.
  *
  * <p>In: the URL of a scene. Out: its time line, a window. May use {@code control}, {@code
- * app.timeline}, {@code runtime.viewer} for recorded paths and {@code org.web3d.x3d.sai} only, so
- * that it runs on Xj3D.
+ * walkthrough.timeline}, {@code browser.viewer} for recorded paths and {@code org.web3d.x3d.sai}
+ * only, so that it runs on Xj3D.
  */
 @NullMarked
 package org.selectiverenderer.app.sai;

@@ -7,12 +7,12 @@ import java.util.OptionalLong;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.experiment.questionnaire.Answer;
-import org.selectiverenderer.experiment.questionnaire.Question;
-import org.selectiverenderer.experiment.questionnaire.QuestionnairePage;
-import org.selectiverenderer.experiment.questionnaire.QuestionnaireProgress;
-import org.selectiverenderer.experiment.session.Session;
-import org.selectiverenderer.experiment.session.SessionStep;
+import org.selectiverenderer.study.questionnaire.Answer;
+import org.selectiverenderer.study.questionnaire.Question;
+import org.selectiverenderer.study.questionnaire.QuestionnairePage;
+import org.selectiverenderer.study.questionnaire.QuestionnaireProgress;
+import org.selectiverenderer.study.session.Session;
+import org.selectiverenderer.study.session.SessionStep;
 
 /**
  * Records the answers of a questionnaire in the session's journal, and remembers a failure to

@@ -8,11 +8,11 @@ import static org.selectiverenderer.app.session.PanelCanvas.ROOM;
 import static org.selectiverenderer.app.session.PanelCanvas.SMALL;
 
 import java.util.List;
-import org.selectiverenderer.experiment.questionnaire.AnswerField;
-import org.selectiverenderer.experiment.questionnaire.ButtonQuestionnaireController;
-import org.selectiverenderer.experiment.questionnaire.ChoiceOption;
-import org.selectiverenderer.experiment.questionnaire.ParticipantMessages;
-import org.selectiverenderer.runtime.camera.Primitive2D;
+import org.selectiverenderer.browser.camera.Primitive2D;
+import org.selectiverenderer.study.questionnaire.AnswerField;
+import org.selectiverenderer.study.questionnaire.ButtonQuestionnaireController;
+import org.selectiverenderer.study.questionnaire.ChoiceOption;
+import org.selectiverenderer.study.questionnaire.ParticipantMessages;
 
 /**
  * Draws the options of a choice question on a panel: one below the other, or as a scale in a line.

@@ -11,11 +11,11 @@ import org.selectiverenderer.app.metrics.RunMetrics;
 import org.selectiverenderer.base.decimal.DecimalRounding;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.SourceLocation;
-import org.selectiverenderer.experiment.session.Session;
-import org.selectiverenderer.experiment.session.SessionStep;
-import org.selectiverenderer.experiment.study.QualityCriteria;
-import org.selectiverenderer.experiment.study.SessionFlag;
 import org.selectiverenderer.openxr.HeadsetEvent;
+import org.selectiverenderer.study.definition.QualityCriteria;
+import org.selectiverenderer.study.definition.SessionFlag;
+import org.selectiverenderer.study.session.Session;
+import org.selectiverenderer.study.session.SessionStep;
 
 /**
  * Flags a session whose exposure did not meet the quality limits of the study, by the measurements

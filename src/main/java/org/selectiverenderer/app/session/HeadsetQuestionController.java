@@ -13,20 +13,20 @@ import org.selectiverenderer.app.headset.ControllerAnswer;
 import org.selectiverenderer.app.headset.PanelPlacement;
 import org.selectiverenderer.app.headset.PanelPointerRay;
 import org.selectiverenderer.app.run.RunController;
-import org.selectiverenderer.app.walk.Walkthrough;
-import org.selectiverenderer.experiment.questionnaire.ButtonQuestionnaireController;
-import org.selectiverenderer.experiment.questionnaire.ParticipantMessages;
-import org.selectiverenderer.experiment.questionnaire.QuestionnaireProgress;
-import org.selectiverenderer.experiment.session.ExperimenterControls;
-import org.selectiverenderer.experiment.session.Session;
-import org.selectiverenderer.experiment.session.SessionStep;
+import org.selectiverenderer.browser.World;
+import org.selectiverenderer.browser.camera.Primitive2D;
+import org.selectiverenderer.browser.camera.WorldSpacePanel;
+import org.selectiverenderer.browser.viewer.ViewerMotion;
 import org.selectiverenderer.hmd.HeadsetLayout;
 import org.selectiverenderer.openxr.SpacePose;
-import org.selectiverenderer.runtime.World;
-import org.selectiverenderer.runtime.camera.Primitive2D;
-import org.selectiverenderer.runtime.camera.WorldSpacePanel;
-import org.selectiverenderer.runtime.render.window.KeyboardKey;
-import org.selectiverenderer.runtime.viewer.ViewerMotion;
+import org.selectiverenderer.render.window.KeyboardKey;
+import org.selectiverenderer.study.questionnaire.ButtonQuestionnaireController;
+import org.selectiverenderer.study.questionnaire.ParticipantMessages;
+import org.selectiverenderer.study.questionnaire.QuestionnaireProgress;
+import org.selectiverenderer.study.session.ExperimenterControls;
+import org.selectiverenderer.study.session.Session;
+import org.selectiverenderer.study.session.SessionStep;
+import org.selectiverenderer.walkthrough.Walkthrough;
 
 /**
  * Asks the questions of a step inside the headset until all are answered. The hand controllers give

@@ -6,15 +6,15 @@ import java.util.Optional;
 import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
 import org.joml.Vector3d;
-import org.selectiverenderer.app.walk.Walkthrough;
-import org.selectiverenderer.experiment.headlog.SceneMap;
-import org.selectiverenderer.experiment.headlog.SceneMapBuilder;
-import org.selectiverenderer.runtime.World;
-import org.selectiverenderer.runtime.instance.InstanceTree;
-import org.selectiverenderer.runtime.navigation.NavigationParameters;
-import org.selectiverenderer.runtime.scene.Node;
-import org.selectiverenderer.runtime.viewer.Viewer;
-import org.selectiverenderer.runtime.viewer.ViewerMotion;
+import org.selectiverenderer.app.head.SceneMapBuilder;
+import org.selectiverenderer.browser.World;
+import org.selectiverenderer.browser.instance.InstanceTree;
+import org.selectiverenderer.browser.navigation.NavigationParameters;
+import org.selectiverenderer.browser.scene.Node;
+import org.selectiverenderer.browser.viewer.Viewer;
+import org.selectiverenderer.browser.viewer.ViewerMotion;
+import org.selectiverenderer.study.headlog.SceneMap;
+import org.selectiverenderer.walkthrough.Walkthrough;
 
 /**
  * Boxes that confine the viewer horizontally, whatever moves it: at a side the viewer slides along;

@@ -4,9 +4,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.selectiverenderer.app.run.OperatorMonitorSelector;
-import org.selectiverenderer.experiment.study.Study;
 import org.selectiverenderer.hmd.DisplayConfiguration;
-import org.selectiverenderer.runtime.render.window.Monitor;
+import org.selectiverenderer.render.window.Monitor;
+import org.selectiverenderer.study.definition.Study;
 
 /**
  * The monitors of a session's operator and participant, and what the operator may see.

@@ -2,10 +2,10 @@ package org.selectiverenderer.app.session;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.selectiverenderer.browser.camera.Primitive2D;
 import org.selectiverenderer.geometry.font.FontFamily;
 import org.selectiverenderer.geometry.font.FontStyle;
-import org.selectiverenderer.geometry.tessellate.TextMesher;
-import org.selectiverenderer.runtime.camera.Primitive2D;
+import org.selectiverenderer.x3d.tessellate.TextMesher;
 
 /**
  * Lays out text and boxes on a panel from top to bottom, and collects the targets that can be

@@ -9,9 +9,9 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
 import javax.imageio.ImageIO;
-import org.selectiverenderer.experiment.questionnaire.Questionnaire;
-import org.selectiverenderer.experiment.questionnaire.QuestionnairePage;
-import org.selectiverenderer.runtime.camera.ArgbImage;
+import org.selectiverenderer.browser.camera.ArgbImage;
+import org.selectiverenderer.study.questionnaire.Questionnaire;
+import org.selectiverenderer.study.questionnaire.QuestionnairePage;
 
 /** Reads the pictures of a questionnaire's pages for a panel. */
 final class PanelImageLoader {

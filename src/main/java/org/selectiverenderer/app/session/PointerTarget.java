@@ -1,7 +1,7 @@
 package org.selectiverenderer.app.session;
 
 import java.util.List;
-import org.selectiverenderer.runtime.camera.Primitive2D;
+import org.selectiverenderer.browser.camera.Primitive2D;
 
 /**
  * A rectangle of a panel that can be chosen by pointing at it.

@@ -15,13 +15,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.selectiverenderer.app.headset.PanelPlacement;
-import org.selectiverenderer.experiment.questionnaire.ButtonQuestionnaireController;
-import org.selectiverenderer.experiment.questionnaire.ChoiceOption;
-import org.selectiverenderer.experiment.questionnaire.ParticipantMessages;
-import org.selectiverenderer.experiment.questionnaire.QuestionnairePage;
-import org.selectiverenderer.experiment.questionnaire.QuestionnaireProgress;
-import org.selectiverenderer.runtime.camera.ArgbImage;
-import org.selectiverenderer.runtime.camera.Primitive2D;
+import org.selectiverenderer.browser.camera.ArgbImage;
+import org.selectiverenderer.browser.camera.Primitive2D;
+import org.selectiverenderer.study.questionnaire.ButtonQuestionnaireController;
+import org.selectiverenderer.study.questionnaire.ChoiceOption;
+import org.selectiverenderer.study.questionnaire.ParticipantMessages;
+import org.selectiverenderer.study.questionnaire.QuestionnairePage;
+import org.selectiverenderer.study.questionnaire.QuestionnaireProgress;
 
 /**
  * Lays out a question as a panel to be read in a headset, {@value #WIDTH} units wide and as high as

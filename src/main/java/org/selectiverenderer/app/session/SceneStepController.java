@@ -9,18 +9,18 @@ import java.util.function.Consumer;
 import org.joml.Quaterniond;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.run.RunController;
-import org.selectiverenderer.app.walk.Walkthrough;
 import org.selectiverenderer.base.decimal.DecimalRounding;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.SourceLocation;
-import org.selectiverenderer.experiment.session.ExperimenterControls;
-import org.selectiverenderer.experiment.session.Session;
-import org.selectiverenderer.experiment.session.SessionStep;
-import org.selectiverenderer.experiment.study.MovementConstraint;
-import org.selectiverenderer.experiment.study.Study;
-import org.selectiverenderer.runtime.navigation.NavigationCommand;
-import org.selectiverenderer.runtime.render.window.KeyboardKey;
-import org.selectiverenderer.runtime.viewer.ViewerMotion;
+import org.selectiverenderer.browser.navigation.NavigationCommand;
+import org.selectiverenderer.browser.viewer.ViewerMotion;
+import org.selectiverenderer.render.window.KeyboardKey;
+import org.selectiverenderer.study.definition.MovementConstraint;
+import org.selectiverenderer.study.definition.Study;
+import org.selectiverenderer.study.session.ExperimenterControls;
+import org.selectiverenderer.study.session.Session;
+import org.selectiverenderer.study.session.SessionStep;
+import org.selectiverenderer.walkthrough.Walkthrough;
 
 /**
  * Controls the run of a practice or an exposure: it starts at the step's viewpoint and lasts for

@@ -20,20 +20,20 @@ import org.selectiverenderer.app.settings.DisplaySettings;
 import org.selectiverenderer.app.settings.HeadLogSettings;
 import org.selectiverenderer.app.settings.MotionSettings;
 import org.selectiverenderer.app.settings.RunSettings;
-import org.selectiverenderer.app.timeline.TimelineEvent;
-import org.selectiverenderer.app.timeline.TimelineJson;
 import org.selectiverenderer.base.decimal.DecimalRounding;
-import org.selectiverenderer.base.json.JsonTree;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.control.Condition;
 import org.selectiverenderer.control.SelectiveController;
-import org.selectiverenderer.experiment.session.ExperimenterControls;
-import org.selectiverenderer.experiment.session.Session;
-import org.selectiverenderer.experiment.session.SessionStep;
-import org.selectiverenderer.experiment.study.SessionFlag;
-import org.selectiverenderer.experiment.study.Study;
+import org.selectiverenderer.formats.json.JsonTree;
 import org.selectiverenderer.hmd.DisplayConfiguration;
 import org.selectiverenderer.openxr.HeadsetEvent;
+import org.selectiverenderer.schema.Condition;
+import org.selectiverenderer.study.definition.SessionFlag;
+import org.selectiverenderer.study.definition.Study;
+import org.selectiverenderer.study.session.ExperimenterControls;
+import org.selectiverenderer.study.session.Session;
+import org.selectiverenderer.study.session.SessionStep;
+import org.selectiverenderer.walkthrough.timeline.TimelineEvent;
+import org.selectiverenderer.walkthrough.timeline.TimelineJson;
 
 /** Provides the steps of a session that show a scene as the runs of one {@link RunSequence}. */
 final class SessionRunProvider implements RunSequence.Runs {

@@ -8,9 +8,9 @@ import java.util.function.Consumer;
 import org.selectiverenderer.app.head.SharedHeadTracker;
 import org.selectiverenderer.app.headset.HeadsetConnection;
 import org.selectiverenderer.app.run.RunSequence;
-import org.selectiverenderer.experiment.session.ExperimenterControls;
-import org.selectiverenderer.experiment.session.Session;
-import org.selectiverenderer.experiment.session.SessionStep;
+import org.selectiverenderer.study.session.ExperimenterControls;
+import org.selectiverenderer.study.session.Session;
+import org.selectiverenderer.study.session.SessionStep;
 
 /** Runs the remaining steps of a session. */
 public final class SessionRunner {

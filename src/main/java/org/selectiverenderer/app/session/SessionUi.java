@@ -2,9 +2,9 @@ package org.selectiverenderer.app.session;
 
 import java.io.IOException;
 import java.util.Optional;
-import org.selectiverenderer.experiment.session.ExperimenterControls;
-import org.selectiverenderer.experiment.session.Session;
-import org.selectiverenderer.experiment.session.SessionStep;
+import org.selectiverenderer.study.session.ExperimenterControls;
+import org.selectiverenderer.study.session.Session;
+import org.selectiverenderer.study.session.SessionStep;
 
 /**
  * The user interface of a session towards participant and experimenter: in windows, or simulated

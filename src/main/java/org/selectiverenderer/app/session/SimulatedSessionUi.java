@@ -4,13 +4,13 @@ import java.io.IOException;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
-import org.selectiverenderer.experiment.questionnaire.Answer;
-import org.selectiverenderer.experiment.questionnaire.Question;
-import org.selectiverenderer.experiment.questionnaire.QuestionnairePage;
-import org.selectiverenderer.experiment.session.ExperimenterControls;
-import org.selectiverenderer.experiment.session.Session;
-import org.selectiverenderer.experiment.session.SessionStep;
-import org.selectiverenderer.experiment.session.SimulatedParticipant;
+import org.selectiverenderer.study.questionnaire.Answer;
+import org.selectiverenderer.study.questionnaire.Question;
+import org.selectiverenderer.study.questionnaire.QuestionnairePage;
+import org.selectiverenderer.study.session.ExperimenterControls;
+import org.selectiverenderer.study.session.Session;
+import org.selectiverenderer.study.session.SessionStep;
+import org.selectiverenderer.study.session.SimulatedParticipant;
 
 /** The user interface of an unattended session: a simulated participant answers at once. */
 public final class SimulatedSessionUi implements SessionUi {

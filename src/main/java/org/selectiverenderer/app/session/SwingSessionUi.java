@@ -4,17 +4,17 @@ import com.formdev.flatlaf.FlatLightLaf;
 import java.io.IOException;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.experiment.questionnaire.ParticipantMessages;
-import org.selectiverenderer.experiment.questionnaire.Question;
-import org.selectiverenderer.experiment.session.ExperimenterControls;
-import org.selectiverenderer.experiment.session.Session;
-import org.selectiverenderer.experiment.session.SessionStep;
-import org.selectiverenderer.experiment.window.ControlWindow;
-import org.selectiverenderer.experiment.window.MonitorBounds;
-import org.selectiverenderer.experiment.window.QuestionnaireWindow;
-import org.selectiverenderer.experiment.window.SessionEndWatcher;
-import org.selectiverenderer.experiment.window.ThanksWindow;
-import org.selectiverenderer.runtime.render.window.Monitor;
+import org.selectiverenderer.app.window.ControlWindow;
+import org.selectiverenderer.app.window.MonitorBounds;
+import org.selectiverenderer.app.window.QuestionnaireWindow;
+import org.selectiverenderer.app.window.SessionEndWatcher;
+import org.selectiverenderer.app.window.ThanksWindow;
+import org.selectiverenderer.render.window.Monitor;
+import org.selectiverenderer.study.questionnaire.ParticipantMessages;
+import org.selectiverenderer.study.questionnaire.Question;
+import org.selectiverenderer.study.session.ExperimenterControls;
+import org.selectiverenderer.study.session.Session;
+import org.selectiverenderer.study.session.SessionStep;
 
 /** The user interface of a session in Swing windows. */
 public final class SwingSessionUi implements SessionUi {

@@ -6,10 +6,10 @@ import static org.selectiverenderer.app.session.PanelCanvas.ROOM;
 import static org.selectiverenderer.app.session.PanelCanvas.SMALL;
 
 import java.util.List;
-import org.selectiverenderer.experiment.questionnaire.AnswerField;
-import org.selectiverenderer.experiment.questionnaire.ButtonQuestionnaireController;
-import org.selectiverenderer.experiment.questionnaire.ParticipantMessages;
-import org.selectiverenderer.runtime.camera.Primitive2D;
+import org.selectiverenderer.browser.camera.Primitive2D;
+import org.selectiverenderer.study.questionnaire.AnswerField;
+import org.selectiverenderer.study.questionnaire.ButtonQuestionnaireController;
+import org.selectiverenderer.study.questionnaire.ParticipantMessages;
 
 /** Draws a text field on a panel, with a virtual keyboard for users who point. */
 final class TextFieldRenderer {

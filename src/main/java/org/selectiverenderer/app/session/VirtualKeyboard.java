@@ -4,8 +4,8 @@ import java.text.Normalizer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import org.selectiverenderer.experiment.questionnaire.ButtonQuestionnaireController;
-import org.selectiverenderer.experiment.questionnaire.ParticipantMessages;
+import org.selectiverenderer.study.questionnaire.ButtonQuestionnaireController;
+import org.selectiverenderer.study.questionnaire.ParticipantMessages;
 
 /**
  * The virtual keyboard inside a headset: letters of the study's language and of English, or digits

@@ -1,6 +1,6 @@
 /**
- * A participant's session with real windows: the steps that {@code experiment.session} knows, each
- * shown by the same run loop as {@code run} shows a scene.
+ * A participant's session with real windows: the steps that {@code study.session} knows, each shown
+ * by the same run loop as {@code run} shows a scene.
  *
  * <p>{@link org.selectiverenderer.app.run.RunSequence} shows one run after the other in windows
  * that stay open. A session's exposure is a run with a {@link
@@ -11,14 +11,13 @@
  * <p>With a headset, questions may be a run of the same chain: {@link
  * org.selectiverenderer.app.session.HeadsetQuestionController} turns presses of buttons into
  * answers, and {@link org.selectiverenderer.app.session.QuestionPanelRenderer} lays out the text.
- * The participant's progress is kept by {@code experiment.questionnaire}, for windows and headset
- * alike.
+ * The participant's progress is kept by {@code study.questionnaire}, for windows and headset alike.
  *
- * <p>In: a {@link org.selectiverenderer.experiment.session.Session} begun or resumed, and a {@link
+ * <p>In: a {@link org.selectiverenderer.study.session.Session} begun or resumed, and a {@link
  * org.selectiverenderer.app.session.SessionUi}, which asks participant and experimenter. Out: the
  * session's files, and how it ended. Uses {@code app.run} with its settings and measurements,
- * {@code app.head}, {@code experiment}, {@code hmd}, {@code control}, {@code tracker}, {@code
- * runtime} and {@code base}; Swing is behind the dialogue.
+ * {@code app.head}, {@code study}, {@code hmd}, {@code control}, {@code tracker}, {@code browser}
+ * and {@code base}; Swing is behind the dialogue.
  */
 @NullMarked
 package org.selectiverenderer.app.session;

@@ -2,13 +2,13 @@ package org.selectiverenderer.app.settings;
 
 import java.util.Optional;
 import java.util.OptionalInt;
+import org.selectiverenderer.apparatus.DisplayMode;
+import org.selectiverenderer.apparatus.DisplayProfile;
+import org.selectiverenderer.apparatus.EyeGeometry;
 import org.selectiverenderer.hmd.DisplayConfiguration;
-import org.selectiverenderer.hmd.DisplayMode;
-import org.selectiverenderer.hmd.DisplayProfile;
-import org.selectiverenderer.hmd.EyeGeometry;
-import org.selectiverenderer.runtime.render.RenderOptions;
-import org.selectiverenderer.runtime.render.ShadingMode;
-import org.selectiverenderer.runtime.render.window.Monitor;
+import org.selectiverenderer.render.RenderOptions;
+import org.selectiverenderer.render.ShadingMode;
+import org.selectiverenderer.render.window.Monitor;
 
 /**
  * The display on which a scene is shown, and how it is drawn.

@@ -1,7 +1,7 @@
 package org.selectiverenderer.app.settings;
 
 import java.util.OptionalDouble;
-import org.selectiverenderer.runtime.viewer.CameraPath;
+import org.selectiverenderer.browser.viewer.CameraPath;
 
 /**
  * A recorded path that the viewer follows.

@@ -1,7 +1,7 @@
 package org.selectiverenderer.app.settings;
 
 import java.util.Optional;
-import org.selectiverenderer.runtime.navigation.MouseMapping;
+import org.selectiverenderer.apparatus.MouseMapping;
 
 /**
  * The settings of the viewer's motion.

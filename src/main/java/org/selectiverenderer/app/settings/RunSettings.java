@@ -3,8 +3,8 @@ package org.selectiverenderer.app.settings;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.selectiverenderer.apparatus.MouseMapping;
 import org.selectiverenderer.control.SelectiveController;
-import org.selectiverenderer.runtime.navigation.MouseMapping;
 import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 
 /**

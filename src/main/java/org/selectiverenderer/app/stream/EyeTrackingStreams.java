@@ -8,11 +8,11 @@ import java.util.function.Consumer;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.experiment.headlog.EyeSample;
 import org.selectiverenderer.lsl.LslLibrary;
 import org.selectiverenderer.lsl.LslOutlet;
 import org.selectiverenderer.lsl.StreamInfo;
 import org.selectiverenderer.lsl.StreamInfo.Channel;
+import org.selectiverenderer.study.headlog.EyeSample;
 
 /**
  * The LSL streams of an eye tracker: the direction of gaze, and the object looked at. Their outlets

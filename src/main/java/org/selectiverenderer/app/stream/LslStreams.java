@@ -12,11 +12,11 @@ import java.util.Set;
 import java.util.function.BiConsumer;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.head.HeadSampleListener;
-import org.selectiverenderer.app.timeline.TimelineEvent;
-import org.selectiverenderer.app.timeline.TimelineJson;
-import org.selectiverenderer.base.json.JsonTree;
+import org.selectiverenderer.formats.json.JsonTree;
 import org.selectiverenderer.lsl.LslLibrary;
 import org.selectiverenderer.lsl.StreamInfo;
+import org.selectiverenderer.walkthrough.timeline.TimelineEvent;
+import org.selectiverenderer.walkthrough.timeline.TimelineJson;
 
 /** The Lab Streaming Layer (LSL) streams that a run or a session sends and records. */
 public final class LslStreams implements AutoCloseable {

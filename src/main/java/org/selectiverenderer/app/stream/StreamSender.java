@@ -15,13 +15,13 @@ import java.util.function.Consumer;
 import org.joml.Quaterniond;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.head.HeadSampleListener;
-import org.selectiverenderer.experiment.headlog.EyeSample;
-import org.selectiverenderer.experiment.headlog.HeadLogDescription;
-import org.selectiverenderer.experiment.headlog.HeadSample;
 import org.selectiverenderer.lsl.LslLibrary;
 import org.selectiverenderer.lsl.LslOutlet;
 import org.selectiverenderer.lsl.StreamInfo;
 import org.selectiverenderer.lsl.StreamInfo.Channel;
+import org.selectiverenderer.study.headlog.EyeSample;
+import org.selectiverenderer.study.headlog.HeadLogDescription;
+import org.selectiverenderer.study.headlog.HeadSample;
 
 /**
  * Sends poses, the object looked at, and events as LSL streams. Samples are queued with their own

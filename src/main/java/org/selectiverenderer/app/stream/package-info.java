@@ -14,7 +14,7 @@
  *
  * <p>The two threads are the only ones that call the library; only the end of the session waits for
  * them. {@link org.selectiverenderer.app.stream.LslStreams} owns both. Uses {@code lsl}, {@code
- * app.head} for the samples, {@code app.timeline}, {@code experiment.headlog} and {@code base}.
+ * app.head} for the samples, {@code walkthrough.timeline}, {@code study.headlog} and {@code base}.
  */
 @NullMarked
 package org.selectiverenderer.app.stream;

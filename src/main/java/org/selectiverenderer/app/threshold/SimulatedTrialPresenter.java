@@ -1,10 +1,10 @@
 package org.selectiverenderer.app.threshold;
 
 import java.util.Optional;
-import org.selectiverenderer.experiment.threshold.SimulatedObserver;
-import org.selectiverenderer.experiment.threshold.ThresholdSession;
-import org.selectiverenderer.experiment.threshold.ThresholdStudy;
-import org.selectiverenderer.experiment.threshold.ThresholdTrial;
+import org.selectiverenderer.study.threshold.SimulatedObserver;
+import org.selectiverenderer.study.threshold.ThresholdSession;
+import org.selectiverenderer.study.threshold.ThresholdStudy;
+import org.selectiverenderer.study.threshold.ThresholdTrial;
 
 /** Lets a simulated observer answer the trials at once. */
 public final class SimulatedTrialPresenter implements TrialPresenter {

@@ -16,12 +16,12 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import org.selectiverenderer.base.files.AtomicFileWriter;
 import org.selectiverenderer.base.files.Sha256;
-import org.selectiverenderer.base.json.JsonTree;
-import org.selectiverenderer.base.json.JsonWriter;
 import org.selectiverenderer.base.problem.ProblemCollector;
-import org.selectiverenderer.experiment.session.Checksums;
-import org.selectiverenderer.experiment.threshold.PolygonLadder;
-import org.selectiverenderer.experiment.threshold.ThresholdStudy;
+import org.selectiverenderer.formats.json.JsonTree;
+import org.selectiverenderer.formats.json.JsonWriter;
+import org.selectiverenderer.study.session.Checksums;
+import org.selectiverenderer.study.threshold.PolygonLadder;
+import org.selectiverenderer.study.threshold.ThresholdStudy;
 
 /**
  * The stimulus pictures of a threshold pilot: PNG files of each object's versions from each view,
@@ -54,8 +54,8 @@ public final class ThresholdStimuli {
    * @param hears receives a message for each object that is made
    * @return empty when versions of an object cannot be made, which is reported to {@code problems}
    * @throws IOException if a file cannot be read or written
-   * @throws org.selectiverenderer.runtime.render.context.GlUnavailableException if pictures must be
-   *     made and there is no display
+   * @throws org.selectiverenderer.render.context.GlUnavailableException if pictures must be made
+   *     and there is no display
    */
   public static Optional<ThresholdStimuli> of(
       ThresholdStudy study, Consumer<String> hears, ProblemCollector problems) throws IOException {

@@ -2,8 +2,8 @@ package org.selectiverenderer.app.threshold;
 
 import java.io.IOException;
 import java.util.Optional;
-import org.selectiverenderer.experiment.threshold.ThresholdSession;
-import org.selectiverenderer.experiment.threshold.ThresholdTrial;
+import org.selectiverenderer.study.threshold.ThresholdSession;
+import org.selectiverenderer.study.threshold.ThresholdTrial;
 
 /**
  * Presents the trials of a threshold pilot and returns the answers: to a participant in a window,

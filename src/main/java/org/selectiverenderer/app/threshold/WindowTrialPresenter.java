@@ -8,15 +8,15 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import javax.imageio.ImageIO;
-import org.selectiverenderer.experiment.questionnaire.ParticipantMessages;
-import org.selectiverenderer.experiment.threshold.ThresholdSession;
-import org.selectiverenderer.experiment.threshold.ThresholdStudy;
-import org.selectiverenderer.experiment.threshold.ThresholdTask;
-import org.selectiverenderer.experiment.threshold.ThresholdTrial;
-import org.selectiverenderer.experiment.window.MonitorBounds;
-import org.selectiverenderer.experiment.window.ThanksWindow;
-import org.selectiverenderer.experiment.window.TrialPage;
-import org.selectiverenderer.experiment.window.TrialWindow;
+import org.selectiverenderer.app.window.MonitorBounds;
+import org.selectiverenderer.app.window.ThanksWindow;
+import org.selectiverenderer.app.window.TrialPage;
+import org.selectiverenderer.app.window.TrialWindow;
+import org.selectiverenderer.study.questionnaire.ParticipantMessages;
+import org.selectiverenderer.study.threshold.ThresholdSession;
+import org.selectiverenderer.study.threshold.ThresholdStudy;
+import org.selectiverenderer.study.threshold.ThresholdTask;
+import org.selectiverenderer.study.threshold.ThresholdTrial;
 
 /** Presents the trials to a participant in a window. */
 public final class WindowTrialPresenter implements TrialPresenter {

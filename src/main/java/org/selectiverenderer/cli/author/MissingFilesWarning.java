@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import java.util.List;
 import org.selectiverenderer.base.decimal.Pluralizer;
 import org.selectiverenderer.base.files.FileTransaction;
-import org.selectiverenderer.cli.output.Console;
+import org.selectiverenderer.command.output.Console;
 
 /**
  * Warns about the files that a scene refers to by relative URLs and cannot find from its output
@@ -14,7 +14,7 @@ final class MissingFilesWarning {
   private MissingFilesWarning() {}
 
   /**
-   * @param left the files, as {@link org.selectiverenderer.document.file.BrokenRelativeUrls} finds
+   * @param left the files, as {@link org.selectiverenderer.authoring.file.BrokenRelativeUrls} finds
    *     them
    * @param output the written scene; nothing is reported for a pipe or device
    */

@@ -8,7 +8,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import org.selectiverenderer.cli.output.CommandException;
+import org.selectiverenderer.command.output.CommandException;
 
 /** The output folder of the command {@code simplify}: each result is named like its model. */
 final class OutputFolder {

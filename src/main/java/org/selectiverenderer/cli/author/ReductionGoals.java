@@ -6,10 +6,10 @@ import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.base.decimal.Pluralizer;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
-import org.selectiverenderer.cli.output.CommandException;
-import org.selectiverenderer.polygon.simplify.ModelSize;
-import org.selectiverenderer.polygon.simplify.SimplificationResult;
-import org.selectiverenderer.polygon.simplify.SimplificationTarget;
+import org.selectiverenderer.command.output.CommandException;
+import org.selectiverenderer.models.simplify.ModelSize;
+import org.selectiverenderer.models.simplify.SimplificationResult;
+import org.selectiverenderer.models.simplify.SimplificationTarget;
 
 /** Checks the goals of a polygon reduction given as options, and formats messages about them. */
 final class ReductionGoals {

@@ -15,11 +15,11 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
-import org.selectiverenderer.cli.output.CommandException;
-import org.selectiverenderer.cli.output.Console;
-import org.selectiverenderer.cli.output.ExitStatus;
-import org.selectiverenderer.cli.output.FailureMessage;
-import org.selectiverenderer.cli.output.InterruptHandler;
+import org.selectiverenderer.command.output.CommandException;
+import org.selectiverenderer.command.output.Console;
+import org.selectiverenderer.command.output.ExitStatus;
+import org.selectiverenderer.command.output.FailureMessage;
+import org.selectiverenderer.command.output.InterruptHandler;
 
 /**
  * Processes many files in parallel, one on each processor. The output of a file is buffered until

@@ -1,6 +1,6 @@
 package org.selectiverenderer.cli.experiment;
 
-import org.selectiverenderer.cli.output.CommandException;
+import org.selectiverenderer.command.output.CommandException;
 import org.selectiverenderer.statistics.anova.AnovaOptions;
 import org.selectiverenderer.statistics.anova.EffectPrior;
 import picocli.CommandLine.Option;

@@ -1,7 +1,7 @@
 package org.selectiverenderer.cli.experiment;
 
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.cli.output.CommandException;
+import org.selectiverenderer.command.output.CommandException;
 import org.selectiverenderer.statistics.anova.AnovaOptions;
 import picocli.CommandLine.Option;
 

@@ -1,10 +1,10 @@
 package org.selectiverenderer.cli.experiment;
 
 import java.util.List;
-import org.selectiverenderer.cli.base.CliCommand;
-import org.selectiverenderer.cli.output.CommandException;
-import org.selectiverenderer.cli.output.Console;
-import org.selectiverenderer.cli.output.ExitStatus;
+import org.selectiverenderer.command.CliCommand;
+import org.selectiverenderer.command.output.CommandException;
+import org.selectiverenderer.command.output.Console;
+import org.selectiverenderer.command.output.ExitStatus;
 import picocli.CommandLine.Command;
 
 @Command(

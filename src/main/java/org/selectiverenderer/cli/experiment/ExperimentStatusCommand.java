@@ -3,12 +3,12 @@ package org.selectiverenderer.cli.experiment;
 import java.io.IOException;
 import java.util.Optional;
 import org.selectiverenderer.base.problem.ProblemCollector;
-import org.selectiverenderer.cli.base.CliCommand;
 import org.selectiverenderer.cli.option.FormatOption;
-import org.selectiverenderer.cli.output.Console;
-import org.selectiverenderer.cli.output.ExitStatus;
-import org.selectiverenderer.experiment.session.StudyMaterial;
-import org.selectiverenderer.experiment.session.StudyStatus;
+import org.selectiverenderer.command.CliCommand;
+import org.selectiverenderer.command.output.Console;
+import org.selectiverenderer.command.output.ExitStatus;
+import org.selectiverenderer.study.session.StudyMaterial;
+import org.selectiverenderer.study.session.StudyStatus;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 

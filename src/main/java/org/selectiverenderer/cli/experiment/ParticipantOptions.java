@@ -5,10 +5,10 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.cli.output.CommandException;
-import org.selectiverenderer.experiment.session.ParticipantIds;
-import org.selectiverenderer.experiment.session.SessionFolder;
-import org.selectiverenderer.experiment.study.Study;
+import org.selectiverenderer.command.output.CommandException;
+import org.selectiverenderer.study.definition.Study;
+import org.selectiverenderer.study.session.ParticipantIds;
+import org.selectiverenderer.study.session.SessionFolder;
 import picocli.CommandLine.Option;
 
 /** The options that name the participant of a session. */

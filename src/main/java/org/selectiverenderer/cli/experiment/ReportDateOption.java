@@ -4,8 +4,8 @@ import java.io.IOException;
 import java.time.DateTimeException;
 import java.time.LocalDate;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.cli.base.ProgramVersion;
-import org.selectiverenderer.cli.output.CommandException;
+import org.selectiverenderer.command.ProgramVersion;
+import org.selectiverenderer.command.output.CommandException;
 import org.selectiverenderer.statistics.report.Provenance;
 import picocli.CommandLine.Option;
 

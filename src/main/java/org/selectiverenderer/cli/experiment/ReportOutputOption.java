@@ -3,9 +3,9 @@ package org.selectiverenderer.cli.experiment;
 import java.io.IOException;
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.cli.output.CommandFileCheck;
-import org.selectiverenderer.cli.output.Console;
-import org.selectiverenderer.cli.output.OutputFile;
+import org.selectiverenderer.command.output.CommandFileCheck;
+import org.selectiverenderer.command.output.Console;
+import org.selectiverenderer.command.output.OutputFile;
 import picocli.CommandLine.Option;
 
 /** The option for the output file of a report, instead of the standard output. */

@@ -5,8 +5,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.selectiverenderer.base.problem.ProblemCollector;
-import org.selectiverenderer.experiment.session.StudyMaterial;
-import org.selectiverenderer.experiment.study.StudyTemplate;
+import org.selectiverenderer.study.definition.StudyTemplate;
+import org.selectiverenderer.study.session.StudyMaterial;
 import picocli.CommandLine.Parameters;
 
 /** The parameter that names the study of a command. */

@@ -1,7 +1,7 @@
 /**
- * The commands of {@code experiment}: studies, sessions and their results.
+ * The commands of {@code study}: studies, sessions and their results.
  *
- * <p>May use {@code cli.base}, {@code cli.option}, {@code cli.output} and the packages that
+ * <p>May use {@code command}, {@code cli.option}, {@code command.output} and the packages that
  * implement the commands.
  */
 @NullMarked

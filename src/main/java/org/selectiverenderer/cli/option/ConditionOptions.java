@@ -1,8 +1,8 @@
 package org.selectiverenderer.cli.option;
 
 import java.util.Optional;
-import org.selectiverenderer.control.Condition;
 import org.selectiverenderer.control.SelectiveController;
+import org.selectiverenderer.schema.Condition;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.TypeConversionException;

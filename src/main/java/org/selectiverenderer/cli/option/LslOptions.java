@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.cli.output.CommandException;
+import org.selectiverenderer.command.output.CommandException;
 import org.selectiverenderer.lsl.LslLibrary;
 import picocli.CommandLine.Option;
 

@@ -1,8 +1,8 @@
 package org.selectiverenderer.cli.view;
 
 import org.selectiverenderer.app.clock.FixedRateSchedule;
-import org.selectiverenderer.cli.output.CommandException;
-import org.selectiverenderer.runtime.viewer.CameraPath;
+import org.selectiverenderer.browser.viewer.CameraPath;
+import org.selectiverenderer.command.output.CommandException;
 
 /** Rejects paths and frame rates with an implausible number of frames. */
 final class FrameLimits {

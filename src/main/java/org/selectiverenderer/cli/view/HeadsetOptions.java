@@ -2,10 +2,10 @@ package org.selectiverenderer.cli.view;
 
 import java.util.Locale;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.cli.output.CommandException;
+import org.selectiverenderer.browser.camera.MirrorSide;
+import org.selectiverenderer.command.output.CommandException;
 import org.selectiverenderer.hmd.HeadsetLayout;
 import org.selectiverenderer.hmd.HeadsetViewSettings;
-import org.selectiverenderer.runtime.camera.MirrorSide;
 import picocli.CommandLine.Option;
 
 /** The options of {@code --display openxr}. */

@@ -5,9 +5,9 @@ import java.nio.file.Path;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.run.RunResult;
-import org.selectiverenderer.cli.output.CommandFileCheck;
-import org.selectiverenderer.cli.output.Console;
-import org.selectiverenderer.cli.output.OutputFile;
+import org.selectiverenderer.command.output.CommandFileCheck;
+import org.selectiverenderer.command.output.Console;
+import org.selectiverenderer.command.output.OutputFile;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 

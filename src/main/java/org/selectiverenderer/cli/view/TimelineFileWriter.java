@@ -7,8 +7,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.app.timeline.TimelineEvent;
-import org.selectiverenderer.app.timeline.TimelineJson;
+import org.selectiverenderer.walkthrough.timeline.TimelineEvent;
+import org.selectiverenderer.walkthrough.timeline.TimelineJson;
 
 /**
  * Writes a time line into a file, line by line as events happen. An existing file keeps its content

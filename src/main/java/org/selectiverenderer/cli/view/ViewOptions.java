@@ -6,13 +6,13 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.app.walk.ViewpointFinder;
-import org.selectiverenderer.app.walk.Walkthrough;
-import org.selectiverenderer.cli.output.Console;
-import org.selectiverenderer.cli.output.ExitStatus;
+import org.selectiverenderer.command.output.Console;
+import org.selectiverenderer.command.output.ExitStatus;
 import org.selectiverenderer.control.SelectiveController;
-import org.selectiverenderer.runtime.render.RenderOptions;
-import org.selectiverenderer.runtime.render.ShadingMode;
+import org.selectiverenderer.render.RenderOptions;
+import org.selectiverenderer.render.ShadingMode;
+import org.selectiverenderer.walkthrough.ViewpointFinder;
+import org.selectiverenderer.walkthrough.Walkthrough;
 import picocli.CommandLine.Option;
 
 /** The options for the viewpoint, the collisions and the drawing style of a scene. */

@@ -13,7 +13,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.selectiverenderer.doctor.Diagnosis;
-import org.selectiverenderer.runtime.render.context.GlAvailability;
+import org.selectiverenderer.render.context.GlAvailability;
 
 /**
  * Checks what the enricher and the questionnaires need: AWT windows and fonts with Greek letters.

@@ -5,9 +5,9 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.selectiverenderer.doctor.Diagnosis;
-import org.selectiverenderer.runtime.render.context.GlAvailability;
-import org.selectiverenderer.runtime.render.window.MonitorMode;
-import org.selectiverenderer.runtime.render.window.Monitors;
+import org.selectiverenderer.render.context.GlAvailability;
+import org.selectiverenderer.render.window.MonitorMode;
+import org.selectiverenderer.render.window.Monitors;
 
 /** Checks the monitors. */
 final class DisplayProbe {

@@ -4,10 +4,10 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import org.selectiverenderer.browser.sound.SoundDeviceLine;
+import org.selectiverenderer.browser.sound.SoundDevices;
 import org.selectiverenderer.doctor.Diagnosis;
 import org.selectiverenderer.lsl.LslLibrary;
-import org.selectiverenderer.runtime.sound.SoundDeviceLine;
-import org.selectiverenderer.runtime.sound.SoundDevices;
 
 /** Checks the Lab Streaming Layer and the sound devices. */
 final class LslAndSoundProbe {

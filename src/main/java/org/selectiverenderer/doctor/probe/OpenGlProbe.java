@@ -4,12 +4,12 @@ import java.lang.management.ManagementFactory;
 import java.util.Locale;
 import java.util.function.Consumer;
 import org.selectiverenderer.doctor.Diagnosis;
-import org.selectiverenderer.runtime.render.context.GlInfo;
-import org.selectiverenderer.runtime.render.context.GlPreloader;
-import org.selectiverenderer.runtime.render.context.GlUnavailableException;
-import org.selectiverenderer.runtime.render.context.OffscreenContext;
-import org.selectiverenderer.runtime.render.display.DriverBenchmark;
-import org.selectiverenderer.runtime.render.window.QuadBufferSupport;
+import org.selectiverenderer.render.context.GlInfo;
+import org.selectiverenderer.render.context.GlPreloader;
+import org.selectiverenderer.render.context.GlUnavailableException;
+import org.selectiverenderer.render.context.OffscreenContext;
+import org.selectiverenderer.render.display.DriverBenchmark;
+import org.selectiverenderer.render.window.QuadBufferSupport;
 
 /** Checks OpenGL: the Java binding, the driver and its speed. */
 final class OpenGlProbe {

@@ -4,8 +4,8 @@
  *
  * <p>In: the machine. Out: {@link org.selectiverenderer.doctor.Probe}s, listed by {@link
  * org.selectiverenderer.doctor.probe.ProbeCatalogue}. Libraries are called through the packages
- * that wrap them ({@code runtime.render}, {@code openxr}, {@code tracker}, {@code lsl}, {@code
- * runtime.sound}). To add one: a class with a method that sends results, and its entry in {@code
+ * that wrap them ({@code render}, {@code openxr}, {@code tracker}, {@code lsl}, {@code
+ * browser.sound}). To add one: a class with a method that sends results, and its entry in {@code
  * Probes}.
  */
 @NullMarked

@@ -3,9 +3,9 @@ package org.selectiverenderer.doctor.report;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.List;
-import org.selectiverenderer.base.json.JsonTree;
-import org.selectiverenderer.base.json.JsonWriter;
 import org.selectiverenderer.doctor.Diagnosis;
+import org.selectiverenderer.formats.json.JsonTree;
+import org.selectiverenderer.formats.json.JsonWriter;
 
 /**
  * The report of all results about a machine.

@@ -9,12 +9,12 @@ import java.util.Set;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import org.selectiverenderer.apparatus.MouseMapping;
+import org.selectiverenderer.browser.navigation.KeyboardMouseControls;
+import org.selectiverenderer.browser.navigation.MotionRequest;
 import org.selectiverenderer.openxr.ControllerAction;
 import org.selectiverenderer.openxr.SpacePose;
 import org.selectiverenderer.openxr.XrInputState;
-import org.selectiverenderer.runtime.navigation.KeyboardMouseControls;
-import org.selectiverenderer.runtime.navigation.MotionRequest;
-import org.selectiverenderer.runtime.navigation.MouseMapping;
 
 class HeadsetControllersTest {
   private final KeyboardMouseControls controls = new KeyboardMouseControls(MouseMapping.WALK);

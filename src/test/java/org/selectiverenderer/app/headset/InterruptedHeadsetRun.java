@@ -9,19 +9,19 @@ import org.selectiverenderer.app.run.SceneRunner;
 import org.selectiverenderer.app.settings.DisplaySettings;
 import org.selectiverenderer.app.settings.RunSettings;
 import org.selectiverenderer.app.settings.TrackerSettings;
-import org.selectiverenderer.app.timeline.TimelineEvent;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.cli.base.LibraryProperties;
-import org.selectiverenderer.cli.output.InterruptHandler;
+import org.selectiverenderer.command.LibraryProperties;
+import org.selectiverenderer.command.output.InterruptHandler;
 import org.selectiverenderer.control.SelectiveController;
-import org.selectiverenderer.experiment.headlog.HeadLogDescription;
-import org.selectiverenderer.experiment.headlog.HeadSample;
 import org.selectiverenderer.hmd.DisplayConfiguration;
 import org.selectiverenderer.hmd.HeadTrackedMotion.WhenLost;
 import org.selectiverenderer.hmd.HeadsetViewSettings;
 import org.selectiverenderer.openxr.FakeHeadset;
+import org.selectiverenderer.study.headlog.HeadLogDescription;
+import org.selectiverenderer.study.headlog.HeadSample;
 import org.selectiverenderer.tracker.TrackerOptions;
 import org.selectiverenderer.tracker.TrackerSpec;
+import org.selectiverenderer.walkthrough.timeline.TimelineEvent;
 
 /**
  * A program that shows a scene in a headset without hardware until it is ended from outside. Says

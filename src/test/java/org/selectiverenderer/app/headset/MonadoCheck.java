@@ -20,22 +20,22 @@ import org.selectiverenderer.app.run.SceneRunner;
 import org.selectiverenderer.app.settings.DisplaySettings;
 import org.selectiverenderer.app.settings.RunSettings;
 import org.selectiverenderer.app.settings.TrackerSettings;
-import org.selectiverenderer.app.timeline.TimelineEvent;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.cli.base.LibraryProperties;
+import org.selectiverenderer.browser.viewer.Viewer;
+import org.selectiverenderer.command.LibraryProperties;
 import org.selectiverenderer.control.ControlEvent;
 import org.selectiverenderer.control.SelectiveController;
-import org.selectiverenderer.experiment.headlog.HeadLogDescription;
-import org.selectiverenderer.experiment.headlog.HeadSample;
 import org.selectiverenderer.hmd.DisplayConfiguration;
 import org.selectiverenderer.hmd.HeadTrackedMotion.WhenLost;
 import org.selectiverenderer.hmd.HeadsetLayout;
 import org.selectiverenderer.hmd.HeadsetViewSettings;
 import org.selectiverenderer.openxr.HeadsetEvent;
-import org.selectiverenderer.runtime.render.context.Screenshot;
-import org.selectiverenderer.runtime.viewer.Viewer;
+import org.selectiverenderer.render.context.Screenshot;
+import org.selectiverenderer.study.headlog.HeadLogDescription;
+import org.selectiverenderer.study.headlog.HeadSample;
 import org.selectiverenderer.tracker.TrackerOptions;
 import org.selectiverenderer.tracker.TrackerSpec;
+import org.selectiverenderer.walkthrough.timeline.TimelineEvent;
 
 /**
  * A run on a real runtime, Monado with its simulated headset, which {@code .ci/openxr} sets up: the

@@ -8,8 +8,8 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.junit.jupiter.api.Test;
+import org.selectiverenderer.browser.World;
 import org.selectiverenderer.hmd.TestWorlds;
-import org.selectiverenderer.runtime.World;
 
 /** A press on the stick takes the user of a headset to the middle of a room. */
 class RoomTeleportTest {

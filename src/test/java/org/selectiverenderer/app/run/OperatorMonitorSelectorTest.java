@@ -7,11 +7,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.selectiverenderer.apparatus.DisplayMode;
+import org.selectiverenderer.apparatus.DisplayProfile;
+import org.selectiverenderer.apparatus.EyeGeometry;
 import org.selectiverenderer.hmd.DisplayConfiguration;
-import org.selectiverenderer.hmd.DisplayMode;
-import org.selectiverenderer.hmd.DisplayProfile;
-import org.selectiverenderer.hmd.EyeGeometry;
-import org.selectiverenderer.runtime.render.window.Monitor;
+import org.selectiverenderer.render.window.Monitor;
 
 /** The ProView's eyes look at the first two monitors, the first of which is the desktop's. */
 class OperatorMonitorSelectorTest {

@@ -16,14 +16,14 @@ import org.selectiverenderer.app.clock.Stopwatch;
 import org.selectiverenderer.app.clock.TimingMode;
 import org.selectiverenderer.app.head.HeadTrackingSession;
 import org.selectiverenderer.app.settings.RunSettings;
-import org.selectiverenderer.app.timeline.TimelineEvent;
 import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.browser.PointerState;
+import org.selectiverenderer.browser.World;
 import org.selectiverenderer.control.SelectiveController;
-import org.selectiverenderer.runtime.PointerState;
-import org.selectiverenderer.runtime.World;
-import org.selectiverenderer.runtime.render.FrameStatistics;
-import org.selectiverenderer.runtime.render.window.InputEvent;
-import org.selectiverenderer.runtime.render.window.KeyboardKey;
+import org.selectiverenderer.render.FrameStatistics;
+import org.selectiverenderer.render.window.InputEvent;
+import org.selectiverenderer.render.window.KeyboardKey;
+import org.selectiverenderer.walkthrough.timeline.TimelineEvent;
 
 /** What the user does is the scene's where the scene wants it, else it moves the viewer. */
 class SceneInputTest {

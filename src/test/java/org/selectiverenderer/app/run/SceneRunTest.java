@@ -18,13 +18,13 @@ import org.selectiverenderer.app.head.HeadTrackingSession;
 import org.selectiverenderer.app.settings.HeadLogSettings;
 import org.selectiverenderer.app.settings.RunSettings;
 import org.selectiverenderer.app.settings.TrackerSettings;
-import org.selectiverenderer.app.timeline.TimelineEvent;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.control.SelectiveController;
-import org.selectiverenderer.experiment.headlog.HeadLogReader;
-import org.selectiverenderer.experiment.headlog.HeadSample;
-import org.selectiverenderer.runtime.render.FrameStatistics;
+import org.selectiverenderer.render.FrameStatistics;
+import org.selectiverenderer.study.headlog.HeadLogReader;
+import org.selectiverenderer.study.headlog.HeadSample;
+import org.selectiverenderer.walkthrough.timeline.TimelineEvent;
 
 /** The time of a run, which what is recorded carries. */
 class SceneRunTest {

@@ -22,18 +22,17 @@ import org.selectiverenderer.app.settings.DisplaySettings;
 import org.selectiverenderer.app.settings.HeadLogSettings;
 import org.selectiverenderer.app.settings.RunSettings;
 import org.selectiverenderer.app.settings.TrackerSettings;
-import org.selectiverenderer.app.timeline.TimelineEvent;
+import org.selectiverenderer.apparatus.DisplayMode;
+import org.selectiverenderer.apparatus.DisplayProfile;
+import org.selectiverenderer.apparatus.EyeGeometry;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.control.SelectiveController;
-import org.selectiverenderer.experiment.headlog.HeadLogReader;
-import org.selectiverenderer.experiment.headlog.HeadSample;
 import org.selectiverenderer.hmd.DisplayConfiguration;
-import org.selectiverenderer.hmd.DisplayMode;
-import org.selectiverenderer.hmd.DisplayProfile;
-import org.selectiverenderer.hmd.EyeGeometry;
 import org.selectiverenderer.hmd.HeadTrackedMotion.WhenLost;
-import org.selectiverenderer.runtime.render.context.Screenshot;
+import org.selectiverenderer.render.context.Screenshot;
+import org.selectiverenderer.study.headlog.HeadLogReader;
+import org.selectiverenderer.study.headlog.HeadSample;
 import org.selectiverenderer.testing.RequiresDisplay;
 import org.selectiverenderer.tracker.TrackerOptions;
 import org.selectiverenderer.tracker.TrackerSpec;
@@ -41,6 +40,7 @@ import org.selectiverenderer.tracker.emulator.EmulatedInterTrax2;
 import org.selectiverenderer.tracker.emulator.HeadMotion;
 import org.selectiverenderer.tracker.emulator.InterTrax2Emulator;
 import org.selectiverenderer.tracker.emulator.PseudoTerminal;
+import org.selectiverenderer.walkthrough.timeline.TimelineEvent;
 
 /** An emulated InterTrax2 on a pseudo-terminal turns the view of both eyes that is really drawn. */
 @RequiresDisplay

@@ -13,15 +13,15 @@ import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.app.settings.HeadLogSettings;
 import org.selectiverenderer.app.settings.RunSettings;
 import org.selectiverenderer.app.settings.TrackerSettings;
-import org.selectiverenderer.app.timeline.TimelineEvent;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.control.SelectiveController;
-import org.selectiverenderer.experiment.headlog.HeadLogReader;
-import org.selectiverenderer.experiment.headlog.HeadSample;
 import org.selectiverenderer.hmd.HeadTrackedMotion.WhenLost;
+import org.selectiverenderer.study.headlog.HeadLogReader;
+import org.selectiverenderer.study.headlog.HeadSample;
 import org.selectiverenderer.tracker.TrackerOptions;
 import org.selectiverenderer.tracker.TrackerSpec;
+import org.selectiverenderer.walkthrough.timeline.TimelineEvent;
 
 /** The place of the head that a tracker tells moves the viewer where that is asked for. */
 class TrackerPositionTest {

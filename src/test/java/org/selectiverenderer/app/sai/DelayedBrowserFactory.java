@@ -6,7 +6,7 @@ import java.lang.reflect.Proxy;
 import java.net.InetAddress;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.runtime.sai.EmbeddedBrowserFactory;
+import org.selectiverenderer.browser.sai.EmbeddedBrowserFactory;
 import org.web3d.x3d.sai.BrowserEvent;
 import org.web3d.x3d.sai.BrowserFactoryImpl;
 import org.web3d.x3d.sai.BrowserListener;

@@ -7,7 +7,7 @@ import java.net.InetAddress;
 import java.util.Map;
 import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
-import org.selectiverenderer.runtime.sai.EmbeddedBrowserFactory;
+import org.selectiverenderer.browser.sai.EmbeddedBrowserFactory;
 import org.web3d.x3d.sai.BrowserFactoryImpl;
 import org.web3d.x3d.sai.ExternalBrowser;
 import org.web3d.x3d.sai.NotSupportedException;

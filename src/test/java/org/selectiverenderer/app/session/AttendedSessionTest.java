@@ -31,20 +31,20 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.app.head.SharedHeadTracker;
 import org.selectiverenderer.app.run.RunListener;
-import org.selectiverenderer.app.timeline.TimelineEvent;
+import org.selectiverenderer.apparatus.DisplayMode;
+import org.selectiverenderer.apparatus.DisplayProfile;
+import org.selectiverenderer.apparatus.EyeGeometry;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
-import org.selectiverenderer.enricher.robot.GuiRobot;
-import org.selectiverenderer.experiment.session.Session;
-import org.selectiverenderer.experiment.session.SessionOptions;
-import org.selectiverenderer.experiment.session.StudyMaterial;
 import org.selectiverenderer.hmd.DisplayConfiguration;
-import org.selectiverenderer.hmd.DisplayMode;
-import org.selectiverenderer.hmd.DisplayProfile;
-import org.selectiverenderer.hmd.EyeGeometry;
+import org.selectiverenderer.study.session.Session;
+import org.selectiverenderer.study.session.SessionOptions;
+import org.selectiverenderer.study.session.StudyMaterial;
 import org.selectiverenderer.testing.ShowsWindows;
 import org.selectiverenderer.testing.WindowFinder;
+import org.selectiverenderer.testing.robot.GuiRobot;
 import org.selectiverenderer.tracker.TrackerOptions;
+import org.selectiverenderer.walkthrough.timeline.TimelineEvent;
 
 /** A session with participant and experimenter at the windows; all that is shown is white. */
 @ShowsWindows

@@ -25,23 +25,23 @@ import org.selectiverenderer.app.headset.PanelPlacement;
 import org.selectiverenderer.app.run.RunController;
 import org.selectiverenderer.app.run.RunListener;
 import org.selectiverenderer.app.run.RunRequest;
-import org.selectiverenderer.app.timeline.TimelineEvent;
-import org.selectiverenderer.app.walk.Walkthrough;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.browser.camera.Primitive2D;
+import org.selectiverenderer.browser.camera.WorldSpacePanel;
+import org.selectiverenderer.browser.viewer.Viewer;
 import org.selectiverenderer.control.SelectiveController;
-import org.selectiverenderer.experiment.questionnaire.Answer;
-import org.selectiverenderer.experiment.session.ExperimenterControls;
-import org.selectiverenderer.experiment.session.Session;
-import org.selectiverenderer.experiment.session.SessionStep;
 import org.selectiverenderer.hmd.DisplayConfiguration;
 import org.selectiverenderer.hmd.HeadsetViewSettings;
 import org.selectiverenderer.openxr.HeadsetEvent;
 import org.selectiverenderer.openxr.SpacePose;
-import org.selectiverenderer.runtime.camera.Primitive2D;
-import org.selectiverenderer.runtime.camera.WorldSpacePanel;
-import org.selectiverenderer.runtime.viewer.Viewer;
+import org.selectiverenderer.study.questionnaire.Answer;
+import org.selectiverenderer.study.session.ExperimenterControls;
+import org.selectiverenderer.study.session.Session;
+import org.selectiverenderer.study.session.SessionStep;
 import org.selectiverenderer.tracker.TrackerOptions;
+import org.selectiverenderer.walkthrough.Walkthrough;
+import org.selectiverenderer.walkthrough.timeline.TimelineEvent;
 
 /** Questions inside the headset, and what becomes of a session whose headset goes. */
 class HeadsetQuestionControllerTest {

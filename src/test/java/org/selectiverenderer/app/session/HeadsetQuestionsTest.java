@@ -16,22 +16,22 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.selectiverenderer.app.headset.ControllerAnswer;
-import org.selectiverenderer.app.walk.Walkthrough;
+import org.selectiverenderer.browser.camera.Camera;
+import org.selectiverenderer.browser.camera.Primitive2D;
+import org.selectiverenderer.browser.camera.WorldSpacePanel;
 import org.selectiverenderer.control.SelectiveController;
-import org.selectiverenderer.experiment.session.ExperimenterControls;
-import org.selectiverenderer.experiment.session.Session;
-import org.selectiverenderer.experiment.session.SessionStep;
-import org.selectiverenderer.geometry.tessellate.TextMesher;
 import org.selectiverenderer.hmd.HeadsetLayout;
 import org.selectiverenderer.openxr.SpacePose;
-import org.selectiverenderer.runtime.camera.Camera;
-import org.selectiverenderer.runtime.camera.Primitive2D;
-import org.selectiverenderer.runtime.camera.WorldSpacePanel;
-import org.selectiverenderer.runtime.render.TestImageRenderer;
-import org.selectiverenderer.runtime.render.context.OffscreenFramebuffer;
-import org.selectiverenderer.runtime.render.context.Screenshot;
-import org.selectiverenderer.runtime.render.graphics2d.Graphics2dRenderer;
+import org.selectiverenderer.render.TestImageRenderer;
+import org.selectiverenderer.render.context.OffscreenFramebuffer;
+import org.selectiverenderer.render.context.Screenshot;
+import org.selectiverenderer.render.graphics2d.Graphics2dRenderer;
+import org.selectiverenderer.study.session.ExperimenterControls;
+import org.selectiverenderer.study.session.Session;
+import org.selectiverenderer.study.session.SessionStep;
 import org.selectiverenderer.testing.RequiresDisplay;
+import org.selectiverenderer.walkthrough.Walkthrough;
+import org.selectiverenderer.x3d.tessellate.TextMesher;
 
 /** What an eye sees of the questions inside the headset; for the manual, too. */
 @RequiresDisplay

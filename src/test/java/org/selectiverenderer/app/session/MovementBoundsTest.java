@@ -11,10 +11,10 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.app.walk.Walkthrough;
+import org.selectiverenderer.browser.viewer.Viewer;
+import org.selectiverenderer.browser.viewer.ViewerMotion;
 import org.selectiverenderer.control.SelectiveController;
-import org.selectiverenderer.runtime.viewer.Viewer;
-import org.selectiverenderer.runtime.viewer.ViewerMotion;
+import org.selectiverenderer.walkthrough.Walkthrough;
 
 /** A room of 6 by 6 metres; in it a desk's area of 2 by 4, turned by 90 degrees about (1, 0). */
 class MovementBoundsTest {

@@ -9,14 +9,14 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.apparatus.DisplayMode;
+import org.selectiverenderer.apparatus.DisplayProfile;
+import org.selectiverenderer.apparatus.EyeGeometry;
 import org.selectiverenderer.base.problem.ProblemCollector;
-import org.selectiverenderer.experiment.session.StudyMaterial;
-import org.selectiverenderer.experiment.study.StudyTemplate;
 import org.selectiverenderer.hmd.DisplayConfiguration;
-import org.selectiverenderer.hmd.DisplayMode;
-import org.selectiverenderer.hmd.DisplayProfile;
-import org.selectiverenderer.hmd.EyeGeometry;
-import org.selectiverenderer.runtime.render.window.Monitor;
+import org.selectiverenderer.render.window.Monitor;
+import org.selectiverenderer.study.definition.StudyTemplate;
+import org.selectiverenderer.study.session.StudyMaterial;
 
 /** Where the windows of a session open. */
 class OperatorViewSettingsTest {

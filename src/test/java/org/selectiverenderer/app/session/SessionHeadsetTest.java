@@ -16,7 +16,7 @@ import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.hmd.HeadsetViewSettings;
 import org.selectiverenderer.openxr.FakeHeadset;
 import org.selectiverenderer.openxr.HeadsetUnavailableException;
-import org.selectiverenderer.runtime.render.headset.GlContextHandles;
+import org.selectiverenderer.render.headset.GlContextHandles;
 import org.selectiverenderer.tracker.HeadTracker;
 import org.selectiverenderer.tracker.PoseSample;
 import org.selectiverenderer.tracker.TrackerListener;

@@ -14,21 +14,21 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.selectiverenderer.app.run.RunListener;
-import org.selectiverenderer.app.timeline.TimelineEvent;
+import org.selectiverenderer.apparatus.DisplayMode;
+import org.selectiverenderer.apparatus.DisplayProfileLoader;
+import org.selectiverenderer.apparatus.EyeGeometry;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
-import org.selectiverenderer.experiment.questionnaire.Answer;
-import org.selectiverenderer.experiment.questionnaire.Question;
-import org.selectiverenderer.experiment.session.ExperimenterControls;
-import org.selectiverenderer.experiment.session.Session;
-import org.selectiverenderer.experiment.session.SessionOptions;
-import org.selectiverenderer.experiment.session.SessionStep;
-import org.selectiverenderer.experiment.session.StudyMaterial;
 import org.selectiverenderer.hmd.DisplayConfiguration;
-import org.selectiverenderer.hmd.DisplayMode;
-import org.selectiverenderer.hmd.DisplayProfileLoader;
-import org.selectiverenderer.hmd.EyeGeometry;
+import org.selectiverenderer.study.questionnaire.Answer;
+import org.selectiverenderer.study.questionnaire.Question;
+import org.selectiverenderer.study.session.ExperimenterControls;
+import org.selectiverenderer.study.session.Session;
+import org.selectiverenderer.study.session.SessionOptions;
+import org.selectiverenderer.study.session.SessionStep;
+import org.selectiverenderer.study.session.StudyMaterial;
 import org.selectiverenderer.tracker.TrackerOptions;
+import org.selectiverenderer.walkthrough.timeline.TimelineEvent;
 
 /** With what a step of a session is shown. */
 class SessionRunProviderTest {

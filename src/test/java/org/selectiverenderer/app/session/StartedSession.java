@@ -6,10 +6,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.selectiverenderer.base.problem.ProblemCollector;
-import org.selectiverenderer.experiment.session.Session;
-import org.selectiverenderer.experiment.session.SessionOptions;
-import org.selectiverenderer.experiment.session.SessionStep;
-import org.selectiverenderer.experiment.session.StudyMaterial;
+import org.selectiverenderer.study.session.Session;
+import org.selectiverenderer.study.session.SessionOptions;
+import org.selectiverenderer.study.session.SessionStep;
+import org.selectiverenderer.study.session.StudyMaterial;
 
 /** A session of a study's first participant, who has filled in the form. */
 final class StartedSession {

@@ -26,19 +26,19 @@ import org.selectiverenderer.app.run.SceneRunner;
 import org.selectiverenderer.app.settings.FollowedPath;
 import org.selectiverenderer.app.settings.MotionSettings;
 import org.selectiverenderer.app.settings.RunSettings;
-import org.selectiverenderer.app.timeline.TimelineEvent;
-import org.selectiverenderer.base.csv.CsvTable;
-import org.selectiverenderer.base.json.JsonTree;
+import org.selectiverenderer.apparatus.MouseMapping;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.browser.viewer.CameraPathReader;
 import org.selectiverenderer.control.SelectiveController;
-import org.selectiverenderer.experiment.headlog.EyeSample;
-import org.selectiverenderer.experiment.headlog.HeadLogDescription;
-import org.selectiverenderer.experiment.headlog.HeadSample;
-import org.selectiverenderer.experiment.headlog.SceneMap;
+import org.selectiverenderer.formats.csv.CsvTable;
+import org.selectiverenderer.formats.json.JsonTree;
 import org.selectiverenderer.lsl.LslLibrary;
-import org.selectiverenderer.runtime.navigation.MouseMapping;
-import org.selectiverenderer.runtime.viewer.CameraPathReader;
+import org.selectiverenderer.study.headlog.EyeSample;
+import org.selectiverenderer.study.headlog.HeadLogDescription;
+import org.selectiverenderer.study.headlog.HeadSample;
+import org.selectiverenderer.study.headlog.SceneMap;
+import org.selectiverenderer.walkthrough.timeline.TimelineEvent;
 
 /** With the real liblsl, and another process at the other end. */
 @Timeout(120)

@@ -23,9 +23,9 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.cli.CommandTestCase;
-import org.selectiverenderer.experiment.session.Session;
-import org.selectiverenderer.experiment.session.SessionOptions;
-import org.selectiverenderer.experiment.session.StudyMaterial;
+import org.selectiverenderer.study.session.Session;
+import org.selectiverenderer.study.session.SessionOptions;
+import org.selectiverenderer.study.session.StudyMaterial;
 import org.selectiverenderer.testing.ShowsWindows;
 
 /** What experiment run refuses before anybody is assigned, and what it flags. */

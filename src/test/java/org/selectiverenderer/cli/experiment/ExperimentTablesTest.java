@@ -18,12 +18,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.cli.CommandTestCase;
-import org.selectiverenderer.experiment.questionnaire.Answer;
-import org.selectiverenderer.experiment.questionnaire.Question;
-import org.selectiverenderer.experiment.session.Session;
-import org.selectiverenderer.experiment.session.SessionOptions;
-import org.selectiverenderer.experiment.session.SessionStep;
-import org.selectiverenderer.experiment.session.StudyMaterial;
+import org.selectiverenderer.study.questionnaire.Answer;
+import org.selectiverenderer.study.questionnaire.Question;
+import org.selectiverenderer.study.session.Session;
+import org.selectiverenderer.study.session.SessionOptions;
+import org.selectiverenderer.study.session.SessionStep;
+import org.selectiverenderer.study.session.StudyMaterial;
 import org.selectiverenderer.testing.RequiresProgram;
 
 /** What becomes of the answers of a study with questionnaires of all kinds and moments. */

@@ -18,10 +18,10 @@ import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.cli.CommandTestCase;
 import org.selectiverenderer.cli.Main;
-import org.selectiverenderer.experiment.headlog.HeadLog;
-import org.selectiverenderer.experiment.headlog.HeadLogReader;
-import org.selectiverenderer.experiment.study.StudyTemplate;
-import org.selectiverenderer.runtime.render.context.OffscreenContext;
+import org.selectiverenderer.render.context.OffscreenContext;
+import org.selectiverenderer.study.definition.StudyTemplate;
+import org.selectiverenderer.study.headlog.HeadLog;
+import org.selectiverenderer.study.headlog.HeadLogReader;
 import org.selectiverenderer.testing.ShowsWindows;
 
 /** The default study, its exposures shortened, in processes of their own. */

@@ -13,9 +13,9 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.base.problem.ProblemCollector;
-import org.selectiverenderer.cli.output.CommandException;
-import org.selectiverenderer.experiment.study.Study;
-import org.selectiverenderer.experiment.study.StudyReader;
+import org.selectiverenderer.command.output.CommandException;
+import org.selectiverenderer.study.definition.Study;
+import org.selectiverenderer.study.definition.StudyReader;
 import picocli.CommandLine;
 
 /** What the experimenter is asked about an id that looks like another. */

@@ -9,8 +9,8 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.base.json.JsonTree;
 import org.selectiverenderer.cli.CommandTestCase;
+import org.selectiverenderer.formats.json.JsonTree;
 import org.selectiverenderer.testing.ShowsWindows;
 
 class ThresholdCommandTest extends CommandTestCase {

@@ -316,7 +316,7 @@ class RunDisplayTest extends CommandTestCase {
 
   @Test
   void quadBuffersThatTheDriverHasNotAreTold() throws IOException {
-    if (org.selectiverenderer.runtime.render.window.QuadBufferSupport.available()) {
+    if (org.selectiverenderer.render.window.QuadBufferSupport.available()) {
       return;
     }
     assertThat(

@@ -12,8 +12,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.doctor.Diagnosis;
 import org.selectiverenderer.doctor.Diagnosis.Status;
 import org.selectiverenderer.doctor.Probe;
-import org.selectiverenderer.runtime.render.window.Monitor;
-import org.selectiverenderer.runtime.render.window.MonitorMode;
+import org.selectiverenderer.render.window.Monitor;
+import org.selectiverenderer.render.window.MonitorMode;
 
 /** What is looked at without other people's libraries. */
 class InProcessProbesTest {

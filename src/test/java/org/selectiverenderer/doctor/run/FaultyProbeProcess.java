@@ -7,8 +7,8 @@ import java.time.Duration;
 import java.util.List;
 import org.lwjgl.system.MemoryUtil;
 import org.selectiverenderer.base.platform.ParentProcessWatcher;
-import org.selectiverenderer.cli.output.CommandException;
-import org.selectiverenderer.cli.output.InterruptHandler;
+import org.selectiverenderer.command.output.CommandException;
+import org.selectiverenderer.command.output.InterruptHandler;
 import org.selectiverenderer.doctor.Diagnosis;
 import org.selectiverenderer.doctor.Probe;
 

@@ -5,7 +5,7 @@ import org.selectiverenderer.geometry.font.FontFamily;
 import org.selectiverenderer.geometry.font.FontStyle;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.geometry.tessellate.TextMesher;
+import org.selectiverenderer.x3d.tessellate.TextMesher;
 
 /** Builds flat letters from triangles for keys, labels and book spines. Caches the glyphs. */
 public final class TextGeometry {

@@ -8,15 +8,15 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.app.timeline.TimelineEvent;
-import org.selectiverenderer.app.walk.Walkthrough;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.browser.viewer.CameraPath;
+import org.selectiverenderer.browser.viewer.CameraPathReader;
+import org.selectiverenderer.browser.viewer.PathMotion;
 import org.selectiverenderer.control.ControlEvent;
 import org.selectiverenderer.control.SelectiveController;
-import org.selectiverenderer.runtime.viewer.CameraPath;
-import org.selectiverenderer.runtime.viewer.CameraPathReader;
-import org.selectiverenderer.runtime.viewer.PathMotion;
+import org.selectiverenderer.walkthrough.Walkthrough;
+import org.selectiverenderer.walkthrough.timeline.TimelineEvent;
 
 /** The recorded walk through the apartment that is kept in {@code scenes/}. */
 class ApartmentTourTest {

@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
-import org.selectiverenderer.document.file.CrashRecovery;
+import org.selectiverenderer.authoring.file.CrashRecovery;
 import org.selectiverenderer.enricher.text.Texts;
 
 /**

@@ -16,7 +16,7 @@ import javax.swing.JRootPane;
 import javax.swing.KeyStroke;
 import javax.swing.event.MenuEvent;
 import javax.swing.event.MenuListener;
-import org.selectiverenderer.document.UndoHistory;
+import org.selectiverenderer.authoring.UndoHistory;
 import org.selectiverenderer.enricher.area.AreaCommands;
 import org.selectiverenderer.enricher.area.GridSetting;
 import org.selectiverenderer.enricher.settings.EnricherSettings;

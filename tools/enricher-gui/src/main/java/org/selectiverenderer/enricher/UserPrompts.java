@@ -3,7 +3,7 @@ package org.selectiverenderer.enricher;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import org.selectiverenderer.document.file.ThreeWayMerge;
+import org.selectiverenderer.authoring.file.ThreeWayMerge;
 import org.selectiverenderer.enricher.session.EnricherSession;
 
 /** The questions that the window asks the author; tests answer them without dialogs. */

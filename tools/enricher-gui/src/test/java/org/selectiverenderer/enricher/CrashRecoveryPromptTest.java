@@ -13,9 +13,9 @@ import java.util.Queue;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.document.file.CrashRecovery;
-import org.selectiverenderer.document.file.DocumentFile;
-import org.selectiverenderer.document.file.ThreeWayMerge;
+import org.selectiverenderer.authoring.file.CrashRecovery;
+import org.selectiverenderer.authoring.file.DocumentFile;
+import org.selectiverenderer.authoring.file.ThreeWayMerge;
 import org.selectiverenderer.enricher.UserPrompts.Left;
 import org.selectiverenderer.enricher.session.EnricherSession;
 

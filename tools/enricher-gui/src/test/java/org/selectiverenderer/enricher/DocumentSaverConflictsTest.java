@@ -7,8 +7,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.document.Edit;
-import org.selectiverenderer.document.UndoableFileWrite;
+import org.selectiverenderer.authoring.Edit;
+import org.selectiverenderer.authoring.UndoableFileWrite;
 import org.selectiverenderer.enricher.text.Texts;
 
 /** What becomes of a file that another program has changed meanwhile. */

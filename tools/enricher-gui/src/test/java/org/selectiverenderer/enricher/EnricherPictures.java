@@ -25,15 +25,15 @@ import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
 import org.junit.jupiter.api.function.Executable;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.document.area.AreaBox;
+import org.selectiverenderer.authoring.area.AreaBox;
 import org.selectiverenderer.enricher.compare.CompareMode;
 import org.selectiverenderer.enricher.cost.BudgetFileLocator;
 import org.selectiverenderer.enricher.preview.PreviewImageProbe;
 import org.selectiverenderer.enricher.preview.PreviewPanel;
-import org.selectiverenderer.enricher.robot.GuiRobot;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.geometry.BoundingBox;
 import org.selectiverenderer.testing.ShowsWindows;
+import org.selectiverenderer.testing.robot.GuiRobot;
 
 /**
  * Takes the manual's pictures of the enricher's window: {@code docs/pictures.sh} runs it, the suite

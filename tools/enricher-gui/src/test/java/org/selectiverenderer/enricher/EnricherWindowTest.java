@@ -33,18 +33,18 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.selectiverenderer.authoring.enrichment.ChoiceMetadata;
+import org.selectiverenderer.authoring.enrichment.DocumentEnrichment;
+import org.selectiverenderer.authoring.file.DocumentFile;
+import org.selectiverenderer.authoring.headless.HeadlessEnrichment;
 import org.selectiverenderer.base.problem.ProblemCollector;
-import org.selectiverenderer.document.enrichment.ChoiceMetadata;
-import org.selectiverenderer.document.enrichment.DocumentEnrichment;
-import org.selectiverenderer.document.file.DocumentFile;
-import org.selectiverenderer.document.headless.HeadlessEnrichment;
 import org.selectiverenderer.enricher.diff.DiffDialog;
 import org.selectiverenderer.enricher.ratings.RatingsDialog;
-import org.selectiverenderer.enricher.robot.AccessibleNameCheck;
-import org.selectiverenderer.enricher.robot.GuiRobot;
 import org.selectiverenderer.enricher.robot.TestSessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.testing.ShowsWindows;
+import org.selectiverenderer.testing.robot.AccessibleNameCheck;
+import org.selectiverenderer.testing.robot.GuiRobot;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 
 /** The window under the hands of an author. */

@@ -23,10 +23,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.enricher.ratings.RatingsDialog;
-import org.selectiverenderer.enricher.robot.GuiRobot;
 import org.selectiverenderer.enricher.robot.TestSessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.testing.ShowsWindows;
+import org.selectiverenderer.testing.robot.GuiRobot;
 
 /** What is remembered from one start of the window to the next, and what a crash leaves. */
 @ShowsWindows

@@ -3,7 +3,7 @@ package org.selectiverenderer.apartment.building;
 import org.selectiverenderer.apartment.plan.Room;
 import org.selectiverenderer.apartment.textures.TextureRegistry;
 import org.selectiverenderer.base.decimal.DecimalRounding;
-import org.selectiverenderer.base.image.Srgb;
+import org.selectiverenderer.formats.image.Srgb;
 import org.selectiverenderer.modelling.ModelColour;
 import org.selectiverenderer.modelling.ModelMaterial;
 import org.selectiverenderer.modelling.TextureMapping;

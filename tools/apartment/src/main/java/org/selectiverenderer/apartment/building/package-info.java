@@ -3,8 +3,8 @@
  * ceilings, doors, windows, skirting, light switches, lamps.
  *
  * <p>In: the floor plan. Out: one model per room, in the room's own coordinates (see {@code plan}).
- * Uses {@code apartment.plan}, {@code apartment.pictures}, {@code modelling}, {@code
- * geometry.mesh}, {@code x3d.write}, {@code base.decimal} and {@code base.picture}.
+ * Uses {@code apartment.plan}, {@code apartment.textures}, {@code modelling}, {@code
+ * geometry.mesh}, {@code x3d.write}, {@code base.decimal} and {@code formats.image}.
  */
 @NullMarked
 package org.selectiverenderer.apartment.building;

@@ -4,8 +4,8 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.util.List;
-import org.selectiverenderer.base.csv.CsvRow;
-import org.selectiverenderer.base.csv.CsvTable;
+import org.selectiverenderer.formats.csv.CsvRow;
+import org.selectiverenderer.formats.csv.CsvTable;
 
 /** Reads the CSV files that are resources of the program. */
 final class CsvResource {

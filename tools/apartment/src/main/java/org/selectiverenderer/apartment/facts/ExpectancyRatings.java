@@ -3,7 +3,7 @@ package org.selectiverenderer.apartment.facts;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
-import org.selectiverenderer.base.csv.CsvRow;
+import org.selectiverenderer.formats.csv.CsvRow;
 import org.selectiverenderer.schema.ConsistencyType;
 import org.selectiverenderer.schema.RatingBand;
 

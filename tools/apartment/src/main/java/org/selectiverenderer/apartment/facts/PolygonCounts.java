@@ -4,7 +4,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
-import org.selectiverenderer.base.csv.CsvRow;
+import org.selectiverenderer.formats.csv.CsvRow;
 
 /** The polygon counts of the objects with two versions (thesis Figs 67, 69 and 71). */
 public final class PolygonCounts {

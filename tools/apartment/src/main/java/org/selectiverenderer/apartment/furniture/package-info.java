@@ -7,7 +7,7 @@
  *
  * <p>No piece is of a kind that the experiment's recognition lists ask for, whether the rooms have
  * it or not: no second book or reading lamp, no armchair, no coat stand. Uses {@code
- * apartment.looks}, {@code apartment.pictures}, {@code modelling}, {@code geometry} and {@code
+ * apartment.materials}, {@code apartment.textures}, {@code modelling}, {@code geometry} and {@code
  * geometry.mesh}.
  */
 @NullMarked

@@ -1,7 +1,7 @@
 /**
  * Recipes of the objects in the office: each class builds one object, a {@link
  * org.selectiverenderer.modelling.ParametricModel} in metres that stands on y = 0, is centred on x
- * and z, and shows its front to +z. Uses {@code apartment.looks}, {@code modelling}, {@code
+ * and z, and shows its front to +z. Uses {@code apartment.materials}, {@code modelling}, {@code
  * geometry} and {@code geometry.mesh}.
  */
 @NullMarked

@@ -3,7 +3,7 @@
  * (thesis Figs 73 to 78), lights, viewpoints; the practice scene; the recorded walk.
  *
  * <p>In: placed objects and what the thesis says of them. Out: text, the same every time. Uses
- * {@code apartment.facts}, {@code apartment.frame}, {@code apartment.pictures}, {@code
+ * {@code apartment.facts}, {@code apartment.building}, {@code apartment.textures}, {@code
  * apartment.plan}, {@code modelling}, {@code schema}, {@code geometry}, {@code x3d.write} and
  * {@code base.decimal}.
  */

@@ -1,6 +1,6 @@
 package org.selectiverenderer.apartment.textures;
 
-import org.selectiverenderer.base.image.Srgb;
+import org.selectiverenderer.formats.image.Srgb;
 
 /**
  * A quarter of a knotted carpet, its middle at the lower left: a teal field with a medallion,

@@ -1,7 +1,7 @@
 package org.selectiverenderer.apartment.textures;
 
-import org.selectiverenderer.base.image.CompactPngEncoder.Samples;
-import org.selectiverenderer.base.image.Srgb;
+import org.selectiverenderer.formats.image.CompactPngEncoder.Samples;
+import org.selectiverenderer.formats.image.Srgb;
 
 /**
  * A palette of colour ramps for an indexed-colour image: a few dyes, each in many tones from dark

@@ -1,7 +1,7 @@
 package org.selectiverenderer.apartment.textures;
 
-import org.selectiverenderer.base.image.CompactPngEncoder.Samples;
-import org.selectiverenderer.base.image.Srgb;
+import org.selectiverenderer.formats.image.CompactPngEncoder.Samples;
+import org.selectiverenderer.formats.image.Srgb;
 
 /**
  * A texture of roller-painted plaster in tones of grey, which is multiplied by the material's

@@ -1,7 +1,7 @@
 package org.selectiverenderer.apartment.textures;
 
 import java.util.stream.IntStream;
-import org.selectiverenderer.base.image.CompactPngEncoder.Samples;
+import org.selectiverenderer.formats.image.CompactPngEncoder.Samples;
 
 /**
  * One face of the landscape's skybox, which X3D's Background shows infinitely far away (X3D 4.0,

@@ -1,8 +1,8 @@
 package org.selectiverenderer.apartment.textures;
 
-import org.selectiverenderer.base.image.CompactPngEncoder;
-import org.selectiverenderer.base.image.CompactPngEncoder.Samples;
-import org.selectiverenderer.base.image.Srgb;
+import org.selectiverenderer.formats.image.CompactPngEncoder;
+import org.selectiverenderer.formats.image.CompactPngEncoder.Samples;
+import org.selectiverenderer.formats.image.Srgb;
 
 /**
  * A texture image. The arrays must not be modified.

@@ -3,7 +3,7 @@ package org.selectiverenderer.apartment.textures;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Supplier;
-import org.selectiverenderer.base.image.Srgb;
+import org.selectiverenderer.formats.image.Srgb;
 
 /**
  * The registry of all textures by file name, as files of the folder {@code inlineNodes} name them.

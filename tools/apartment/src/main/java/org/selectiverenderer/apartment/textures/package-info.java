@@ -8,7 +8,7 @@
  * take metres of the surface, x to the right and y up.
  *
  * <p>In: nothing. Out: {@link org.selectiverenderer.apartment.textures.TextureImage}s by file name.
- * Uses {@code base.picture}.
+ * Uses {@code formats.image}.
  */
 @NullMarked
 package org.selectiverenderer.apartment.textures;

@@ -8,7 +8,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.selectiverenderer.apartment.plan.Room;
 import org.selectiverenderer.apartment.textures.TextureRegistry;
-import org.selectiverenderer.base.image.Srgb;
+import org.selectiverenderer.formats.image.Srgb;
 import org.selectiverenderer.geometry.BoundingBox;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.ExactCountRefiner;

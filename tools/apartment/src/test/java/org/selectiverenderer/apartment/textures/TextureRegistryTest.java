@@ -17,7 +17,7 @@ import org.junit.jupiter.api.TestInstance;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.selectiverenderer.base.image.Srgb;
+import org.selectiverenderer.formats.image.Srgb;
 
 /** What covers surfaces; of what is outside the windows the kept files, which take long to make. */
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)

@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
-import org.selectiverenderer.document.area.AreaBox;
+import org.selectiverenderer.authoring.area.AreaBox;
 import org.selectiverenderer.enricher.menu.NodeCommand;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;

@@ -1,8 +1,8 @@
 package org.selectiverenderer.enricher.area;
 
 import java.util.List;
+import org.selectiverenderer.authoring.area.GridSnap;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
-import org.selectiverenderer.document.area.GridSnap;
 import org.selectiverenderer.enricher.settings.EnricherSettings;
 import org.selectiverenderer.enricher.text.Texts;
 

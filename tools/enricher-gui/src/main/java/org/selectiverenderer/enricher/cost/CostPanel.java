@@ -22,12 +22,12 @@ import javax.swing.event.CellEditorListener;
 import javax.swing.event.ChangeEvent;
 import javax.swing.table.DefaultTableCellRenderer;
 import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.authoring.enrichment.EnrichedSwitch;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
-import org.selectiverenderer.document.enrichment.EnrichedSwitch;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
 import org.selectiverenderer.enricher.text.Texts;
-import org.selectiverenderer.polygon.count.StateBreakdown;
+import org.selectiverenderer.polygon.StateBreakdown;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**

@@ -10,15 +10,15 @@ import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
 import javax.swing.Timer;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.authoring.DocumentListener;
+import org.selectiverenderer.authoring.DocumentSnapshot;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
-import org.selectiverenderer.document.DocumentListener;
-import org.selectiverenderer.document.DocumentSnapshot;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.task.BackgroundTask;
 import org.selectiverenderer.enricher.task.TaskProgress;
 import org.selectiverenderer.enricher.text.Texts;
-import org.selectiverenderer.polygon.count.IncrementalSceneCounter;
+import org.selectiverenderer.polygon.IncrementalSceneCounter;
 import org.selectiverenderer.validation.PolygonBudget;
 import org.selectiverenderer.validation.ValidationSettings;
 

@@ -7,8 +7,8 @@ import java.util.stream.Collectors;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.enricher.table.RowTableModel;
 import org.selectiverenderer.enricher.text.Texts;
-import org.selectiverenderer.polygon.count.StateBreakdown;
-import org.selectiverenderer.polygon.count.StateBreakdown.ObjectShare;
+import org.selectiverenderer.polygon.StateBreakdown;
+import org.selectiverenderer.polygon.StateBreakdown.ObjectShare;
 
 /** The table model of the polygons that each object contributes to a state, the largest first. */
 final class ObjectsTableModel extends RowTableModel<ObjectShare> {

@@ -3,8 +3,8 @@
  * scene in each state that the areas bring about, against limits that the author sets; and the
  * share of each object.
  *
- * <p>Nothing is counted here: {@link org.selectiverenderer.polygon.count.IncrementalSceneCounter}
- * counts as {@code polygons} does and keeps the files that have not changed, {@link
+ * <p>Nothing is counted here: {@link org.selectiverenderer.polygon.IncrementalSceneCounter} counts
+ * as {@code polygons} does and keeps the files that have not changed, {@link
  * org.selectiverenderer.validation.budget.BudgetStatus} compares as {@code validate} does, and the
  * limits are the {@code budgets} of the validator's settings file, which {@link
  * org.selectiverenderer.validation.settings.BudgetSettingsEditor} changes in place.
@@ -18,7 +18,7 @@
  *
  * <p>In: the session, the settings file. Out: the settings file, selections. Uses {@code
  * enricher.session}, {@code enricher.settings}, {@code enricher.table}, {@code enricher.text},
- * {@code polygon.count}, {@code validation}, {@code base}.
+ * {@code polygon}, {@code validation}, {@code base}.
  */
 @NullMarked
 package org.selectiverenderer.enricher.cost;

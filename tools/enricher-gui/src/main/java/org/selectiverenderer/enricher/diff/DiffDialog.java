@@ -13,15 +13,15 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.authoring.DocumentSnapshot;
+import org.selectiverenderer.authoring.SceneDocument;
+import org.selectiverenderer.authoring.file.UnifiedDiff;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
-import org.selectiverenderer.document.DocumentSnapshot;
-import org.selectiverenderer.document.SceneDocument;
-import org.selectiverenderer.document.file.UnifiedDiff;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.task.BackgroundTask;
 import org.selectiverenderer.enricher.text.Mnemonics;
 import org.selectiverenderer.enricher.text.Texts;
-import org.selectiverenderer.experiment.window.WindowPacker;
+import org.selectiverenderer.swing.WindowPacker;
 
 /** Shows the changes that saving will make to the file, and asks whether to save. */
 @SuppressWarnings("serial") // never written

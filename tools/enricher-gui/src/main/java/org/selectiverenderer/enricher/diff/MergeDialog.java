@@ -23,12 +23,12 @@ import javax.swing.ListSelectionModel;
 import javax.swing.table.AbstractTableModel;
 import javax.swing.table.DefaultTableCellRenderer;
 import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.authoring.SceneDocument;
+import org.selectiverenderer.authoring.file.ThreeWayMerge;
+import org.selectiverenderer.authoring.file.ThreeWayMerge.Choice;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
-import org.selectiverenderer.document.SceneDocument;
-import org.selectiverenderer.document.file.ThreeWayMerge;
-import org.selectiverenderer.document.file.ThreeWayMerge.Choice;
 import org.selectiverenderer.enricher.text.Texts;
-import org.selectiverenderer.experiment.window.WindowPacker;
+import org.selectiverenderer.swing.WindowPacker;
 import org.selectiverenderer.x3d.source.DocumentError;
 
 /**

@@ -3,9 +3,9 @@ package org.selectiverenderer.enricher.diff;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.selectiverenderer.document.file.ThreeWayMerge;
-import org.selectiverenderer.document.file.ThreeWayMerge.Choice;
-import org.selectiverenderer.document.file.ThreeWayMerge.Kind;
+import org.selectiverenderer.authoring.file.ThreeWayMerge;
+import org.selectiverenderer.authoring.file.ThreeWayMerge.Choice;
+import org.selectiverenderer.authoring.file.ThreeWayMerge.Kind;
 
 /** The rows of two texts side by side, and the decisions about their conflicts. */
 final class MergeRows {

@@ -3,7 +3,7 @@
  * programs.
  *
  * <p>In: a document and its file. Out: the author's yes or no. Uses {@code enricher.session},
- * {@code enricher.task}, {@code document} and {@code document.file}.
+ * {@code enricher.task}, {@code authoring} and {@code authoring.file}.
  */
 @NullMarked
 package org.selectiverenderer.enricher.diff;

@@ -2,8 +2,8 @@ package org.selectiverenderer.enricher.form;
 
 import java.util.List;
 import java.util.Optional;
-import org.selectiverenderer.document.enrichment.ChoiceMetadata;
-import org.selectiverenderer.document.enrichment.EnrichedSwitch;
+import org.selectiverenderer.authoring.enrichment.ChoiceMetadata;
+import org.selectiverenderer.authoring.enrichment.EnrichedSwitch;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.schema.ConsistencyDegree;
 import org.selectiverenderer.schema.ConsistencyType;

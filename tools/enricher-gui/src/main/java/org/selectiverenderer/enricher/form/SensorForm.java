@@ -11,7 +11,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JSeparator;
 import net.miginfocom.swing.MigLayout;
-import org.selectiverenderer.document.enrichment.EnrichedSensor;
+import org.selectiverenderer.authoring.enrichment.EnrichedSensor;
 import org.selectiverenderer.enricher.area.NodeCommands;
 import org.selectiverenderer.enricher.help.HelpTopic;
 import org.selectiverenderer.enricher.session.EnricherSession;

@@ -3,7 +3,7 @@ package org.selectiverenderer.enricher.form;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
-import org.selectiverenderer.document.enrichment.EnrichedSensor;
+import org.selectiverenderer.authoring.enrichment.EnrichedSensor;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.schema.SensorSchemas;
 import org.selectiverenderer.x3d.source.DocumentElement;

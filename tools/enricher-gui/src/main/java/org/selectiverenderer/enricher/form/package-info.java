@@ -3,9 +3,9 @@
  * turns what the author types into edits of the document.
  *
  * <p>In: a session, pictures of versions. Out: edits of the document. Uses {@code
- * enricher.session}, {@code enricher.task}, {@code enricher.text}, {@code enricher.proposal},
+ * enricher.session}, {@code enricher.task}, {@code enricher.text}, {@code enricher.completion},
  * {@code enricher.help}, {@code enricher.preview} for the pictures, {@code enricher.problems},
- * {@code document}, {@code schema}, {@code x3d} and {@code base}.
+ * {@code authoring}, {@code schema}, {@code x3d} and {@code base}.
  */
 @NullMarked
 package org.selectiverenderer.enricher.form;

@@ -4,7 +4,7 @@
  * has those that apply to every node.
  *
  * <p>In: a session, commands. Out: edits of the document, the clipboard. Uses {@code
- * enricher.session}, {@code enricher.text}, {@code document}, {@code document.hand} and {@code
+ * enricher.session}, {@code enricher.text}, {@code authoring}, {@code authoring.editing} and {@code
  * x3d.source}. For the event dispatch thread.
  */
 @NullMarked

@@ -6,8 +6,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeSet;
+import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
-import org.selectiverenderer.document.EditRejectedException;
 import org.selectiverenderer.enricher.text.Texts;
 
 /**

@@ -10,7 +10,7 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.util.Optional;
-import org.selectiverenderer.document.enrichment.ObjectSchemaMatrix.Cell;
+import org.selectiverenderer.authoring.enrichment.ObjectSchemaMatrix.Cell;
 import org.selectiverenderer.enricher.table.StatusColors;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.schema.ConsistencyType;

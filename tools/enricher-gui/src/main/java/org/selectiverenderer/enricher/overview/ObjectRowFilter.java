@@ -1,7 +1,7 @@
 package org.selectiverenderer.enricher.overview;
 
 import java.util.Locale;
-import org.selectiverenderer.document.enrichment.EnrichedSwitch;
+import org.selectiverenderer.authoring.enrichment.EnrichedSwitch;
 import org.selectiverenderer.enricher.text.Texts;
 
 /**

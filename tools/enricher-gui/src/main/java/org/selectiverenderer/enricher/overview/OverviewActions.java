@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JPopupMenu;
-import org.selectiverenderer.document.EditRejectedException;
+import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.schema.ConsistencyDegree;
 

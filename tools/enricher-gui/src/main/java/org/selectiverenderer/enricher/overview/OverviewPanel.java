@@ -13,9 +13,9 @@ import javax.swing.JTextField;
 import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
 import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.authoring.Edit;
+import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
-import org.selectiverenderer.document.Edit;
-import org.selectiverenderer.document.EditRejectedException;
 import org.selectiverenderer.enricher.component.WrapLayout;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
@@ -39,7 +39,7 @@ public final class OverviewPanel extends JPanel {
   private final JComboBox<ObjectRowFilter.Which> which =
       new JComboBox<>(ObjectRowFilter.Which.values());
   private final JLabel status = new JLabel(" ");
-  private final org.selectiverenderer.document.DocumentListener changes = change -> changed();
+  private final org.selectiverenderer.authoring.DocumentListener changes = change -> changed();
   private final SelectionListener selection = this::selected;
   private boolean following;
   private boolean stale;

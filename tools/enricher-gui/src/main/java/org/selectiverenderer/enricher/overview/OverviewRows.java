@@ -6,8 +6,8 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.selectiverenderer.document.enrichment.DocumentEnrichment;
-import org.selectiverenderer.document.enrichment.EnrichedSwitch;
+import org.selectiverenderer.authoring.enrichment.DocumentEnrichment;
+import org.selectiverenderer.authoring.enrichment.EnrichedSwitch;
 import org.selectiverenderer.schema.ConsistencyDegree;
 import org.selectiverenderer.x3d.source.DocumentElement;
 

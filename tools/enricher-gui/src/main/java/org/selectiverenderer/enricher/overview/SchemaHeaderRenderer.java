@@ -9,7 +9,7 @@ import javax.swing.LookAndFeel;
 import javax.swing.UIManager;
 import javax.swing.table.JTableHeader;
 import javax.swing.table.TableCellRenderer;
-import org.selectiverenderer.document.ElementFinding;
+import org.selectiverenderer.authoring.ElementFinding;
 import org.selectiverenderer.enricher.text.Texts;
 
 /**

@@ -6,7 +6,7 @@ import javax.swing.JPopupMenu;
 import javax.swing.KeyStroke;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.document.area.PlacedArea;
+import org.selectiverenderer.authoring.area.PlacedArea;
 import org.selectiverenderer.enricher.area.AreaCommands;
 import org.selectiverenderer.enricher.area.NamePrompt;
 import org.selectiverenderer.enricher.text.MnemonicText;

@@ -10,8 +10,8 @@
  * the mouse, {@code PlanView} paints.
  *
  * <p>In: the document's areas, a picture of the scene, the author's mouse and keys. Out: edits by
- * {@code enricher.area}. Uses {@code enricher.parts}, {@code enricher.area}, {@code
- * enricher.session}, {@code enricher.text}, {@code document.area}, {@code geometry} and {@code
+ * {@code enricher.area}. Uses {@code enricher.component}, {@code enricher.area}, {@code
+ * enricher.session}, {@code enricher.text}, {@code authoring.area}, {@code geometry} and {@code
  * base.decimal}. For the event dispatch thread.
  */
 @NullMarked

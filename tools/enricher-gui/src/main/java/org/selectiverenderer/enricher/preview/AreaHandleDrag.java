@@ -7,10 +7,10 @@ import org.joml.Vector2d;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.joml.Vector4d;
-import org.selectiverenderer.document.area.AreaBox;
-import org.selectiverenderer.document.area.GridSnap;
-import org.selectiverenderer.document.area.PlacedArea;
-import org.selectiverenderer.runtime.camera.Camera;
+import org.selectiverenderer.authoring.area.AreaBox;
+import org.selectiverenderer.authoring.area.GridSnap;
+import org.selectiverenderer.authoring.area.PlacedArea;
+import org.selectiverenderer.browser.camera.Camera;
 
 /**
  * A drag of a handle of an area's box: a face moves along its normal; the centre moves over the

@@ -6,12 +6,12 @@ import java.util.Collection;
 import java.util.Optional;
 import org.joml.Matrix4dc;
 import org.joml.Vector3d;
+import org.selectiverenderer.browser.instance.ShapeInstance;
+import org.selectiverenderer.browser.instance.SurfaceMaterial;
+import org.selectiverenderer.browser.instance.VisibleBounds;
 import org.selectiverenderer.enricher.area.FloorPlanImage;
 import org.selectiverenderer.geometry.BoundingBox;
 import org.selectiverenderer.geometry.mesh.Mesh;
-import org.selectiverenderer.runtime.instance.ShapeInstance;
-import org.selectiverenderer.runtime.instance.SurfaceMaterial;
-import org.selectiverenderer.runtime.instance.VisibleBounds;
 
 /**
  * Draws the floor plan of a scene: rasterizes the triangles below the cut from above with a height

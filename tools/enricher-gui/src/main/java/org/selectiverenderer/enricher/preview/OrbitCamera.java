@@ -3,9 +3,9 @@ package org.selectiverenderer.enricher.preview;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import org.selectiverenderer.browser.viewer.CameraFraming;
+import org.selectiverenderer.browser.viewer.Pose;
 import org.selectiverenderer.geometry.BoundingBox;
-import org.selectiverenderer.runtime.viewer.CameraFraming;
-import org.selectiverenderer.runtime.viewer.Pose;
 
 /**
  * An orbit camera: turns about a pivot, pans and zooms. World coordinates, Y up; it looks along the

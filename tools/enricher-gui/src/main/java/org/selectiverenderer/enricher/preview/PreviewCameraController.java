@@ -3,9 +3,9 @@ package org.selectiverenderer.enricher.preview;
 import java.util.List;
 import java.util.Optional;
 import org.joml.Vector3d;
-import org.selectiverenderer.runtime.PointerState;
-import org.selectiverenderer.runtime.collision.RayCaster;
-import org.selectiverenderer.runtime.viewer.Pose;
+import org.selectiverenderer.browser.PointerState;
+import org.selectiverenderer.browser.collision.RayCaster;
+import org.selectiverenderer.browser.viewer.Pose;
 
 /**
  * Controls the preview's camera and casts rays through pixels of its picture. Confined to the

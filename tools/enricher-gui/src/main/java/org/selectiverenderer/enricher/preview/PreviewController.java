@@ -3,14 +3,14 @@ package org.selectiverenderer.enricher.preview;
 import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.apparatus.MouseMapping;
+import org.selectiverenderer.browser.camera.Camera;
+import org.selectiverenderer.browser.navigation.KeyboardMouseControls;
+import org.selectiverenderer.browser.navigation.NavigationCommand;
+import org.selectiverenderer.browser.viewer.Pose;
 import org.selectiverenderer.enricher.compare.CompareMode;
-import org.selectiverenderer.runtime.camera.Camera;
-import org.selectiverenderer.runtime.navigation.KeyboardMouseControls;
-import org.selectiverenderer.runtime.navigation.MouseMapping;
-import org.selectiverenderer.runtime.navigation.NavigationCommand;
-import org.selectiverenderer.runtime.render.AntiAliasing;
-import org.selectiverenderer.runtime.render.preview.ScenePreviewRenderer;
-import org.selectiverenderer.runtime.viewer.Pose;
+import org.selectiverenderer.render.AntiAliasing;
+import org.selectiverenderer.render.preview.ScenePreviewRenderer;
 
 /**
  * Controls what the preview shows: holds scene, camera, selection and display options, which

@@ -3,8 +3,8 @@ package org.selectiverenderer.enricher.preview;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Optional;
+import org.selectiverenderer.browser.camera.Camera;
 import org.selectiverenderer.enricher.compare.ReferenceImage;
-import org.selectiverenderer.runtime.camera.Camera;
 import org.selectiverenderer.schema.SensorSchemas;
 
 /**

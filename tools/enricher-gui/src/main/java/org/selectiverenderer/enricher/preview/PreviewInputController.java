@@ -11,9 +11,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
-import org.selectiverenderer.runtime.navigation.KeyboardMouseControls;
-import org.selectiverenderer.runtime.navigation.MouseButton;
-import org.selectiverenderer.runtime.navigation.NavigationKey;
+import org.selectiverenderer.apparatus.MouseButton;
+import org.selectiverenderer.browser.navigation.KeyboardMouseControls;
+import org.selectiverenderer.browser.navigation.NavigationKey;
 
 /**
  * Handles mouse and keys in the preview. While the author looks, dragging orbits about the point

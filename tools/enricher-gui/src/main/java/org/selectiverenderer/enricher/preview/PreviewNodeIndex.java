@@ -10,16 +10,16 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.browser.World;
+import org.selectiverenderer.browser.instance.GroupInstance;
+import org.selectiverenderer.browser.instance.Instance;
+import org.selectiverenderer.browser.instance.InstanceTree;
+import org.selectiverenderer.browser.instance.ShapeInstance;
+import org.selectiverenderer.browser.nodes.group.InlineNode;
+import org.selectiverenderer.browser.nodes.group.SwitchNode;
+import org.selectiverenderer.browser.scene.Node;
+import org.selectiverenderer.browser.scene.NodeSubgraph;
 import org.selectiverenderer.enricher.preview.ScenePatch.Place;
-import org.selectiverenderer.runtime.World;
-import org.selectiverenderer.runtime.instance.GroupInstance;
-import org.selectiverenderer.runtime.instance.Instance;
-import org.selectiverenderer.runtime.instance.InstanceTree;
-import org.selectiverenderer.runtime.instance.ShapeInstance;
-import org.selectiverenderer.runtime.nodes.group.InlineNode;
-import org.selectiverenderer.runtime.nodes.group.SwitchNode;
-import org.selectiverenderer.runtime.scene.Node;
-import org.selectiverenderer.runtime.scene.NodeSubgraph;
 
 /**
  * An index of the nodes in a running scene that stand in the document's own text, by their

@@ -14,15 +14,15 @@ import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
 import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.document.area.AreaBox;
-import org.selectiverenderer.document.area.GridSnap;
-import org.selectiverenderer.document.area.PlacedArea;
+import org.selectiverenderer.authoring.area.AreaBox;
+import org.selectiverenderer.authoring.area.GridSnap;
+import org.selectiverenderer.authoring.area.PlacedArea;
+import org.selectiverenderer.browser.viewer.Pose;
 import org.selectiverenderer.enricher.area.SceneQueries;
 import org.selectiverenderer.enricher.compare.CompareMode;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
 import org.selectiverenderer.enricher.text.Texts;
-import org.selectiverenderer.runtime.viewer.Pose;
 
 /**
  * The 3D preview of an open document, which shows its unsaved state shortly after each edit with

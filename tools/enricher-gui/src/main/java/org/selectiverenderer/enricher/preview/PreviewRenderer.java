@@ -3,14 +3,14 @@ package org.selectiverenderer.enricher.preview;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import org.selectiverenderer.browser.camera.Camera;
+import org.selectiverenderer.browser.instance.ShapeInstance;
+import org.selectiverenderer.browser.scene.Node;
 import org.selectiverenderer.enricher.compare.CompareMode;
 import org.selectiverenderer.enricher.compare.ReferenceImage;
-import org.selectiverenderer.runtime.camera.Camera;
-import org.selectiverenderer.runtime.instance.ShapeInstance;
-import org.selectiverenderer.runtime.render.preview.PreviewImage;
-import org.selectiverenderer.runtime.render.preview.PreviewOptions;
-import org.selectiverenderer.runtime.render.preview.ScenePreviewRenderer;
-import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.render.preview.PreviewImage;
+import org.selectiverenderer.render.preview.PreviewOptions;
+import org.selectiverenderer.render.preview.ScenePreviewRenderer;
 
 /**
  * Renders the preview's frames: the scene with sensor boxes and the outlined selection, and the

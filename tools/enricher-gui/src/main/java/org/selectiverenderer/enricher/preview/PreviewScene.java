@@ -8,19 +8,19 @@ import java.util.function.Supplier;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.app.walk.UserNavigation;
+import org.selectiverenderer.browser.World;
+import org.selectiverenderer.browser.collision.RayCaster;
+import org.selectiverenderer.browser.instance.ShapeInstance;
+import org.selectiverenderer.browser.instance.VisibleBounds;
+import org.selectiverenderer.browser.navigation.KeyboardMouseControls;
+import org.selectiverenderer.browser.nodes.group.SwitchNode;
+import org.selectiverenderer.browser.nodes.sensor.ProximitySensorNode;
+import org.selectiverenderer.browser.sai.EmbeddedBrowser;
+import org.selectiverenderer.browser.scene.Node;
+import org.selectiverenderer.browser.viewer.Pose;
 import org.selectiverenderer.control.SelectiveController;
 import org.selectiverenderer.geometry.BoundingBox;
-import org.selectiverenderer.runtime.World;
-import org.selectiverenderer.runtime.collision.RayCaster;
-import org.selectiverenderer.runtime.instance.ShapeInstance;
-import org.selectiverenderer.runtime.instance.VisibleBounds;
-import org.selectiverenderer.runtime.navigation.KeyboardMouseControls;
-import org.selectiverenderer.runtime.nodes.group.SwitchNode;
-import org.selectiverenderer.runtime.nodes.sensor.ProximitySensorNode;
-import org.selectiverenderer.runtime.sai.EmbeddedBrowser;
-import org.selectiverenderer.runtime.scene.Node;
-import org.selectiverenderer.runtime.viewer.Pose;
+import org.selectiverenderer.walkthrough.UserNavigation;
 
 /**
  * A running scene of one loaded state of the document, which is either looked at under simulated

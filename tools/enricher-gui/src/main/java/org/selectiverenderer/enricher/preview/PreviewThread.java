@@ -6,10 +6,10 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.browser.viewer.Pose;
 import org.selectiverenderer.enricher.text.Texts;
-import org.selectiverenderer.runtime.render.context.GlUnavailableException;
-import org.selectiverenderer.runtime.render.preview.ScenePreviewRenderer;
-import org.selectiverenderer.runtime.viewer.Pose;
+import org.selectiverenderer.render.context.GlUnavailableException;
+import org.selectiverenderer.render.preview.ScenePreviewRenderer;
 
 /**
  * The thread {@code enricher-preview}: owns the GL context and the running scene, executes commands

@@ -12,12 +12,12 @@ import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.browser.World;
+import org.selectiverenderer.browser.loading.SceneLoader;
+import org.selectiverenderer.browser.scene.EventCascade;
+import org.selectiverenderer.browser.scene.Node;
+import org.selectiverenderer.browser.scene.Scene;
 import org.selectiverenderer.enricher.preview.ScenePatch.Place;
-import org.selectiverenderer.runtime.World;
-import org.selectiverenderer.runtime.loading.SceneLoader;
-import org.selectiverenderer.runtime.scene.EventCascade;
-import org.selectiverenderer.runtime.scene.Node;
-import org.selectiverenderer.runtime.scene.Scene;
 
 /**
  * A {@link ScenePatch} with its positions resolved to nodes of a running scene, as events to be

@@ -3,8 +3,8 @@ package org.selectiverenderer.enricher.preview;
 import java.util.Optional;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import org.selectiverenderer.browser.collision.RayCaster;
 import org.selectiverenderer.geometry.BoundingBox;
-import org.selectiverenderer.runtime.collision.RayCaster;
 
 /**
  * Estimates the bounds of rooms in a running scene by casting rays to floors, ceilings and walls.

@@ -6,13 +6,13 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.selectiverenderer.runtime.nodes.group.SwitchNode;
-import org.selectiverenderer.runtime.scene.EventCascade;
+import org.selectiverenderer.browser.nodes.group.SwitchNode;
+import org.selectiverenderer.browser.scene.EventCascade;
+import org.selectiverenderer.polygon.metadata.NodeViewMetadata;
 import org.selectiverenderer.schema.SchemaActivation;
 import org.selectiverenderer.schema.SchemaReader;
 import org.selectiverenderer.schema.SensorSchemas;
 import org.selectiverenderer.schema.SwitchSchemas;
-import org.selectiverenderer.schema.nodes.NodeViewMetadata;
 
 /**
  * Shows a scene as if the viewer were in an area with a chosen set of schemas. As in the

@@ -2,7 +2,7 @@ package org.selectiverenderer.enricher.preview;
 
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
-import org.selectiverenderer.runtime.render.context.Screenshot;
+import org.selectiverenderer.render.context.Screenshot;
 
 /** Converts the renderer's screenshots to images of Swing. */
 final class ScreenshotConverter {

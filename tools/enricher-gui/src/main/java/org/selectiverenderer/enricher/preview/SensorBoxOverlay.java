@@ -11,16 +11,16 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.joml.Vector4d;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.browser.World;
+import org.selectiverenderer.browser.camera.Camera;
+import org.selectiverenderer.browser.instance.ShapeInstance;
+import org.selectiverenderer.browser.nodes.sensor.ProximitySensorNode;
+import org.selectiverenderer.browser.scene.Node;
 import org.selectiverenderer.geometry.BoundingBox;
-import org.selectiverenderer.runtime.World;
-import org.selectiverenderer.runtime.camera.Camera;
-import org.selectiverenderer.runtime.instance.ShapeInstance;
-import org.selectiverenderer.runtime.nodes.sensor.ProximitySensorNode;
-import org.selectiverenderer.runtime.render.preview.BoxOverlay;
-import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.polygon.metadata.NodeViewMetadata;
+import org.selectiverenderer.render.preview.BoxOverlay;
 import org.selectiverenderer.schema.SchemaReader;
 import org.selectiverenderer.schema.SensorSchemas;
-import org.selectiverenderer.schema.nodes.NodeViewMetadata;
 
 /**
  * The boxes of a scene's ProximitySensors: draws them as box marks and labels, and counts the

@@ -1,7 +1,7 @@
 package org.selectiverenderer.enricher.preview;
 
 import java.util.Optional;
-import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.browser.scene.Node;
 
 /**
  * Identifies a node both in the document and in the running scene: by its DEF name, and by the

@@ -3,8 +3,8 @@ package org.selectiverenderer.enricher.preview;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.base.problem.SourceLocation;
-import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**

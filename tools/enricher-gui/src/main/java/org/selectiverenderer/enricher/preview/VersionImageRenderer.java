@@ -10,14 +10,14 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.browser.instance.Background;
+import org.selectiverenderer.browser.instance.VisibleBounds;
 import org.selectiverenderer.enricher.text.Texts;
-import org.selectiverenderer.runtime.instance.Background;
-import org.selectiverenderer.runtime.instance.VisibleBounds;
-import org.selectiverenderer.runtime.render.AntiAliasing;
-import org.selectiverenderer.runtime.render.context.GlUnavailableException;
-import org.selectiverenderer.runtime.render.preview.PreviewImage;
-import org.selectiverenderer.runtime.render.preview.PreviewOptions;
-import org.selectiverenderer.runtime.render.preview.ScenePreviewRenderer;
+import org.selectiverenderer.render.AntiAliasing;
+import org.selectiverenderer.render.context.GlUnavailableException;
+import org.selectiverenderer.render.preview.PreviewImage;
+import org.selectiverenderer.render.preview.PreviewOptions;
+import org.selectiverenderer.render.preview.ScenePreviewRenderer;
 import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 
 /**

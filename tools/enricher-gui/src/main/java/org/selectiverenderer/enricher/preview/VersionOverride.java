@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
+import org.selectiverenderer.browser.nodes.group.SwitchNode;
 import org.selectiverenderer.enricher.text.Texts;
-import org.selectiverenderer.runtime.nodes.group.SwitchNode;
 
 /**
  * The version of one object that the author wants to see in its place, whatever the schemas select;

@@ -26,8 +26,8 @@
  * PreviewThread}, which is told what to do and answers with {@code PreviewFrame}s; files are read
  * by {@code PreviewUpdater}'s thread.
  *
- * <p>Uses {@code enricher.parts}, {@code enricher.session}, {@code enricher.compare}, {@code
- * document}, {@code app.walk}, {@code control}, {@code runtime} with its renderer but not JOGL,
+ * <p>Uses {@code enricher.component}, {@code enricher.session}, {@code enricher.compare}, {@code
+ * authoring}, {@code walkthrough}, {@code control}, {@code browser} with its renderer but not JOGL,
  * {@code schema}, {@code geometry}, {@code x3d} and {@code base.problem}.
  */
 @NullMarked

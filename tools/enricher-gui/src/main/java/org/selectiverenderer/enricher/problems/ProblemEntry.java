@@ -3,10 +3,10 @@ package org.selectiverenderer.enricher.problems;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.selectiverenderer.authoring.ElementFinding;
+import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.base.problem.Problem.Severity;
 import org.selectiverenderer.base.problem.SourceLocation;
-import org.selectiverenderer.document.ElementFinding;
-import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**

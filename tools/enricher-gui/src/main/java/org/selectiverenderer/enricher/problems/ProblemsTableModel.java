@@ -3,10 +3,10 @@ package org.selectiverenderer.enricher.problems;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
+import org.selectiverenderer.authoring.ElementFinding;
+import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.base.problem.Problem.Severity;
 import org.selectiverenderer.base.problem.SourceLocation;
-import org.selectiverenderer.document.ElementFinding;
-import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.enricher.table.RowTableModel;
 import org.selectiverenderer.enricher.text.Texts;
 

@@ -3,7 +3,7 @@
  * whole documents in the background.
  *
  * <p>In: a session, checks of whole documents. Out: selections and fixes. Uses {@code
- * enricher.session}, {@code enricher.table}, {@code enricher.task}, {@code document}, {@code
+ * enricher.session}, {@code enricher.table}, {@code enricher.task}, {@code authoring}, {@code
  * validation}, {@code x3d.source} and {@code base.problem}.
  */
 @NullMarked

@@ -2,10 +2,10 @@ package org.selectiverenderer.enricher.ratings;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.selectiverenderer.authoring.enrichment.ChoiceMetadata;
+import org.selectiverenderer.authoring.ratings.RatingPlan;
+import org.selectiverenderer.authoring.ratings.RatingPlan.ImpliedSchema;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
-import org.selectiverenderer.document.enrichment.ChoiceMetadata;
-import org.selectiverenderer.document.ratings.RatingPlan;
-import org.selectiverenderer.document.ratings.RatingPlan.ImpliedSchema;
 import org.selectiverenderer.enricher.table.RowTableModel;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.schema.ConsistencyDegree;

@@ -23,14 +23,14 @@ import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.SourceLocation;
-import org.selectiverenderer.document.EditRejectedException;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Mnemonics;
 import org.selectiverenderer.enricher.text.Texts;
-import org.selectiverenderer.experiment.window.WindowPacker;
+import org.selectiverenderer.swing.WindowPacker;
 
 /**
  * Imports a table of expectancy ratings: the author chooses the file, corrects which Switch each
@@ -192,7 +192,8 @@ public final class RatingsDialog extends JDialog {
         model.matches().stream()
             .anyMatch(
                 m ->
-                    m.how() == org.selectiverenderer.document.ratings.ObjectMatching.How.PROPOSED));
+                    m.how()
+                        == org.selectiverenderer.authoring.ratings.ObjectMatching.How.PROPOSED));
   }
 
   private void apply() {

@@ -6,16 +6,16 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.authoring.Edit;
+import org.selectiverenderer.authoring.enrichment.DocumentEnrichment;
+import org.selectiverenderer.authoring.enrichment.EnrichedSwitch;
+import org.selectiverenderer.authoring.ratings.ObjectMatching;
+import org.selectiverenderer.authoring.ratings.ObjectMatching.Match;
+import org.selectiverenderer.authoring.ratings.RatingPlan;
+import org.selectiverenderer.authoring.ratings.Ratings;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
-import org.selectiverenderer.document.Edit;
-import org.selectiverenderer.document.enrichment.DocumentEnrichment;
-import org.selectiverenderer.document.enrichment.EnrichedSwitch;
-import org.selectiverenderer.document.ratings.ObjectMatching;
-import org.selectiverenderer.document.ratings.ObjectMatching.Match;
-import org.selectiverenderer.document.ratings.RatingPlan;
-import org.selectiverenderer.document.ratings.Ratings;
 import org.selectiverenderer.enricher.text.Texts;
 
 /**

@@ -3,7 +3,7 @@
  * Switches, shows the implied metadata and applies it as one undo step.
  *
  * <p>In: RATINGS.csv. Out: one edit. Uses {@code enricher.session}, {@code enricher.table}, {@code
- * enricher.task}, {@code document}, {@code schema} and {@code base.problem}.
+ * enricher.task}, {@code authoring}, {@code schema} and {@code base.problem}.
  */
 @NullMarked
 package org.selectiverenderer.enricher.ratings;

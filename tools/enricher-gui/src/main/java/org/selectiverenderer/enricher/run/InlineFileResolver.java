@@ -2,7 +2,7 @@ package org.selectiverenderer.enricher.run;
 
 import java.nio.file.Path;
 import java.util.Optional;
-import org.selectiverenderer.document.AttributeValueParser;
+import org.selectiverenderer.authoring.AttributeValueParser;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;

@@ -8,11 +8,11 @@ import java.util.List;
 import java.util.Optional;
 import org.joml.AxisAngle4d;
 import org.joml.Vector3dc;
+import org.selectiverenderer.authoring.DocumentSnapshot;
+import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
-import org.selectiverenderer.document.DocumentSnapshot;
-import org.selectiverenderer.document.Edit;
+import org.selectiverenderer.browser.viewer.Pose;
 import org.selectiverenderer.enricher.text.Texts;
-import org.selectiverenderer.runtime.viewer.Pose;
 import org.selectiverenderer.x3d.source.TextEdit;
 import org.selectiverenderer.x3d.source.XmlParseException;
 

@@ -2,7 +2,7 @@ package org.selectiverenderer.enricher.run;
 
 import java.util.Arrays;
 import java.util.List;
-import org.selectiverenderer.control.Condition;
+import org.selectiverenderer.schema.Condition;
 
 /**
  * The options of a run.

@@ -11,10 +11,10 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
-import org.selectiverenderer.document.DocumentSnapshot;
+import org.selectiverenderer.authoring.DocumentSnapshot;
+import org.selectiverenderer.browser.viewer.Pose;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
-import org.selectiverenderer.runtime.viewer.Pose;
 
 /**
  * Manages the run processes of a window: any number at once, all of which end with the window. For

@@ -12,8 +12,8 @@
  *
  * <p>In: snapshots of the document, the preview's pose, the author's choice. Out: processes, their
  * messages. Everything but those threads belongs to the event dispatch thread. Uses {@code
- * enricher.session}, {@code enricher.text}, {@code document}, {@code control} for the names of
- * conditions, {@code runtime.viewer}, {@code x3d}, {@code base}.
+ * enricher.session}, {@code enricher.text}, {@code authoring}, {@code control} for the names of
+ * conditions, {@code browser.viewer}, {@code x3d}, {@code base}.
  */
 @NullMarked
 package org.selectiverenderer.enricher.run;

@@ -3,8 +3,8 @@ package org.selectiverenderer.enricher.settings;
 import java.io.IOException;
 import java.nio.file.Path;
 import javax.swing.Timer;
-import org.selectiverenderer.document.DocumentSnapshot;
-import org.selectiverenderer.document.file.CrashRecovery;
+import org.selectiverenderer.authoring.DocumentSnapshot;
+import org.selectiverenderer.authoring.file.CrashRecovery;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
 

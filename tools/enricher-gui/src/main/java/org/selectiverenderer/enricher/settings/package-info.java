@@ -3,7 +3,7 @@
  * the recovery copies of unsaved changes.
  *
  * <p>In and out: files in the folder of the user's settings. Uses {@code enricher.session}, {@code
- * enricher.task}, {@code document}, {@code document.file}, {@code x3d.files} and {@code
+ * enricher.task}, {@code authoring}, {@code authoring.file}, {@code x3d.url} and {@code
  * base.files}.
  */
 @NullMarked

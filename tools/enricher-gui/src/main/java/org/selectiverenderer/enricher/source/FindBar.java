@@ -15,7 +15,7 @@ import javax.swing.Timer;
 import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
 import net.miginfocom.swing.MigLayout;
-import org.selectiverenderer.document.editing.TextSearch;
+import org.selectiverenderer.authoring.editing.TextSearch;
 import org.selectiverenderer.enricher.text.Texts;
 
 /**

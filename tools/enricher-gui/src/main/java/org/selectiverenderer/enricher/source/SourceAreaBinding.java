@@ -5,8 +5,8 @@ import java.util.List;
 import javax.swing.text.BadLocationException;
 import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
 import org.fife.ui.rsyntaxtextarea.SyntaxConstants;
-import org.selectiverenderer.document.DocumentListener;
-import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.authoring.DocumentListener;
+import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.x3d.source.TextEdit;
 

@@ -8,9 +8,9 @@ import javax.swing.text.BadLocationException;
 import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
 import org.fife.ui.rtextarea.SmartHighlightPainter;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.document.SceneDocument;
-import org.selectiverenderer.document.editing.TagMatcher;
-import org.selectiverenderer.document.editing.TextSearch.Hit;
+import org.selectiverenderer.authoring.SceneDocument;
+import org.selectiverenderer.authoring.editing.TagMatcher;
+import org.selectiverenderer.authoring.editing.TextSearch.Hit;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**

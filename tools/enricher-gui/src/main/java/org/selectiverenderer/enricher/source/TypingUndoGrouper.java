@@ -6,7 +6,7 @@ import javax.swing.Timer;
 import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
 import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
-import org.selectiverenderer.document.UndoHistory;
+import org.selectiverenderer.authoring.UndoHistory;
 
 /**
  * Groups typing into undo steps and writes it to the document after a short delay. A step ends at a

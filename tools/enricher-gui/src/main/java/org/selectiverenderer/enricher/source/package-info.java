@@ -6,12 +6,12 @@
  * directions; it alone changes the area's text. {@code TypingUndoGrouper} groups typing into undo
  * steps, {@code SourceHighlighter} highlights (tags of the element, the fault's line, hits), {@code
  * FindReplaceController} searches the whole document, whatever part is shown, {@code
- * SourceCompletion} proposes completions. {@code document.hand} computes hits, proposals and
+ * SourceCompletion} proposes completions. {@code authoring.editing} computes hits, proposals and
  * comments; {@code SourcePanel} assembles the parts and follows the selection.
  *
  * <p>In: a session, typing. Out: changes of the document, selections. Uses {@code
- * enricher.session}, {@code enricher.proposal}, {@code enricher.text}, {@code document}, {@code
- * document.hand}, {@code x3d.source}, {@code base.markup} and {@code base.problem}.
+ * enricher.session}, {@code enricher.completion}, {@code enricher.text}, {@code authoring}, {@code
+ * authoring.editing}, {@code x3d.source}, {@code base.markup} and {@code base.problem}.
  */
 @NullMarked
 package org.selectiverenderer.enricher.source;

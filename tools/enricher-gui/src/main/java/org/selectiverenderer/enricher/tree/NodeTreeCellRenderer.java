@@ -4,9 +4,9 @@ import java.awt.Component;
 import java.util.function.Predicate;
 import javax.swing.JTree;
 import javax.swing.tree.DefaultTreeCellRenderer;
-import org.selectiverenderer.document.enrichment.DocumentEnrichment;
-import org.selectiverenderer.document.enrichment.EnrichedSensor;
-import org.selectiverenderer.document.enrichment.EnrichedSwitch;
+import org.selectiverenderer.authoring.enrichment.DocumentEnrichment;
+import org.selectiverenderer.authoring.enrichment.EnrichedSensor;
+import org.selectiverenderer.authoring.enrichment.EnrichedSwitch;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 

@@ -11,7 +11,7 @@ import javax.swing.event.TreeModelListener;
 import javax.swing.tree.TreeModel;
 import javax.swing.tree.TreePath;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.ElementTree;
 

@@ -43,7 +43,7 @@ public final class SceneTreePanel {
   private final JPanel panel =
       new JPanel(new MigLayout("insets 6, gap 4, fill, hidemode 2", "[grow]", "[][][grow][]"));
   private final SelectionListener selecting = this::follow;
-  private final org.selectiverenderer.document.DocumentListener changing = this::changed;
+  private final org.selectiverenderer.authoring.DocumentListener changing = this::changed;
   private boolean following;
 
   /**
@@ -244,7 +244,7 @@ public final class SceneTreePanel {
         });
   }
 
-  private void changed(org.selectiverenderer.document.DocumentListener.Change change) {
+  private void changed(org.selectiverenderer.authoring.DocumentListener.Change change) {
     showWaiting();
     if (session.document().tree().isEmpty()) {
       tree.repaint(); // keeps the last elements, greyed

@@ -3,7 +3,7 @@
  * large scenes. While the text is not well formed it shows the last well-formed elements, greyed.
  *
  * <p>In: a session. Out: selections. Uses {@code enricher.session}, {@code enricher.text}, {@code
- * document}, {@code document.enrichment} and {@code x3d.source}.
+ * authoring}, {@code authoring.enrichment} and {@code x3d.source}.
  */
 @NullMarked
 package org.selectiverenderer.enricher.tree;

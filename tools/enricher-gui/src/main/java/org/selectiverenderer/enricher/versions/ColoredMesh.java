@@ -2,8 +2,8 @@ package org.selectiverenderer.enricher.versions;
 
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
-import org.selectiverenderer.polygon.model.Model;
-import org.selectiverenderer.polygon.model.ModelPart;
+import org.selectiverenderer.models.Model;
+import org.selectiverenderer.models.ModelPart;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /**

@@ -1,7 +1,7 @@
 package org.selectiverenderer.enricher.versions;
 
 import org.selectiverenderer.enricher.text.Texts;
-import org.selectiverenderer.polygon.simplify.SimplificationTarget;
+import org.selectiverenderer.models.simplify.SimplificationTarget;
 
 /**
  * The number of vertices that a version is to have, as in thesis Fig 39.

@@ -9,8 +9,8 @@ import javax.swing.JSlider;
 import javax.swing.JSpinner;
 import javax.swing.SpinnerNumberModel;
 import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.authoring.versions.ObjectVersion;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
-import org.selectiverenderer.document.versions.ObjectVersion;
 import org.selectiverenderer.enricher.text.Texts;
 
 /** The column of one version: its goal, its figures, and its mesh as a solid and as a wireframe. */

@@ -22,14 +22,14 @@ import javax.swing.KeyStroke;
 import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
 import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.authoring.EditRejectedException;
+import org.selectiverenderer.authoring.versions.PlannedFile;
+import org.selectiverenderer.authoring.versions.VersionsEdit;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.document.EditRejectedException;
-import org.selectiverenderer.document.versions.PlannedFile;
-import org.selectiverenderer.document.versions.VersionsEdit;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Mnemonics;
 import org.selectiverenderer.enricher.text.Texts;
-import org.selectiverenderer.experiment.window.WindowPacker;
+import org.selectiverenderer.swing.WindowPacker;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
@@ -57,7 +57,7 @@ public final class VersionsDialog extends JDialog {
   private final JButton more = Mnemonics.button("versions.add");
   private final JButton fewer = Mnemonics.button("versions.remove");
   private final JButton apply = Mnemonics.button("versions.apply");
-  private final org.selectiverenderer.document.DocumentListener changes;
+  private final org.selectiverenderer.authoring.DocumentListener changes;
 
   /**
    * @param object the object, or an element in it

@@ -6,7 +6,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**

@@ -3,12 +3,12 @@ package org.selectiverenderer.enricher.versions;
 import java.util.function.Consumer;
 import javax.swing.Timer;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.document.DocumentSnapshot;
-import org.selectiverenderer.document.versions.VersionsEdit;
+import org.selectiverenderer.authoring.DocumentSnapshot;
+import org.selectiverenderer.authoring.versions.VersionsEdit;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.task.BackgroundTask;
 import org.selectiverenderer.enricher.text.Texts;
-import org.selectiverenderer.polygon.simplify.SimplificationTarget;
+import org.selectiverenderer.models.simplify.SimplificationTarget;
 
 /**
  * Computes versions in the background, one request after the other: while a slider is dragged, only

@@ -3,7 +3,7 @@
  * versions side by side as solids and wireframes, and one undo step that puts them into the scene.
  *
  * <p>In: an object of a document. Out: files of versions, one edit. Uses {@code enricher.session},
- * {@code enricher.task}, {@code document}, {@code polygon}, {@code geometry}, {@code x3d} and
+ * {@code enricher.task}, {@code authoring}, {@code polygon}, {@code geometry}, {@code x3d} and
  * {@code base}.
  */
 @NullMarked

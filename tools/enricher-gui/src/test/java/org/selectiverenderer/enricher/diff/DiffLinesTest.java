@@ -3,7 +3,7 @@ package org.selectiverenderer.enricher.diff;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.document.file.UnifiedDiff;
+import org.selectiverenderer.authoring.file.UnifiedDiff;
 import org.selectiverenderer.enricher.diff.DiffLines.Kind;
 
 class DiffLinesTest {

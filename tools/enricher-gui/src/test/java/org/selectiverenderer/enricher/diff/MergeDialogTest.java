@@ -6,12 +6,12 @@ import java.util.List;
 import java.util.Optional;
 import javax.swing.JButton;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.document.file.ThreeWayMerge;
-import org.selectiverenderer.document.file.ThreeWayMerge.Choice;
-import org.selectiverenderer.enricher.robot.GuiRobot;
+import org.selectiverenderer.authoring.file.ThreeWayMerge;
+import org.selectiverenderer.authoring.file.ThreeWayMerge.Choice;
 import org.selectiverenderer.enricher.robot.TestSessions;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.testing.ShowsWindows;
+import org.selectiverenderer.testing.robot.GuiRobot;
 
 @ShowsWindows
 class MergeDialogTest {

@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.document.EditRejectedException;
-import org.selectiverenderer.document.enrichment.EnrichmentScenes;
+import org.selectiverenderer.authoring.EditRejectedException;
+import org.selectiverenderer.authoring.enrichment.EnrichmentScenes;
 import org.selectiverenderer.enricher.robot.TestSessions;
 
 class CellClipboardTest {

@@ -8,8 +8,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.document.EditRejectedException;
-import org.selectiverenderer.document.enrichment.EnrichmentScenes;
+import org.selectiverenderer.authoring.EditRejectedException;
+import org.selectiverenderer.authoring.enrichment.EnrichmentScenes;
 import org.selectiverenderer.enricher.robot.TestSessions;
 import org.selectiverenderer.schema.ConsistencyDegree;
 

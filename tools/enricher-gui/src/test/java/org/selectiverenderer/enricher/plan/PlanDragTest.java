@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.awt.image.BufferedImage;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.document.area.GridSnap;
+import org.selectiverenderer.authoring.area.GridSnap;
 import org.selectiverenderer.enricher.area.FloorPlanImage;
 import org.selectiverenderer.geometry.BoundingBox;
 

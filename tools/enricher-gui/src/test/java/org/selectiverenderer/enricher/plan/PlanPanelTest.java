@@ -16,7 +16,7 @@ import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.document.area.AreaLocator;
+import org.selectiverenderer.authoring.area.AreaLocator;
 import org.selectiverenderer.enricher.EventThread;
 import org.selectiverenderer.enricher.area.AreaCommands;
 import org.selectiverenderer.enricher.area.FloorPlanImage;

@@ -11,13 +11,13 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.document.area.AreaBox;
-import org.selectiverenderer.document.area.AreaLocator;
-import org.selectiverenderer.document.area.GridSnap;
-import org.selectiverenderer.document.area.PlacedArea;
+import org.selectiverenderer.authoring.area.AreaBox;
+import org.selectiverenderer.authoring.area.AreaLocator;
+import org.selectiverenderer.authoring.area.GridSnap;
+import org.selectiverenderer.authoring.area.PlacedArea;
+import org.selectiverenderer.browser.camera.Camera;
 import org.selectiverenderer.enricher.robot.TestSessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
-import org.selectiverenderer.runtime.camera.Camera;
 
 class AreaHandleDragTest {
   private static final int WIDTH = 800;

@@ -6,8 +6,8 @@ import static org.assertj.core.api.Assertions.within;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import org.selectiverenderer.browser.viewer.Pose;
 import org.selectiverenderer.geometry.BoundingBox;
-import org.selectiverenderer.runtime.viewer.Pose;
 
 class OrbitCameraTest {
   private final OrbitCamera orbit = new OrbitCamera();

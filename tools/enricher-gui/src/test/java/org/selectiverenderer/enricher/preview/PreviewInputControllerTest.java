@@ -12,7 +12,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import org.joml.Vector2d;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.document.area.GridSnap;
+import org.selectiverenderer.authoring.area.GridSnap;
 import org.selectiverenderer.enricher.EventThread;
 import org.selectiverenderer.enricher.area.NodeCommands;
 import org.selectiverenderer.enricher.compare.CompareMode;

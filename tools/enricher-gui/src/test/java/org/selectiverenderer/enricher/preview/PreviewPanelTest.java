@@ -19,9 +19,9 @@ import org.junit.jupiter.api.Test;
 import org.selectiverenderer.enricher.EventThread;
 import org.selectiverenderer.enricher.area.FloorPlanImage;
 import org.selectiverenderer.enricher.area.SceneQueries;
-import org.selectiverenderer.enricher.robot.AccessibleNameCheck;
 import org.selectiverenderer.geometry.BoundingBox;
 import org.selectiverenderer.testing.ShowsWindows;
+import org.selectiverenderer.testing.robot.AccessibleNameCheck;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** What the preview shows of an open document. */

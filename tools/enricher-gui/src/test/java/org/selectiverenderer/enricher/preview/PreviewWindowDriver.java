@@ -18,10 +18,10 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 import javax.imageio.ImageIO;
 import javax.swing.JFrame;
-import org.selectiverenderer.document.file.DocumentFile;
-import org.selectiverenderer.enricher.robot.RobotEventSync;
+import org.selectiverenderer.authoring.file.DocumentFile;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.task.TaskExecutor;
+import org.selectiverenderer.testing.robot.RobotEventSync;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 
 /** A window with a preview in it, driven by a robot; waits for frames, not for time. */

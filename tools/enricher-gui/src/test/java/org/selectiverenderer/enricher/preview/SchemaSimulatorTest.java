@@ -9,10 +9,10 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.base.problem.ProblemCollector;
-import org.selectiverenderer.runtime.World;
-import org.selectiverenderer.runtime.loading.SceneLoader;
-import org.selectiverenderer.runtime.nodes.NodeFactory;
-import org.selectiverenderer.runtime.nodes.group.SwitchNode;
+import org.selectiverenderer.browser.World;
+import org.selectiverenderer.browser.loading.SceneLoader;
+import org.selectiverenderer.browser.nodes.NodeFactory;
+import org.selectiverenderer.browser.nodes.group.SwitchNode;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.ReadLimits;
 

@@ -10,8 +10,8 @@ import javax.swing.table.TableColumn;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.base.problem.Problem.Severity;
-import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.enricher.EventThread;
 import org.selectiverenderer.enricher.settings.Language;
 

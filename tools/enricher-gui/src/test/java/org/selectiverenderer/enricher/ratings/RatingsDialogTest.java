@@ -10,10 +10,10 @@ import javax.swing.JButton;
 import javax.swing.JTable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.enricher.robot.GuiRobot;
 import org.selectiverenderer.enricher.robot.TestSessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.testing.ShowsWindows;
+import org.selectiverenderer.testing.robot.GuiRobot;
 
 /** A table of ratings is imported by hand: read, corrected, applied, undone. */
 @ShowsWindows

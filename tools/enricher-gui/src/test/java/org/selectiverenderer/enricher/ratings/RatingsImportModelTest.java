@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.charset.StandardCharsets;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.document.enrichment.EnrichmentScenes;
+import org.selectiverenderer.authoring.enrichment.EnrichmentScenes;
 import org.selectiverenderer.enricher.robot.TestSessions;
 
 class RatingsImportModelTest {

@@ -19,16 +19,17 @@ import javax.swing.JTable;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.selectiverenderer.authoring.ratings.ObjectMatching;
+import org.selectiverenderer.authoring.ratings.RatingPlan;
+import org.selectiverenderer.authoring.ratings.Ratings;
 import org.selectiverenderer.base.problem.ProblemCollector;
-import org.selectiverenderer.document.ratings.ObjectMatching;
-import org.selectiverenderer.document.ratings.RatingPlan;
-import org.selectiverenderer.document.ratings.Ratings;
 import org.selectiverenderer.enricher.diff.DiffDialog;
 import org.selectiverenderer.enricher.overview.OverviewPanel;
 import org.selectiverenderer.enricher.ratings.RatingsDialog;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.versions.VersionsDialog;
 import org.selectiverenderer.testing.ShowsWindows;
+import org.selectiverenderer.testing.robot.GuiRobot;
 
 /**
  * The dialogs with the apartment, light and dark, at both scales. Their pictures in {@code

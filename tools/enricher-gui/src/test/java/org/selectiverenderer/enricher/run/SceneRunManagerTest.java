@@ -16,12 +16,12 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.authoring.SceneDocument;
+import org.selectiverenderer.browser.viewer.Pose;
 import org.selectiverenderer.enricher.EventThread;
 import org.selectiverenderer.enricher.robot.TestSessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.task.TaskExecutor;
-import org.selectiverenderer.runtime.viewer.Pose;
 
 /** Running the open document; the processes are the program's own. */
 class SceneRunManagerTest {

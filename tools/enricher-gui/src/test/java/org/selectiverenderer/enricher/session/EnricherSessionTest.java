@@ -8,7 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.document.EditRejectedException;
+import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.enricher.robot.TestSessions;
 
 class EnricherSessionTest {

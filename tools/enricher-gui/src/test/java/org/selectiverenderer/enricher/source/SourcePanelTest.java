@@ -18,11 +18,11 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.document.SceneDocument;
-import org.selectiverenderer.enricher.robot.GuiRobot;
+import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.enricher.robot.TestSessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.testing.ShowsWindows;
+import org.selectiverenderer.testing.robot.GuiRobot;
 
 /** The source view under the hands of an author. */
 @ShowsWindows

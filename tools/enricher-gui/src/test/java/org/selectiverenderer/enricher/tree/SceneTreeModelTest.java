@@ -6,7 +6,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.enricher.robot.TestSessions;
 
 class SceneTreeModelTest {

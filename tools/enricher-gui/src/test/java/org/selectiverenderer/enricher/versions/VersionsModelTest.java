@@ -8,10 +8,10 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.document.SceneDocument;
-import org.selectiverenderer.document.file.DocumentFile;
-import org.selectiverenderer.document.versions.VersionsEdit;
-import org.selectiverenderer.polygon.simplify.SimplificationTarget;
+import org.selectiverenderer.authoring.SceneDocument;
+import org.selectiverenderer.authoring.file.DocumentFile;
+import org.selectiverenderer.authoring.versions.VersionsEdit;
+import org.selectiverenderer.models.simplify.SimplificationTarget;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 
 class VersionsModelTest {

@@ -1,0 +1,42 @@
+package org.selectiverenderer.authoring.enrichment;
+
+import java.util.List;
+import org.selectiverenderer.authoring.ElementFinding;
+import org.selectiverenderer.x3d.source.DocumentElement;
+
+/**
+ * A Switch of a document with its schema metadata: an object with versions.
+ *
+ * @param name its DEF, or {@code Switch#3} for the third Switch if it has none
+ * @param object the object's own name, without {@code Switch_}
+ * @param choices its children in order
+ * @param whichChoice index of the initially shown choice; -1 for none
+ * @param enriched whether it has schema metadata
+ * @param findings the findings about its metadata
+ */
+public record EnrichedSwitch(
+    DocumentElement element,
+    String name,
+    String object,
+    List<ChoiceNode> choices,
+    int whichChoice,
+    boolean enriched,
+    List<ElementFinding> findings) {
+  public EnrichedSwitch {
+    choices = List.copyOf(choices);
+    findings = List.copyOf(findings);
+  }
+
+  /**
+   * A child of the Switch: a version of the object.
+   *
+   * @param index from 0
+   * @param url first URL of an Inline; empty for other nodes
+   */
+  public record ChoiceNode(int index, DocumentElement element, String url, ChoiceMetadata values) {}
+
+  /** Returns the metadata of all choices in order. */
+  public List<ChoiceMetadata> values() {
+    return choices.stream().map(ChoiceNode::values).toList();
+  }
+}

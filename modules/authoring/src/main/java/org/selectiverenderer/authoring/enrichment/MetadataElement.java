@@ -1,0 +1,132 @@
+package org.selectiverenderer.authoring.enrichment;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.authoring.AttributeValueParser;
+import org.selectiverenderer.authoring.SceneDocument;
+import org.selectiverenderer.schema.MetadataNode;
+import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.SourceAttribute;
+import org.selectiverenderer.x3d.source.StartTag;
+
+/**
+ * Adapts a metadata element of a document to the schema reader. A USE reference is resolved to the
+ * original element; {@link #written} is the reference itself.
+ */
+final class MetadataElement implements MetadataNode {
+  private static final String SET = "MetadataSet";
+
+  private final SceneDocument document;
+  private final DocumentElement written;
+  private final DocumentElement meant;
+  private @Nullable StartTag tag;
+
+  private MetadataElement(SceneDocument document, DocumentElement written) {
+    this.document = document;
+    this.written = written;
+    this.meant =
+        written
+            .use()
+            .flatMap(use -> document.tree().flatMap(tree -> tree.named(use)))
+            .filter(MetadataElement::isMetadata)
+            .orElse(written);
+  }
+
+  /** Returns the metadata of a node, if it has any. */
+  static Optional<MetadataElement> of(SceneDocument document, DocumentElement owner) {
+    return owner.children().stream()
+        .filter(MetadataElement::isMetadata)
+        .findFirst()
+        .map(element -> new MetadataElement(document, element));
+  }
+
+  static boolean isMetadata(DocumentElement element) {
+    return switch (element.name()) {
+      case SET,
+          "MetadataString",
+          "MetadataInteger",
+          "MetadataFloat",
+          "MetadataDouble",
+          "MetadataBoolean" ->
+          true;
+      default -> false;
+    };
+  }
+
+  /** Returns the child element of the owner, which may be a USE reference. */
+  DocumentElement written() {
+    return written;
+  }
+
+  /** Returns the element with the content: the original of a USE reference. */
+  DocumentElement meant() {
+    return meant;
+  }
+
+  boolean shared() {
+    return written.use().isPresent();
+  }
+
+  @Override
+  public boolean isSet() {
+    return meant.name().equals(SET);
+  }
+
+  @Override
+  public String name() {
+    return attribute("name").orElse("");
+  }
+
+  /** Returns an attribute of the element with the content; its tag is read once. */
+  private Optional<String> attribute(String name) {
+    if (tag == null) {
+      tag = document.tag(meant);
+    }
+    return tag.attribute(name).map(SourceAttribute::value);
+  }
+
+  @Override
+  public List<String> values() {
+    if (isSet()) {
+      return List.of();
+    }
+    String value = attribute("value").orElse("");
+    return meant.name().equals("MetadataString")
+        ? AttributeValueParser.strings(value)
+        : List.of(value.strip().split("[\\s,]+"));
+  }
+
+  @Override
+  public List<MetadataElement> children() {
+    if (!isSet()) {
+      return List.of();
+    }
+    List<MetadataElement> children = new ArrayList<>();
+    for (DocumentElement child : meant.children()) {
+      // The field "metadata" of a set describes the set itself.
+      if (isMetadata(child)) {
+        MetadataElement metadata = new MetadataElement(document, child);
+        Optional<String> field =
+            metadata.shared()
+                ? document.attribute(child, "containerField")
+                : metadata.attribute("containerField");
+        if (!field.orElse("value").equals("metadata")) {
+          children.add(metadata);
+        }
+      }
+    }
+    return children;
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof MetadataElement metadata && metadata.meant == meant;
+  }
+
+  @Override
+  public int hashCode() {
+    return System.identityHashCode(meant);
+  }
+}

@@ -1,0 +1,204 @@
+package org.selectiverenderer.authoring.headless;
+
+import java.io.IOException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.authoring.Edit;
+import org.selectiverenderer.authoring.EditRejectedException;
+import org.selectiverenderer.authoring.SceneDocument;
+import org.selectiverenderer.authoring.enrichment.DocumentEnrichment;
+import org.selectiverenderer.authoring.enrichment.EnrichedSwitch;
+import org.selectiverenderer.authoring.enrichment.MetadataTable;
+import org.selectiverenderer.authoring.file.BrokenRelativeUrls;
+import org.selectiverenderer.authoring.file.DocumentFile;
+import org.selectiverenderer.authoring.file.NonXmlScene;
+import org.selectiverenderer.authoring.file.UnifiedDiff;
+import org.selectiverenderer.authoring.ratings.ObjectMatching;
+import org.selectiverenderer.authoring.ratings.ObjectMatching.Match;
+import org.selectiverenderer.authoring.ratings.RatingPlan;
+import org.selectiverenderer.authoring.ratings.Ratings;
+import org.selectiverenderer.base.files.InputFileReader;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.source.DocumentError;
+
+/**
+ * Enriches a scene from tables, without a window: first from expectancy ratings, then from a table
+ * of metadata.
+ */
+public final class HeadlessEnrichment {
+  private final DocumentFile file;
+  private final String before;
+  private final DocumentEnrichment enrichment;
+  private final ProblemCollector problems;
+
+  private HeadlessEnrichment(
+      DocumentFile file, NodeCatalogue catalogue, ProblemCollector problems) {
+    this.file = file;
+    this.before = file.document().snapshot().text();
+    this.enrichment = new DocumentEnrichment(file.document(), catalogue);
+    this.problems = problems;
+  }
+
+  /**
+   * The input and output files of an enrichment.
+   *
+   * @param ratings RATINGS.csv, or null
+   * @param metadata METADATA.csv, or null
+   * @param output the file to be written: the scene itself, or another
+   */
+  public record Request(Path scene, @Nullable Path ratings, @Nullable Path metadata, Path output) {}
+
+  /**
+   * Enriches a scene in memory.
+   *
+   * @return empty if the scene or a table has errors, which are reported
+   * @throws IOException if a file cannot be read, with a one-line message that names it
+   */
+  public static Optional<HeadlessEnrichment> of(
+      Request request, NodeCatalogue catalogue, ProblemCollector problems) throws IOException {
+    Optional<DocumentFile> opened = open(request, catalogue, problems);
+    if (opened.isEmpty()) {
+      return Optional.empty();
+    }
+    HeadlessEnrichment run = new HeadlessEnrichment(opened.get(), catalogue, problems);
+    SceneDocument document = run.file.document();
+    Optional<DocumentError> fault = document.fault();
+    if (fault.isPresent()) {
+      problems.error(fault.get().location(), fault.get().message() + "; nothing has been changed");
+      return Optional.empty();
+    }
+    boolean done =
+        (request.ratings() == null || run.ratings(request.ratings()))
+            && (request.metadata() == null || run.metadata(request.metadata()));
+    return done ? Optional.of(run) : Optional.empty();
+  }
+
+  /**
+   * Opens the scene; a scene that is not XML is converted, so that it can be enriched into another
+   * file.
+   */
+  private static Optional<DocumentFile> open(
+      Request request, NodeCatalogue catalogue, ProblemCollector problems) throws IOException {
+    Optional<NonXmlScene> foreign = NonXmlScene.of(request.scene());
+    if (foreign.isEmpty()) {
+      return Optional.of(DocumentFile.open(request.scene()));
+    }
+    if (request.output().equals(request.scene())) {
+      problems.error(
+          SourceLocation.of(request.scene().toString()),
+          "the scene is in %s, but metadata is written as X3D XML; name an X3D file with --output"
+              .formatted(foreign.get().encoding()));
+      return Optional.empty();
+    }
+    Optional<String> xml = foreign.get().xml(catalogue, problems);
+    return xml.isEmpty()
+        ? Optional.empty()
+        : Optional.of(DocumentFile.made(request.scene(), xml.get()));
+  }
+
+  private boolean ratings(Path table) throws IOException {
+    Optional<Ratings> ratings = Ratings.read(table.toString(), read(table), problems);
+    if (ratings.isEmpty()) {
+      return false;
+    }
+    ObjectMatching matching =
+        new ObjectMatching(ratings.get().means().keySet(), enrichment.switches());
+    RatingPlan plan = RatingPlan.of(enrichment, ratings.get(), matching, true);
+    plan.unused().forEach(match -> unused(table, match));
+    String following =
+        plan.rows().stream()
+            .filter(row -> row.object().isEmpty())
+            .map(row -> row.node().name())
+            .collect(Collectors.joining(", "));
+    if (!following.isEmpty()) {
+      problems.info(
+          SourceLocation.of(table.toString()),
+          "objects without ratings, taken as expected in their room: " + following);
+    }
+    String silent =
+        plan.unrated().stream().map(EnrichedSwitch::name).collect(Collectors.joining(", "));
+    if (!silent.isEmpty()) {
+      problems.info(
+          SourceLocation.of(table.toString()),
+          "objects without ratings, which get no metadata: " + silent);
+    }
+    return perform(plan.edit("Import ratings"));
+  }
+
+  private void unused(Path table, Match match) {
+    problems.warning(
+        SourceLocation.of(table.toString()),
+        match.counts()
+            ? "'%s' is %s, which has no versions or was rated under another name; not used"
+                .formatted(match.object(), match.switchName().orElse(""))
+            : "no Switch of the scene has the name '%s'%s; its ratings are not used"
+                .formatted(
+                    match.object(),
+                    match.switchName().map(name -> "; is " + name + " meant?").orElse("")));
+  }
+
+  private boolean metadata(Path table) throws IOException {
+    return MetadataTable.edit(enrichment, table.toString(), read(table), problems)
+        .filter(this::perform)
+        .isPresent();
+  }
+
+  private boolean perform(Edit edit) {
+    try {
+      file.document().perform(edit);
+      return true;
+    } catch (EditRejectedException e) {
+      problems.error(SourceLocation.of(file.document().name()), e.getMessage());
+      return false;
+    }
+  }
+
+  private static byte[] read(Path table) throws IOException {
+    try {
+      return InputFileReader.bytes(table);
+    } catch (NoSuchFileException e) {
+      throw new IOException(table + ": the file does not exist", e);
+    } catch (AccessDeniedException e) {
+      throw new IOException(table + ": no permission to read the file", e);
+    }
+  }
+
+  /** Returns whether the scene differs from its file. */
+  public boolean changed() {
+    return !before.contentEquals(file.document().text());
+  }
+
+  /** Returns the difference to the scene's file as a unified diff. */
+  public String difference(Path output) {
+    return UnifiedDiff.of(
+        file.path().toString(), output.toString(), before, file.document().text().toString());
+  }
+
+  /** Returns the relative URLs of files that the scene would not find from the output's folder. */
+  public List<String> leftBehind(Path output) {
+    return BrokenRelativeUrls.in(
+        file.document(),
+        file.path().toAbsolutePath().getParent(),
+        output.toAbsolutePath().getParent());
+  }
+
+  /**
+   * Writes the scene, to its own file with a backup, or to another one.
+   *
+   * @throws IOException if it cannot be written, with a one-line message that names it
+   */
+  public void save(Path output) throws IOException {
+    if (output.equals(file.path())) {
+      file.save();
+    } else {
+      file.saveAs(output);
+    }
+  }
+}

@@ -1,0 +1,13 @@
+/**
+ * Expectancy ratings of objects (thesis 5.1, Appendix A) turned into schema metadata, in steps that
+ * can be reviewed and corrected: ratings, their means, the matching of objects and Switches, the
+ * bands of 5.1, and one edit.
+ *
+ * <p>In: RATINGS.csv, a document. Out: an edit, problems. Uses {@code authoring}, {@code
+ * authoring.enrichment}, {@code schema}, {@code x3d.source}, {@code formats.csv} and {@code
+ * base.problem}.
+ */
+@NullMarked
+package org.selectiverenderer.authoring.ratings;
+
+import org.jspecify.annotations.NullMarked;

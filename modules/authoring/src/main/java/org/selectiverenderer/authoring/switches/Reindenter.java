@@ -1,0 +1,51 @@
+package org.selectiverenderer.authoring.switches;
+
+/**
+ * Changes the indentation of an element's lines. Only lines that begin with a tag or a comment
+ * change, so that attribute values and scripts keep every character.
+ */
+final class Reindenter {
+  private static final String PROGRAM = "<![CDATA[";
+
+  private Reindenter() {}
+
+  /** Indents all lines but the first. */
+  static String deeper(String element, String step) {
+    return moved(element, step, true);
+  }
+
+  /** Unindents all lines but the first, if they are indented. */
+  static String shallower(String element, String step) {
+    return moved(element, step, false);
+  }
+
+  private static String moved(String element, String step, boolean in) {
+    StringBuilder text = new StringBuilder(element.length() + element.length() / 16);
+    int programEnd = 0;
+    int at = 0;
+    while (at < element.length()) {
+      int end = element.indexOf('\n', at);
+      end = end < 0 ? element.length() : end + 1;
+      int first = at;
+      while (first < end && (element.charAt(first) == ' ' || element.charAt(first) == '\t')) {
+        first++;
+      }
+      boolean tag = at > 0 && at >= programEnd && first < end && element.charAt(first) == '<';
+      if (tag && in) {
+        text.append(step).append(element, at, end);
+      } else if (tag && element.startsWith(step, at)) {
+        text.append(element, at + step.length(), end);
+      } else {
+        text.append(element, at, end);
+      }
+      int program = element.indexOf(PROGRAM, at);
+      while (program >= 0 && program < end) {
+        int close = element.indexOf("]]>", program);
+        programEnd = close < 0 ? element.length() : close;
+        program = element.indexOf(PROGRAM, programEnd);
+      }
+      at = end;
+    }
+    return text.toString();
+  }
+}

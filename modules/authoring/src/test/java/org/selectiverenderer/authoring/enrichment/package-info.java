@@ -1,0 +1,4 @@
+@NullMarked
+package org.selectiverenderer.authoring.enrichment;
+
+import org.jspecify.annotations.NullMarked;

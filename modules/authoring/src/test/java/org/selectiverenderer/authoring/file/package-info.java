@@ -1,0 +1,4 @@
+@NullMarked
+package org.selectiverenderer.authoring.file;
+
+import org.jspecify.annotations.NullMarked;

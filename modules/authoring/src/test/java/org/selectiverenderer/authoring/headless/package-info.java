@@ -1,0 +1,4 @@
+@NullMarked
+package org.selectiverenderer.authoring.headless;
+
+import org.jspecify.annotations.NullMarked;

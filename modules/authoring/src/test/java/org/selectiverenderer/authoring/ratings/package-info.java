@@ -1,0 +1,4 @@
+@NullMarked
+package org.selectiverenderer.authoring.ratings;
+
+import org.jspecify.annotations.NullMarked;

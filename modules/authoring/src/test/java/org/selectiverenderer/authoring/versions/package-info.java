@@ -1,0 +1,4 @@
+@NullMarked
+package org.selectiverenderer.authoring.versions;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,154 @@
+package org.selectiverenderer.bench.command;
+
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.bench.BenchScene;
+import org.selectiverenderer.bench.GrowthSeries;
+import org.selectiverenderer.bench.HeavySceneGenerator;
+import org.selectiverenderer.bench.measure.Benchmark;
+import org.selectiverenderer.bench.measure.BenchmarkTextReport;
+import org.selectiverenderer.bench.measure.GrowthBenchmark;
+import org.selectiverenderer.bench.measure.GrowthTextReport;
+import org.selectiverenderer.command.CliCommand;
+import org.selectiverenderer.command.output.CommandException;
+import org.selectiverenderer.command.output.Console;
+import org.selectiverenderer.command.output.ExitStatus;
+import org.selectiverenderer.command.output.InterruptHandler;
+import org.selectiverenderer.command.output.OutputFile;
+import org.selectiverenderer.formats.json.JsonWriter;
+import org.selectiverenderer.render.context.GlAvailability;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+
+@Command(
+    name = "bench",
+    description = {
+      "Measures this machine: reading, loading, frames per second, activation, memory.",
+      "Takes a minute or two; run nothing else on the machine meanwhile."
+    },
+    footer = {
+      "  ./selective-renderer bench --format text",
+      "  ./selective-renderer bench --growth --format text"
+    })
+public final class BenchCommand extends CliCommand {
+  private enum Format {
+    text,
+    json
+  }
+
+  @Option(
+      names = "--format",
+      paramLabel = "FORMAT",
+      defaultValue = "json",
+      description = "format of the report: ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE})")
+  private Format format = Format.json;
+
+  @Option(
+      names = "--output",
+      paramLabel = "F.json",
+      description = "writes the figures as JSON to a file")
+  private @Nullable Path output;
+
+  @Option(
+      names = "--runs",
+      defaultValue = "3",
+      paramLabel = "N",
+      description =
+          "number of runs of each scene; the median is reported (default: ${DEFAULT-VALUE})")
+  private int runs;
+
+  @Option(
+      names = "--growth",
+      description =
+          "measures instead how loading, memory and frames grow with the number of objects, "
+              + "sensors, Switches, Inlines and triangles")
+  private boolean growth;
+
+  @Option(
+      names = "--series",
+      split = ",",
+      paramLabel = "NAME",
+      description =
+          "series that --growth measures: ${COMPLETION-CANDIDATES} (default: all of them)")
+  private Set<GrowthSeries> series = EnumSet.allOf(GrowthSeries.class);
+
+  @Option(
+      names = "--scenes",
+      paramLabel = "DIR",
+      description =
+          "writes the heavy and the light scene to folders heavy and light in DIR instead of "
+              + "measuring, for other browsers; replaces what is there")
+  private @Nullable Path scenes;
+
+  private final String program;
+
+  /**
+   * @param program the name of the class that the measured processes run
+   */
+  public BenchCommand(Console console, String program) {
+    super(console);
+    this.program = program;
+  }
+
+  @Override
+  public ExitStatus run() throws IOException {
+    if (!growth && series.size() < GrowthSeries.values().length) {
+      throw CommandException.usage("--series chooses what --growth measures; give --growth too");
+    }
+    if (runs < 1) {
+      throw CommandException.usage("--runs must be a whole number of at least 1");
+    }
+    if (scenes != null) {
+      writeScenes(scenes);
+      return ExitStatus.DONE;
+    }
+    OutputFile.check("--output", output);
+    ObjectNode report = InterruptHandler.interrupts(() -> growth ? growth() : whole());
+    if (output != null) {
+      OutputFile.write(output, JsonWriter.of(report));
+    }
+    if (output == null || format == Format.text) {
+      console().out().print(format == Format.text ? text(report) : JsonWriter.of(report));
+    }
+    return ExitStatus.DONE;
+  }
+
+  private void writeScenes(Path folder) throws IOException {
+    if (growth || output != null) {
+      throw CommandException.usage("--scenes does not measure; leave out --growth and --output");
+    }
+    for (BenchScene written :
+        List.of(HeavySceneGenerator.heavy(folder), HeavySceneGenerator.light(folder))) {
+      console().out().println(written.scene());
+    }
+  }
+
+  private ObjectNode whole() throws IOException, InterruptedException {
+    GlAvailability.check()
+        .ifPresent(
+            reason -> {
+              throw CommandException.environment(reason);
+            });
+    return new Benchmark(program, runs, this::progress).run();
+  }
+
+  private ObjectNode growth() throws IOException, InterruptedException {
+    Optional<String> undrawn = GlAvailability.check();
+    undrawn.ifPresent(reason -> progress("nothing is drawn: " + reason));
+    return new GrowthBenchmark(program, undrawn.isEmpty(), runs, this::progress).run(series);
+  }
+
+  private void progress(String step) {
+    console().message("bench: " + step);
+  }
+
+  private String text(ObjectNode report) {
+    return growth ? GrowthTextReport.of(report) : BenchmarkTextReport.of(report);
+  }
+}

@@ -1,0 +1,60 @@
+package org.selectiverenderer.browser.camera;
+
+import java.util.Arrays;
+
+/**
+ * A two-dimensional drawing primitive of an overlay or panel. Colours are 0xAARRGGBB; coordinates
+ * are pixels from the upper left corner, +Y down.
+ */
+public sealed interface Primitive2D {
+
+  /**
+   * A straight line.
+   *
+   * @param width the line's width in pixels
+   */
+  record Line(double x0, double y0, double x1, double y1, double width, int color)
+      implements Primitive2D {}
+
+  /**
+   * A filled convex polygon.
+   *
+   * @param corners x and y of each corner in turn; not to be changed
+   */
+  record Area(double[] corners, int color) implements Primitive2D {
+    @Override
+    public boolean equals(Object other) {
+      return other instanceof Area area
+          && color == area.color
+          && Arrays.equals(corners, area.corners);
+    }
+
+    @Override
+    public int hashCode() {
+      return 31 * Arrays.hashCode(corners) + color;
+    }
+  }
+
+  /**
+   * A line of text.
+   *
+   * @param x the left end of the text
+   * @param y the base line of the text
+   * @param size the font size in pixels
+   */
+  record Text(String text, double x, double y, double size, int color) implements Primitive2D {}
+
+  /**
+   * An image, stretched to fill an axis-parallel rectangle.
+   *
+   * @param x the rectangle's left side
+   * @param y the rectangle's upper side
+   */
+  record Picture(ArgbImage pixels, double x, double y, double width, double height)
+      implements Primitive2D {}
+
+  /** Makes a filled axis-parallel rectangle. */
+  static Area rectangle(double x, double y, double width, double height, int color) {
+    return new Area(new double[] {x, y, x + width, y, x + width, y + height, x, y + height}, color);
+  }
+}

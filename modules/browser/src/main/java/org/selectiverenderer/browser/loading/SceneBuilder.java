@@ -1,0 +1,325 @@
+package org.selectiverenderer.browser.loading;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.browser.loading.FileContent.Outcome;
+import org.selectiverenderer.browser.nodes.NodeFactory;
+import org.selectiverenderer.browser.nodes.geospatial.GeoLodNode;
+import org.selectiverenderer.browser.nodes.group.InlineNode;
+import org.selectiverenderer.browser.nodes.script.ScriptNode;
+import org.selectiverenderer.browser.nodes.sound.AudioClipNode;
+import org.selectiverenderer.browser.nodes.sound.MovieTextureNode;
+import org.selectiverenderer.browser.scene.Node;
+import org.selectiverenderer.browser.scene.Route;
+import org.selectiverenderer.browser.scene.Scene;
+import org.selectiverenderer.browser.sound.AudioBuffer;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+import org.selectiverenderer.x3d.catalogue.NodeView;
+import org.selectiverenderer.x3d.field.FieldType;
+import org.selectiverenderer.x3d.geodesy.GeoSystem;
+import org.selectiverenderer.x3d.read.ParsedNode;
+import org.selectiverenderer.x3d.read.X3dFile;
+import org.selectiverenderer.x3d.script.ScriptProgram;
+import org.selectiverenderer.x3d.url.UrlResolver;
+
+/**
+ * Makes running scenes from parsed files and fills Inlines with scenes of their own. A builder
+ * serves one load.
+ */
+final class SceneBuilder {
+  /** Largest nesting depth of nodes, including those of Inlines. */
+  static final int MAX_DEPTH = 1000;
+
+  /** Largest nesting depth of Inlines. */
+  static final int MAX_INLINES = 100;
+
+  /** Cost of the scene of an Inline besides its nodes, counted in nodes. */
+  private static final int SCENE_COST = 30;
+
+  private final NodeFactory factory;
+  private final NodeType groupType;
+  private final NodeType inlineType;
+  private final NodeRegistry store;
+  private final UrlResolver root;
+  private final int maxNodes;
+  private final List<FileContent> files = new ArrayList<>();
+  private final Set<FileContent> known = Collections.newSetFromMap(new IdentityHashMap<>());
+  private int nodes;
+  private boolean tooMany;
+  private int depth;
+
+  /**
+   * @param maxNodes the largest number of nodes; the rest is left out, so that Inlines cannot
+   *     multiply without bound
+   */
+  SceneBuilder(
+      NodeFactory factory,
+      NodeType groupType,
+      NodeType inlineType,
+      NodeRegistry store,
+      UrlResolver root,
+      int maxNodes) {
+    this.factory = factory;
+    this.groupType = groupType;
+    this.inlineType = inlineType;
+    this.store = store;
+    this.root = root;
+    this.maxNodes = maxNodes;
+  }
+
+  /**
+   * @param above the keys of the files that inline this one, outermost first
+   */
+  Scene build(FileContent content, List<String> above) {
+    if (known.add(content)) {
+      files.add(content);
+    }
+    return new FileBuilder(content, above).build();
+  }
+
+  /** Reports the problems of all files built, in the order of their first use. */
+  void report(ProblemCollector to) {
+    files.forEach(content -> content.problems().list().forEach(to::add));
+  }
+
+  /** Builds the scene of one file, with its own DEF names and routes. */
+  private final class FileBuilder {
+    private final FileContent content;
+    private final UrlContext origin;
+    private final boolean modern;
+    private final Scene scene;
+    private final Map<ParsedNode, Node> made;
+
+    FileBuilder(FileContent content, List<String> above) {
+      this.content = content;
+      X3dFile file = content.file();
+      modern = file.version().startsWith("4");
+      // A capacity for which the map hardly ever grows.
+      made = new IdentityHashMap<>(4 * file.named().size() + 32);
+      List<String> including = new ArrayList<>(above);
+      including.add(content.key());
+      origin = new UrlContext(root, content.base(), List.copyOf(including), file.unitLength());
+      Node top = factory.make(groupType, null, SourceLocation.of(file.source()));
+      store.origin(top, origin);
+      scene =
+          new Scene(
+              top,
+              file.source(),
+              file.version(),
+              file.profile(),
+              file.components(),
+              origin.unitLength());
+    }
+
+    Scene build() {
+      X3dFile file = content.file();
+      scene.root().init(groupType.indexOf("children"), makeAll(file.nodes()));
+      file.loose().forEach(this::end);
+      scene.types(content.types());
+      if (file.prototypes() != null && content.types().contains("Script")) {
+        store.prototypes(scene.root(), file.prototypes());
+      }
+      file.meta().forEach(meta -> scene.meta().put(meta.name(), meta.content()));
+      file.named()
+          .forEach(
+              (name, parsed) -> {
+                Node node = made.get(parsed);
+                if (node != null) {
+                  scene.name(name, node);
+                }
+              });
+      file.exports().forEach(export -> scene.exports().put(export.as(), export.localDef()));
+      for (X3dFile.ParsedRoute route : file.routes()) {
+        Optional<Node> from = end(route.from());
+        Optional<Node> to = end(route.to());
+        if (from.isPresent() && to.isPresent()) {
+          scene.addRoute(new Route(from.get(), route.fromField(), to.get(), route.toField()));
+        }
+      }
+      PrototypeInstanceBuilder.build(file.instances(), made);
+      new ImportBuilder(scene, this::end).build(file);
+      scene.imports().refresh(scene, ImportUpdater::content, content::error);
+      return scene;
+    }
+
+    /**
+     * Returns the node at an end of a route; a node outside the scene graph is made for the route.
+     */
+    private Optional<Node> end(ParsedNode parsed) {
+      Node known = made.get(parsed);
+      if (known != null) {
+        return Optional.of(known);
+      }
+      Optional<Node> loose = make(parsed);
+      loose.ifPresent(scene::addLoose);
+      content.types().add(parsed.type().name());
+      return loose;
+    }
+
+    private Optional<Node> make(ParsedNode parsed) {
+      Node known = made.get(parsed);
+      if (known != null) {
+        return Optional.of(known);
+      }
+      if (!affordable(parsed)) {
+        return Optional.empty();
+      }
+      depth++;
+      Node node = factory.make(parsed.type(), parsed.name(), parsed.location());
+      made.put(parsed, node);
+      List<FieldDefinition> fields = parsed.type().fields();
+      for (int i = 0; i < fields.size(); i++) {
+        if (parsed.given(i)) {
+          node.init(i, convert(fields.get(i), parsed));
+        }
+      }
+      attach(parsed, node);
+      depth--;
+      return Optional.of(node);
+    }
+
+    private boolean affordable(ParsedNode parsed) {
+      if (depth >= MAX_DEPTH) {
+        content.error(
+            parsed.location(),
+            "nodes and Inlines are nested more than %s deep; the %s is left out"
+                .formatted(MAX_DEPTH, parsed.type().name()));
+        return false;
+      }
+      nodes += parsed.type().name().equals("Inline") ? SCENE_COST : 1;
+      if (nodes > maxNodes && !tooMany) {
+        tooMany = true;
+        content.error(
+            parsed.location(),
+            ("with its Inlines the scene has more than %s nodes (an Inline counts as "
+                    + "%s); the rest is left out")
+                .formatted(maxNodes, SCENE_COST));
+      }
+      return !tooMany;
+    }
+
+    private List<Node> makeAll(List<? extends NodeView> parsed) {
+      List<Node> made = new ArrayList<>(parsed.size());
+      for (NodeView node : parsed) {
+        make((ParsedNode) node).ifPresent(made::add);
+      }
+      return List.copyOf(made);
+    }
+
+    private Object convert(FieldDefinition field, ParsedNode parsed) {
+      Object value = parsed.value(field.index());
+      if (field.type() == FieldType.SFNode) {
+        return value instanceof ParsedNode child ? make(child).orElse(null) : null;
+      }
+      if (field.type() == FieldType.MFNode) {
+        return makeAll(parsed.nodes(field.name()));
+      }
+      return value;
+    }
+
+    private void attach(ParsedNode parsed, Node node) {
+      Optional.ofNullable(content.meshes().get(parsed))
+          .ifPresent(mesh -> store.assets().put(node, mesh));
+      Optional.ofNullable(content.images().get(parsed))
+          .ifPresent(image -> store.assets().putImage(node, image));
+      if (node instanceof InlineNode inline) {
+        store.origin(inline, origin.of(parsed));
+        if (inline.bool("load")) {
+          inline.asked(inline.strings("url"));
+        }
+        Optional.ofNullable(content.inlines().get(parsed))
+            .ifPresent(outcome -> fill(inline, outcome.join()));
+      } else if (node.type().is("X3DUrlObject")) {
+        store.origin(node, origin.of(parsed));
+        ScriptProgram program = content.programs().get(parsed);
+        if (node instanceof ScriptNode script && program != null) {
+          script.load(program, scene);
+        }
+        Optional.ofNullable(content.shaders().get(parsed))
+            .ifPresent(text -> store.assets().putShader(node, text));
+        AudioBuffer recording = content.sounds().get(parsed);
+        if (node instanceof AudioClipNode clip && recording != null) {
+          clip.recording(recording);
+        }
+      } else if (node.type().component().equals("Geospatial")) {
+        geospatial(node, origin.of(parsed));
+      }
+      if (node.type().name().equals("Sound")
+          && node.node("source") instanceof MovieTextureNode movie) {
+        content.info(
+            movie.location(),
+            "the soundtrack of a MovieTexture is not played; the Sound stays silent");
+      }
+      if (BackgroundTextures.names(node.type())) {
+        store.origin(node, origin.of(parsed));
+        content
+            .pictures()
+            .getOrDefault(parsed, Map.of())
+            .forEach((side, one) -> make(one).ifPresent(made -> store.picture(node, side, made)));
+      }
+      if (modern && node.type().is("X3DTextureNode")) {
+        store.assets().multiply(node);
+      }
+      store.kept(node.type()).ifPresent(text -> content.info(node.location(), text));
+    }
+
+    private void geospatial(Node node, UrlContext base) {
+      if (node instanceof GeoLodNode level) {
+        level.files(
+            level.nodes("rootNode").isEmpty() ? inlines(level, base, "rootUrl") : List.of(),
+            inlines(level, base, "child1Url", "child2Url", "child3Url", "child4Url"));
+      }
+      boolean tessellated =
+          node.type().is("X3DGeometricPropertyNode") || node.type().is("X3DGeometryNode");
+      if (!tessellated && node.type().field("geoSystem").isPresent()) {
+        GeoSystem.of(node.strings("geoSystem"))
+            .problem()
+            .ifPresent(text -> content.warning(node.location(), node.type().name() + " " + text));
+      }
+    }
+
+    /** Makes an unloaded Inline for each url field that is not empty. */
+    private List<InlineNode> inlines(Node node, UrlContext base, String... urls) {
+      List<InlineNode> made = new ArrayList<>();
+      for (String url : urls) {
+        if (node.strings(url).length > 0) {
+          InlineNode inline = (InlineNode) factory.make(inlineType, null, node.location());
+          inline.init(inline.urlField(), node.strings(url));
+          inline.init(inlineType.indexOf("load"), false);
+          store.origin(inline, base);
+          made.add(inline);
+        }
+      }
+      return made;
+    }
+
+    private void fill(InlineNode inline, Outcome outcome) {
+      if (outcome instanceof Outcome.Failed failed) {
+        content.error(inline.location(), failed.sentence() + "; the Inline is left out");
+        return;
+      }
+      FileContent inner = ((Outcome.Read) outcome).content();
+      String name = inner.file().source();
+      if (origin.including().contains(inner.key())) {
+        content.error(
+            inline.location(), "%s includes itself; the Inline is left out".formatted(name));
+      } else if (origin.including().size() > MAX_INLINES) {
+        content.error(
+            inline.location(),
+            "Inlines are nested more than %s deep; the Inline of %s is left out"
+                .formatted(MAX_INLINES, name));
+      } else {
+        Scene included = SceneBuilder.this.build(inner, origin.including());
+        inline.fill(included, included.unitLength() / scene.unitLength());
+      }
+    }
+  }
+}

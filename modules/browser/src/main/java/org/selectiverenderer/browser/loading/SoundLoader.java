@@ -1,0 +1,71 @@
+package org.selectiverenderer.browser.loading;
+
+import java.io.IOException;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.AtomicLong;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.browser.sound.AudioBuffer;
+import org.selectiverenderer.browser.sound.SoundFileReader;
+import org.selectiverenderer.x3d.read.ParsedNode;
+import org.selectiverenderer.x3d.url.BaseUrl;
+import org.selectiverenderer.x3d.url.ReadErrorMessage;
+import org.selectiverenderer.x3d.url.UrlContent;
+import org.selectiverenderer.x3d.url.UrlResolver;
+import org.selectiverenderer.x3d.url.UrlSelection;
+
+/**
+ * Loads the recordings of AudioClips, for one load. A file that several nodes name is read once,
+ * and all recordings together take no more than an eighth of the heap. Thread-safe.
+ */
+final class SoundLoader {
+  private static final String CONSEQUENCE = "the AudioClip is not heard";
+
+  private final UrlResolver root;
+  private final Map<String, Decoded> files = new ConcurrentHashMap<>();
+  private final AtomicLong budget = new AtomicLong(Runtime.getRuntime().maxMemory() / 8);
+
+  /**
+   * @param recording the recording; empty if there is none that can be played
+   * @param fault the reason why the file could not be read; empty if it could or is of another
+   *     format
+   */
+  private record Decoded(Optional<AudioBuffer> recording, String fault) {}
+
+  SoundLoader(UrlResolver root) {
+    this.root = root;
+  }
+
+  /**
+   * Loads the recording of an AudioClip; empty, with a message, if it has none that can be played.
+   *
+   * @param base the base of its relative urls
+   */
+  Optional<AudioBuffer> read(ParsedNode clip, BaseUrl base, ProblemCollector problems) {
+    UrlSelection choice = UrlSelection.of(clip, root, base, CONSEQUENCE);
+    if (!(choice instanceof UrlSelection.Found found)) {
+      problems.add(((UrlSelection.None) choice).problem());
+      return Optional.empty();
+    }
+    UrlContent file = found.content();
+    Decoded decoded = files.computeIfAbsent(file.key(), key -> decode(file));
+    if (!decoded.fault.isEmpty()) {
+      problems.error(
+          clip.location(), "%s %s; %s".formatted(file.name(), decoded.fault, CONSEQUENCE));
+    } else if (decoded.recording.isEmpty()) {
+      problems.info(
+          clip.location(),
+          "%s is not an uncompressed WAV, AIFF or AU file; %s".formatted(file.name(), CONSEQUENCE));
+    }
+    return decoded.recording;
+  }
+
+  private Decoded decode(UrlContent file) {
+    try {
+      return new Decoded(SoundFileReader.read(file, budget), "");
+    } catch (IOException e) {
+      return new Decoded(Optional.empty(), ReadErrorMessage.clause(e));
+    }
+  }
+}

@@ -1,0 +1,326 @@
+package org.selectiverenderer.browser.scene;
+
+import java.lang.invoke.VarHandle;
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.Predicate;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.x3d.catalogue.AccessType;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+import org.selectiverenderer.x3d.catalogue.NodeView;
+
+/**
+ * A node of a running scene: its field values with their routes, observers and listeners. This base
+ * class stores and forwards the events of inputOutput fields; a node type with a behaviour of its
+ * own extends it (package {@code nodes}). Not thread-safe: it belongs to the thread that steps the
+ * world.
+ */
+public class Node implements NodeView {
+  private static final Route[] NO_ROUTES = {};
+  private static final NodeObserver[] NO_OBSERVERS = {};
+  private static final SingleFieldListener[] NO_LISTENERS = {};
+
+  private record Listening(int field, FieldListener listener) implements SingleFieldListener {
+    @Override
+    public void fieldChanged(Node node, int index, @Nullable Object value, double time) {
+      listener.fieldChanged(node, index, value, time);
+    }
+  }
+
+  private final NodeType type;
+  private final SourceLocation location;
+  private @Nullable String name;
+  private final @Nullable Object[] values;
+  private @Nullable Route[] routes = NO_ROUTES;
+  private int routeCount;
+  private @Nullable NodeObserver[] observers = NO_OBSERVERS;
+  private int observerCount;
+  private int changes;
+  private @Nullable SingleFieldListener[] listeners = NO_LISTENERS;
+  private int listenerCount;
+  private long @Nullable [] sentIn;
+  private @Nullable Object companion;
+  private @Nullable EventCascade sentBy;
+  private @Nullable PrototypeInstance face;
+
+  public Node(NodeType type, @Nullable String name, SourceLocation location) {
+    this.type = type;
+    this.name = name;
+    this.location = location;
+    this.values = new Object[type.fields().size()];
+  }
+
+  @Override
+  public final NodeType type() {
+    return type;
+  }
+
+  @Override
+  public final @Nullable String name() {
+    return name;
+  }
+
+  /** Changes the DEF name; only the scene calls this. */
+  final void rename(@Nullable String newName) {
+    name = newName;
+  }
+
+  @Override
+  public final SourceLocation location() {
+    return location;
+  }
+
+  @Override
+  public final @Nullable Object value(int field) {
+    Object value = values[field];
+    return value != null ? value : type.fields().get(field).defaultValue();
+  }
+
+  /** Returns the node in an SFNode field, or null. */
+  @Override
+  public @Nullable Node node(String field) {
+    return (Node) value(field);
+  }
+
+  /** Returns the nodes in an MFNode field. */
+  @Override
+  @SuppressWarnings("unchecked")
+  public List<Node> nodes(String field) {
+    return (List<Node>) value(field);
+  }
+
+  /**
+   * Returns the object that another software layer has attached to this node, its SAI object; null
+   * until there is one.
+   */
+  public final @Nullable Object companion() {
+    return companion;
+  }
+
+  public final void companion(@Nullable Object object) {
+    companion = object;
+  }
+
+  /** Returns the outermost prototype instance whose body starts with this node, or null. */
+  final @Nullable PrototypeInstance face() {
+    return face;
+  }
+
+  final void face(PrototypeInstance outermost) {
+    face = outermost;
+  }
+
+  /** Sets the initial value of a field before the node is part of a world; no event is sent. */
+  public final void init(int field, @Nullable Object value) {
+    values[field] = value;
+  }
+
+  /**
+   * Is called when an event arrives at a field. The base class stores the value of an inputOutput
+   * field and forwards it. An inputOnly field such as set_coordIndex sets the field coordIndex,
+   * which cannot change otherwise (X3D 4.0, 11.2.2.4); other inputOnly fields only affect
+   * subclasses.
+   *
+   * @param value as {@link org.selectiverenderer.x3d.field.FieldType} represents it
+   */
+  protected void receive(FieldDefinition field, @Nullable Object value, EventCascade cascade) {
+    if (field.access() == AccessType.INPUT_OUTPUT) {
+      emit(field.index(), value, cascade);
+    } else if (field.access() == AccessType.INPUT_ONLY && field.name().startsWith("set_")) {
+      type.field(field.name().substring("set_".length()))
+          .filter(set -> set.access() == AccessType.INITIALIZE_ONLY && set.type() == field.type())
+          .ifPresent(set -> replace(set.index(), value));
+    }
+  }
+
+  /** Replaces the value of a field that sends no events and notifies the observers. */
+  final void replace(int field, @Nullable Object value) {
+    VarHandle.releaseFence();
+    values[field] = value;
+    tellObservers(field);
+  }
+
+  /**
+   * Stores a field's new value, notifies the observers, and sends the value along routes and to
+   * listeners. Outside a cascade this starts one. A second event of a field for the same initial
+   * event is dropped (see {@link EventCascade}).
+   *
+   * @return whether the event was sent
+   */
+  public final boolean emit(int field, @Nullable Object value, EventCascade cascade) {
+    if (!cascade.carrying()) {
+      cascade.emit(this, field, value);
+      return true;
+    }
+    if (!firstIn(cascade, field)) {
+      return false;
+    }
+    // Other threads may read fields at any time and must not see an array before its elements.
+    VarHandle.releaseFence();
+    values[field] = value;
+    tellObservers(field);
+    // Elements added meanwhile lie beyond the count; removing one replaces the array.
+    Route[] going = routes;
+    for (int i = 0, count = routeCount; i < count; i++) {
+      Route route = going[i];
+      if (route.fromField() == field) {
+        cascade.deliver(route.to(), route.toField(), value);
+      }
+    }
+    SingleFieldListener[] hearing = listeners;
+    for (int i = 0, count = listenerCount; i < count; i++) {
+      SingleFieldListener listener = hearing[i];
+      if (listener.field() == field) {
+        cascade.notify(listener, this, field, value);
+      }
+    }
+    return true;
+  }
+
+  /**
+   * Stores a derived value in a field and notifies the observers, without an event; for values that
+   * are computed from other nodes, such as the deformed skin of a humanoid.
+   */
+  public final void derive(int field, Object value) {
+    replace(field, value);
+  }
+
+  /**
+   * Notifies the observers of a field without an event, because content that the field refers to
+   * has changed.
+   */
+  public final void tellObservers(int field) {
+    changes++;
+    for (int i = 0; i < observerCount; i++) {
+      observers[i].changed(this, field);
+    }
+  }
+
+  /** Returns how often any field has got a new value, observed or not. */
+  public final int changes() {
+    return changes;
+  }
+
+  /**
+   * Returns whether a field sends its first event for the present initial event, and notes that it
+   * has.
+   */
+  private boolean firstIn(EventCascade cascade, int field) {
+    if (sentIn == null || sentBy != cascade) {
+      sentIn = new long[values.length];
+      sentBy = cascade;
+    }
+    boolean first = sentIn[field] != cascade.id();
+    sentIn[field] = cascade.id();
+    return first;
+  }
+
+  /** Fan-out happens in the order in which routes were added. */
+  final void addRoute(Route route) {
+    heardFrom(route.fromField());
+    connect(route);
+  }
+
+  /** Adds a route that is no part of a scene. */
+  final void connect(Route route) {
+    routes = append(routes, routeCount++, route);
+  }
+
+  /**
+   * Is called before a route or listener is added to a field; a subclass that forwards the events
+   * of other nodes connects to them.
+   */
+  void heardFrom(int field) {}
+
+  final void removeRoute(Route route) {
+    int at = Arrays.asList(routes).indexOf(route);
+    if (at >= 0) {
+      routes = without(routes, at, routeCount--);
+    }
+  }
+
+  /** Adds an observer; observers are notified in the order in which they were added. */
+  public final void addObserver(NodeObserver observer) {
+    observers = append(observers, observerCount++, observer);
+  }
+
+  public final void removeObserver(NodeObserver observer) {
+    for (int i = 0; i < observerCount; i++) {
+      if (observers[i].equals(observer)) {
+        System.arraycopy(observers, i + 1, observers, i, observerCount - i - 1);
+        observers[--observerCount] = null;
+        return;
+      }
+    }
+  }
+
+  /** Adds a listener; listeners are called in the order in which they were added. */
+  public final void addListener(int field, FieldListener listener) {
+    heardFrom(field);
+    listeners = append(listeners, listenerCount++, ofField(field, listener));
+  }
+
+  public final void removeListener(int field, FieldListener listener) {
+    int at = Arrays.asList(listeners).indexOf(ofField(field, listener));
+    if (at >= 0) {
+      listeners = without(listeners, at, listenerCount--);
+    }
+  }
+
+  /** Returns whether a field has a route or a listener. */
+  public final boolean heard(int field) {
+    for (int i = 0; i < routeCount; i++) {
+      if (routes[i].fromField() == field) {
+        return true;
+      }
+    }
+    return listener(field, SingleFieldListener.class, any -> true) != null;
+  }
+
+  /**
+   * Returns the first listener of a field that is of a class and satisfies a condition, or null.
+   */
+  public final <L extends SingleFieldListener> @Nullable L listener(
+      int field, Class<L> kind, Predicate<? super L> wanted) {
+    for (int i = 0; i < listenerCount; i++) {
+      SingleFieldListener listener = listeners[i];
+      if (listener.field() == field
+          && kind.isInstance(listener)
+          && wanted.test(kind.cast(listener))) {
+        return kind.cast(listener);
+      }
+    }
+    return null;
+  }
+
+  private static SingleFieldListener ofField(int field, FieldListener listener) {
+    return listener instanceof SingleFieldListener own && own.field() == field
+        ? own
+        : new Listening(field, listener);
+  }
+
+  /**
+   * Appends an element, doubling a full array, since a node may have very many routes, observers or
+   * listeners.
+   */
+  private static <T> @Nullable T[] append(@Nullable T[] array, int count, T element) {
+    @Nullable T[] longer =
+        count == array.length ? Arrays.copyOf(array, Math.max(1, 2 * count)) : array;
+    longer[count] = element;
+    return longer;
+  }
+
+  private static <T> @Nullable T[] without(@Nullable T[] array, int at, int count) {
+    @Nullable T[] shorter = Arrays.copyOf(array, array.length);
+    System.arraycopy(array, at + 1, shorter, at, count - at - 1);
+    shorter[count - 1] = null;
+    return shorter;
+  }
+
+  @Override
+  public String toString() {
+    return name == null ? type.name() : type.name() + " " + name;
+  }
+}

@@ -1,0 +1,206 @@
+package org.selectiverenderer.browser.scene;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A running scene: its nodes under one root group, DEF names, routes, and the head of its file. The
+ * content of an Inline is a scene of its own.
+ */
+public final class Scene {
+  private final Node root;
+  private final String url;
+  private final String version;
+  private final String profile;
+  private final Map<String, Integer> components;
+  private final Map<String, String> meta = new LinkedHashMap<>();
+  private final double unitLength;
+  private final Map<String, Node> named = new LinkedHashMap<>();
+  private final Map<String, Node> imported = new LinkedHashMap<>();
+  private final Map<String, String> exports = new LinkedHashMap<>();
+  private final SceneImports imports = new SceneImports();
+  private final Map<String, SceneImports.ExportedInstance> exportedInstances =
+      new LinkedHashMap<>();
+  private final Set<Route> routes = new LinkedHashSet<>();
+  private @Nullable Set<String> types;
+  private final Set<Node> loose = new LinkedHashSet<>();
+
+  /**
+   * @param root a Group that holds the scene's top nodes in its {@code children}
+   * @param url the address from which the scene was read, or empty
+   * @param unitLength the metres per unit of length
+   */
+  public Scene(
+      Node root,
+      String url,
+      String version,
+      String profile,
+      Map<String, Integer> components,
+      double unitLength) {
+    this.root = root;
+    this.url = url;
+    this.version = version;
+    this.profile = profile;
+    this.components = Collections.unmodifiableMap(new LinkedHashMap<>(components));
+    this.unitLength = unitLength;
+  }
+
+  /** Returns the group that holds the root nodes; it is no part of the file. */
+  public Node root() {
+    return root;
+  }
+
+  public String url() {
+    return url;
+  }
+
+  public String version() {
+    return version;
+  }
+
+  public String profile() {
+    return profile;
+  }
+
+  public Map<String, Integer> components() {
+    return components;
+  }
+
+  /** Returns the meta statements, name to content; the map may be changed. */
+  public Map<String, String> meta() {
+    return meta;
+  }
+
+  /** Returns the metres per unit of length, from the {@code unit} statement. */
+  public double unitLength() {
+    return unitLength;
+  }
+
+  /** Returns the DEF names with their nodes, in document order. */
+  public Map<String, Node> named() {
+    return Collections.unmodifiableMap(named);
+  }
+
+  public Optional<Node> find(String name) {
+    return Optional.ofNullable(named.get(name));
+  }
+
+  /** Assigns a DEF name to a node; a name in use is moved to that node. */
+  public void name(String name, Node node) {
+    Node before = named.put(name, node);
+    if (before != null && before != node && name.equals(before.name())) {
+      before.rename(null);
+    }
+    node.rename(name);
+  }
+
+  /** Removes a DEF name. A node with a second name keeps that. */
+  public void unname(String name) {
+    Node node = named.remove(name);
+    if (node != null && name.equals(node.name())) {
+      node.rename(null);
+    }
+  }
+
+  /** Returns the imported names with their nodes, from IMPORT statements. */
+  public Map<String, Node> imported() {
+    return imported;
+  }
+
+  /** Returns the imports from this scene's Inlines. */
+  public SceneImports imports() {
+    return imports;
+  }
+
+  /** Returns the node exported under a name: one of this scene, or one that it imports itself. */
+  public Optional<Node> exported(String name) {
+    String local = exports.get(name);
+    if (local == null) {
+      return Optional.empty();
+    }
+    Node own = named.get(local);
+    return Optional.ofNullable(own != null ? own : imported.get(local));
+  }
+
+  /**
+   * Returns the connections of the fields of an exported prototype instance; empty for other nodes.
+   */
+  public Optional<SceneImports.ExportedInstance> exportedInstance(String name) {
+    return Optional.ofNullable(exportedInstances.get(name));
+  }
+
+  public void exportInstance(String name, SceneImports.ExportedInstance fields) {
+    exportedInstances.put(name, fields);
+  }
+
+  /** Returns the exported names with their DEF names, from EXPORT statements. */
+  public Map<String, String> exports() {
+    return exports;
+  }
+
+  /**
+   * Returns the nodes outside the scene graph, which take part by routes only, such as the
+   * TimeSensor of a prototype: of a prototype's body only the first node takes the instance's place
+   * (X3D 4.0, 4.4.4.3).
+   */
+  public Set<Node> loose() {
+    return Collections.unmodifiableSet(loose);
+  }
+
+  public void addLoose(Node node) {
+    loose.add(node);
+  }
+
+  /** Returns the names of the node types in the file; empty if unknown. */
+  public Optional<Set<String>> types() {
+    return Optional.ofNullable(types).map(Collections::unmodifiableSet);
+  }
+
+  /**
+   * Returns whether nodes that are not in the file can be added: by an application, a Script, an
+   * Inline or through an export. Added root nodes do not count.
+   */
+  public boolean mayGrow() {
+    return types == null
+        || !exports.isEmpty()
+        || types.contains("Script")
+        || types.contains("Inline");
+  }
+
+  /** Sets the names of the node types in the file. */
+  public void types(Set<String> ofFile) {
+    types = ofFile;
+  }
+
+  public List<Route> routes() {
+    return List.copyOf(routes);
+  }
+
+  /** Adds a route unless the scene has the same one. */
+  public void addRoute(Route route) {
+    if (routes.add(route)) {
+      route.from().addRoute(route);
+    }
+  }
+
+  /**
+   * Removes a route; one between prototype instances stands for several between their body nodes.
+   */
+  public void removeRoute(Route route) {
+    if (routes.remove(route)) {
+      route.from().removeRoute(route);
+      return;
+    }
+    for (Route behind : PrototypeInstance.behind(route)) {
+      if (routes.remove(behind)) {
+        behind.from().removeRoute(behind);
+      }
+    }
+  }
+}

@@ -1,0 +1,375 @@
+package org.selectiverenderer.browser.script;
+
+import java.util.Collections;
+import java.util.HashSet;
+import java.util.Set;
+import java.util.WeakHashMap;
+import java.util.function.Function;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
+import org.mozilla.javascript.Context;
+import org.mozilla.javascript.RhinoException;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.browser.nodes.script.ScriptEventReceiver;
+import org.selectiverenderer.browser.nodes.script.ScriptNode;
+import org.selectiverenderer.browser.scene.EventCascade;
+import org.selectiverenderer.browser.scene.Node;
+import org.selectiverenderer.browser.scene.PrototypeInstance;
+import org.selectiverenderer.browser.scene.Scene;
+import org.selectiverenderer.browser.script.value.NodeAccess;
+import org.selectiverenderer.x3d.catalogue.AccessType;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.field.FieldType;
+import org.selectiverenderer.x3d.script.ScriptProgram;
+
+/**
+ * A Script node with its running program. It starts with the first frame or the first event,
+ * whichever comes first. After it was stopped at a limit, or has failed too often, it is switched
+ * off for good.
+ */
+final class RunningScript implements ScriptEventReceiver, NodeAccess {
+  /** The number of failures after which a script is switched off. */
+  private static final int MAX_FAILURES = 20;
+
+  /**
+   * The number of calls at one time stamp after which scripts are assumed to trigger each other
+   * endlessly.
+   */
+  private static final int MAX_CALLS = 10_000;
+
+  private static final double CALL_SECONDS = 1;
+  private static final double START_SECONDS = 5;
+
+  private final ScriptNode node;
+  private final ScriptProgram program;
+  private final Scene context;
+  private final ScriptScheduler scripts;
+  private final RhinoEngine engine;
+  private final ScriptHost world;
+  private final ScriptFieldValues own;
+  private final ScriptScope scope;
+  private final PendingWrites writes = new PendingWrites();
+  private final Set<Node> made = Collections.newSetFromMap(new WeakHashMap<>());
+  private final Set<String> told = new HashSet<>();
+  private @Nullable SceneObject contextObject;
+  private boolean started;
+  private boolean off;
+  private boolean undirected;
+  private boolean late;
+  private int failures;
+  private int calls;
+  private double callsAt = Double.NaN;
+  private org.mozilla.javascript.@Nullable Function prepareEvents;
+  private org.mozilla.javascript.@Nullable Function eventsProcessed;
+
+  RunningScript(
+      ScriptNode node,
+      ScriptProgram program,
+      Scene context,
+      ScriptScheduler scripts,
+      RhinoEngine engine,
+      ScriptHost world) {
+    this.node = node;
+    this.program = program;
+    this.context = context;
+    this.scripts = scripts;
+    this.engine = engine;
+    this.world = world;
+    own = new ScriptFieldValues(node, engine.values());
+    scope = new ScriptScope(node.type(), own, engine.shared());
+  }
+
+  ScriptNode node() {
+    return node;
+  }
+
+  /** Returns the scene that contains the Script. */
+  Scene context() {
+    return context;
+  }
+
+  /** Returns that scene as its program sees it. */
+  SceneObject contextObject(Supplier<SceneObject> maker) {
+    if (contextObject == null) {
+      contextObject = maker.get();
+    }
+    return contextObject;
+  }
+
+  /** Returns whether it defines {@code prepareEvents} and so is called in every frame. */
+  boolean prepares() {
+    return prepareEvents != null && !off;
+  }
+
+  /** Runs the program's top-level statements and its {@code initialize}, once. */
+  void start() {
+    if (started) {
+      return;
+    }
+    started = true;
+    EventCascade cascade = world.cascade();
+    run(
+        true,
+        cascade,
+        cx -> {
+          cx.compileString(program.text(), "script", 1, null).exec(cx, scope, scope);
+          prepareEvents = scope.function("prepareEvents");
+          eventsProcessed = scope.function("eventsProcessed");
+          org.mozilla.javascript.Function initialize = scope.function("initialize");
+          return initialize == null ? null : initialize.call(cx, scope, scope, stamp(cascade));
+        });
+    scripts.started(this);
+  }
+
+  /**
+   * Sends the values that the start has assigned. This is done after all scripts that start
+   * together have started, so that none receives an event before its {@code initialize} (X3D 4.0,
+   * 29.2.4).
+   */
+  void sendFirst() {
+    send(world.cascade());
+  }
+
+  private static Object[] stamp(EventCascade cascade) {
+    return new Object[] {cascade.time()};
+  }
+
+  @Override
+  public void received(FieldDefinition field, @Nullable Object value, EventCascade cascade) {
+    if (!started) {
+      start();
+      send(cascade);
+    }
+    own.forget(field);
+    org.mozilla.javascript.Function answer = off ? null : scope.answerTo(field);
+    if (answer != null) {
+      run(
+          false,
+          cascade,
+          cx -> {
+            Object given = engine.values().toScript(field.type(), value, null);
+            return answer.call(cx, scope, scope, new Object[] {given, cascade.time()});
+          });
+      send(cascade);
+    }
+    if (eventsProcessed != null) {
+      scripts.hasReceived(this);
+    }
+  }
+
+  /** Calls {@code prepareEvents}, before a frame. */
+  void prepareEvents() {
+    call(prepareEvents);
+  }
+
+  /** Calls {@code eventsProcessed}, after the events of a time stamp. */
+  void eventsProcessed() {
+    call(eventsProcessed);
+  }
+
+  /** Calls {@code shutdown}, after the Script has left the scene. */
+  void shutdown() {
+    if (started) {
+      call(scope.function("shutdown"));
+      off = true;
+    }
+  }
+
+  private void call(org.mozilla.javascript.@Nullable Function function) {
+    if (function != null && !off) {
+      EventCascade cascade = world.cascade();
+      run(false, cascade, cx -> function.call(cx, scope, scope, stamp(cascade)));
+      send(cascade);
+    }
+  }
+
+  private void run(
+      boolean starting, EventCascade cascade, Function<Context, @Nullable Object> code) {
+    if (tooMany(cascade) || !starting && scripts.together().over(cascade.time())) {
+      return;
+    }
+    scripts.called();
+    long began = System.nanoTime();
+    try {
+      engine.call(
+          this,
+          starting ? START_SECONDS : CALL_SECONDS,
+          cx -> {
+            code.apply(cx);
+            return this;
+          });
+    } catch (ScriptStoppedError e) {
+      switchOff(program.line(e.line()), e.getMessage());
+    } catch (OutOfMemoryError e) {
+      switchOff(program.start(), "it ran out of memory");
+    } catch (RhinoException e) {
+      failed(program.line(e.lineNumber()), e.details());
+    } catch (StackOverflowError e) {
+      failed(program.start(), "calls are nested too deeply");
+    } catch (RuntimeException e) {
+      failed(program.start(), "a function of the browser failed: " + e);
+    }
+    double took = (System.nanoTime() - began) * 1e-9;
+    if (!starting && scripts.together().add(cascade.time(), took)) {
+      problem(
+          program.start(),
+          "scripts ran for more than %s s at one time stamp; its further events are dropped"
+              .formatted(ScriptTimeBudget.MOST_SECONDS));
+    }
+  }
+
+  private void send(EventCascade cascade) {
+    try {
+      engine.call(
+          this,
+          CALL_SECONDS,
+          cx -> {
+            own.send(cascade);
+            return this;
+          });
+    } catch (RhinoException e) {
+      failed(program.start(), e.details());
+    }
+    writes.send(cascade);
+  }
+
+  private boolean tooMany(EventCascade cascade) {
+    if (callsAt != cascade.time()) {
+      callsAt = cascade.time();
+      calls = 0;
+    }
+    if (++calls == MAX_CALLS) {
+      problem(
+          program.start(),
+          "it was called %s times at one time stamp, as if scripts triggered each other endlessly; "
+                  .formatted(MAX_CALLS)
+              + "further events of this time stamp are dropped");
+    }
+    return calls >= MAX_CALLS;
+  }
+
+  private void failed(SourceLocation at, String what) {
+    failures++;
+    if (told.add(at + what)) {
+      problem(at, what);
+    }
+    if (failures == MAX_FAILURES) {
+      switchOff(at, "it has failed %s times".formatted(MAX_FAILURES));
+    }
+  }
+
+  private void switchOff(SourceLocation at, String why) {
+    off = true;
+    problem(at, why + "; the Script is switched off");
+  }
+
+  /**
+   * Reports a problem at its place in the code; if the code is in another file, the message also
+   * names the place of the Script.
+   */
+  private void problem(SourceLocation at, String what) {
+    world.problems().error(at, name() + ": " + what);
+  }
+
+  /** Returns the Script's name in messages. */
+  private String name() {
+    String name = node.name() == null ? "Script" : "Script " + node.name();
+    boolean here = program.start().file().equals(node.location().file());
+    return here ? name : name + " of " + node.location();
+  }
+
+  /** Reports what the script prints. */
+  void print(String text) {
+    scripts.print(node.location(), name() + " prints: " + text);
+  }
+
+  /**
+   * Registers a node that the script has made: the script may also set its initializeOnly fields.
+   */
+  Node own(Node created) {
+    made.add(created);
+    return created;
+  }
+
+  @Override
+  public Node seen(Node other) {
+    return PrototypeInstance.seen(other, node.within());
+  }
+
+  @Override
+  public @Nullable Object read(Node of, FieldDefinition field) {
+    if (of == node && field.index() >= node.type().ownFrom()) {
+      return engine.values().toField(field.type(), own.get(field));
+    }
+    return writes.read(of, field);
+  }
+
+  @Override
+  public void write(Node to, FieldDefinition field, @Nullable Object value) {
+    if (to == node && field.access().sendsEvents() && field.index() >= node.type().ownFrom()) {
+      own.set(field, engine.values().toScript(field.type(), value, null));
+    } else if (field.access().acceptsEvents()) {
+      accept(field, value);
+      direct(to);
+      writes.add(to, field, value);
+    } else if (field.access() == AccessType.INITIALIZE_ONLY && !(to instanceof ScriptNode)) {
+      accept(field, value);
+      if (made.contains(to)) {
+        PrototypeInstance.replace(to, field.index(), value);
+      } else {
+        late(to, field);
+        writes.add(to, field, value);
+      }
+    } else {
+      throw org.mozilla.javascript.ScriptRuntime.typeError(
+          "%s of %s is %s and cannot be set"
+              .formatted(field.name(), to.type(), field.access().spelling()));
+    }
+  }
+
+  /** Throws for nodes of types that a field does not accept. */
+  private static void accept(FieldDefinition field, @Nullable Object value) {
+    if (value instanceof Node one) {
+      accept(field, one);
+    } else if (field.type() == FieldType.MFNode && value instanceof Iterable<?> nodes) {
+      nodes.forEach(one -> accept(field, (Node) one));
+    }
+  }
+
+  private static void accept(FieldDefinition field, Node value) {
+    if (!field.nodeTypes().isEmpty() && field.nodeTypes().stream().noneMatch(value.type()::is)) {
+      throw org.mozilla.javascript.ScriptRuntime.typeError(
+          "%s takes %s, not a %s"
+              .formatted(
+                  field.name(), String.join(" or ", field.nodeTypes()), value.type().name()));
+    }
+  }
+
+  /**
+   * Reports once that an initializeOnly field is written after initialisation (X3D 4.0, 4.4.2.2).
+   */
+  private void late(Node to, FieldDefinition field) {
+    if (!late) {
+      late = true;
+      world
+          .problems()
+          .info(
+              node.location(),
+              "%s writes to %s of %s, which is initializeOnly; other browsers may refuse that"
+                  .formatted(name(), field.name(), to.type().name()));
+    }
+  }
+
+  /** Reports once that a script writes to nodes without directOutput (X3D 4.0, 29.2.6). */
+  private void direct(Node to) {
+    if (!undirected && !node.bool("directOutput") && !made.contains(to)) {
+      undirected = true;
+      world
+          .problems()
+          .info(
+              node.location(),
+              name()
+                  + " writes to nodes without directOutput true; other browsers may refuse that");
+    }
+  }
+}

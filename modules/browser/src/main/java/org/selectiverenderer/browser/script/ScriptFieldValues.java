@@ -1,0 +1,73 @@
+package org.selectiverenderer.browser.script;
+
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.browser.nodes.script.ScriptNode;
+import org.selectiverenderer.browser.scene.EventCascade;
+import org.selectiverenderer.browser.script.value.FieldValueConverter;
+import org.selectiverenderer.x3d.catalogue.AccessType;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+
+/**
+ * The values of a Script node's own fields as its program sees them. Assigned values and values
+ * changed in place are sent as events when the function has ended, once per field, in the order of
+ * the first change.
+ */
+final class ScriptFieldValues implements ScriptScope.Fields {
+  private final ScriptNode node;
+  private final FieldValueConverter values;
+  private final @Nullable Object[] cells;
+  private final boolean[] known;
+  private Set<FieldDefinition> changed = new LinkedHashSet<>();
+
+  ScriptFieldValues(ScriptNode node, FieldValueConverter values) {
+    this.node = node;
+    this.values = values;
+    cells = new Object[node.type().fields().size()];
+    known = new boolean[cells.length];
+  }
+
+  @Override
+  public @Nullable Object get(FieldDefinition field) {
+    int index = field.index();
+    if (!known[index]) {
+      cells[index] = values.toScript(field.type(), node.value(index), () -> changed.add(field));
+      known[index] = true;
+    }
+    return cells[index];
+  }
+
+  @Override
+  public void set(FieldDefinition field, @Nullable Object value) {
+    int index = field.index();
+    cells[index] = values.adopt(field.type(), value, () -> changed.add(field));
+    known[index] = true;
+    changed.add(field);
+  }
+
+  /** Drops the cached value, after the field got its value from elsewhere. */
+  void forget(FieldDefinition field) {
+    known[field.index()] = false;
+    cells[field.index()] = null;
+    changed.remove(field);
+  }
+
+  /** Sends the values that have changed. */
+  void send(EventCascade cascade) {
+    if (changed.isEmpty()) {
+      return;
+    }
+    List<FieldDefinition> sent = List.copyOf(changed);
+    changed = new LinkedHashSet<>();
+    for (FieldDefinition field : sent) {
+      Object value = values.toField(field.type(), cells[field.index()]);
+      if (field.access() == AccessType.INITIALIZE_ONLY) {
+        node.init(field.index(), value);
+      } else {
+        node.emit(field.index(), value, cascade);
+      }
+    }
+  }
+}

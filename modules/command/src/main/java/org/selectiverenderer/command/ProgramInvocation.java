@@ -1,0 +1,48 @@
+package org.selectiverenderer.command;
+
+import java.util.Locale;
+import java.util.Properties;
+
+/**
+ * The program's name as the user types it: {@code ./selective-renderer} in the source tree; without
+ * {@code ./} where the program is installed, and on Windows.
+ */
+public final class ProgramInvocation {
+  /** The system property that the launcher of an installed package sets. */
+  private static final String INSTALLED = "selective-renderer.installed";
+
+  /** The system property that the launchers of jpackage set. */
+  private static final String BUNDLED = "jpackage.app-path";
+
+  private static final String HERE = "./" + ProgramVersion.PROGRAM;
+
+  private ProgramInvocation() {}
+
+  /**
+   * Adapts a text with commands as typed in the source tree to this process's user. On Windows a
+   * command that a backslash continues in the next line becomes one line.
+   */
+  public static String in(String text) {
+    return in(text, System.getProperties());
+  }
+
+  /** Returns the program's name as this process's user types it. */
+  public static String name() {
+    return in(HERE);
+  }
+
+  static String in(String text, Properties properties) {
+    String lines = windows(properties) ? text.replaceAll(" \\\\\\R +", " ") : text;
+    return here(properties) ? lines : lines.replace(HERE, ProgramVersion.PROGRAM);
+  }
+
+  private static boolean here(Properties properties) {
+    return properties.getProperty(INSTALLED) == null
+        && properties.getProperty(BUNDLED) == null
+        && !windows(properties);
+  }
+
+  private static boolean windows(Properties properties) {
+    return properties.getProperty("os.name", "").toLowerCase(Locale.ROOT).startsWith("windows");
+  }
+}

@@ -1,0 +1,44 @@
+package org.selectiverenderer.command;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Properties;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** An example can be copied as it is printed. */
+class ProgramInvocationTest {
+  private static final String EXAMPLE = "Example:\n  ./selective-renderer run room.x3d\n";
+
+  private static Properties of(String key, String value) {
+    Properties properties = new Properties();
+    properties.setProperty("os.name", "Linux");
+    properties.setProperty(key, value);
+    return properties;
+  }
+
+  @Test
+  void amongTheSourcesItIsTheLauncherOfTheFolder() {
+    assertThat(ProgramInvocation.in(EXAMPLE, of("os.name", "Mac OS X"))).isEqualTo(EXAMPLE);
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "selective-renderer.installed, true",
+    "jpackage.app-path, /opt/Selective Renderer",
+    "os.name, Windows 11"
+  })
+  void elsewhereItIsTheNameAlone(String key, String value) {
+    assertThat(ProgramInvocation.in(EXAMPLE, of(key, value)))
+        .isEqualTo("Example:\n  selective-renderer run room.x3d\n");
+  }
+
+  @Test
+  void onWindowsACommandIsOneLine() {
+    String example = "  ./selective-renderer run room.x3d \\\r\n      --mute\r\n";
+    assertThat(ProgramInvocation.in(example, of("os.name", "Windows 11")))
+        .isEqualTo("  selective-renderer run room.x3d --mute\r\n");
+    assertThat(ProgramInvocation.in(example, of("os.name", "Linux"))).isEqualTo(example);
+  }
+}

@@ -1,0 +1,147 @@
+package org.selectiverenderer.control;
+
+import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.sai.InlineSceneAccess;
+import org.selectiverenderer.sai.ProtoBodyAccess;
+import org.selectiverenderer.schema.Condition;
+import org.selectiverenderer.schema.SchemaActivation;
+import org.web3d.x3d.sai.BrowserEvent;
+import org.web3d.x3d.sai.BrowserListener;
+import org.web3d.x3d.sai.ExternalBrowser;
+import org.web3d.x3d.sai.X3DNode;
+
+/**
+ * The selective rendering controller: listens to the ProximitySensors of a browser's scene and sets
+ * {@code whichChoice} of its Switches (thesis Figs 48 and 49).
+ *
+ * <p>Only nodes with metadata of the vocabulary count; others are ignored. The scene is read once
+ * when control begins, and all changes are followed: of children and metadata, nodes that are added
+ * or removed, and the replacement of the world. The scenes of Inlines are included where the
+ * browser gives access to them ({@link InlineSceneAccess}), as if the files were one; with a
+ * browser that only follows the standard a problem reports that they are not. The bodies of
+ * prototype instances are treated likewise ({@link ProtoBodyAccess}).
+ *
+ * <p>The controller keeps its own record of what each Switch shows, since a browser may let a write
+ * take effect later than it is made, and writes only what differs. A choice that others write (a
+ * ROUTE, an application) is recorded and stays until an area activates another one. A write is made
+ * within the call of the listener, so that it belongs to the same time stamp as the entry.
+ *
+ * <p>All work is done on the browser's thread, which must also be the one that calls the methods
+ * here. Events of a browser with several threads, such as Xj3D, are handled one at a time.
+ */
+public final class SelectiveController implements AutoCloseable {
+  /**
+   * The condition and random seed with which a scene is rendered.
+   *
+   * @param seed the random seed of {@link Condition#RANDOM}
+   */
+  public record Settings(Condition condition, long seed) {
+    /** Selective rendering as in the thesis. */
+    public static final Settings SELECTIVE = new Settings(Condition.SELECTIVE, 0);
+  }
+
+  private final ExternalBrowser browser;
+  private final Settings settings;
+  private final Consumer<ControlEvent> events;
+  private final Consumer<ControlProblem> problems;
+  private final BrowserListener onBrowser = this::browserChanged;
+  private @Nullable SceneController scene;
+
+  /**
+   * Takes control of the scene that the browser shows, and of every scene that it will show.
+   *
+   * @param events receives the events, on the browser's thread; for each scene a {@link
+   *     ControlEvent.Start} first
+   * @param problems receives the problems of each scene, at its start and later, on the same thread
+   */
+  public SelectiveController(
+      ExternalBrowser browser,
+      Settings settings,
+      Consumer<ControlEvent> events,
+      Consumer<ControlProblem> problems) {
+    this.browser = browser;
+    this.settings = settings;
+    this.events = events;
+    this.problems = problems;
+    browser.addBrowserListener(onBrowser);
+    attach();
+  }
+
+  /** Returns the present problems of the scene's metadata, in the order of the scene. */
+  public synchronized List<ControlProblem> problems() {
+    return scene == null ? List.of() : scene.problems();
+  }
+
+  /** Returns the names of the areas that the viewer is in, in the order of entering. */
+  public synchronized List<String> enteredAreas() {
+    return scene == null ? List.of() : scene.enteredAreas();
+  }
+
+  /** Returns the active schemas in the order of {@link SchemaActivation#activeSchemas()}. */
+  public synchronized List<String> activeSchemas() {
+    return scene == null ? List.of() : scene.activeSchemas();
+  }
+
+  /** Returns the choice that each enriched Switch shows, by name, in the order of the scene. */
+  public synchronized Map<String, Integer> choices() {
+    return scene == null ? Map.of() : scene.choices();
+  }
+
+  /**
+   * Looks for root nodes that were added to or removed from the scene, for which the SAI has no
+   * event. With a browser that sends an event of its own for it, as the embedded one does, the
+   * controller looks by itself.
+   */
+  public synchronized void rescan() {
+    if (scene != null) {
+      scene.rescan();
+    }
+  }
+
+  /** Ends the control: removes all listeners from the browser, and leaves every Switch as it is. */
+  @Override
+  public synchronized void close() {
+    browser.removeBrowserListener(onBrowser);
+    detach();
+  }
+
+  private synchronized void browserChanged(BrowserEvent event) {
+    if (event.getID() == BrowserEvent.INITIALIZED) {
+      attach();
+    } else if (event.getID() == BrowserEvent.SHUTDOWN) {
+      detach();
+    } else if (event.getID() > BrowserEvent.LAST_IDENTIFIER) { // an event of the browser's own
+      rescan();
+    }
+  }
+
+  private synchronized void attach() {
+    detach();
+    var context = browser.getExecutionContext();
+    if (context != null) { // no world is shown yet
+      scene =
+          new SceneController(
+              context, new ListenerLock(this), opener(), bodies(), settings, events, problems);
+      scene.start();
+    }
+  }
+
+  private @Nullable InlineSceneAccess opener() {
+    return browser instanceof InlineSceneAccess opening ? opening : null;
+  }
+
+  private UnaryOperator<X3DNode> bodies() {
+    return browser instanceof ProtoBodyAccess opening ? opening::bodyOf : UnaryOperator.identity();
+  }
+
+  private void detach() {
+    if (scene != null) {
+      scene.close();
+      scene = null;
+    }
+  }
+}

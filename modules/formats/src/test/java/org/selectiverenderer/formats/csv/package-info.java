@@ -1,0 +1,3 @@
+/** Tests of tables. */
+@org.jspecify.annotations.NullMarked
+package org.selectiverenderer.formats.csv;

@@ -1,0 +1,3 @@
+/** Tests of PNG. */
+@org.jspecify.annotations.NullMarked
+package org.selectiverenderer.formats.image;

@@ -1,0 +1,142 @@
+package org.selectiverenderer.models;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.catalogue.NodeView;
+import org.selectiverenderer.x3d.read.PrototypeLibraryLoader;
+import org.selectiverenderer.x3d.read.X3dFile;
+import org.selectiverenderer.x3d.read.X3dReader;
+import org.selectiverenderer.x3d.tessellate.Tessellator;
+import org.selectiverenderer.x3d.url.BaseUrl;
+import org.selectiverenderer.x3d.url.ContentAccessPolicy;
+import org.selectiverenderer.x3d.url.UrlResolver;
+
+/**
+ * Reads models in X3D, OBJ, PLY, STL and glTF; file name extensions select the format.
+ * Transformations are applied, so that all parts are in the file's own frame. Faces that cannot be
+ * drawn are left out and reported. Thread-safe.
+ */
+public final class ModelReader {
+  private static final Set<String> FOREIGN = Set.of("obj", "ply", "stl", "gltf", "glb");
+
+  private final NodeCatalogue catalogue;
+  private final X3dReader reader;
+  private final ContentAccessPolicy access;
+  private final Optional<Path> rootFolder;
+  private final Tessellator tessellator = new Tessellator();
+
+  public ModelReader(NodeCatalogue catalogue) {
+    this(catalogue, ContentAccessPolicy.none());
+  }
+
+  /**
+   * @param access further folders and hosts that models may refer to
+   */
+  public ModelReader(NodeCatalogue catalogue, ContentAccessPolicy access) {
+    this(catalogue, access, Optional.empty());
+  }
+
+  private ModelReader(
+      NodeCatalogue catalogue, ContentAccessPolicy access, Optional<Path> rootFolder) {
+    this.access = access;
+    this.rootFolder = rootFolder;
+    this.catalogue = catalogue;
+    this.reader = new X3dReader(catalogue);
+  }
+
+  /**
+   * Returns a reader for nodes of files that a scene in that folder inlines, which may refer to
+   * whatever the scene may refer to.
+   */
+  public ModelReader ofSceneIn(Path folder) {
+    return new ModelReader(catalogue, access, Optional.of(folder));
+  }
+
+  /**
+   * Reads a file.
+   *
+   * @return empty when it has no faces or is damaged, which is reported as a problem
+   * @throws IOException if it cannot be read, with one line that names it
+   */
+  public Optional<Model> read(Path file, ProblemCollector problems) throws IOException {
+    SourceLocation location = SourceLocation.of(file.toString());
+    if (FOREIGN.contains(ending(file))) {
+      check(file);
+      return new AssimpReader(catalogue, problems)
+          .read(file)
+          .flatMap(model -> withFaces(model, location, "the file", problems));
+    }
+    UrlResolver root = new UrlResolver(folder(file), access);
+    X3dFile scene =
+        reader
+            .with(new PrototypeLibraryLoader(reader, root), BaseUrl.folder(folder(file)))
+            .read(file, problems);
+    return withFaces(
+        gather(scene.nodes(), folder(file), scene, problems), location, "the file", problems);
+  }
+
+  /**
+   * Returns the surfaces of some nodes of a scene, in the frame of their parent.
+   *
+   * @param folder folder of the scene's file
+   * @param subject subject of the message if there are no faces, such as {@code the file}
+   */
+  public Optional<Model> of(
+      List<? extends NodeView> nodes,
+      X3dFile scene,
+      Path folder,
+      SourceLocation location,
+      String subject,
+      ProblemCollector problems) {
+    return withFaces(gather(nodes, folder, scene, problems), location, subject, problems);
+  }
+
+  private Model gather(
+      List<? extends NodeView> nodes, Path folder, X3dFile scene, ProblemCollector problems) {
+    UrlResolver root = new UrlResolver(rootFolder.orElse(folder).toAbsolutePath(), access);
+    ShapeCollector gatherer = new ShapeCollector(reader, tessellator, root, problems);
+    gatherer.gather(nodes, folder, ShapeCollector.metres(scene));
+    return new Model(gatherer.parts(), scene.units());
+  }
+
+  private static Optional<Model> withFaces(
+      Model model, SourceLocation location, String subject, ProblemCollector problems) {
+    if (model.polygons() == 0) {
+      problems.error(location, subject + " has no faces, so there is nothing to reduce");
+      return Optional.empty();
+    }
+    return Optional.of(model);
+  }
+
+  private static void check(Path file) throws IOException {
+    if (!Files.exists(file)) {
+      throw new NoSuchFileException(file.toString());
+    }
+    if (Files.isDirectory(file)) {
+      throw new IOException(file + ": this is a folder, not a file");
+    }
+    if (!Files.isReadable(file)) {
+      throw new IOException(file + ": no permission to read the file");
+    }
+  }
+
+  private static String ending(Path file) {
+    String name = String.valueOf(file.getFileName());
+    return name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
+  }
+
+  /** Returns the folder that contains a file. */
+  static Path folder(Path file) {
+    Path parent = file.toAbsolutePath().getParent();
+    return parent == null ? file.toAbsolutePath() : parent;
+  }
+}

@@ -1,0 +1,3 @@
+/** Tests of the polygon statistics, the thesis's own figures among them. */
+@org.jspecify.annotations.NullMarked
+package org.selectiverenderer.polygon;

@@ -1,0 +1,123 @@
+package org.selectiverenderer.render.display;
+
+import com.jogamp.opengl.GL;
+import com.jogamp.opengl.GL3;
+import java.util.List;
+import java.util.function.Supplier;
+import org.selectiverenderer.browser.World;
+import org.selectiverenderer.browser.camera.Camera;
+import org.selectiverenderer.browser.camera.EyeView;
+import org.selectiverenderer.browser.camera.Primitive2D;
+import org.selectiverenderer.browser.camera.ViewLayout;
+import org.selectiverenderer.render.FrameStatistics;
+import org.selectiverenderer.render.RenderOptions;
+import org.selectiverenderer.render.ViewSettings;
+import org.selectiverenderer.render.draw.SceneRenderer;
+import org.selectiverenderer.render.graphics2d.Graphics2dRenderer;
+import org.selectiverenderer.x3d.tessellate.TextMesher;
+
+/**
+ * Draws a world as its viewer sees it: the bound NavigationInfo determines headlight and depth
+ * range, the bound Background what is behind the shapes. Belongs to the thread that owns the
+ * context.
+ */
+public final class WorldRenderer {
+  /** Side of a point of a PointSet in pixels. */
+  private static final float POINT_SIZE = 2;
+
+  private final SceneRenderer renderer;
+  private final LayerRenderer layers;
+  private final Graphics2dRenderer sketch = new Graphics2dRenderer(new TextMesher());
+  private final ViewLayout layout;
+  private FrameStatistics drawn = new FrameStatistics(0, 0);
+
+  /** Makes a renderer that draws all frames in that layout. */
+  public WorldRenderer(ViewLayout layout, RenderOptions style) {
+    this.layout = layout;
+    Supplier<SceneRenderer> renderers =
+        () -> {
+          SceneRenderer made = new SceneRenderer(POINT_SIZE, style.shading());
+          made.wireframe(style.wireframe());
+          return made;
+        };
+    renderer = renderers.get();
+    layers = new LayerRenderer(renderer, renderers, style);
+  }
+
+  /** Sends all meshes and textures of the world to the graphics card. */
+  public void prepare(GL3 gl, World world) {
+    world.hold(() -> renderer.prepare(gl, world.instances()));
+  }
+
+  /** Returns the number of meshes and textures uploaded since the start. */
+  long uploads() {
+    return renderer.uploads();
+  }
+
+  /**
+   * Draws into the whole framebuffer of that size while no other thread changes the world; returns
+   * the counts of what was drawn.
+   *
+   * @param scale pixels per pixel of the desktop
+   */
+  public FrameStatistics paint(GL3 gl, World world, int width, int height, double scale) {
+    world.hold(() -> drawn = paintHeld(gl, world, width, height, scale));
+    return drawn;
+  }
+
+  private FrameStatistics paintHeld(GL3 gl, World world, int width, int height, double scale) {
+    ViewSettings sight = ViewSettings.of(world);
+    List<EyeView> views = layout.views(world, width, height, sight.range());
+    layers.begin(
+        gl, world, views.stream().map(EyeView::camera).toList(), layout == ViewLayout.MONO, scale);
+    if (!layout.showsWorld() || !covered(views, width, height)) {
+      gl.glClearColor(0, 0, 0, 1);
+      gl.glClear(GL.GL_COLOR_BUFFER_BIT);
+    }
+    for (int i = 0; i < views.size(); i++) {
+      Camera camera = views.get(i).camera();
+      direct(gl, views.get(i).channel());
+      if (layout.showsWorld()) {
+        layers.draw(gl, i, views.get(i).hidden());
+      }
+      List<Primitive2D> marks = layout.marks(i, camera.width(), camera.height());
+      sketch.draw(gl, marks, camera.x(), camera.y(), camera.width(), camera.height());
+    }
+    undirect(gl, views.get(views.size() - 1).channel());
+    return new FrameStatistics(layers.shapes(), views.size() * layers.indices() / 3);
+  }
+
+  /** Returns whether the views fill the framebuffer; otherwise the rest is to be cleared. */
+  private static boolean covered(List<EyeView> views, int width, int height) {
+    long area = 0;
+    for (EyeView view : views) {
+      area += (long) view.camera().width() * view.camera().height();
+    }
+    return area >= (long) width * height;
+  }
+
+  private static void direct(GL3 gl, EyeView.Channel channel) {
+    switch (channel) {
+      case RED -> gl.glColorMask(true, false, false, true);
+      case CYAN -> gl.glColorMask(false, true, true, true);
+      case LEFT_BUFFER -> gl.glDrawBuffer(GL3.GL_BACK_LEFT);
+      case RIGHT_BUFFER -> gl.glDrawBuffer(GL3.GL_BACK_RIGHT);
+      case ALL -> {
+        // As it was.
+      }
+    }
+  }
+
+  private static void undirect(GL3 gl, EyeView.Channel last) {
+    gl.glColorMask(true, true, true, true);
+    if (last == EyeView.Channel.RIGHT_BUFFER) {
+      gl.glDrawBuffer(GL.GL_BACK);
+    }
+  }
+
+  public void dispose(GL3 gl) {
+    layers.dispose(gl);
+    renderer.dispose(gl);
+    sketch.dispose(gl);
+  }
+}

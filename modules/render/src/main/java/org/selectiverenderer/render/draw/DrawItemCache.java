@@ -1,0 +1,234 @@
+package org.selectiverenderer.render.draw;
+
+import com.jogamp.opengl.GL3;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.BitSet;
+import java.util.Collections;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.browser.instance.InstanceTree;
+import org.selectiverenderer.browser.instance.ShapeInstance;
+import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.render.lighting.LightChangeDetector;
+import org.selectiverenderer.render.lighting.LightingPlanner;
+
+/**
+ * The draw items of all shapes of an instance tree, shown or not, kept between frames. All are
+ * checked when the tree's structure changes; otherwise only items whose shape has another mesh or
+ * surface are made anew.
+ *
+ * <p>The upload of new shapes may be deferred and spread over the following frames. A deferred
+ * hidden shape that becomes shown is uploaded in that very frame. If more shown shapes come into a
+ * running scene than one frame can upload, the rest appears in the next frames, as if they had come
+ * in several files; shapes that were in the tree before are never late.
+ */
+final class DrawItemCache {
+  /**
+   * A shape that has moved or changed (or whose lights have) more often than this is expected to go
+   * on doing so: its mesh is then not refined for a particular place.
+   */
+  private static final int MOST_MOVES = 3;
+
+  /**
+   * Triangles of deferred shapes that are uploaded per frame (about 5 ms), where each shape counts
+   * for at least {@link #LEAST_OF_ONE}.
+   */
+  private static final int PORTION = 20_000;
+
+  private static final int LEAST_OF_ONE = 40;
+
+  private final GpuResourceCache assets;
+  private @Nullable InstanceTree tree;
+  private long structureVersion;
+  private List<ShapeInstance> shapes = List.of();
+  private @Nullable DrawItem[] slots = {};
+  private final BitSet waiting = new BitSet();
+  private final BitSet late = new BitSet(); // The deferred shapes that came shown.
+  private List<DrawItem> items = List.of();
+  private final Map<ShapeInstance, Integer> moves = new IdentityHashMap<>();
+  private LightChangeDetector watch = new LightChangeDetector(List.of());
+  private long placementVersion;
+
+  DrawItemCache(GpuResourceCache assets) {
+    this.assets = assets;
+  }
+
+  List<DrawItem> items() {
+    return items;
+  }
+
+  /**
+   * Updates the items to the tree and uploads what is not on the graphics card yet.
+   *
+   * @param all whether new hidden shapes are uploaded now too; else they may be deferred
+   */
+  void follow(GL3 gl, InstanceTree newTree, boolean all) {
+    boolean changed = newTree != tree || newTree.structureVersion() != structureVersion;
+    boolean waited = !waiting.isEmpty();
+    if (changed) {
+      restructure(newTree, all);
+    }
+    boolean made = waited && !changed && arrive(gl, all ? Long.MAX_VALUE : PORTION);
+    boolean otherLight = watch.changed();
+    if (changed || otherLight || newTree.placementVersion() != placementVersion) {
+      placementVersion = newTree.placementVersion();
+      made |= update(gl, changed, otherLight);
+    } // Otherwise nothing moved or changed.
+    if (changed || made) {
+      publish(gl);
+    }
+  }
+
+  /**
+   * Uploads deferred shapes: all that have become shown, then late ones and then hidden ones up to
+   * the portion.
+   *
+   * @param portion triangles
+   */
+  private boolean arrive(GL3 gl, long portion) {
+    Arrivals arrivals = new Arrivals(portion);
+    for (int i = late.nextSetBit(0); i >= 0; i = late.nextSetBit(i + 1)) {
+      late.set(i, shapes.get(i).shown()); // A shape hidden meanwhile is no longer late.
+    }
+    for (int i = waiting.nextSetBit(0); i >= 0; i = waiting.nextSetBit(i + 1)) {
+      if (shapes.get(i).shown() && !late.get(i)) {
+        arrivals.take(i);
+      }
+    }
+    for (int i = late.nextSetBit(0); i >= 0 && arrivals.left > 0; i = late.nextSetBit(i + 1)) {
+      arrivals.take(i);
+    }
+    for (int i = waiting.nextSetBit(0);
+        i >= 0 && arrivals.left > 0;
+        i = waiting.nextSetBit(i + 1)) {
+      arrivals.take(i);
+    }
+    fill(arrivals.places, assets.prepare(gl, arrivals.requests, true));
+    return !arrivals.places.isEmpty();
+  }
+
+  /** The deferred shapes that are uploaded with this frame. */
+  private final class Arrivals {
+    final List<Integer> places = new ArrayList<>();
+    final List<LightingPlanner.Request> requests = new ArrayList<>();
+    long left;
+
+    Arrivals(long portion) {
+      left = portion;
+    }
+
+    void take(int place) {
+      ShapeInstance shape = shapes.get(place);
+      waiting.clear(place);
+      late.clear(place);
+      left -= cost(shape);
+      Mesh mesh = mesh(shape);
+      if (mesh != null) {
+        places.add(place);
+        requests.add(new LightingPlanner.Request(shape, mesh, shape.lights(), true));
+      }
+    }
+  }
+
+  /** Returns the cost of uploading a shape, in triangles. */
+  private static long cost(ShapeInstance shape) {
+    Mesh mesh = mesh(shape);
+    return mesh == null ? 0 : Math.max(LEAST_OF_ONE, mesh.polygons());
+  }
+
+  /** Makes the items anew that no longer match their shapes; returns whether there were any. */
+  private boolean update(GL3 gl, boolean changed, boolean otherLight) {
+    boolean together = changed || otherLight;
+    List<Integer> places = new ArrayList<>();
+    List<LightingPlanner.Request> requests = new ArrayList<>();
+    boolean any = false;
+    for (int i = 0; i < slots.length; i++) {
+      if (waiting.get(i)) {
+        continue;
+      }
+      DrawItem slot = slots[i];
+      ShapeInstance shape = shapes.get(i);
+      Mesh mesh = mesh(shape);
+      boolean current = slot == null ? mesh == null : slot.current();
+      boolean lit = slot == null || slot.lighting().current(shape);
+      if (current && lit) {
+        continue;
+      }
+      any = true;
+      // A lamp that moves affects many shapes, which are to stay batched together.
+      together |= current && slot != null && slot.lighting().stands(shape);
+      slots[i] = null;
+      if (mesh != null) {
+        int times = slot == null ? 0 : moves.merge(shape, 1, Integer::sum);
+        places.add(i);
+        requests.add(new LightingPlanner.Request(shape, mesh, shape.lights(), times <= MOST_MOVES));
+      }
+    }
+    fill(places, assets.prepare(gl, requests, together));
+    return any;
+  }
+
+  private void fill(List<Integer> places, List<DrawItem> made) {
+    for (int i = 0; i < made.size(); i++) {
+      slots[places.get(i)] = made.get(i);
+    }
+  }
+
+  private static @Nullable Mesh mesh(ShapeInstance shape) {
+    return shape.mesh().filter(mesh -> !mesh.isEmpty()).orElse(null);
+  }
+
+  /** Returns the shapes of the previous tree except those that are late already. */
+  private Set<ShapeInstance> older() {
+    Set<ShapeInstance> older = Collections.newSetFromMap(new IdentityHashMap<>());
+    for (int i = 0; i < shapes.size(); i++) {
+      if (!late.get(i)) {
+        older.add(shapes.get(i));
+      }
+    }
+    return older;
+  }
+
+  private void restructure(InstanceTree newTree, boolean all) {
+    Map<ShapeInstance, DrawItem> known = new IdentityHashMap<>();
+    items.forEach(item -> known.put(item.shape(), item));
+    Set<ShapeInstance> older = older();
+    long left = all || newTree != tree ? Long.MAX_VALUE : PORTION;
+    tree = newTree;
+    structureVersion = newTree.structureVersion();
+    shapes = newTree.shapes();
+    slots = new DrawItem[shapes.size()];
+    waiting.clear();
+    late.clear();
+    for (int i = 0; i < slots.length; i++) {
+      DrawItem before = known.get(shapes.get(i));
+      // An item with another light or effect in scope is made anew; its meshes and textures are
+      // kept.
+      slots[i] =
+          before != null
+                  && before.current()
+                  && before.lighting().scope().equals(before.shape().lights())
+                  && before.around().equals(before.shape().surroundings())
+              ? before
+              : null;
+      ShapeInstance shape = shapes.get(i);
+      boolean fresh = before == null && shape.shown() && !older.contains(shape);
+      late.set(i, fresh && left <= 0);
+      left -= fresh ? cost(shape) : 0;
+      waiting.set(i, late.get(i) || (!all && before == null && !shape.shown()));
+    }
+    watch = new LightChangeDetector(newTree.lights());
+    moves.keySet().retainAll(known.keySet());
+  }
+
+  private void publish(GL3 gl) {
+    List<DrawItem> all = new ArrayList<>(slots.length);
+    Arrays.stream(slots).filter(java.util.Objects::nonNull).forEach(all::add);
+    items = all;
+    assets.keepOnly(gl, items);
+  }
+}

@@ -1,0 +1,12 @@
+/**
+ * Draws the preview pictures of an editor: the scene with boxes around what is selected.
+ *
+ * <p>In: a world, a camera, a {@link org.selectiverenderer.render.preview.PreviewOptions}. Out:
+ * {@link org.selectiverenderer.render.preview.PreviewImage}s. Uses {@code browser}, {@code
+ * browser.instance}, {@code browser.camera}, the renderer's {@code context}, {@code draw}, {@code
+ * gpu} and {@code mesh}, and {@code geometry.mesh}.
+ */
+@NullMarked
+package org.selectiverenderer.render.preview;
+
+import org.jspecify.annotations.NullMarked;

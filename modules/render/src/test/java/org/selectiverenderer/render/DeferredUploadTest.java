@@ -1,0 +1,175 @@
+package org.selectiverenderer.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.jogamp.opengl.GL3;
+import java.util.List;
+import java.util.Locale;
+import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.Test;
+import org.selectiverenderer.browser.instance.Background;
+import org.selectiverenderer.browser.scene.Node;
+import org.selectiverenderer.render.context.OffscreenFramebuffer;
+import org.selectiverenderer.testing.RequiresDisplay;
+
+/**
+ * What is not shown when a scene is new is uploaded in the frames that follow, or when shown; so is
+ * what comes into a running scene and is too much for one frame.
+ */
+@RequiresDisplay
+class DeferredUploadTest {
+  private static final int VERSIONS = 9;
+
+  /** More triangles in each version than wait for one frame together with those before them. */
+  private static final int SIDE = 64;
+
+  @AutoClose private final TestImageRenderer studio = new TestImageRenderer();
+
+  /** A Switch of hilly squares, 8,192 triangles each, of which the first is shown. */
+  private static TestScene versions() {
+    StringBuilder nodes = new StringBuilder("<Switch DEF='S' whichChoice='0'>");
+    for (int version = 0; version < VERSIONS; version++) {
+      nodes.append(hills(version));
+    }
+    return TestScene.of(nodes + "</Switch>");
+  }
+
+  private static String hills(int version) {
+    StringBuilder heights = new StringBuilder();
+    for (int i = 0; i < (SIDE + 1) * (SIDE + 1); i++) {
+      heights.append(i * (version + 3) % 7).append(' ');
+    }
+    return String.format(
+        Locale.ROOT,
+        "<Transform rotation='1 0 0 1.2' translation='-3 %d 0'><Shape><Appearance>"
+            + "<UnlitMaterial emissiveColor='0 0.%d 1'/></Appearance>"
+            + "<ElevationGrid xDimension='%d' zDimension='%d' xSpacing='0.1' zSpacing='0.1'"
+            + " height='%s'/></Shape></Transform>",
+        version % 3,
+        version + 1,
+        SIDE + 1,
+        SIDE + 1,
+        heights);
+  }
+
+  private byte[] shoot(TestScene scene) {
+    GL3 gl = studio.gl();
+    OffscreenFramebuffer target =
+        new OffscreenFramebuffer(gl, TestImageRenderer.SIZE, TestImageRenderer.SIZE, 0);
+    target.bind(gl);
+    studio.renderer.follow(gl, scene.tree());
+    studio.renderer.draw(
+        gl,
+        studio.renderer.cull(List.of(TestImageRenderer.parallel())),
+        TestImageRenderer.parallel(),
+        Background.BLACK,
+        false);
+    byte[] rgba = target.read(gl).rgba();
+    target.dispose(gl);
+    return rgba;
+  }
+
+  @Test
+  void hiddenVersionsArriveAFewWithEachFrameAndThenSwitchingUploadsNothing() {
+    TestScene scene = versions();
+    shoot(scene);
+    assertThat(studio.renderer.uploads()).as("first frame").isEqualTo(1);
+    shoot(scene);
+    assertThat(studio.renderer.uploads()).as("second frame").isBetween(2L, VERSIONS - 1L);
+    for (int frame = 0; frame < VERSIONS; frame++) {
+      shoot(scene);
+    }
+    assertThat(studio.renderer.uploads()).isEqualTo(VERSIONS);
+    assertThat(studio.renderer.items()).hasSize(VERSIONS);
+    scene.set("S", "whichChoice", VERSIONS - 1);
+    shoot(scene);
+    assertThat(studio.renderer.uploads()).isEqualTo(VERSIONS);
+  }
+
+  @Test
+  void aVersionThatStillWaitsIsShownInTheFrameInWhichItsSwitchSaysSo() {
+    TestScene scene = versions();
+    shoot(scene);
+    scene.set("S", "whichChoice", VERSIONS - 1);
+    byte[] early = shoot(scene);
+    TestScene same = versions();
+    same.set("S", "whichChoice", VERSIONS - 1);
+    assertThat(early).isEqualTo(studio.shoot(same).rgba());
+  }
+
+  @Test
+  void whoeverPreparesWaitsForNothing() {
+    TestScene scene = versions();
+    shoot(scene);
+    studio.renderer.prepare(studio.gl(), scene.tree());
+    assertThat(studio.renderer.uploads()).isEqualTo(VERSIONS);
+  }
+
+  @Test
+  void whatGoesWhileItWaitsIsForgotten() {
+    TestScene scene = versions();
+    shoot(scene);
+    scene.set("S", "children", List.of());
+    shoot(scene);
+    assertThat(studio.renderer.items()).isEmpty();
+  }
+
+  /** A group of the versions, all shown, beside a Switch that shows nothing yet. */
+  private static TestScene arriving() {
+    StringBuilder nodes = new StringBuilder("<Group DEF='G'>");
+    for (int version = 0; version < VERSIONS; version++) {
+      nodes.append(hills(version));
+    }
+    return TestScene.of(
+        nodes
+            + "</Group><Switch DEF='T'><Transform translation='3 -3 0'><Shape><Appearance>"
+            + "<UnlitMaterial emissiveColor='1 0 0'/></Appearance><Box/></Shape></Transform>"
+            + "</Switch>");
+  }
+
+  @Test
+  void whatComesShownIntoARunningSceneFollowsAFewWithEachFrame() {
+    TestScene scene = arriving();
+    List<Node> all = scene.loaded().scene().find("G").orElseThrow().nodes("children");
+    scene.set("G", "children", List.of());
+    shoot(scene);
+    scene.set("G", "children", all);
+
+    shoot(scene);
+    assertThat(studio.renderer.items()).hasSizeBetween(1, VERSIONS - 2);
+    scene.set("G", "children", all.subList(0, VERSIONS - 1)); // Meanwhile the last one goes.
+    byte[] last = {};
+    for (int frame = 0; frame < VERSIONS; frame++) {
+      last = shoot(scene);
+    }
+
+    assertThat(studio.renderer.items()).hasSize(VERSIONS); // The Switch's box is one of them.
+    assertThat(last).isEqualTo(studio.shoot(scene).rgba());
+  }
+
+  @Test
+  void aSwitchThatWasThereBeforeIsNotLateBecauseOthersAre() {
+    TestScene scene = arriving();
+    List<Node> all = scene.loaded().scene().find("G").orElseThrow().nodes("children");
+    scene.set("G", "children", List.of());
+    shoot(scene);
+    scene.set("G", "children", all);
+    shoot(scene);
+    int before = studio.renderer.items().size();
+
+    scene.set("T", "whichChoice", 0);
+    shoot(scene);
+
+    assertThat(before).isLessThan(VERSIONS);
+    assertThat(studio.renderer.items())
+        .filteredOn(item -> item.surface().emissive()[0] == 1)
+        .hasSize(1);
+  }
+
+  @Test
+  void allThatANewSceneShowsIsThereInItsFirstFrame() {
+    TestScene scene = arriving();
+    shoot(scene);
+    assertThat(studio.renderer.items()).hasSize(VERSIONS);
+  }
+}

@@ -1,0 +1,78 @@
+package org.selectiverenderer.study.dataset;
+
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.JsonNode;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.DateTimeException;
+import java.time.OffsetDateTime;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.formats.json.JsonTree;
+
+/**
+ * An event of a session: one line of its journal.
+ *
+ * @param time when the event was logged
+ * @param event the event's name
+ * @param step id of the step in which it happened; empty outside of steps
+ * @param members all members of the line's JSON object
+ */
+public record JournalEvent(OffsetDateTime time, String event, String step, JsonNode members) {
+  /**
+   * Reads a journal.
+   *
+   * @param problems receives each damaged line; the others are used
+   * @throws IOException if the file cannot be read
+   */
+  static List<JournalEvent> read(Path journal, ProblemCollector problems) throws IOException {
+    String text = new String(Files.readAllBytes(journal), StandardCharsets.UTF_8);
+    String[] lines = text.split("\n", -1);
+    List<JournalEvent> events = new ArrayList<>();
+    for (int i = 0; i < lines.length; i++) {
+      if (lines[i].isBlank()) {
+        continue;
+      }
+      Optional<JournalEvent> event = parse(lines[i]);
+      if (event.isPresent()) {
+        events.add(event.get());
+      } else if (i == lines.length - 1) {
+        problems.info(
+            new SourceLocation(journal.toString(), i + 1, 1),
+            "the last line is cut off, perhaps by a crash; it is left out");
+      } else {
+        problems.warning(
+            new SourceLocation(journal.toString(), i + 1, 1),
+            "this line is damaged, perhaps by a crash; it is left out");
+      }
+    }
+    return events;
+  }
+
+  private static Optional<JournalEvent> parse(String line) {
+    try {
+      JsonNode node = JsonTree.parse(line);
+      if (!node.isObject() || !node.has("event")) {
+        return Optional.empty();
+      }
+      return Optional.of(
+          new JournalEvent(
+              OffsetDateTime.parse(node.path("time").asText()),
+              node.path("event").asText(),
+              node.path("step").asText(),
+              node));
+    } catch (JsonProcessingException | DateTimeException e) {
+      return Optional.empty(); // The caller reports the line.
+    }
+  }
+
+  /** Returns a member as text; empty if the event has no such member. */
+  public String text(String member) {
+    return members.path(member).asText("");
+  }
+}

@@ -1,0 +1,113 @@
+package org.selectiverenderer.study.dataset;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.formats.csv.CsvColumnSpec;
+import org.selectiverenderer.formats.csv.CsvErrorHandler;
+import org.selectiverenderer.formats.csv.CsvTable;
+
+/**
+ * The contents of a study's {@code participants.tsv}. The program documents its own columns; any
+ * other column holds the answers to a question of the form.
+ *
+ * @param columns names of the columns, that of the participant's id first
+ * @param rows cells by column name; a missing value is empty
+ */
+public record ParticipantsTable(List<String> columns, List<Map<String, String>> rows) {
+  private static final String ID = "participant_id";
+
+  private static final Map<String, TableColumn> KNOWN = known();
+
+  public ParticipantsTable {
+    columns = List.copyOf(columns);
+    rows = List.copyOf(rows);
+  }
+
+  /**
+   * Reads the file.
+   *
+   * @return a table without rows if the file does not exist
+   */
+  static ParticipantsTable read(Path file, ProblemCollector problems) throws IOException {
+    ParticipantsTable none = new ParticipantsTable(List.of(ID), List.of());
+    if (!Files.isRegularFile(file)) {
+      return none;
+    }
+    CsvErrorHandler faults =
+        new CsvErrorHandler() {
+          @Override
+          public void fault(SourceLocation at, String message) {
+            problems.warning(at, message + "; the line is left out");
+          }
+        };
+    Optional<CsvTable> table = CsvTable.read(file, CsvColumnSpec.of(List.of(ID)), faults);
+    if (table.isEmpty() || !table.get().has(ID)) {
+      return none;
+    }
+    List<String> columns = table.get().header();
+    List<Map<String, String>> rows = new ArrayList<>();
+    table
+        .get()
+        .rows()
+        .forEach(
+            row -> {
+              Map<String, String> cells = new LinkedHashMap<>();
+              for (String column : columns) {
+                String cell = row.cell(column);
+                cells.put(column, cell.equals("n/a") ? "" : cell);
+              }
+              rows.add(cells);
+            });
+    return new ParticipantsTable(columns, rows);
+  }
+
+  /** Returns the documentation of a column. */
+  public static TableColumn column(String name) {
+    TableColumn known = KNOWN.get(name);
+    return known != null
+        ? known
+        : TableColumn.text(name, "the answer to the form's question " + name.replace('_', ' '));
+  }
+
+  private static Map<String, TableColumn> known() {
+    Map<String, String> assigned = new LinkedHashMap<>();
+    assigned.put("schedule", "it was the participant's turn");
+    assigned.put("experimenter", "chosen by the experimenter");
+    Map<String, String> simulated = new LinkedHashMap<>();
+    simulated.put("true", "the program, for tests");
+    simulated.put("false", "a person");
+    Map<String, TableColumn> known = new LinkedHashMap<>();
+    for (TableColumn column :
+        List.of(
+            TableColumn.text(ID, "the participant, sub- and the id"),
+            ConditionColumns.column("how objects were rendered for the participant"),
+            TableColumn.whole("place", "the participant's place in the schedule, from 1"),
+            TableColumn.category("assigned_by", assigned, "who assigned the condition"),
+            ConditionColumns.column(
+                "instead_of", "the condition of the schedule that was replaced"),
+            TableColumn.text("age", "age band, as the participant chose it in the form"),
+            TableColumn.category("simulated", simulated, "who took part"))) {
+      known.put(column.name(), column);
+    }
+    return known;
+  }
+
+  /** Returns the table as it is in the study's folder. */
+  public DataTable table() {
+    DataTable table =
+        new DataTable(
+            "participants",
+            "a participant who was assigned a condition",
+            columns.stream().map(ParticipantsTable::column).toList());
+    rows.forEach(row -> table.add(columns.stream().map(row::get).toList()));
+    return table;
+  }
+}

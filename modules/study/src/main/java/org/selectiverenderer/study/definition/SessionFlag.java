@@ -1,0 +1,55 @@
+package org.selectiverenderer.study.definition;
+
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.Optional;
+
+/**
+ * A quality flag of a session, whose answers then may not count. Flags are raised in the session's
+ * journal; the study file lists those that exclude a session.
+ */
+public enum SessionFlag {
+  /**
+   * An exposure was repeated after an interruption: the participant may have seen the area twice.
+   */
+  REPEATED_EXPOSURE("shown more than once"),
+  /**
+   * Both eyes were shown in one window, as monitors or driver did not support the study's display.
+   */
+  DISPLAY_FALLBACK("not shown on the display of the study"),
+  /** There was no tracker, though the study has one. */
+  TRACKER_ABSENT("without the study's tracker"),
+  /** The tracker sent no records during an exposure for longer than the study allows. */
+  TRACKER_LOST("tracker silent"),
+  /** The headset was taken off, or its runtime was lost, during an exposure. */
+  HEADSET_LOST("headset taken off or lost"),
+  /** An exposure had fewer frames per second than the study asks for. */
+  LOW_FRAME_RATE("too few frames per second"),
+  /** The head log of a step lacks frames. */
+  HEAD_LOG_INCOMPLETE("head log incomplete"),
+  /** Exposures were shortened for a test. */
+  SHORTENED("exposure shortened"),
+  /** A simulated participant took part. */
+  SIMULATED("simulated");
+
+  private final String meaning;
+
+  SessionFlag(String meaning) {
+    this.meaning = meaning;
+  }
+
+  /** Returns the spelling in journals and study files. */
+  public String spelling() {
+    return name().toLowerCase(Locale.ROOT).replace('_', '-');
+  }
+
+  /** Returns the meaning in a few words, for people. */
+  public String meaning() {
+    return meaning;
+  }
+
+  /** Returns the flag with a spelling. */
+  public static Optional<SessionFlag> of(String spelling) {
+    return Arrays.stream(values()).filter(flag -> flag.spelling().equals(spelling)).findFirst();
+  }
+}

@@ -1,0 +1,124 @@
+package org.selectiverenderer.study.definition;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.selectiverenderer.apparatus.DisplayMode;
+import org.selectiverenderer.apparatus.MouseMapping;
+import org.selectiverenderer.schema.Condition;
+import org.selectiverenderer.tracker.TrackerSpec;
+import org.selectiverenderer.x3d.url.ContentAccessPolicy;
+
+/**
+ * A study as the study file defines it. Paths of files are resolved against the study file's
+ * folder.
+ *
+ * @param file the study file
+ * @param scene the scene that is shown; empty for a study of questionnaires alone
+ * @param conditions the conditions, one for each group
+ * @param participants number of planned participants, in all groups together
+ * @param assignment how participants are assigned to conditions
+ * @param block number of participants in a block of the assignment, a multiple of the number of
+ *     conditions
+ * @param seed random seed of the assignment and of the order of questions
+ * @param fade seconds in which the picture of an area fades in and out, in addition to its exposure
+ * @param language of the questionnaires, a code such as {@code en}
+ * @param quality quality criteria of sessions
+ * @param course procedure of a session
+ * @param streams streams to and from the Lab Streaming Layer
+ * @param access which files other than their own the scenes may refer to
+ * @param mute whether the scenes are shown without sound
+ */
+public record Study(
+    Path file,
+    String name,
+    Optional<Path> scene,
+    List<Condition> conditions,
+    int participants,
+    ConditionAssignment assignment,
+    int block,
+    long seed,
+    Optional<Practice> practice,
+    List<Area> areas,
+    double fade,
+    Display display,
+    TrackerSpec tracker,
+    MouseMapping mouse,
+    String language,
+    StudyQuestionnaires questionnaires,
+    QualityCriteria quality,
+    StudyProcedure course,
+    StudyStreams streams,
+    ContentAccessPolicy access,
+    boolean mute) {
+
+  public Study {
+    conditions = List.copyOf(conditions);
+    areas = List.copyOf(areas);
+  }
+
+  /** The practice with display and controls, until the experimenter ends it. */
+  public record Practice(Path scene, String viewpoint) {}
+
+  /**
+   * An area of the scene that is shown in an exposure.
+   *
+   * @param viewpoint DEF of the Viewpoint at which the exposure begins
+   * @param seconds duration of the exposure
+   * @param stay the movement constraint; empty for that of the study
+   * @param within DEF of the ProximitySensor or the room that bounds the area; empty for the room
+   *     around the viewpoint
+   */
+  public record Area(
+      String name,
+      String viewpoint,
+      double seconds,
+      Optional<MovementConstraint> stay,
+      Optional<String> within) {}
+
+  /** Returns the movement constraint of an area. */
+  public MovementConstraint stay(Area area) {
+    return area.stay().orElse(course.stay());
+  }
+
+  /**
+   * The display of a study.
+   *
+   * @param hmd name of a built-in display profile, or the file of one
+   * @param ipd interpupillary distance in millimetres
+   * @param width of the window in pixels, if the mode has a window; 0 for the display's width
+   * @param height of the window in pixels; 0 for the display's height
+   * @param operator number or name of the operator's monitor; empty for a monitor that shows no
+   *     eye's picture
+   * @param pointer where the mouse pointer is confined
+   * @param worn settings of a headset, if the mode is OpenXR
+   */
+  public record Display(
+      DisplayMode mode,
+      String hmd,
+      double ipd,
+      int width,
+      int height,
+      Optional<String> operator,
+      PointerConfinement pointer,
+      Worn worn) {}
+
+  /**
+   * The settings of a headset.
+   *
+   * @param seated whether the participant sits, so that the eyes are at the height of the scene's
+   *     viewpoint
+   * @param scale size of the participant in the scene: 1 for real size
+   * @param turn degrees of a snap turn by a controller's stick; 0 for smooth turning
+   * @param asked whether questions are asked inside the headset, where possible
+   */
+  public record Worn(boolean seated, double scale, double turn, boolean asked) {
+    /** A standing participant of real size, with snap turns of 30 degrees. */
+    public static final Worn STANDING = new Worn(false, 1, 30, false);
+  }
+
+  /** Returns the study file's folder, which also contains the sessions. */
+  public Path folder() {
+    return file.toAbsolutePath().getParent();
+  }
+}

@@ -1,0 +1,342 @@
+package org.selectiverenderer.study.definition;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
+import org.selectiverenderer.apparatus.DisplayMode;
+import org.selectiverenderer.apparatus.DisplayProfileLoader;
+import org.selectiverenderer.apparatus.EyeGeometry;
+import org.selectiverenderer.apparatus.MouseMapping;
+import org.selectiverenderer.base.decimal.Pluralizer;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.formats.json.JsonObjectReader;
+import org.selectiverenderer.formats.json.JsonSettingsReader;
+import org.selectiverenderer.formats.json.LocatedJsonValue;
+import org.selectiverenderer.schema.Condition;
+import org.selectiverenderer.tracker.TrackerSpec;
+import org.selectiverenderer.x3d.url.ContentAccessKeys;
+
+/**
+ * Reads a study file. Every fault (an unknown key, an invalid value, a missing file) is an error
+ * with line and column, and a study with faults is not used: a session never runs with a part of
+ * the intended settings.
+ */
+public final class StudyReader {
+  /** Upper limit of participants; a greater number is a typing error. */
+  private static final int MOST_PARTICIPANTS = 100_000;
+
+  private static final double LONGEST = 36_000;
+  private static final JsonSettingsReader JSON =
+      new JsonSettingsReader("a study", "the study is not used");
+  private static final String LABEL = "[0-9A-Za-z]+";
+
+  private final Path file;
+  private final Path folder;
+
+  private StudyReader(Path file) {
+    this.file = file;
+    folder = file.toAbsolutePath().getParent();
+  }
+
+  /**
+   * Reads a file.
+   *
+   * @return empty if the file has faults, which are then in {@code problems}
+   * @throws IOException if the file cannot be read
+   */
+  public static Optional<Study> read(Path file, ProblemCollector problems) throws IOException {
+    return JSON.read(file, problems, new StudyReader(file)::study);
+  }
+
+  private Study study(JsonObjectReader keys) {
+    List<Study.Area> areas = areas(keys);
+    Optional<Path> scene =
+        keys.text("scene", !areas.isEmpty()).map(name -> file(keys, "scene", name));
+    List<Condition> conditions = conditions(keys);
+    int participants = (int) keys.whole("participants", 1, MOST_PARTICIPANTS, Double.NaN);
+    if (participants < conditions.size()) {
+      keys.fault(
+          "participants",
+          "%s %s fewer than the %d groups"
+              .formatted(
+                  Pluralizer.of(participants, "participant"),
+                  participants == 1 ? "is" : "are",
+                  conditions.size()));
+    }
+    int groups = Math.max(1, conditions.size());
+    int block = (int) keys.whole("block", 1, MOST_PARTICIPANTS, groups);
+    if (block % groups != 0) {
+      keys.fault(
+          "block",
+          "a block of %d participants cannot contain %d conditions equally often"
+              .formatted(block, groups));
+    }
+    ConditionAssignment assignment =
+        keys.choice(
+            "assignment",
+            List.of(ConditionAssignment.values()),
+            ConditionAssignment::spelling,
+            ConditionAssignment.BLOCKED);
+    if (assignment == ConditionAssignment.LATIN_SQUARE && block != groups) {
+      keys.fault(
+          "block",
+          "a Latin square of %d conditions needs blocks of %d, not of %d"
+              .formatted(groups, groups, block));
+    }
+    Study study =
+        new Study(
+            file,
+            keys.text("name"),
+            scene,
+            conditions,
+            participants,
+            assignment,
+            block,
+            keys.whole("seed", 0, 1L << 53, 0),
+            practice(keys),
+            areas,
+            keys.number("fade", 0, 60, 1),
+            display(keys),
+            tracker(keys),
+            keys.choice(
+                "mouse",
+                List.of(MouseMapping.values()),
+                mapping -> mapping.name().toLowerCase(Locale.ROOT),
+                MouseMapping.EXPERIMENT),
+            keys.text("language", false).orElse("en"),
+            new StudyQuestionnairesReader(this::file)
+                .read(keys, !areas.isEmpty(), keys.has("practice")),
+            QualityCriteriaReader.read(keys),
+            StudyProcedureReader.read(keys),
+            StudyStreamsReader.read(keys),
+            ContentAccessKeys.of(keys, file.toAbsolutePath()),
+            keys.truth("mute", false));
+    viewpoints(keys, study);
+    if (areas.isEmpty() && study.questionnaires().list().isEmpty()) {
+      keys.fault("the study has neither areas nor questionnaires, so there is nothing to do");
+    }
+    return study;
+  }
+
+  /**
+   * Checks that the text of the scene contains the DEFs of viewpoints and areas, so that a missing
+   * one is found before the session.
+   */
+  private void viewpoints(JsonObjectReader keys, Study study) {
+    study
+        .scene()
+        .ifPresent(
+            scene ->
+                study.areas().stream()
+                    .filter(area -> !area.viewpoint().isEmpty() && lacks(scene, area.viewpoint()))
+                    .forEach(
+                        area ->
+                            keys.fault(
+                                "areas",
+                                "the scene has no Viewpoint with the DEF '%s', which the area %s"
+                                        .formatted(area.viewpoint(), area.name())
+                                    + " needs")));
+    study
+        .scene()
+        .ifPresent(
+            scene ->
+                study.areas().stream()
+                    .filter(area -> area.within().filter(def -> lacks(scene, def)).isPresent())
+                    .forEach(
+                        area ->
+                            keys.fault(
+                                "areas",
+                                ("the scene has no ProximitySensor and no group with the DEF '%s',"
+                                        + " within which the area %s lies")
+                                    .formatted(area.within().orElse(""), area.name()))));
+    study
+        .practice()
+        .filter(practice -> !practice.viewpoint().isEmpty())
+        .filter(practice -> lacks(practice.scene(), practice.viewpoint()))
+        .ifPresent(
+            practice ->
+                keys.fault(
+                    "practice",
+                    "the practice scene has no Viewpoint with the DEF '%s'"
+                        .formatted(practice.viewpoint())));
+  }
+
+  private static boolean lacks(Path scene, String viewpoint) {
+    if (!scene.toString().endsWith(".x3d") || !Files.isRegularFile(scene)) {
+      return false;
+    }
+    try {
+      String text = Files.readString(scene, StandardCharsets.ISO_8859_1);
+      String name =
+          new String(viewpoint.getBytes(StandardCharsets.UTF_8), StandardCharsets.ISO_8859_1);
+      return !text.contains("'" + name + "'") && !text.contains('"' + name + '"');
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private Path file(JsonObjectReader keys, String key, String name) {
+    Path found = folder.resolve(name).normalize();
+    if (!Files.isRegularFile(found)) {
+      keys.fault(key, "there is no file '" + name + "' relative to the study file");
+    }
+    return found;
+  }
+
+  private List<Condition> conditions(JsonObjectReader keys) {
+    List<Condition> conditions = new ArrayList<>();
+    for (LocatedJsonValue value : keys.list("conditions", true)) {
+      Optional<Condition> found = Condition.of(value.toString());
+      if (found.isEmpty()) {
+        keys.fault(
+            value,
+            "'%s' is not a condition (high, high-low, selective or random)".formatted(value));
+      } else if (conditions.contains(found.get())) {
+        keys.fault(value, "the condition %s is named twice".formatted(value));
+      } else {
+        conditions.add(found.get());
+      }
+    }
+    if (conditions.isEmpty() && keys.has("conditions")) {
+      keys.fault("conditions", "a study needs at least one condition");
+    }
+    return conditions;
+  }
+
+  private Optional<Study.Practice> practice(JsonObjectReader keys) {
+    return keys.object(
+        "practice",
+        "practice",
+        practice ->
+            new Study.Practice(
+                file(practice, "scene", practice.text("scene")),
+                practice.text("viewpoint", false).orElse("")));
+  }
+
+  private List<Study.Area> areas(JsonObjectReader keys) {
+    Set<String> names = new HashSet<>();
+    return keys.objects(
+        "areas",
+        "an area",
+        area -> {
+          String name = area.text("name");
+          if (!name.matches(LABEL)) {
+            area.fault("name", "an area's name must consist of letters and digits");
+          } else if (!names.add(name.toLowerCase(Locale.ROOT))) {
+            area.fault("name", "the area " + name + " is named twice");
+          }
+          String viewpoint = area.text("viewpoint");
+          double seconds = area.number("seconds", 0.1, LONGEST, Double.NaN);
+          return new Study.Area(
+              name,
+              viewpoint,
+              seconds,
+              StudyProcedureReader.stay(area),
+              area.text("within", false));
+        });
+  }
+
+  private Study.Display display(JsonObjectReader keys) {
+    return keys.object("display", "the display", this::shown)
+        .orElse(
+            new Study.Display(
+                DisplayMode.WINDOW,
+                "desk",
+                EyeGeometry.MEAN_IPD,
+                0,
+                0,
+                Optional.empty(),
+                PointerConfinement.AUTO,
+                Study.Worn.STANDING));
+  }
+
+  private Study.Display shown(JsonObjectReader display) {
+    DisplayMode mode =
+        display.choice(
+            "mode",
+            List.of(DisplayMode.values()),
+            value -> value.name().toLowerCase(Locale.ROOT).replace('_', '-'),
+            DisplayMode.WINDOW);
+    String hmd =
+        display
+            .text("hmd", false)
+            .map(
+                name ->
+                    DisplayProfileLoader.builtIn(name).isPresent()
+                        ? name
+                        : file(display, "hmd", name).toString())
+            .orElse(mode == DisplayMode.WINDOW ? "desk" : "proview50");
+    double ipd = display.number("ipd", 0, EyeGeometry.LARGEST_IPD, EyeGeometry.MEAN_IPD);
+    int width = (int) display.whole("width", 64, 16384, 0);
+    int height = (int) display.whole("height", 64, 16384, 0);
+    return new Study.Display(
+        mode,
+        hmd,
+        ipd,
+        width,
+        height,
+        StudyProcedureReader.operator(display),
+        StudyProcedureReader.pointer(display),
+        worn(display, mode));
+  }
+
+  private static Study.Worn worn(JsonObjectReader display, DisplayMode mode) {
+    for (String key : List.of("posture", "user_scale", "turn", "questions")) {
+      if (display.has(key) && mode != DisplayMode.OPENXR) {
+        display.fault(key, "\"%s\" needs \"mode\": \"openxr\"".formatted(key));
+      }
+    }
+    boolean seated =
+        display.choice(
+            "posture", List.of(false, true), each -> each ? "seated" : "standing", false);
+    return new Study.Worn(
+        seated,
+        display.number("user_scale", 0.01, 100, Study.Worn.STANDING.scale()),
+        display.number("turn", 0, 180, Study.Worn.STANDING.turn()),
+        display.choice(
+            "questions", List.of(false, true), each -> each ? "headset" : "desk", false));
+  }
+
+  private TrackerSpec tracker(JsonObjectReader keys) {
+    String spec = keys.text("tracker", false).orElse("none");
+    try {
+      TrackerSpec tracker = TrackerSpec.parse(spec);
+      if (tracker instanceof TrackerSpec.Replay) {
+        keys.fault(
+            "tracker", "a recording cannot be the tracker of a session; name a tracker or none");
+      }
+      return tracker;
+    } catch (IllegalArgumentException e) {
+      keys.fault("tracker", String.valueOf(e.getMessage()));
+      return new TrackerSpec.None();
+    }
+  }
+
+  /** Reads the key {@code streams} of a study. */
+  private static final class StudyStreamsReader {
+    private StudyStreamsReader() {}
+
+    static StudyStreams read(JsonObjectReader study) {
+      return study
+          .object("streams", "the streams", StudyStreamsReader::streams)
+          .orElse(StudyStreams.NONE);
+    }
+
+    private static StudyStreams streams(JsonObjectReader keys) {
+      for (LocatedJsonValue condition : keys.list("record", false)) {
+        if (condition.text().isPresent() && condition.text().get().isBlank()) {
+          keys.fault(condition, "a condition such as \"type='EEG'\" is needed, not an empty text");
+        }
+      }
+      return new StudyStreams(keys.truth("lsl", false), keys.texts("record"));
+    }
+  }
+}

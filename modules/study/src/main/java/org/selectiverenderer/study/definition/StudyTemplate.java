@@ -1,0 +1,97 @@
+package org.selectiverenderer.study.definition;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Objects;
+import org.selectiverenderer.base.files.FileOperations;
+import org.selectiverenderer.base.files.FileTransaction;
+
+/**
+ * Writes the folder of a new study from a template: the study of the thesis (5.1, 6.1), to be
+ * adapted.
+ */
+public final class StudyTemplate {
+  /** The name of the study file. */
+  public static final String STUDY = "study.json";
+
+  private static final List<String> FILES =
+      List.of(
+          STUDY,
+          "study.schema.json",
+          "questionnaire.schema.json",
+          "form.json",
+          "welcome.json",
+          "mouse.png",
+          "apartment.json",
+          "lists.json",
+          "recognition.csv",
+          "presence.json",
+          "room.json",
+          "closing.json",
+          "pilot/study.json",
+          "pilot/expectancy.csv",
+          "pilot/threshold.json");
+
+  private StudyTemplate() {}
+
+  /**
+   * Writes the folder.
+   *
+   * @param folder created if it does not exist
+   * @param scene the scene of the study; {@code practice.x3d} is looked for beside it
+   * @return the study file
+   * @throws IOException if one of the files exists, and then none is written; or if a file cannot
+   *     be written
+   */
+  public static Path write(Path folder, Path scene) throws IOException {
+    return write(folder, scene, FileOperations.REAL);
+  }
+
+  /** Writes the folder with other file actions, for tests. */
+  static Path write(Path folder, Path scene, FileOperations actions) throws IOException {
+    Files.createDirectories(folder.resolve("pilot"));
+    for (String name : FILES) {
+      if (Files.exists(folder.resolve(name))) {
+        throw new IOException(folder.resolve(name) + " exists already; nothing was written");
+      }
+    }
+    FileTransaction writing = new FileTransaction(actions);
+    for (String name : FILES) {
+      writing.addNew(folder.resolve(name), content(name, folder, scene));
+    }
+    writing.commit();
+    return folder.resolve(STUDY);
+  }
+
+  private static byte[] content(String name, Path folder, Path scene) throws IOException {
+    byte[] bytes = resource(name);
+    if (!name.endsWith(".json")) {
+      return bytes;
+    }
+    Path seenFrom = folder.resolve(name).getParent();
+    return new String(bytes, StandardCharsets.UTF_8)
+        .replace("@scene@", from(seenFrom, scene))
+        .replace("@practice@", from(seenFrom, scene.resolveSibling("practice.x3d")))
+        .getBytes(StandardCharsets.UTF_8);
+  }
+
+  /** Returns the path of a file relative to a folder, with slashes on every system. */
+  private static String from(Path folder, Path file) throws IOException {
+    Path there = file.toRealPath();
+    Path here = folder.toRealPath();
+    return Objects.equals(here.getRoot(), there.getRoot())
+        ? here.relativize(there).toString().replace('\\', '/')
+        : there.toString().replace('\\', '/');
+  }
+
+  private static byte[] resource(String name) throws IOException {
+    try (InputStream in =
+        Objects.requireNonNull(StudyTemplate.class.getResourceAsStream(name), name)) {
+      return in.readAllBytes();
+    }
+  }
+}

@@ -1,0 +1,61 @@
+package org.selectiverenderer.study.questionnaire;
+
+import java.util.List;
+import java.util.stream.IntStream;
+import org.selectiverenderer.formats.json.JsonObjectReader;
+
+/**
+ * A rating scale (Likert) between two labelled ends.
+ *
+ * @param notes the meaning of each step; empty if only the ends are labelled
+ */
+public record ScaleQuestion(int from, int to, String least, String most, List<String> notes)
+    implements QuestionKind {
+  /** Spelling of the kind in files. */
+  static final String SPELLING = "scale";
+
+  /** Maximum number of steps: a row has no room for more. */
+  private static final int MOST_STEPS = 11;
+
+  public ScaleQuestion {
+    notes = List.copyOf(notes);
+  }
+
+  /** Reads {@code from}, {@code to}, {@code least}, {@code most}, {@code steps}. */
+  static ScaleQuestion read(JsonObjectReader keys, Texts texts) {
+    int from = (int) keys.whole("from", -10, 10, 1);
+    int to = (int) keys.whole("to", -10, 20, 5);
+    if (to <= from || to - from >= MOST_STEPS) {
+      keys.fault(
+          "to",
+          "a scale must have 2 to %d steps; this one goes from %d to %d"
+              .formatted(MOST_STEPS, from, to));
+      to = from + 1;
+    }
+    List<String> notes = texts.list(keys, "steps");
+    if (!notes.isEmpty() && notes.size() != to - from + 1) {
+      keys.fault(
+          "steps",
+          "there are %d names for the %d steps of the scale"
+              .formatted(notes.size(), to - from + 1));
+      notes = List.of();
+    }
+    return new ScaleQuestion(
+        from, to, texts.optional(keys, "least"), texts.optional(keys, "most"), notes);
+  }
+
+  @Override
+  public String spelling() {
+    return SPELLING;
+  }
+
+  @Override
+  public List<String> values() {
+    return IntStream.rangeClosed(from, to).mapToObj(Integer::toString).toList();
+  }
+
+  @Override
+  public List<AnswerField> fields(ParticipantMessages wording) {
+    return List.of(AnswerField.Choice.numbers(from, to, least, most, notes));
+  }
+}

@@ -1,0 +1,232 @@
+package org.selectiverenderer.study.questionnaire.read;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.selectiverenderer.apparatus.EyeGeometry;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SpellingSuggester;
+import org.selectiverenderer.formats.json.JsonObjectReader;
+import org.selectiverenderer.formats.json.JsonSettingsReader;
+import org.selectiverenderer.study.questionnaire.BranchingRule;
+import org.selectiverenderer.study.questionnaire.Question;
+import org.selectiverenderer.study.questionnaire.QuestionKind;
+import org.selectiverenderer.study.questionnaire.Questionnaire;
+import org.selectiverenderer.study.questionnaire.QuestionnairePage;
+
+/** Reads the JSON file of a questionnaire, which {@code questionnaire.schema.json} describes. */
+public final class QuestionnaireReader {
+  private static final JsonSettingsReader JSON =
+      new JsonSettingsReader("a questionnaire", "the questionnaire is not used");
+
+  /** Pattern of names and ids, which occur in tables, journals and names of files. */
+  private static final String NAME = "[0-9A-Za-z][0-9A-Za-z_-]*";
+
+  private final Optional<Path> folder;
+  private final LocalizedTexts texts;
+  private final Map<String, Question> questions = new LinkedHashMap<>();
+  private final Set<String> pages = new HashSet<>();
+
+  private QuestionnaireReader(Optional<Path> folder, String language) {
+    this.folder = folder;
+    texts = new LocalizedTexts(language);
+  }
+
+  /**
+   * Reads a file.
+   *
+   * @param language code of the language of the texts
+   * @return empty if the file has faults, which are then in {@code problems}
+   * @throws IOException if the file cannot be read
+   */
+  public static Optional<Questionnaire> read(Path file, String language, ProblemCollector problems)
+      throws IOException {
+    Optional<Path> folder = Optional.ofNullable(file.toAbsolutePath().getParent());
+    try {
+      return JSON.read(file, problems, new QuestionnaireReader(folder, language)::questionnaire);
+    } catch (UncheckedIOException e) {
+      throw e.getCause(); // A picture could not be read.
+    }
+  }
+
+  /**
+   * Parses a text that is not a file in a folder, and so cannot refer to pictures.
+   *
+   * @param file name of the text, for messages
+   */
+  static Optional<Questionnaire> parse(
+      String file, String text, String language, ProblemCollector problems) {
+    return JSON.parse(
+        file, text, problems, new QuestionnaireReader(Optional.empty(), language)::questionnaire);
+  }
+
+  private Questionnaire questionnaire(JsonObjectReader keys) {
+    String name = name(keys, "name", "a questionnaire's name");
+    keys.text("source", false); // A citation of the questions' source, for people.
+    String title = texts.optional(keys, "title");
+    List<QuestionnairePage> read = keys.objects("pages", "a page", page -> page(page, title));
+    if (read.isEmpty()) {
+      keys.fault("pages", "a questionnaire needs \"pages\"");
+    }
+    return new Questionnaire(
+        name, name, "", read, new ScoreDefinitionReader(questions).scores(keys));
+  }
+
+  private static String name(JsonObjectReader keys, String key, String what) {
+    String name = keys.text(key);
+    if (!name.isEmpty() && !name.matches(NAME)) {
+      keys.fault(key, what + " must consist of letters, digits, hyphens and underscores");
+    }
+    return name;
+  }
+
+  private QuestionnairePage page(JsonObjectReader keys, String title) {
+    String id =
+        keys.has("name")
+            ? name(keys, "name", "a page's name")
+            : String.format(Locale.ROOT, "page-%d", pages.size() + 1);
+    if (!pages.add(id)) {
+      keys.fault("name", "the page " + id + " is defined twice");
+    }
+    String own = texts.optional(keys, "title");
+    String text = texts.optional(keys, "text");
+    Optional<Path> picture = keys.text("picture", false).flatMap(file -> picture(keys, file));
+    Optional<BranchingRule> when = when(keys);
+    boolean shuffled =
+        keys.choice("order", List.of(false, true), QuestionnaireReader::order, false);
+    List<Optional<Question>> read = keys.objects("questions", "a question", this::question);
+    if (read.isEmpty() && text.isEmpty() && picture.isEmpty()) {
+      keys.fault("a page needs a \"text\", a \"picture\" or \"questions\"");
+    }
+    return new QuestionnairePage(
+        id,
+        own.isEmpty() ? title : own,
+        text,
+        picture,
+        read.stream().flatMap(Optional::stream).toList(),
+        shuffled,
+        when);
+  }
+
+  private static String order(boolean shuffled) {
+    return shuffled ? "random" : "fixed";
+  }
+
+  private Optional<Path> picture(JsonObjectReader keys, String name) {
+    Optional<Path> file = folder.map(base -> base.resolve(name).normalize());
+    if (!name.toLowerCase(Locale.ROOT).matches(".*\\.(png|jpe?g)")) {
+      keys.fault("picture", "a picture must be a PNG or JPEG file");
+    } else if (file.isEmpty() || !Files.isRegularFile(file.get())) {
+      keys.fault("picture", "there is no file '" + name + "' relative to the questionnaire's file");
+    } else if (!isPicture(file.get())) {
+      keys.fault(
+          "picture", "the file '" + name + "' is neither a PNG nor a JPEG, whatever its name");
+    }
+    return file;
+  }
+
+  /** Returns whether a file has the signature of a PNG (RFC 2083, 3.1) or a JPEG. */
+  private static boolean isPicture(Path file) {
+    try (InputStream in = Files.newInputStream(file)) {
+      byte[] begin = in.readNBytes(4);
+      return begin.length == 4
+          && ((begin[0] & 0xff) == 0x89 && begin[1] == 'P' && begin[2] == 'N' && begin[3] == 'G'
+              || (begin[0] & 0xff) == 0xff && (begin[1] & 0xff) == 0xd8);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private Optional<Question> question(JsonObjectReader keys) {
+    String id = name(keys, "id", "a question's id");
+    Optional<BranchingRule> when = when(keys);
+    String text = texts.optional(keys, "text");
+    boolean optional = keys.truth("optional", false);
+    boolean personal = keys.truth("personal", false);
+    Optional<String> must = keys.text("must", false);
+    Optional<Question.Sets> sets =
+        keys.has("sets")
+            ? Optional.of(
+                keys.choice(
+                    "sets",
+                    List.of(Question.Sets.values()),
+                    Question.Sets::spelling,
+                    Question.Sets.AGE))
+            : Optional.empty();
+    Optional<QuestionKind> kind = QuestionKind.read(keys, texts);
+    if (sets.equals(Optional.of(Question.Sets.IPD)) && kind.isPresent() && !isIpd(kind.get())) {
+      keys.fault(
+          "sets",
+          ("an interpupillary distance is a \"number\" in millimetres; it needs \"min\" and "
+                  + "\"max\" from 0 to %.0f")
+              .formatted(EyeGeometry.LARGEST_IPD));
+    }
+    if (kind.isPresent() && must.isPresent()) {
+      known(keys, "must", must.get(), kind.get());
+    }
+    Optional<Question> read =
+        kind.map(known -> new Question(id, text, known, optional, when, must, sets, personal));
+    if (read.isPresent() && questions.putIfAbsent(id, read.get()) != null) {
+      keys.fault("id", "the question " + id + " is defined twice");
+    }
+    return read;
+  }
+
+  /** Reports a value that no answer can have. */
+  private static void known(JsonObjectReader keys, String key, String value, QuestionKind kind) {
+    List<String> values = kind.values();
+    if (!values.isEmpty() && !values.contains(value)) {
+      keys.fault(
+          key,
+          "'%s' is not a possible answer; possible are %s"
+              .formatted(value, String.join(", ", values)));
+    }
+  }
+
+  /** Returns whether every valid answer is a possible interpupillary distance. */
+  private static boolean isIpd(QuestionKind kind) {
+    return kind.numbers()
+        .filter(range -> range.least() >= 0 && range.most() <= EyeGeometry.LARGEST_IPD)
+        .isPresent();
+  }
+
+  /** Reads a branching rule, which may refer to earlier questions only. */
+  private Optional<BranchingRule> when(JsonObjectReader keys) {
+    Set<String> earlier = Set.copyOf(questions.keySet());
+    return keys.object(
+        "when",
+        "a condition",
+        condition -> {
+          String question = condition.text("question");
+          if (!question.isEmpty() && !earlier.contains(question)) {
+            condition.fault(
+                "question",
+                "there is no earlier question '%s'%s"
+                    .formatted(
+                        question,
+                        SpellingSuggester.nearest(question, earlier)
+                            .map(near -> "; did you mean '%s'?".formatted(near))
+                            .orElse("")));
+          }
+          List<String> is = new ArrayList<>(condition.texts("is"));
+          if (is.isEmpty()) {
+            condition.fault("is", "a condition needs the values that the answer \"is\" one of");
+          }
+          Question asked = questions.get(question);
+          if (asked != null) {
+            is.forEach(value -> known(condition, "is", value, asked.kind()));
+          }
+          return new BranchingRule(question, Set.copyOf(is));
+        });
+  }
+}

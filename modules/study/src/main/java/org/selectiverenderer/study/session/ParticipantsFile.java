@@ -1,0 +1,168 @@
+package org.selectiverenderer.study.session;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.selectiverenderer.base.files.DiskSync;
+import org.selectiverenderer.schema.Condition;
+import org.selectiverenderer.study.definition.Study;
+
+/**
+ * The file {@code participants.tsv} in a study's folder (BIDS, "Participants file"), which records
+ * the condition of each participant. It is append-only and written under a lock, so that several
+ * computers of a lab may share a folder.
+ */
+public final class ParticipantsFile {
+  private static final String HEADER =
+      "participant_id\tcondition\tplace\tassigned_by\tinstead_of\tage\tsimulated\n";
+
+  private final Study study;
+  private final Path file;
+
+  /**
+   * A row of the file: the assignment of a participant.
+   *
+   * @param place in the schedule, from 1
+   * @param insteadOf the condition of the schedule, if the experimenter chose another
+   */
+  public record Assigned(
+      String participant,
+      Condition condition,
+      int place,
+      Optional<Condition> insteadOf,
+      String age,
+      boolean simulated) {
+    private String line() {
+      return String.join(
+              "\t",
+              "sub-" + participant,
+              condition.spelling(),
+              Integer.toString(place),
+              insteadOf.isPresent() ? "experimenter" : "schedule",
+              insteadOf.map(Condition::spelling).orElse("n/a"),
+              age.isEmpty() ? "n/a" : age,
+              Boolean.toString(simulated))
+          + "\n";
+    }
+  }
+
+  public ParticipantsFile(Study study) {
+    this.study = study;
+    file = study.folder().resolve("participants.tsv");
+  }
+
+  /**
+   * Assigns a condition to a participant; one who has a condition keeps it.
+   *
+   * @param wanted the experimenter's choice; empty for the next condition of the schedule
+   * @throws IOException if the file cannot be read or written
+   */
+  Assigned assign(String participant, Optional<Condition> wanted, String age, boolean simulated)
+      throws IOException {
+    try (FileChannel channel =
+        FileChannel.open(
+            file, StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE)) {
+      lock(channel);
+      String text = text(channel);
+      List<Assigned> all = parse(text);
+      for (Assigned known : all) {
+        if (known.participant().equals(participant)) {
+          return known;
+        }
+      }
+      Set<Integer> taken = new HashSet<>();
+      all.forEach(known -> taken.add(known.place()));
+      RandomizationSchedule schedule = new RandomizationSchedule(study);
+      Condition turn = schedule.condition(schedule.free(taken, Optional.empty()));
+      int place = schedule.free(taken, wanted);
+      Assigned assigned =
+          new Assigned(
+              participant,
+              schedule.condition(place),
+              place,
+              wanted.filter(chosen -> chosen != turn).map(chosen -> turn),
+              cell(age),
+              simulated);
+      String missing = text.isEmpty() ? HEADER : text.endsWith("\n") ? "" : "\n";
+      channel.position(channel.size());
+      DiskSync.write(channel, (missing + assigned.line()).getBytes(StandardCharsets.UTF_8));
+      channel.force(true);
+      DiskSync.forceFolder(study.folder());
+      return assigned;
+    }
+  }
+
+  /**
+   * Formats a text as a cell: without tabs and line ends, and {@code n/a} for an empty text (BIDS).
+   */
+  private static String cell(String text) {
+    String line = text.strip().replaceAll("\\s+", " ");
+    return line.isEmpty() ? "n/a" : line;
+  }
+
+  /**
+   * Returns all assignments in order, without a line that a crash truncated.
+   *
+   * @throws IOException if the file exists and cannot be read
+   */
+  public List<Assigned> all() throws IOException {
+    if (!Files.isRegularFile(file)) {
+      return List.of();
+    }
+    return parse(Files.readString(file, StandardCharsets.UTF_8));
+  }
+
+  /** Returns a participant's assignment; empty if there is none yet. */
+  public Optional<Assigned> of(String participant) throws IOException {
+    return all().stream().filter(known -> known.participant().equals(participant)).findFirst();
+  }
+
+  Path file() {
+    return file;
+  }
+
+  /** Waits for the lock of the file; closing the channel releases it. */
+  private void lock(FileChannel channel) throws IOException {
+    try {
+      channel.lock();
+    } catch (IOException e) {
+      throw SessionLock.noLocks(file, e);
+    }
+  }
+
+  private static String text(FileChannel channel) throws IOException {
+    ByteBuffer bytes = ByteBuffer.allocate((int) channel.size());
+    while (bytes.hasRemaining() && channel.read(bytes) >= 0) {
+      // Reads until the buffer is full.
+    }
+    return new String(bytes.array(), 0, bytes.position(), StandardCharsets.UTF_8);
+  }
+
+  private static List<Assigned> parse(String text) {
+    List<Assigned> all = new ArrayList<>();
+    for (String line : text.split("\n")) {
+      String[] cells = line.strip().split("\t", -1);
+      Optional<Condition> condition = cells.length < 7 ? Optional.empty() : Condition.of(cells[1]);
+      if (condition.isPresent() && cells[2].matches("\\d{1,9}") && cells[0].startsWith("sub-")) {
+        all.add(
+            new Assigned(
+                cells[0].substring(4),
+                condition.get(),
+                Integer.parseInt(cells[2]),
+                Condition.of(cells[4]),
+                cells[5],
+                Boolean.parseBoolean(cells[6])));
+      }
+    }
+    return all;
+  }
+}

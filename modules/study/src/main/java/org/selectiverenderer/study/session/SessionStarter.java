@@ -1,0 +1,223 @@
+package org.selectiverenderer.study.session;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.selectiverenderer.base.files.DiskSync;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.formats.json.JsonTree;
+import org.selectiverenderer.formats.json.JsonWriter;
+import org.selectiverenderer.schema.Condition;
+import org.selectiverenderer.study.definition.SessionFlag;
+
+/**
+ * Begins or resumes sessions, records this in their journals, and warns the experimenter of
+ * changes.
+ */
+final class SessionStarter {
+  private final StudyMaterial material;
+  private final SessionFolder folder;
+  private final SessionOptions options;
+  private final SessionJournal journal;
+  private final Session session;
+  private final ProblemCollector problems;
+
+  private SessionStarter(Session session, ProblemCollector problems) {
+    this.session = session;
+    this.problems = problems;
+    material = session.material();
+    folder = session.folder();
+    options = session.options();
+    journal = session.journal();
+  }
+
+  /** As {@link Session#begin}. */
+  static Session begin(
+      StudyMaterial material,
+      String participant,
+      int number,
+      SessionOptions options,
+      ProblemCollector problems)
+      throws IOException {
+    SessionFolder folder = new SessionFolder(material.study().folder(), participant, number);
+    Files.createDirectories(folder.path().resolve("head"));
+    SessionLock lock = SessionLock.take(folder.path(), options.software());
+    try {
+      folder.requireNew();
+      Session session =
+          new Session(material, folder, options, lock, SessionJournal.begin(folder.journal()));
+      try {
+        new SessionStarter(session, problems).tellBegun();
+        return session;
+      } catch (IOException e) {
+        session.journal().close();
+        throw e;
+      }
+    } catch (IOException e) {
+      lock.close();
+      throw e;
+    }
+  }
+
+  private void tellBegun() throws IOException {
+    for (Path made = folder.path();
+        !made.equals(folder.study().getParent());
+        made = made.getParent()) {
+      DiskSync.forceFolder(made);
+    }
+    Map<String, Object> began = new LinkedHashMap<>();
+    began.put("participant", folder.participant());
+    began.put("session", folder.number());
+    began.put("study", material.study().name());
+    began.put("study_sha256", Checksums.of(material.study().file()));
+    began.putAll(options.recorded());
+    journal.keep("session-began", began);
+    options.flags().forEach(flag -> journal.flag(flag, Map.of()));
+    settings().write();
+    tellConditionKept(
+        new ParticipantsFile(material.study())
+            .of(folder.participant())
+            .map(ParticipantsFile.Assigned::condition));
+  }
+
+  /** As {@link Session#resume}. */
+  static Session resume(
+      StudyMaterial material,
+      String participant,
+      int number,
+      SessionOptions options,
+      ProblemCollector problems)
+      throws IOException {
+    SessionFolder folder = new SessionFolder(material.study().folder(), participant, number);
+    if (!Files.isRegularFile(folder.journal())) {
+      throw new IOException(folder.path() + " has no session to continue; leave --resume out");
+    }
+    SessionLock lock = SessionLock.take(folder.path(), options.software());
+    try {
+      Optional<Map<String, Object>> mended = JournalRecovery.mend(folder.journal(), problems);
+      SessionJournal journal = SessionJournal.resume(folder.journal());
+      try {
+        if (journal.history().over() || journal.history().refused()) {
+          throw new IOException(folder.path() + " is complete; there is nothing to continue");
+        }
+        Session session = new Session(material, folder, options, lock, journal);
+        new SessionStarter(session, problems).tellResumed(mended);
+        return session;
+      } catch (IOException e) {
+        journal.close();
+        throw e;
+      }
+    } catch (IOException e) {
+      lock.close();
+      throw e;
+    }
+  }
+
+  private void tellResumed(Optional<Map<String, Object>> mended) throws IOException {
+    if (mended.isPresent()) {
+      journal.keep("journal-mended", mended.get());
+    }
+    SessionHistory history = journal.history();
+    String sum = Checksums.of(material.study().file());
+    Map<String, Object> resumed = new LinkedHashMap<>();
+    resumed.put(
+        "finished",
+        material.steps().stream().filter(history::finished).map(SessionStep::id).toList());
+    resumed.put("study_sha256", sum);
+    resumed.putAll(options.recorded());
+    journal.keep("resumed", resumed);
+    boolean shows = session.remaining().stream().anyMatch(SessionStep::shows);
+    for (SessionFlag flag : options.flags()) {
+      if (flag != SessionFlag.TRACKER_ABSENT || shows) { // Questions need no tracker.
+        journal.flag(flag, Map.of());
+      }
+    }
+    Files.createDirectories(folder.path().resolve("head"));
+    if (!Files.exists(folder.path().resolve(SessionSettings.FILE))) {
+      settings().write();
+    }
+    if (!history.checksum().equals(sum)) {
+      problems.warning(
+          SourceLocation.of(material.study().file().toString()),
+          "the study has changed since this session began; the session continues "
+              + "with the present study, and its events record this");
+    }
+    List<String> changed = settings().changedFiles();
+    if (!changed.isEmpty()) {
+      problems.warning(
+          SourceLocation.of(folder.path().resolve(SessionSettings.FILE).toString()),
+          ("%s changed since this session began; the session continues with the "
+                      + "present files, and its events")
+                  .formatted(String.join(", ", changed))
+              + " record this");
+      journal.keep("files-changed", Map.of("files", changed));
+    }
+    history.headLogs().forEach(session::writeMotion);
+    tellConditionKept(history.condition());
+  }
+
+  /**
+   * Warns that a participant keeps the condition of the first session if another one is requested.
+   */
+  private void tellConditionKept(Optional<Condition> kept) throws IOException {
+    Optional<Condition> asked = options.condition();
+    if (kept.isPresent() && asked.isPresent() && !kept.equals(asked)) {
+      problems.warning(
+          SourceLocation.of(new ParticipantsFile(material.study()).file().toString()),
+          "participant %s keeps the assigned condition %s; --condition %s is ignored"
+              .formatted(folder.participant(), kept.get().spelling(), asked.get().spelling()));
+      journal.keep("condition-kept", Map.of("asked_for", asked.get().spelling()));
+    }
+  }
+
+  private SessionSettings settings() {
+    return new SessionSettings(material, folder, options);
+  }
+
+  /**
+   * The settings at the begin of a session: a copy of the study file, the options, and checksums of
+   * scenes and questionnaires.
+   */
+  private record SessionSettings(
+      StudyMaterial material, SessionFolder folder, SessionOptions options) {
+    static final String FILE = "settings.json";
+
+    /** Writes the settings into the session's folder. */
+    void write() throws IOException {
+      folder.writeOnce("study.json", Files.readString(material.study().file()));
+      Map<String, Object> settings = new LinkedHashMap<>(options.recorded());
+      settings.put("sha256", checksums());
+      folder.writeOnce(FILE, JsonWriter.of(JsonTree.of(settings)));
+    }
+
+    /** Returns the SHA-256 checksums of scenes and questionnaires, by the names of the files. */
+    private Map<String, String> checksums() throws IOException {
+      Map<String, String> sums = new LinkedHashMap<>();
+      if (material.study().scene().isPresent()) {
+        sums.putAll(Checksums.ofScene(material.study().scene().get()));
+      }
+      if (material.study().practice().isPresent()) {
+        sums.putAll(Checksums.ofScene(material.study().practice().get().scene()));
+      }
+      for (Map.Entry<String, Path> file : material.study().questionnaires().files().entrySet()) {
+        sums.put(file.getKey(), Checksums.of(file.getValue()));
+      }
+      return sums;
+    }
+
+    /** Returns those of the files that have changed since the session began. */
+    List<String> changedFiles() throws IOException {
+      JsonNode before = JsonTree.read(folder.path().resolve(FILE)).path("sha256");
+      return checksums().entrySet().stream()
+          .filter(sum -> !before.path(sum.getKey()).asText().equals(sum.getValue()))
+          .map(Map.Entry::getKey)
+          .toList();
+    }
+  }
+}

@@ -1,0 +1,81 @@
+package org.selectiverenderer.study.session;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.study.definition.Study;
+import org.selectiverenderer.study.definition.StudyQuestionnaires.Content;
+import org.selectiverenderer.study.definition.StudyQuestionnaires.Moment;
+import org.selectiverenderer.study.definition.StudyQuestionnaires.Source;
+import org.selectiverenderer.study.questionnaire.ParticipantMessages;
+import org.selectiverenderer.study.questionnaire.Questionnaire;
+import org.selectiverenderer.study.questionnaire.read.ItemListReader;
+import org.selectiverenderer.study.questionnaire.read.QuestionnaireReader;
+import org.selectiverenderer.study.questionnaire.read.StandardScales;
+import org.selectiverenderer.study.session.StudyMaterial.Asked;
+
+/**
+ * Loads the questionnaires that a study refers to, and reports the faults of all of them at once.
+ */
+final class StudyQuestionnaireLoader {
+  private final Study study;
+  private final ParticipantMessages wording;
+  private final ProblemCollector problems;
+
+  StudyQuestionnaireLoader(Study study, ParticipantMessages wording, ProblemCollector problems) {
+    this.study = study;
+    this.wording = wording;
+    this.problems = problems;
+  }
+
+  /** Loads the form of the study, else the built-in one; empty after a fault. */
+  Optional<Questionnaire> form() throws IOException {
+    Optional<Questionnaire> read =
+        study.questionnaires().form().isPresent()
+            ? QuestionnaireReader.read(
+                study.questionnaires().form().get(), study.language(), problems)
+            : StandardScales.form(study.language(), problems);
+    return read.map(form -> form.as("form", ""));
+  }
+
+  /**
+   * Loads all other questionnaires, with a copy for each area if asked after each area; empty after
+   * a fault.
+   */
+  Optional<List<Asked>> asked() throws IOException {
+    List<Asked> asked = new ArrayList<>();
+    boolean whole = true;
+    for (Source source : study.questionnaires().list()) {
+      Optional<List<Questionnaire>> read = read(source);
+      whole &= read.isPresent();
+      read.orElse(List.of()).forEach(each -> asked.add(new Asked(each, source.moment())));
+    }
+    return whole ? Optional.of(asked) : Optional.empty();
+  }
+
+  private Optional<List<Questionnaire>> read(Source source) throws IOException {
+    if (source.content() instanceof Content.Items items) {
+      return ItemListReader.read(
+          items.kind(),
+          items.file(),
+          source.name().orElse(items.kind().spelling()),
+          wording,
+          problems);
+    }
+    Optional<Questionnaire> read =
+        source.content() instanceof Content.Own own
+            ? QuestionnaireReader.read(own.file(), study.language(), problems)
+            : StandardScales.of(
+                ((Content.Standard) source.content()).template(), study.language(), problems);
+    return read.map(one -> one.as(source.name().orElse(one.name()), ""))
+        .map(
+            one ->
+                source.moment() == Moment.AFTER_AREA
+                    ? study.areas().stream()
+                        .map(area -> one.about(area.name(), wording.area(area.name())))
+                        .toList()
+                    : List.of(one));
+  }
+}

@@ -1,0 +1,4 @@
+@NullMarked
+package org.selectiverenderer.study.definition;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,4 @@
+@NullMarked
+package org.selectiverenderer.study.headlog;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,4 @@
+@NullMarked
+package org.selectiverenderer.study.questionnaire;
+
+import org.jspecify.annotations.NullMarked;

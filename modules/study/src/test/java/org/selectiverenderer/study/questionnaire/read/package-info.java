@@ -1,0 +1,4 @@
+@NullMarked
+package org.selectiverenderer.study.questionnaire.read;
+
+import org.jspecify.annotations.NullMarked;

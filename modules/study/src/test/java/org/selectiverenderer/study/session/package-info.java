@@ -1,0 +1,4 @@
+@NullMarked
+package org.selectiverenderer.study.session;
+
+import org.jspecify.annotations.NullMarked;

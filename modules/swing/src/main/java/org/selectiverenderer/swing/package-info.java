@@ -1,0 +1,5 @@
+/** What the Swing windows of the program share. It uses nothing of ours. */
+@NullMarked
+package org.selectiverenderer.swing;
+
+import org.jspecify.annotations.NullMarked;

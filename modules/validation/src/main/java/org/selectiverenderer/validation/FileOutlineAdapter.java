@@ -1,0 +1,68 @@
+package org.selectiverenderer.validation;
+
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.geometry.BoundingBox;
+import org.selectiverenderer.polygon.EnrichmentModel;
+import org.selectiverenderer.polygon.GeometrySize;
+import org.selectiverenderer.polygon.MeasuredFile;
+import org.selectiverenderer.x3d.read.ParsedNode;
+import org.selectiverenderer.x3d.read.X3dFile;
+
+/** Adapts a file outline to the polygon counter. */
+public final class FileOutlineAdapter implements MeasuredFile {
+  private final FileOutline outline;
+  private final SceneContext scene;
+  private final Map<FileOutline, FileOutlineAdapter> known;
+
+  private FileOutlineAdapter(
+      FileOutline outline, SceneContext scene, Map<FileOutline, FileOutlineAdapter> known) {
+    this.outline = outline;
+    this.scene = scene;
+    this.known = known;
+  }
+
+  /** Returns the enrichment of a scene with its polygon counts. */
+  public static EnrichmentModel model(SceneContext scene) {
+    return EnrichmentModel.of(new FileOutlineAdapter(scene.main(), scene, new IdentityHashMap<>()));
+  }
+
+  @Override
+  public X3dFile file() {
+    return outline.scene();
+  }
+
+  @Override
+  public GeometrySize size(ParsedNode geometry) {
+    return outline
+        .measure(geometry)
+        .map(
+            measure ->
+                new GeometrySize(
+                    measure.polygons(),
+                    measure.bounds().length == 0
+                        ? BoundingBox.EMPTY
+                        : BoundingBox.of(measure.bounds())))
+        .orElse(GeometrySize.NOTHING);
+  }
+
+  @Override
+  public Optional<FileOutlineAdapter> content(ParsedNode inline) {
+    return inline.bool("load")
+        ? scene
+            .content(inline)
+            .map(
+                content ->
+                    known.computeIfAbsent(content, c -> new FileOutlineAdapter(c, scene, known)))
+        : Optional.empty();
+  }
+
+  /** Returns no problems, since the file's own checks report them. */
+  @Override
+  public List<Problem> problemList() {
+    return List.of();
+  }
+}

@@ -1,0 +1,38 @@
+package org.selectiverenderer.validation.budget;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.polygon.EnrichmentModel;
+import org.selectiverenderer.validation.FileOutlineAdapter;
+import org.selectiverenderer.validation.FindingCollector;
+import org.selectiverenderer.validation.PolygonBudget;
+import org.selectiverenderer.validation.RunCheck;
+import org.selectiverenderer.validation.SceneContext;
+
+/** Finds budgets that apply to none of the scenes and are therefore never checked. */
+final class UnusedBudgetCheck implements RunCheck {
+  @Override
+  public void check(List<SceneContext> scenes, Settings settings, FindingCollector findings) {
+    List<PolygonBudget> unused = new ArrayList<>(settings.values().budgets());
+    for (SceneContext scene : scenes) {
+      if (unused.isEmpty()) {
+        return;
+      }
+      EnrichmentModel model = FileOutlineAdapter.model(scene);
+      // A misspelt name is reported in the scene that has the similar name.
+      unused.removeIf(budget -> !(BudgetMatch.of(budget, model) instanceof BudgetMatch.NoMatch));
+    }
+    for (PolygonBudget budget : unused) {
+      String where = budget.scope().isEmpty() ? "the whole scene" : "the group " + budget.scope();
+      String when =
+          budget.schemas().isEmpty() ? "" : " with " + String.join(" and ", budget.schemas());
+      findings.add(
+          BudgetRules.UNUSED_BUDGET,
+          SourceLocation.of(settings.file()),
+          "",
+          budget.polygons(),
+          where + when);
+    }
+  }
+}

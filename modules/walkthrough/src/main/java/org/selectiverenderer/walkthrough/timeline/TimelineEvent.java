@@ -1,0 +1,36 @@
+package org.selectiverenderer.walkthrough.timeline;
+
+import org.selectiverenderer.control.ControlEvent;
+
+/** An event of the time line. */
+public sealed interface TimelineEvent {
+  /** Returns the time of the event's frame, in seconds since the start of the walkthrough. */
+  double t();
+
+  /**
+   * An event of the selective controller; the event's own time is the browser's.
+   *
+   * @param t seconds since the start of the walkthrough
+   */
+  record ControllerEvent(double t, ControlEvent event) implements TimelineEvent {}
+
+  /**
+   * An event of the headset.
+   *
+   * @param what kind of the event, such as {@code away}
+   */
+  record Headset(double t, String what) implements TimelineEvent {}
+
+  /**
+   * The end of the walkthrough.
+   *
+   * @param frames number of frames stepped
+   * @param polygons polygons of the whole scene with its current versions, visible or not
+   */
+  record End(double t, long frames, PolygonSpan polygons) implements TimelineEvent {}
+
+  /**
+   * The number of polygons at the first frame, at the last frame, and the maximum over all frames.
+   */
+  record PolygonSpan(long start, long end, long max) {}
+}

@@ -1,0 +1,61 @@
+package org.selectiverenderer.walkthrough.timeline;
+
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.Optional;
+import org.selectiverenderer.base.decimal.DecimalRounding;
+import org.selectiverenderer.control.ControlEvent;
+import org.selectiverenderer.formats.json.JsonTree;
+
+/** Writes the time line as JSON, one object per line, with keys in the documented order. */
+public final class TimelineJson {
+  private final Optional<String> scene;
+
+  /** Creates a writer for one scene. */
+  public TimelineJson() {
+    scene = Optional.empty();
+  }
+
+  /** Creates a writer for one of many scenes, whose lines begin with the key {@code scene}. */
+  public TimelineJson(String scene) {
+    this.scene = Optional.of(scene);
+  }
+
+  /** Returns the line of an event, without a line feed. */
+  public String line(TimelineEvent event) {
+    ObjectNode node = JsonTree.object();
+    scene.ifPresent(name -> node.put("scene", name));
+    node.put("t", DecimalRounding.to(6, event.t()));
+    if (event instanceof TimelineEvent.ControllerEvent told) {
+      put(node, told.event());
+    } else if (event instanceof TimelineEvent.Headset headset) {
+      node.put("event", "headset").put("what", headset.what());
+    } else if (event instanceof TimelineEvent.End end) {
+      node.put("event", "end")
+          .put("frames", end.frames())
+          .putObject("polygons")
+          .put("start", end.polygons().start())
+          .put("end", end.polygons().end())
+          .put("max", end.polygons().max());
+    }
+    return node.toString();
+  }
+
+  private void put(ObjectNode node, ControlEvent event) {
+    if (event instanceof ControlEvent.Start start) {
+      ObjectNode switches = node.put("event", "start").putObject("switches");
+      start.switches().forEach(switches::put);
+    } else if (event instanceof ControlEvent.Enter enter) {
+      node.put("event", "enter").put("sensor", enter.sensor());
+      enter.schemas().forEach(node.putArray("schemas")::add);
+    } else if (event instanceof ControlEvent.Exit exit) {
+      node.put("event", "exit").put("sensor", exit.sensor());
+      exit.schemas().forEach(node.putArray("schemas")::add);
+    } else if (event instanceof ControlEvent.SwitchChange change) {
+      node.put("event", "switch")
+          .put("switch", change.switchName())
+          .put("from", change.from())
+          .put("to", change.to())
+          .put("schema", change.schema());
+    }
+  }
+}

@@ -1,0 +1,73 @@
+package org.selectiverenderer.walkthrough.timeline;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.stream.Collectors;
+import org.selectiverenderer.control.ControlEvent;
+
+/** Writes the time line as text for people. */
+public final class TimelineText {
+  /** The largest number of switches that are listed one by one at the start. */
+  private static final int LISTED = 20;
+
+  /** Returns the line of an event, without a line feed. */
+  public String line(TimelineEvent event) {
+    if (event instanceof TimelineEvent.ControllerEvent told) {
+      return line(told.t(), told.event());
+    }
+    if (event instanceof TimelineEvent.Headset headset) {
+      return row(headset.t(), "headset", headset.what());
+    }
+    TimelineEvent.End end = (TimelineEvent.End) event;
+    return row(
+        end.t(),
+        "end",
+        String.format(
+            Locale.ROOT,
+            "%d frames; %d polygons at the start, %d at the end, %d at most",
+            end.frames(),
+            end.polygons().start(),
+            end.polygons().end(),
+            end.polygons().max()));
+  }
+
+  private static String line(double t, ControlEvent event) {
+    if (event instanceof ControlEvent.Start start) {
+      return row(t, "start", switches(start.switches()));
+    }
+    if (event instanceof ControlEvent.Enter enter) {
+      return row(t, "enter", area(enter.sensor(), enter.schemas()));
+    }
+    if (event instanceof ControlEvent.Exit exit) {
+      return row(t, "exit", area(exit.sensor(), exit.schemas()));
+    }
+    ControlEvent.SwitchChange s = (ControlEvent.SwitchChange) event;
+    return row(
+        t,
+        "switch",
+        "%s: choice %s -> %s (%s)".formatted(s.switchName(), s.from(), s.to(), s.schema()));
+  }
+
+  private static String row(double t, String event, String text) {
+    return String.format(Locale.ROOT, "%8.3f s  %-6s  %s", t, event, text);
+  }
+
+  private static String area(String sensor, List<String> schemas) {
+    return schemas.isEmpty()
+        ? sensor + " (activates no schema)"
+        : sensor + " activates " + String.join(", ", schemas);
+  }
+
+  private static String switches(Map<String, Integer> switches) {
+    if (switches.isEmpty()) {
+      return "no Switch of the scene has schema metadata, so nothing will change";
+    }
+    if (switches.size() > LISTED) {
+      return switches.size() + " enriched switches";
+    }
+    return switches.entrySet().stream()
+        .map(entry -> entry.getKey() + ": choice " + entry.getValue())
+        .collect(Collectors.joining(", "));
+  }
+}

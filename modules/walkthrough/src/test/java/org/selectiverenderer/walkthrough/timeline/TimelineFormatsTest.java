@@ -1,0 +1,85 @@
+package org.selectiverenderer.walkthrough.timeline;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.selectiverenderer.control.ControlEvent;
+
+class TimelineFormatsTest {
+  private final TimelineText text = new TimelineText();
+  private final TimelineJson json = new TimelineJson();
+
+  private static Map<String, Integer> switches(int count) {
+    Map<String, Integer> switches = new LinkedHashMap<>();
+    for (int i = 0; i < count; i++) {
+      switches.put("S" + i, i % 2);
+    }
+    return switches;
+  }
+
+  private static TimelineEvent told(double t, ControlEvent event) {
+    return new TimelineEvent.ControllerEvent(t, event);
+  }
+
+  @Test
+  void theStartListsSwitchesInTheirOrder() {
+    TimelineEvent start = told(0, new ControlEvent.Start(0, switches(3)));
+    assertThat(json.line(start))
+        .isEqualTo("{\"t\":0.0,\"event\":\"start\",\"switches\":{\"S0\":0,\"S1\":1,\"S2\":0}}");
+    assertThat(text.line(start))
+        .isEqualTo("   0.000 s  start   S0: choice 0, S1: choice 1, S2: choice 0");
+  }
+
+  @Test
+  void veryManySwitchesAreCountedForPeopleAndListedForPrograms() {
+    TimelineEvent start = told(0, new ControlEvent.Start(0, switches(21)));
+    assertThat(text.line(start)).isEqualTo("   0.000 s  start   21 enriched switches");
+    assertThat(json.line(start)).contains("\"S20\":0");
+  }
+
+  @Test
+  void aSceneWithoutSchemasIsToldAtTheStart() {
+    TimelineEvent start = told(0, new ControlEvent.Start(0, Map.of()));
+    assertThat(text.line(start))
+        .isEqualTo(
+            "   0.000 s  start   no Switch of the scene has schema metadata, so "
+                + "nothing will change");
+    assertThat(json.line(start)).isEqualTo("{\"t\":0.0,\"event\":\"start\",\"switches\":{}}");
+  }
+
+  @Test
+  void areasSwitchesAndTheEnd() {
+    TimelineEvent enter = told(1.25, new ControlEvent.Enter(0, "P", List.of("A", "B")));
+    TimelineEvent exit = told(2, new ControlEvent.Exit(0, "P", List.of()));
+    TimelineEvent switched = told(1.25, new ControlEvent.SwitchChange(0, "S", 1, 0, "A"));
+    TimelineEvent end =
+        new TimelineEvent.End(5, 301, new TimelineEvent.PolygonSpan(67003, 67003, 75648));
+    assertThat(text.line(enter)).isEqualTo("   1.250 s  enter   P activates A, B");
+    assertThat(text.line(exit)).isEqualTo("   2.000 s  exit    P (activates no schema)");
+    assertThat(text.line(switched)).isEqualTo("   1.250 s  switch  S: choice 1 -> 0 (A)");
+    assertThat(text.line(end))
+        .isEqualTo(
+            "   5.000 s  end     301 frames; 67003 polygons at the start, 67003 at the end, 75648"
+                + " at most");
+    assertThat(json.line(enter))
+        .isEqualTo("{\"t\":1.25,\"event\":\"enter\",\"sensor\":\"P\",\"schemas\":[\"A\",\"B\"]}");
+    assertThat(json.line(exit))
+        .isEqualTo("{\"t\":2.0,\"event\":\"exit\",\"sensor\":\"P\",\"schemas\":[]}");
+    assertThat(json.line(switched))
+        .isEqualTo(
+            "{\"t\":1.25,\"event\":\"switch\",\"switch\":\"S\",\"from\":1,\"to\":0,\"schema\":\"A\"}");
+    assertThat(json.line(end))
+        .isEqualTo(
+            "{\"t\":5.0,\"event\":\"end\",\"frames\":301,\"polygons\":{\"start\":67003,\"end\":67003,"
+                + "\"max\":75648}}");
+  }
+
+  @Test
+  void timesAreRoundedToMicroseconds() {
+    assertThat(json.line(told(1 / 3.0, new ControlEvent.Exit(0, "P", List.of()))))
+        .startsWith("{\"t\":0.333333,");
+  }
+}

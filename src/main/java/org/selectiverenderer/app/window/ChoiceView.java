@@ -1,0 +1,180 @@
+package org.selectiverenderer.app.window;
+
+import com.formdev.flatlaf.FlatClientProperties;
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.FlowLayout;
+import java.awt.Font;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import javax.swing.BorderFactory;
+import javax.swing.Box;
+import javax.swing.BoxLayout;
+import javax.swing.ButtonGroup;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JToggleButton;
+import javax.swing.SwingConstants;
+import org.selectiverenderer.study.questionnaire.AnswerField;
+import org.selectiverenderer.study.questionnaire.ChoiceOption;
+
+/**
+ * Shows a choice: as toggle buttons side by side between the labels of the ends, or as a vertical
+ * list if the labels are long.
+ */
+final class ChoiceView implements FieldView {
+  /**
+   * Colours of a chosen button, which must be seen from the chair; the grey of the look and feel
+   * has too little contrast.
+   */
+  private static final String CHOSEN = "selectedBackground:#1f66b5; selectedForeground:#ffffff";
+
+  private final AnswerField.Choice field;
+  private final Listener listener;
+  private final JPanel panel = new JPanel();
+  private final List<JToggleButton> buttons = new ArrayList<>();
+  private final ButtonGroup group = new ButtonGroup();
+
+  /**
+   * @param id id of the question, for the names of the buttons
+   * @param asked the question's text, for the accessible names of the buttons
+   */
+  ChoiceView(
+      AnswerField.Choice field, String id, String asked, RowMetrics shape, Listener listener) {
+    this.field = field;
+    this.listener = listener;
+    panel.setOpaque(false);
+    if (list(field)) {
+      panel.setLayout(new BoxLayout(panel, BoxLayout.Y_AXIS));
+      field.options().forEach(option -> panel.add(named(listed(option), option, id, asked)));
+    } else {
+      panel.setLayout(new FlowLayout(FlowLayout.LEFT, RowMetrics.GAP, 0));
+      boolean ends = shape.beside() || !field.least().isEmpty() || !field.most().isEmpty();
+      end(field.least(), ends ? shape.least() : 0, SwingConstants.RIGHT);
+      field.options().forEach(option -> panel.add(inLine(option, id, asked, shape)));
+      end(field.most(), ends ? shape.most() : 0, SwingConstants.LEFT);
+    }
+    panel.setAlignmentX(0);
+  }
+
+  /** Returns whether the options are laid out as a vertical list. */
+  static boolean list(AnswerField.Choice field) {
+    return field.several() || !field.inLine();
+  }
+
+  private void end(String text, int width, int side) {
+    if (width > 0) {
+      JLabel label = new HiDpiComponents.Label();
+      label.setText(RowMetrics.wrapped(text, width, side));
+      label.setHorizontalAlignment(side);
+      Dimension size = label.getPreferredSize();
+      label.setPreferredSize(new Dimension(width, size.height));
+      panel.add(label);
+    }
+  }
+
+  private JComponent inLine(ChoiceOption option, String id, String asked, RowMetrics shape) {
+    JToggleButton button = named(new HiDpiComponents.Button(option.label()), option, id, asked);
+    button.putClientProperty(FlatClientProperties.STYLE, CHOSEN);
+    button.setPreferredSize(
+        new Dimension(RowMetrics.width(field, button), RowMetrics.BUTTON_HEIGHT));
+    if (option.note().isEmpty()) {
+      return button;
+    }
+    if (shape.notesAbove()) {
+      button.setToolTipText(option.note());
+      return button;
+    }
+    JPanel noted = new JPanel(new BorderLayout());
+    noted.setOpaque(false);
+    noted.add(button, BorderLayout.NORTH);
+    noted.add(RowMetrics.note(option.note(), RowMetrics.width(field, button)), BorderLayout.CENTER);
+    return noted;
+  }
+
+  private JToggleButton listed(ChoiceOption option) {
+    JToggleButton button =
+        field.several()
+            ? new HiDpiComponents.CheckBox(option.label())
+            : new HiDpiComponents.RadioButton(option.label());
+    button.setFont(button.getFont().deriveFont(Font.PLAIN, 15f));
+    button.setBorder(BorderFactory.createEmptyBorder(4, 4, 4, 4));
+    button.setIconTextGap(10);
+    button.setOpaque(false);
+    button.setAlignmentX(0);
+    return button;
+  }
+
+  private <T extends JToggleButton> T named(
+      T button, ChoiceOption option, String id, String asked) {
+    button.getAccessibleContext().setAccessibleName(asked + ": " + option.label());
+    button.setName(id + ":" + option.value());
+    button.setActionCommand(option.value());
+    button.setFocusable(false); // The window has the keys.
+    if (!field.several()) {
+      group.add(button);
+    }
+    button.addActionListener(event -> told());
+    buttons.add(button);
+    return button;
+  }
+
+  private void told() {
+    listener.filled(
+        field.joined(
+            buttons.stream()
+                .filter(JToggleButton::isSelected)
+                .map(JToggleButton::getActionCommand)
+                .toList()),
+        true);
+  }
+
+  @Override
+  public JComponent component() {
+    return panel;
+  }
+
+  @Override
+  public void show(String value) {
+    List<String> chosen = AnswerField.Choice.parts(value);
+    if (chosen.isEmpty()) {
+      group.clearSelection();
+    }
+    buttons.forEach(button -> button.setSelected(chosen.contains(button.getActionCommand())));
+  }
+
+  @Override
+  public boolean key(char typed) {
+    String lower = String.valueOf(typed).toLowerCase(Locale.ROOT);
+    for (int i = 0; i < buttons.size(); i++) {
+      if (field.options().get(i).keys().contains(lower)) {
+        buttons.get(i).setSelected(!field.several() || !buttons.get(i).isSelected());
+        told();
+        return true;
+      }
+    }
+    return false;
+  }
+
+  @Override
+  public void focus() {
+    // The window has the keys.
+  }
+
+  @Override
+  public boolean takesText() {
+    return false;
+  }
+
+  @Override
+  public void settle() {
+    // Every change has been reported.
+  }
+
+  /** Returns the space between two fields of a row. */
+  static JComponent gap() {
+    return (JComponent) Box.createHorizontalStrut(RowMetrics.FIELD_GAP);
+  }
+}

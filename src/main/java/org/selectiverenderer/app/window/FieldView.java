@@ -1,0 +1,38 @@
+package org.selectiverenderer.app.window;
+
+import javax.swing.JComponent;
+
+/** The view of an input field. */
+interface FieldView {
+  /** Receives the values that are entered. */
+  interface Listener {
+    /**
+     * The value has changed; it is empty if it was taken back or is not valid yet.
+     *
+     * @param settled whether the value is final; false while the participant is typing
+     */
+    void filled(String value, boolean settled);
+  }
+
+  /** Returns the Swing component. */
+  JComponent component();
+
+  /** Shows a value without notifying the listener. */
+  void show(String value);
+
+  /**
+   * Handles a character that was typed while the field's row is current.
+   *
+   * @return whether the character chose an option
+   */
+  boolean key(char typed);
+
+  /** Takes the keyboard focus if the field takes text. */
+  void focus();
+
+  /** Returns whether the field takes text. */
+  boolean takesText();
+
+  /** Reports text that was typed and is not reported yet. */
+  void settle();
+}

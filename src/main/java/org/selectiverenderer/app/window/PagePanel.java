@@ -1,0 +1,235 @@
+package org.selectiverenderer.app.window;
+
+import java.awt.BorderLayout;
+import java.awt.Rectangle;
+import java.awt.event.KeyEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import javax.swing.BorderFactory;
+import javax.swing.BoxLayout;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.SwingUtilities;
+import org.selectiverenderer.study.questionnaire.Answer;
+import org.selectiverenderer.study.questionnaire.ParticipantMessages;
+import org.selectiverenderer.study.questionnaire.Question;
+import org.selectiverenderer.study.questionnaire.QuestionnairePage;
+import org.selectiverenderer.study.questionnaire.QuestionnaireProgress;
+
+/**
+ * Shows the questions of a page as rows. Keys answer the current row; when it is complete, the next
+ * open row becomes current. Records when each question comes into view.
+ */
+final class PagePanel implements QuestionRow.Listener {
+  private final QuestionnairePage page;
+  private final QuestionnaireProgress course;
+  private final Runnable answered;
+  private final List<QuestionRow> rows = new ArrayList<>();
+  private final Map<QuestionRow, Long> typed = new HashMap<>();
+  private final JScrollPane scroll;
+  private int current;
+
+  /**
+   * @param course the progress, which receives answers and the questions in view
+   * @param width available width in pixels
+   * @param answered runs after each change of an answer
+   */
+  PagePanel(
+      QuestionnairePage page,
+      QuestionnaireProgress course,
+      ParticipantMessages wording,
+      int width,
+      Runnable answered) {
+    this.page = page;
+    this.course = course;
+    this.answered = answered;
+    JPanel list = new JPanel();
+    list.setOpaque(false);
+    list.setLayout(new BoxLayout(list, BoxLayout.Y_AXIS));
+    RowMetrics shape = RowMetrics.of(page, wording);
+    for (Question question : page.questions()) {
+      int number = rows.size();
+      QuestionRow row =
+          new QuestionRow(question, course.answer(question), wording, shape, width, this);
+      row.panel()
+          .addMouseListener(
+              new MouseAdapter() {
+                @Override
+                public void mousePressed(MouseEvent event) {
+                  mark(number);
+                }
+              });
+      rows.add(row);
+      list.add(row.panel());
+    }
+    JPanel top = new JPanel(new BorderLayout());
+    top.setBackground(QuestionRow.PLAIN);
+    top.add(list, BorderLayout.NORTH); // Few rows stay together at the top.
+    scroll = new JScrollPane(top);
+    scroll.setBorder(BorderFactory.createEmptyBorder());
+    // For a monitor that is narrower than a row of buttons.
+    scroll.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_AS_NEEDED);
+    JComponent heading = shape.heading(page, wording);
+    if (heading.getComponentCount() > 0) {
+      scroll.setColumnHeaderView(heading);
+    }
+    scroll.getVerticalScrollBar().setUnitIncrement(24);
+    scroll.getViewport().addChangeListener(event -> look());
+    ask();
+  }
+
+  JScrollPane component() {
+    return scroll;
+  }
+
+  /** Returns the height in pixels with all rows visible, to measure a page that is not shown. */
+  int tallest() {
+    rows.forEach(row -> row.panel().setVisible(true));
+    return scroll.getPreferredSize().height;
+  }
+
+  /** Begins to record questions in view, as the page is on the screen now. */
+  void begin() {
+    SwingUtilities.invokeLater(
+        () -> {
+          look();
+          if (!rows.isEmpty()) {
+            mark(firstOpen(0));
+          }
+        });
+  }
+
+  /** Shows only the rows that are asked after the answers so far. */
+  private void ask() {
+    List<Question> asked = page.asked(course.answers());
+    rows.forEach(row -> row.panel().setVisible(asked.contains(row.question())));
+    scroll.revalidate();
+    SwingUtilities.invokeLater(this::look);
+  }
+
+  /** Records the rows of which at least half is in view for the first time. */
+  private void look() {
+    if (!scroll.isShowing()) {
+      return;
+    }
+    Rectangle view = scroll.getViewport().getViewRect();
+    for (QuestionRow row : rows) {
+      Rectangle place =
+          SwingUtilities.convertRectangle(
+              row.panel().getParent(), row.panel().getBounds(), scroll.getViewport().getView());
+      Rectangle visible = view.intersection(place);
+      boolean half = !visible.isEmpty() && 2 * visible.height >= place.height;
+      if (row.panel().isVisible() && half) {
+        course.saw(row.question());
+      }
+    }
+  }
+
+  @Override
+  public void answered(QuestionRow row, Answer answer, boolean settled) {
+    long now = System.nanoTime();
+    // The response time of a text ends at its last key.
+    long at = settled ? Optional.ofNullable(typed.remove(row)).orElse(now) : now;
+    if (!settled) {
+      typed.put(row, now);
+    }
+    course.answer(row.question(), answer, settled, at);
+    ask();
+    answered.run();
+    if (settled && !row.takesText()) {
+      int number = rows.indexOf(row);
+      mark(row.answered() && row.settlesAtOnce() ? firstOpen(number) : number);
+    }
+  }
+
+  @Override
+  public void touched(QuestionRow row) {
+    if (rows.indexOf(row) != current) {
+      mark(rows.indexOf(row));
+    }
+  }
+
+  /** Returns the next open row from a row on, cyclically; that row if all are answered. */
+  private int firstOpen(int from) {
+    for (int i = 0; i < rows.size(); i++) {
+      int number = (from + i) % rows.size();
+      if (rows.get(number).panel().isVisible() && !rows.get(number).answered()) {
+        return number;
+      }
+    }
+    return from;
+  }
+
+  private void mark(int number) {
+    rows.get(current).current(false);
+    current = number;
+    QuestionRow row = rows.get(current);
+    row.current(true);
+    focus();
+    row.panel()
+        .scrollRectToVisible(new Rectangle(0, 0, row.panel().getWidth(), row.panel().getHeight()));
+  }
+
+  /** Focuses the current row's text field, or else the page. */
+  void focus() {
+    if (!rows.isEmpty() && rows.get(current).takesText()) {
+      rows.get(current).focus();
+    } else {
+      scroll.requestFocusInWindow();
+    }
+  }
+
+  /**
+   * Handles a key that was pressed or typed in the window.
+   *
+   * @param writing whether a text field has the focus
+   * @return whether the page has handled the key
+   */
+  boolean key(KeyEvent event, boolean writing) {
+    if (rows.isEmpty()) {
+      return false;
+    }
+    if (event.getID() == KeyEvent.KEY_TYPED) {
+      return !writing
+          && rows.get(current).panel().isVisible()
+          && rows.get(current).key(event.getKeyChar());
+    }
+    boolean lines = writing && !(event.getSource() instanceof javax.swing.JTextField);
+    switch (event.getKeyCode()) {
+      case KeyEvent.VK_DOWN -> {
+        return !lines && step(1);
+      }
+      case KeyEvent.VK_UP -> {
+        return !lines && step(-1);
+      }
+      case KeyEvent.VK_TAB -> {
+        return step(event.isShiftDown() ? -1 : 1);
+      }
+      default -> {
+        return false;
+      }
+    }
+  }
+
+  /** Makes the next row in a direction current; stays at the ends. */
+  private boolean step(int by) {
+    for (int number = current + by; number >= 0 && number < rows.size(); number += by) {
+      if (rows.get(number).panel().isVisible()) {
+        mark(number);
+        return true;
+      }
+    }
+    return true;
+  }
+
+  /** Reports text that was typed and is not reported yet. */
+  void settle() {
+    rows.forEach(QuestionRow::settle);
+  }
+}

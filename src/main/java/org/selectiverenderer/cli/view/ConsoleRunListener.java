@@ -1,0 +1,64 @@
+package org.selectiverenderer.cli.view;
+
+import java.io.IOException;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.selectiverenderer.app.head.HeadSampleListener;
+import org.selectiverenderer.app.run.RunListener;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.command.output.Console;
+import org.selectiverenderer.walkthrough.timeline.TimelineEvent;
+
+/**
+ * A run listener that prints problems and text to the console and passes on the time line.
+ *
+ * @param timeline receives the time line
+ * @param samples receives the head log's sample of every frame
+ * @param begun called when the scene has been read, before the first frame
+ */
+public record ConsoleRunListener(
+    Console console,
+    Consumer<TimelineEvent> timeline,
+    Optional<HeadSampleListener> samples,
+    Beginning begun)
+    implements RunListener {
+  /** An action before the first frame. */
+  @FunctionalInterface
+  public interface Beginning {
+    /**
+     * @throws IOException with a one-line message, to prevent the run
+     */
+    void begin() throws IOException;
+  }
+
+  /** Creates a listener without an action before the first frame. */
+  public ConsoleRunListener(
+      Console console, Consumer<TimelineEvent> timeline, Optional<HeadSampleListener> samples) {
+    this(console, timeline, samples, () -> {});
+  }
+
+  /** Creates a listener without a receiver of samples. */
+  public ConsoleRunListener(Console console, Consumer<TimelineEvent> timeline) {
+    this(console, timeline, Optional.empty());
+  }
+
+  @Override
+  public void opened() throws IOException {
+    begun.begin();
+  }
+
+  @Override
+  public void problem(Problem problem) {
+    console.problem(problem);
+  }
+
+  @Override
+  public void happened(TimelineEvent event) {
+    timeline.accept(event);
+  }
+
+  @Override
+  public void printed(String text) {
+    console.message(text);
+  }
+}

@@ -1,9 +1,0 @@
-package org.selectiverenderer.document.file;
-
-/** The state of a file compared to when it was opened or saved last. */
-public enum FileState {
-  SAME,
-  /** Another program has written it. */
-  CHANGED,
-  GONE
-}

@@ -1,8 +1,0 @@
-package org.selectiverenderer.runtime.navigation;
-
-/** A button of the mouse. */
-public enum MouseButton {
-  LEFT,
-  MIDDLE,
-  RIGHT
-}

@@ -1,7 +1,0 @@
-package org.selectiverenderer.runtime.scene;
-
-/** A listener that knows the field it listens to, so that the node need not store it. */
-public interface SingleFieldListener extends FieldListener {
-  /** Returns the index of the field. */
-  int field();
-}

@@ -1,0 +1,245 @@
+package org.selectiverenderer.app.window;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.event.KeyEvent;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.FutureTask;
+import javax.swing.JButton;
+import javax.swing.JFrame;
+import javax.swing.JScrollPane;
+import javax.swing.SwingUtilities;
+import javax.swing.text.JTextComponent;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.study.questionnaire.Question;
+import org.selectiverenderer.study.questionnaire.Questionnaire;
+import org.selectiverenderer.study.session.StudyMaterial;
+import org.selectiverenderer.testing.ShowsWindows;
+import org.selectiverenderer.testing.WindowFinder;
+import org.selectiverenderer.testing.robot.GuiRobot;
+
+/** Pages of questions, answered by keys and by the mouse. */
+@ShowsWindows
+class QuestionnaireWindowTest extends SessionWindowFixture {
+  @Test
+  void aQuestionThatAnAnswerBringsHasItsRoom() throws IOException {
+    StudyMaterial material = material("en");
+    Questionnaire closing =
+        material.questionnaires("001").stream()
+            .filter(each -> each.id().equals("closing"))
+            .findFirst()
+            .orElseThrow();
+    List<String> heard = new CopyOnWriteArrayList<>();
+    FutureTask<Boolean> asked = asking(material, closing, false, heard);
+    JFrame window = WindowFinder.named(hands, "questionnaire");
+    Question changes = closing.questions().get(1);
+    choose(window, changes.text() + ": Yes", heard);
+    JTextComponent which = GuiRobot.named(window, "What changed?", JTextComponent.class);
+    hands.await("what changed", which::isShowing);
+    JScrollPane rows =
+        GuiRobot.onEdt(
+            () ->
+                (JScrollPane)
+                    SwingUtilities.getAncestorOfClass(
+                        JScrollPane.class,
+                        SwingUtilities.getAncestorOfClass(JScrollPane.class, which)));
+    assertThat(GuiRobot.onEdt(rows.getVerticalScrollBar()::isShowing)).isFalse();
+    String read = GuiRobot.onEdt(() -> texts(window.getContentPane()));
+    assertThat(read).as("Enter begins a line").contains("Ctrl+Enter");
+    pictures(window, "session-closing");
+    over.set(true);
+    assertThat(WindowFinder.answer(asked)).isFalse();
+  }
+
+  private static String texts(Container in) {
+    StringBuilder all = new StringBuilder();
+    for (Component each : in.getComponents()) {
+      all.append(each instanceof JTextComponent text ? text.getText() + "\n" : "");
+      all.append(each instanceof Container more ? texts(more) : "");
+    }
+    return all.toString();
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"en", "el"})
+  void keysAnswerAPageRowByRow(String language) throws IOException {
+    StudyMaterial material = material(language);
+    Questionnaire screen = desk(material);
+    List<String> heard = new CopyOnWriteArrayList<>();
+    FutureTask<Boolean> asked = asking(material, screen, false, heard);
+    JFrame window = WindowFinder.named(hands, "questionnaire");
+    focus(window);
+    List<String> expected = new ArrayList<>();
+    for (int row = 0; row < screen.questions().size(); row++) {
+      boolean yes = row % 2 == 0;
+      int confidence = 1 + row % 5;
+      hands.press(yes ? KeyEvent.VK_Y : KeyEvent.VK_N);
+      hands.press(KeyEvent.VK_0 + confidence);
+      String object = screen.questions().get(row).id();
+      expected.add(object + (yes ? " yes" : " no"));
+      expected.add(object + (yes ? " yes" : " no") + confidence);
+      hands.await("both answers", () -> heard.size() >= expected.size());
+      if (row == screen.questions().size() / 2) {
+        hands.press(KeyEvent.VK_ENTER);
+        assertThat(asked.isDone()).as("Enter while answers are wanting").isFalse();
+        pictures(window, "session-questionnaire-" + language);
+      }
+    }
+    hands.press(KeyEvent.VK_ENTER);
+    assertThat(WindowFinder.answer(asked)).isTrue();
+    assertThat(heard).isEqualTo(expected);
+    assertThat(times).allMatch(ms -> ms >= 0);
+    assertThat(places.get(places.size() - 1)).isEqualTo(screen.questions().size());
+  }
+
+  private static Questionnaire desk(StudyMaterial material) {
+    return material.questionnaires("001").stream()
+        .filter(each -> each.id().equals("recognition-desk"))
+        .findFirst()
+        .orElseThrow();
+  }
+
+  @Test
+  void theMouseAnswersAndChangesAnswersInAnyOrder() throws IOException {
+    StudyMaterial material = material("en");
+    Questionnaire screen = desk(material);
+    Question last = screen.questions().get(screen.questions().size() - 1);
+    List<String> heard = new CopyOnWriteArrayList<>();
+    FutureTask<Boolean> asked = asking(material, screen, false, heard);
+    JFrame window = WindowFinder.named(hands, "questionnaire");
+    for (String button : List.of(": Yes", ": 3", ": No")) {
+      choose(window, last.text() + button, heard);
+    }
+    assertThat(heard).containsExactly(last.id() + " yes", last.id() + " yes3", last.id() + " no3");
+    assertThat(GuiRobot.onEdt(GuiRobot.named(window, "Continue", JButton.class)::isEnabled))
+        .isFalse();
+    WindowFinder.close(window);
+    hands.await("the question", () -> closings.get() == 1);
+    assertThat(asked.isDone()).isFalse();
+    over.set(true);
+    assertThat(WindowFinder.answer(asked)).isFalse();
+  }
+
+  @Test
+  void expectancyIsRatedFromOneToSix() throws IOException {
+    material("en");
+    StudyMaterial pilot =
+        StudyMaterial.read(folder.resolve("study/pilot/study.json"), new ProblemCollector())
+            .orElseThrow();
+    Questionnaire screen = pilot.questionnaires("001").get(1); // The first is the example.
+    List<String> heard = new CopyOnWriteArrayList<>();
+    FutureTask<Boolean> asked = asking(pilot, screen, false, heard);
+    JFrame window = WindowFinder.named(hands, "questionnaire");
+    focus(window);
+    hands.press(KeyEvent.VK_6);
+    hands.press(KeyEvent.VK_7);
+    hands.press(KeyEvent.VK_DOWN);
+    hands.press(KeyEvent.VK_1);
+    hands.await("two answers", () -> heard.size() == 2);
+    pictures(window, "session-expectancy");
+    assertThat(heard)
+        .containsExactly(
+            screen.questions().get(0).id() + " 6", screen.questions().get(2).id() + " 1");
+    over.set(true);
+    assertThat(WindowFinder.answer(asked)).isFalse();
+  }
+
+  private StudyMaterial ofKinds(String questionnaire) throws IOException {
+    Files.writeString(folder.resolve("all.json"), questionnaire);
+    Path file = folder.resolve("kinds.json");
+    Files.writeString(
+        file,
+        """
+        {"name": "Kinds", "conditions": ["high"], "participants": 1,
+         "questionnaires": [{"file": "all.json"}]}
+        """);
+    return StudyMaterial.read(file, new ProblemCollector()).orElseThrow();
+  }
+
+  @Test
+  void allKindsAreAnsweredByKeysPageByPageAndBack() throws IOException {
+    StudyMaterial material =
+        ofKinds(
+            """
+            {"name": "all", "title": "All kinds", "pages": [
+              {"name": "read", "text": "To be read."},
+              {"name": "ask", "questions": [
+                {"id": "changes", "kind": "yes-no", "text": "Did anything change?"},
+                {"id": "which", "kind": "text", "lines": 2, "text": "What?",
+                 "when": {"question": "changes", "is": ["yes"]}},
+                {"id": "height", "kind": "number", "min": 50, "max": 250, "unit": "cm",
+                 "text": "How tall are you?"},
+                {"id": "post", "kind": "single", "text": "What do you do?", "options": [
+                  {"value": "ug", "text": "I am an undergraduate student"},
+                  {"value": "pg", "text": "I am a postgraduate student of some kind"}]},
+                {"id": "seen", "kind": "multiple", "text": "What did you use before?", "options": [
+                  {"value": "hmd", "text": "Display"}, {"value": "cave", "text": "CAVE"}]}]},
+              {"name": "feel", "questions": [
+                {"id": "dark", "kind": "bipolar", "left": "dark", "right": "bright"},
+                {"id": "size", "kind": "bipolar", "left": "small", "right": "large"},
+                {"id": "more", "kind": "text", "optional": true, "text": "Anything else?"}]}]}
+            """);
+    List<String> heard = new CopyOnWriteArrayList<>();
+    FutureTask<Boolean> asked =
+        asking(material, material.questionnaires("001").get(0), false, heard);
+    JFrame window = WindowFinder.named(hands, "questionnaire");
+    focus(window);
+    hands.press(KeyEvent.VK_ENTER);
+    hands.await("the second page", () -> pages.size() == 2);
+    hands.press(KeyEvent.VK_N);
+    hands.await("no", () -> heard.contains("changes no"));
+    hands.press(KeyEvent.VK_UP);
+    hands.press(KeyEvent.VK_Y);
+    hands.await("yes", () -> heard.contains("changes yes"));
+    JTextComponent words = named(window, "What?");
+    hands.await("the words' field", words::isFocusOwner);
+    hands.type("12");
+    hands.press(KeyEvent.VK_TAB);
+    hands.await("the words", () -> heard.contains("which 12"));
+    JTextComponent number = named(window, "How tall are you?");
+    hands.await("the number's field", number::isFocusOwner);
+    hands.type("17");
+    hands.press(KeyEvent.VK_TAB);
+    hands.press(KeyEvent.VK_2);
+    hands.await("an option", () -> heard.contains("post pg"));
+    assertThat(heard).as("17 cm").noneMatch(line -> line.startsWith("height"));
+    hands.press(KeyEvent.VK_1);
+    hands.press(KeyEvent.VK_2);
+    hands.await("both", () -> heard.contains("seen hmd|cave"));
+    hands.press(KeyEvent.VK_UP);
+    hands.press(KeyEvent.VK_UP);
+    hands.await("the number's field again", number::isFocusOwner);
+    hands.press(KeyEvent.VK_END);
+    hands.type("1");
+    hands.await("171 cm", () -> heard.contains("height 171"));
+    pictures(window, "session-kinds");
+    hands.press(KeyEvent.VK_ENTER);
+    hands.await("the third page", () -> pages.size() == 3);
+    pictures(window, "session-bipolar");
+    hands.press(KeyEvent.VK_5);
+    hands.await("bright", () -> heard.contains("dark 5"));
+    hands.press(KeyEvent.VK_PAGE_UP);
+    hands.await("back", () -> pages.size() == 4);
+    hands.press(KeyEvent.VK_ENTER);
+    hands.await("on again", () -> pages.size() == 5);
+    hands.press(KeyEvent.VK_1);
+    hands.await("small", () -> heard.contains("size 1"));
+    hands.press(KeyEvent.VK_ENTER);
+    assertThat(WindowFinder.answer(asked)).isTrue();
+    assertThat(pages).containsExactly("read", "ask", "feel", "ask", "feel");
+  }
+
+  private static JTextComponent named(JFrame window, String name) {
+    return GuiRobot.named(window, name, JTextComponent.class);
+  }
+}

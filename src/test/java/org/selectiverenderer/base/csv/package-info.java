@@ -1,3 +1,0 @@
-/** Tests of tables. */
-@org.jspecify.annotations.NullMarked
-package org.selectiverenderer.base.csv;

@@ -1,3 +1,0 @@
-/** Tests of PNG. */
-@org.jspecify.annotations.NullMarked
-package org.selectiverenderer.base.image;

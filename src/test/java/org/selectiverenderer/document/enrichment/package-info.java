@@ -1,4 +1,0 @@
-@NullMarked
-package org.selectiverenderer.document.enrichment;
-
-import org.jspecify.annotations.NullMarked;

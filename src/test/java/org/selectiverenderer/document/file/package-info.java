@@ -1,4 +1,0 @@
-@NullMarked
-package org.selectiverenderer.document.file;
-
-import org.jspecify.annotations.NullMarked;

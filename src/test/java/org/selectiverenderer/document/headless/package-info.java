@@ -1,4 +1,0 @@
-@NullMarked
-package org.selectiverenderer.document.headless;
-
-import org.jspecify.annotations.NullMarked;

@@ -1,4 +1,0 @@
-@NullMarked
-package org.selectiverenderer.document.ratings;
-
-import org.jspecify.annotations.NullMarked;

@@ -1,4 +1,0 @@
-@NullMarked
-package org.selectiverenderer.document.versions;
-
-import org.jspecify.annotations.NullMarked;

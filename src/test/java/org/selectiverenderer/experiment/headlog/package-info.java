@@ -1,4 +1,0 @@
-@NullMarked
-package org.selectiverenderer.experiment.headlog;
-
-import org.jspecify.annotations.NullMarked;

@@ -1,4 +1,0 @@
-@NullMarked
-package org.selectiverenderer.experiment.questionnaire;
-
-import org.jspecify.annotations.NullMarked;

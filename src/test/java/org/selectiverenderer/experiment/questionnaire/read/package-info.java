@@ -1,4 +1,0 @@
-@NullMarked
-package org.selectiverenderer.experiment.questionnaire.read;
-
-import org.jspecify.annotations.NullMarked;

@@ -1,4 +1,0 @@
-@NullMarked
-package org.selectiverenderer.experiment.session;
-
-import org.jspecify.annotations.NullMarked;

@@ -1,4 +1,0 @@
-@NullMarked
-package org.selectiverenderer.experiment.study;
-
-import org.jspecify.annotations.NullMarked;

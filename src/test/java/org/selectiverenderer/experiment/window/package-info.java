@@ -1,5 +1,0 @@
-/** The windows of a session, driven by mouse and keys on a real screen. */
-@NullMarked
-package org.selectiverenderer.experiment.window;
-
-import org.jspecify.annotations.NullMarked;

@@ -1,5 +1,0 @@
-/** Tests of the renderer: pictures of small scenes, pixel by pixel. */
-@NullMarked
-package org.selectiverenderer.runtime.render;
-
-import org.jspecify.annotations.NullMarked;
