@@ -1,40 +1,25 @@
 package org.selectiverenderer.cli;
 
-import java.io.IOException;
-import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
-import java.util.Optional;
-import org.selectiverenderer.apartment.command.ApartmentCommand;
-import org.selectiverenderer.base.files.SettingsFolder;
-import org.selectiverenderer.bench.command.BenchCommand;
-import org.selectiverenderer.cli.author.ConvertCommand;
-import org.selectiverenderer.cli.author.EnrichCommand;
-import org.selectiverenderer.cli.author.PolygonsCommand;
-import org.selectiverenderer.cli.author.SimplifyCommand;
-import org.selectiverenderer.cli.author.ValidateCommand;
-import org.selectiverenderer.cli.author.VersionsCommand;
+import java.util.ServiceLoader;
 import org.selectiverenderer.cli.bundle.BundleFilesCommand;
-import org.selectiverenderer.cli.experiment.ExperimentCommand;
-import org.selectiverenderer.cli.view.DoctorCommand;
-import org.selectiverenderer.cli.view.RunCommand;
-import org.selectiverenderer.cli.view.SaiCommand;
-import org.selectiverenderer.cli.view.SimulateCommand;
-import org.selectiverenderer.cli.view.TrackCommand;
 import org.selectiverenderer.command.CliCommand;
-import org.selectiverenderer.command.LibraryProperties;
+import org.selectiverenderer.command.CommandContext;
+import org.selectiverenderer.command.CommandProvider;
 import org.selectiverenderer.command.output.Console;
-import org.selectiverenderer.command.output.ExitStatus;
-import org.selectiverenderer.enricher.EnricherApp;
-import org.selectiverenderer.enricher.WindowIcon;
-import org.selectiverenderer.radiosity.command.RadiosityCommand;
-import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 
-/** Creates the commands, in the order of {@code --help}. */
+/**
+ * Creates the commands that the modules on the class path offer, in the order of {@code --help}.
+ */
 final class CommandCatalogue {
-  private CommandCatalogue() {}
-
-  private static final List<String> NAMES =
+  /**
+   * The order of {@code --help}: what most users need first. Commands that are not named here come
+   * last, by their names.
+   */
+  private static final List<String> ORDER =
       List.of(
           "run",
           "simulate",
@@ -53,71 +38,58 @@ final class CommandCatalogue {
           "sai",
           BundleFilesCommand.NAME);
 
-  /** Creates all commands. */
+  private CommandCatalogue() {}
+
+  /** Returns all commands. */
   static List<CliCommand> commands(Console console) {
-    return NAMES.stream().flatMap(name -> command(name, console).stream()).toList();
+    List<Offer> offers = new ArrayList<>();
+    for (CommandProvider provider : providers()) {
+      provider.names().forEach(name -> offers.add(new Offer(name, provider)));
+    }
+    offers.sort(Comparator.comparingInt(Offer::position).thenComparing(Offer::name));
+    CommandContext context = context(console);
+    return offers.stream().map(offer -> offer.provider().create(offer.name(), context)).toList();
   }
 
   /**
-   * Creates the commands that picocli needs for a command line: only its first word's command, or
-   * else all, for help, suggestions and options before a command. Reading the options of all
-   * commands takes longer than the start of Java.
+   * Returns the commands that picocli must know for a command line: the command that the line
+   * begins with, or else all of them, for help, suggestions and options before a command. To
+   * inspect the options of all commands takes longer than Java takes to start.
    */
   static List<CliCommand> commands(Console console, String[] args) {
-    Optional<CliCommand> named = args.length == 0 ? Optional.empty() : command(args[0], console);
-    return named.map(List::of).orElseGet(() -> commands(console));
+    if (args.length > 0) {
+      for (CommandProvider provider : providers()) {
+        if (provider.names().contains(args[0])) {
+          return List.of(provider.create(args[0], context(console)));
+        }
+      }
+    }
+    return commands(console);
   }
 
-  /**
-   * Returns whether a command line opens a window with a scene, so that OpenGL can be started
-   * early.
-   */
+  /** Returns whether a command line shows a scene, which is to appear as soon as it can. */
   static boolean draws(String[] args) {
     return args.length > 1
         && args[0].equals("run")
         && Arrays.stream(args).noneMatch(arg -> arg.equals("--help") || arg.equals("-h"));
   }
 
-  private static Optional<CliCommand> command(String name, Console console) {
-    return Optional.ofNullable(
-        switch (name) {
-          case "run" -> new RunCommand(console);
-          case "simulate" -> new SimulateCommand(console);
-          case "validate" -> new ValidateCommand(console, System.in);
-          case "enrich" -> new EnrichCommand(console, CommandCatalogue::enricher);
-          case "convert" -> new ConvertCommand(console);
-          case "simplify" -> new SimplifyCommand(console);
-          case "versions" -> new VersionsCommand(console);
-          case "polygons" -> new PolygonsCommand(console);
-          case "track" -> new TrackCommand(console);
-          case "experiment" -> new ExperimentCommand(console);
-          case "apartment" -> new ApartmentCommand(console);
-          case "radiosity" -> new RadiosityCommand(console);
-          case "bench" -> new BenchCommand(console, Main.class.getName());
-          case "doctor" -> new DoctorCommand(console, Main.class.getName());
-          case "sai" -> new SaiCommand(console, System.in);
-          case BundleFilesCommand.NAME ->
-              new BundleFilesCommand(
-                  console,
-                  () -> new CommandRunner(console).model(commands(console)),
-                  WindowIcon::image);
-          default -> null;
-        });
+  private static Iterable<CommandProvider> providers() {
+    return ServiceLoader.load(CommandProvider.class, CommandCatalogue.class.getClassLoader());
   }
 
-  private static ExitStatus enricher(Optional<Path> scene, ContentAccessPolicy access)
-      throws IOException {
-    LibraryProperties.swingFirst();
-    Path settings =
-        SettingsFolder.of(
-            System.getProperty("os.name", ""),
-            Path.of(System.getProperty("user.home", "")),
-            System.getenv());
-    try {
-      EnricherApp.run(scene, access, settings);
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
+  private static CommandContext context(Console console) {
+    return new CommandContext(
+        console,
+        System.in,
+        Main.class.getName(),
+        () -> new CommandRunner(console).model(commands(console)));
+  }
+
+  private record Offer(String name, CommandProvider provider) {
+    int position() {
+      int position = ORDER.indexOf(name);
+      return position < 0 ? ORDER.size() : position;
     }
-    return ExitStatus.DONE;
   }
 }

@@ -36,7 +36,7 @@ import picocli.CommandLine.Option;
       "  ./selective-renderer bench --format text",
       "  ./selective-renderer bench --growth --format text"
     })
-public final class BenchCommand extends CliCommand {
+final class BenchCommand extends CliCommand {
   private enum Format {
     text,
     json

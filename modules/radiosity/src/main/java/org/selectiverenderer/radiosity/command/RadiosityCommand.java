@@ -38,7 +38,7 @@ import picocli.CommandLine.Option;
       "  ./selective-renderer radiosity room.x3d --max-mesh 0.5 --quality 85 \\",
       "      --preview p.png"
     })
-public final class RadiosityCommand extends CliCommand {
+final class RadiosityCommand extends CliCommand {
   private enum Format {
     text,
     json

@@ -27,7 +27,7 @@ import picocli.CommandLine.Parameters;
       "  ./selective-renderer apartment",
       "  ./selective-renderer apartment /tmp/a --only trashCan"
     })
-public final class ApartmentCommand extends CliCommand {
+final class ApartmentCommand extends CliCommand {
   @Parameters(
       paramLabel = "DIR",
       arity = "0..1",
