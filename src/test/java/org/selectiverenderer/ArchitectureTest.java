@@ -15,29 +15,48 @@ import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
 import static org.assertj.core.api.Assertions.assertThat;
 
-import com.tngtech.archunit.core.domain.Dependency;
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.domain.JavaModifier;
 import com.tngtech.archunit.core.domain.JavaPackage;
+import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.core.importer.ImportOption.DoNotIncludeTests;
+import com.tngtech.archunit.core.importer.Location;
 import com.tngtech.archunit.junit.AnalyzeClasses;
 import com.tngtech.archunit.junit.ArchTest;
-import com.tngtech.archunit.junit.ArchTests;
 import com.tngtech.archunit.lang.ArchRule;
 import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.TreeSet;
-import java.util.stream.Collectors;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.jspecify.annotations.NullMarked;
+import org.junit.jupiter.api.Test;
+import org.selectiverenderer.command.CommandProvider;
 
-/** Holds the code against ARCHITECTURE.md: its table of uses, its layers and its boundaries. */
+/**
+ * Holds the code against ARCHITECTURE.md: its drawing of the modules, and those of its boundaries
+ * that Maven cannot enforce.
+ */
 @AnalyzeClasses(
     packages = {"org.selectiverenderer", "org.web3d.x3d.sai"},
-    importOptions = DoNotIncludeTests.class)
+    importOptions = {DoNotIncludeTests.class, ArchitectureTest.WithoutTestSupport.class})
 class ArchitectureTest {
+  /** Leaves out what only tests use, such as the robot that drives windows. */
+  static final class WithoutTestSupport implements ImportOption {
+    @Override
+    public boolean includes(Location location) {
+      return !location.contains("/org/selectiverenderer/testing/");
+    }
+  }
+
   private static final String OURS = "org.selectiverenderer..";
   private static final String SAI = "org.web3d.x3d.sai..";
 
@@ -58,67 +77,47 @@ class ArchitectureTest {
     "java.awt..", "javax.swing..", "com.jogamp..", "jogamp.."
   };
 
-  @ArchTest
-  static void packagesUseWhatThePageSays(JavaClasses ours) throws IOException {
-    ArchitecturePage page = ArchitecturePage.read();
-    Set<String> undocumented =
-        ours.stream()
-            .filter(user -> !topLevel(user).equals(ArchitecturePage.SAI))
-            .flatMap(user -> user.getDirectDependenciesFromSelf().stream())
-            .filter(ArchitectureTest::isBetweenTopLevels)
-            .filter(
-                use -> !page.allows(topLevel(use.getOriginClass()), topLevel(use.getTargetClass())))
-            .map(use -> use.getOriginClass().getName() + " uses " + use.getTargetClass().getName())
-            .collect(Collectors.toCollection(TreeSet::new));
-    assertThat(undocumented).as("uses that ARCHITECTURE.md does not name").isEmpty();
+  /** Maven enforces what a module uses; the drawing says why the module may. */
+  @Test
+  void theDrawingShowsEveryModuleAboveWhatItsPomNames() throws IOException {
+    List<MavenModule> modules = MavenModule.all();
+    Map<String, Integer> rows = drawnRows();
+    assertThat(rows.keySet())
+        .as("modules in the drawing of ARCHITECTURE.md")
+        .containsExactlyInAnyOrderElementsOf(modules.stream().map(MavenModule::name).toList());
+    for (MavenModule module : modules) {
+      assertThat(module.uses())
+          .as("what %s uses lies below it in the drawing", module.name())
+          .allSatisfy(used -> assertThat(rows.get(used)).isGreaterThan(rows.get(module.name())));
+    }
   }
 
-  @ArchTest
-  static void thePageNamesNoUseThatHasGone(JavaClasses ours) throws IOException {
-    Map<String, Set<String>> real =
-        ours.stream()
-            .flatMap(user -> user.getDirectDependenciesFromSelf().stream())
-            .filter(ArchitectureTest::isBetweenTopLevels)
-            .collect(
-                Collectors.groupingBy(
-                    use -> topLevel(use.getOriginClass()),
-                    Collectors.mapping(use -> topLevel(use.getTargetClass()), Collectors.toSet())));
-    assertThat(ArchitecturePage.read().named())
-        .allSatisfy(
-            (user, named) ->
-                assertThat(real.getOrDefault(user, Set.of())).as(user).containsAll(named));
-  }
-
-  /** Imports that only Javadoc needs are not in the byte code. */
-  @ArchTest
-  static void sourcesImportWhatThePageAllows(JavaClasses ours) throws IOException {
-    ArchitecturePage page = ArchitecturePage.read();
-    Set<String> found = new TreeSet<>();
-    for (SourceImport use : SourceImport.all()) {
-      String user = topLevel(use.user());
-      String used = topLevel(use.used());
-      if (!used.isEmpty() && !used.equals(user) && !page.allows(user, used)) {
-        found.add(use.toString());
+  @Test
+  void noPackageIsInTwoModules() throws IOException {
+    Map<String, Set<String>> homes = new TreeMap<>();
+    for (MavenModule module : MavenModule.all()) {
+      for (String name : module.packages()) {
+        homes.computeIfAbsent(name, key -> new TreeSet<>()).add(module.name());
       }
     }
-    assertThat(found).as("imports that ARCHITECTURE.md does not allow").isEmpty();
+    homes.values().removeIf(modules -> modules.size() == 1);
+    assertThat(homes).as("packages in several modules").isEmpty();
   }
 
-  @ArchTest
-  static void thePageNamesEveryPackageAndNoOther(JavaClasses ours) throws IOException {
-    Set<String> found =
-        ours.stream()
-            .map(ArchitectureTest::topLevel)
-            .filter(name -> !name.equals(ArchitecturePage.SAI))
-            .collect(Collectors.toCollection(TreeSet::new));
-    ArchitecturePage page = ArchitecturePage.read();
-    assertThat(page.layered()).as("packages in the drawing").isEqualTo(found);
-    assertThat(page.described()).as("packages in the table").isEqualTo(found);
-  }
-
-  @ArchTest
-  static void theTableFollowsTheDrawing(JavaClasses ours) throws IOException {
-    assertThat(ArchitecturePage.read().usesThatDoNotGoDown()).isEmpty();
+  /** A name is clear inside its module; another module may use the word for a thing of its own. */
+  @Test
+  void noNameStandsForTwoThingsInAModule() throws IOException {
+    Set<String> twice = new TreeSet<>();
+    for (MavenModule module : MavenModule.all()) {
+      Set<String> seen = new HashSet<>();
+      for (Path source : module.mainSources()) {
+        String name = source.getFileName().toString();
+        if (!name.equals("package-info.java") && !seen.add(name)) {
+          twice.add(module.name() + ": " + name);
+        }
+      }
+    }
+    assertThat(twice).isEmpty();
   }
 
   @ArchTest
@@ -145,12 +144,11 @@ class ArchitectureTest {
               of("control"), of("schema"), of("sai"), SAI, "java..", "org.jspecify..");
 
   @ArchTest
-  static final ArchRule openGlLivesInTheRenderer =
-      onlyIn("runtime.render", "com.jogamp..", "jogamp..");
+  static final ArchRule openGlLivesInTheRenderer = onlyIn("render", "com.jogamp..", "jogamp..");
 
   @ArchTest
   static final ArchRule modelsAreReadAndReducedInOnePlace =
-      onlyIn("polygon", "org.lwjgl.assimp..", "org.lwjgl.util..");
+      onlyIn("models", "org.lwjgl.assimp..", "org.lwjgl.util..");
 
   @ArchTest
   static final ArchRule headsetsAreDrivenBehindOneDoor = onlyIn("openxr", "org.lwjgl.openxr..");
@@ -163,7 +161,7 @@ class ArchitectureTest {
   static final ArchRule nativeMemoryIsTouchedBehindThreeDoors =
       noClasses()
           .that()
-          .resideOutsideOfPackages(of("polygon"), of("lsl"), of("openxr"))
+          .resideOutsideOfPackages(of("models"), of("lsl"), of("openxr"))
           .should()
           .dependOnClassesThat()
           .resideInAPackage("org.lwjgl..");
@@ -173,23 +171,23 @@ class ArchitectureTest {
       onlyIn("lsl", "org.lwjgl.system.libffi..");
 
   @ArchTest
-  static final ArchRule soundIsReadAndPlayedInOnePlace = onlyIn("runtime.sound", "javax.sound..");
+  static final ArchRule soundIsReadAndPlayedInOnePlace = onlyIn("browser.sound", "javax.sound..");
 
   @ArchTest
   static final ArchRule serialPortsAreOpenedInOnePlace = onlyIn("tracker.serial", "com.fazecast..");
 
   @ArchTest
   static final ArchRule tablesAreReadAndWrittenInOnePlace =
-      onlyIn("base.csv", "org.apache.commons.csv..");
+      onlyIn("formats.csv", "org.apache.commons.csv..");
 
   @ArchTest
   static final ArchRule displaysAndLightNeedNoRenderer =
       noClasses()
           .that()
-          .resideInAnyPackage(of("hmd"), of("radiosity"), of("runtime.camera"))
+          .resideInAnyPackage(of("hmd"), of("radiosity"), of("browser.camera"))
           .should()
           .dependOnClassesThat()
-          .resideInAPackage(of("runtime.render"));
+          .resideInAPackage(of("render"));
 
   @ArchTest
   static final ArchRule commandsAreChosenByTheEntryOnly =
@@ -206,6 +204,9 @@ class ArchitectureTest {
           .that()
           .resideInAnyPackage(
               of("base"),
+              of("formats"),
+              of("apparatus"),
+              of("models"),
               of("x3d"),
               of("geometry"),
               of("chart"),
@@ -214,7 +215,7 @@ class ArchitectureTest {
               of("statistics"),
               of("tracker"),
               of("lsl"),
-              of("document"),
+              of("authoring"),
               of("validation"),
               of("radiosity"),
               of("modelling"),
@@ -228,7 +229,7 @@ class ArchitectureTest {
       noClasses()
           .that(
               are(resideInAPackage(OURS))
-                  .and(not(resideInAnyPackage(of("x3d.script"), of("runtime.script")))))
+                  .and(not(resideInAnyPackage(of("x3d.script"), of("browser.script")))))
           .should()
           .dependOnClassesThat()
           .resideInAPackage("org.mozilla..");
@@ -236,9 +237,8 @@ class ArchitectureTest {
   @ArchTest
   static final ArchRule sessionsAreKeptWithoutWindows =
       noClasses()
-          .that(
-              are(resideInAPackage(of("experiment")))
-                  .and(not(resideInAPackage(of("experiment.window")))))
+          .that()
+          .resideInAPackage(of("study"))
           .should()
           .dependOnClassesThat()
           .resideInAnyPackage(DISPLAY);
@@ -260,8 +260,8 @@ class ArchitectureTest {
                           resideInAnyPackage(
                               of("modelling"),
                               of("geometry"),
-                              of("apartment.looks"),
-                              of("apartment.pictures"),
+                              of("apartment.materials"),
+                              of("apartment.textures"),
                               of("apartment.kitchen"),
                               of("apartment.lounge"),
                               of("apartment.office"),
@@ -301,7 +301,7 @@ class ArchitectureTest {
   static final ArchRule nobodyPrintsAStackTraceToAUser =
       noClasses()
           .that()
-          .doNotHaveSimpleName("FailureReport") // for --debug
+          .doNotHaveSimpleName("FailureReporter") // for --debug
           .should()
           .callMethodWhere(target(name("printStackTrace"))); // of whatever exception
 
@@ -327,25 +327,11 @@ class ArchitectureTest {
             .filter(found -> found.getModifiers().contains(JavaModifier.PUBLIC))
             .filter(found -> !found.isInterface()) // a lambda of another package may be one
             .filter(found -> found.tryGetMethod("main", String[].class).isEmpty())
+            .filter(found -> !found.isAssignableTo(CommandProvider.class)) // found by ServiceLoader
             .filter(found -> !isUsedFromOutside(found))
             .map(JavaClass::getName)
             .filter(found -> !PUBLIC_ALL_THE_SAME.contains(found));
     assertThat(inside).as("public types that no other package uses").isEmpty();
-  }
-
-  @ArchTest
-  static void noNameStandsForTwoThings(JavaClasses ours) {
-    Stream<String> twice =
-        ours.stream()
-            .filter(found -> found.getName().startsWith("org.selectiverenderer."))
-            .filter(JavaClass::isTopLevelClass)
-            .filter(found -> !found.getSimpleName().equals("package-info"))
-            .collect(Collectors.groupingBy(JavaClass::getSimpleName))
-            .entrySet()
-            .stream()
-            .filter(named -> named.getValue().size() > 1)
-            .map(named -> named.getKey() + ": " + named.getValue());
-    assertThat(twice).as("simple names of several classes").isEmpty();
   }
 
   @ArchTest
@@ -358,8 +344,6 @@ class ArchitectureTest {
             .map(JavaPackage::getName);
     assertThat(undescribed).as("packages without a @NullMarked package-info").isEmpty();
   }
-
-  @ArchTest static final ArchTests librariesAreWhole = ArchTests.in(LibraryRules.class);
 
   private static boolean isUsedFromOutside(JavaClass found) {
     return found.getDirectDependenciesToSelf().stream()
@@ -374,22 +358,20 @@ class ArchitectureTest {
         .isPresent();
   }
 
-  private static boolean isBetweenTopLevels(Dependency use) {
-    String user = topLevel(use.getOriginClass());
-    String used = topLevel(use.getTargetClass());
-    return !used.isEmpty() && !used.equals(user);
-  }
-
-  /** The name below {@code org.selectiverenderer}, or the SAI's, or empty for others' classes. */
-  private static String topLevel(JavaClass type) {
-    return topLevel(type.getPackageName());
-  }
-
-  private static String topLevel(String packageName) {
-    if (packageName.startsWith("org.web3d.x3d.sai")) {
-      return ArchitecturePage.SAI;
+  /** Returns the row of each module in the drawing, from 0 at the top. */
+  private static Map<String, Integer> drawnRows() throws IOException {
+    String page = Files.readString(Path.of("ARCHITECTURE.md")).replace("\r\n", "\n");
+    Matcher drawing = Pattern.compile("```layers\n(.*?)```", Pattern.DOTALL).matcher(page);
+    assertThat(drawing.find()).as("ARCHITECTURE.md has a drawing of the layers").isTrue();
+    Map<String, Integer> rows = new TreeMap<>();
+    int row = 0;
+    for (String line : drawing.group(1).lines().toList()) {
+      for (String name : line.split("·")) {
+        rows.put(name.strip(), row);
+      }
+      row++;
     }
-    return packageName.startsWith("org.selectiverenderer.") ? packageName.split("\\.")[2] : "";
+    return rows;
   }
 
   /** A package and what lies within, as ArchUnit writes it. */

@@ -21,7 +21,7 @@ import org.selectiverenderer.study.headlog.EyeSample;
  * around it by {@value #RAYS} rays in a cone about that ray, and the object under the gaze if a
  * headset tracks the eyes. Belongs to the thread that steps the world.
  */
-public final class GazeTargetFinder {
+final class GazeTargetFinder {
   private static final int RINGS = 2;
   private static final int PER_RING = 6;
   private static final int RAYS = 1 + PER_RING + 2 * PER_RING;

@@ -5,15 +5,15 @@ import com.jogamp.opengl.GLProfile;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
+import java.util.Properties;
 
 /** The OpenGL driver: vendor, renderer and version strings of a context. */
 public record GlInfo(String vendor, String renderer, String version) {
-  /** The list of bundled libraries, whose versions {@code ThirdPartyTest} checks. */
-  private static final String LIBRARIES = "/META-INF/THIRD-PARTY.txt";
+  /** Written by the build, from the POM. */
+  private static final String VERSIONS = "libraries.properties";
 
   public static GlInfo of(GL gl) {
     return new GlInfo(
@@ -28,20 +28,17 @@ public record GlInfo(String vendor, String renderer, String version) {
   }
 
   /**
-   * Reads JOGL's version from that list, because our jar lacks the manifest in which JOGL looks for
-   * it.
+   * Returns the version that the build names, because our jar lacks the manifest in which JOGL looks
+   * for its own.
    */
   static String libraryVersion() {
     try (InputStream in =
-        Objects.requireNonNull(GlInfo.class.getResourceAsStream(LIBRARIES), LIBRARIES)) {
-      return new String(in.readAllBytes(), StandardCharsets.UTF_8)
-          .lines()
-          .filter(line -> line.startsWith("org.jogamp.jogl:jogl-all "))
-          .map(line -> line.split(" +")[1])
-          .findFirst()
-          .orElseThrow();
+        Objects.requireNonNull(GlInfo.class.getResourceAsStream(VERSIONS), VERSIONS)) {
+      Properties versions = new Properties();
+      versions.load(in);
+      return versions.getProperty("jogl.version");
     } catch (IOException e) {
-      throw new UncheckedIOException(LIBRARIES, e);
+      throw new UncheckedIOException(VERSIONS, e);
     }
   }
 
