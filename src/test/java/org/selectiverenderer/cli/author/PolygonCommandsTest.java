@@ -149,7 +149,7 @@ class PolygonCommandsTest {
     }
 
     assertThat(run(arguments.toArray(String[]::new))).isEqualTo(1);
-    assertThat(err).contains("specks.x3d").contains("specks beside its extent");
+    assertThat(err).contains("specks.x3d").contains("no polygons larger than rounding error");
     assertThat(out).isEmpty();
   }
 

@@ -27,9 +27,9 @@ class RunHeadsetTest extends CommandTestCase {
       delimiter = '|',
       value = {
         "--offscreen | cannot be combined with",
-        "--ipd 63 | a headset tells by itself",
-        "--hmd proview50 | a headset tells by itself",
-        "--hmd-check | a headset tells by itself",
+        "--ipd 63 | a headset brings its own",
+        "--hmd proview50 | a headset brings its own",
+        "--hmd-check | a headset brings its own",
         "--tracker opentrack | has the headset's own tracker; leave --tracker out",
         "--tracker-position on | leave it out",
         "--user-scale 0 | --user-scale must be a number from 0.01 to 100",

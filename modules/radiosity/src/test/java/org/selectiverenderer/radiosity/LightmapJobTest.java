@@ -568,7 +568,7 @@ class LightmapJobTest {
     String flat = tiled("dot.png").replace("0 0, 0 1, 1 1, 1 0", "0 0, 0 0, 0 0, 0 0");
     light(room(0, 0, 0, 4, GREY) + LAMP + flat + flat, QUICK);
     assertThat(problems.list()).hasSize(1);
-    assertThat(problems.list().get(0).message()).contains("in one line or point", "2 shapes");
+    assertThat(problems.list().get(0).message()).contains("on one line or point", "2 shapes");
   }
 
   @Test

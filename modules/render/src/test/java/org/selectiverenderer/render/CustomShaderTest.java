@@ -213,7 +213,7 @@ class CustomShaderTest {
                     + program));
     assertThat(seen.middle()).isEqualTo(GREEN);
     assertThat(seen.told()).hasSize(1);
-    assertThat(seen.told().get(0)).contains("the field tint of ComposedShader S is an SFVec3f");
+    assertThat(seen.told().get(0)).contains("the field tint of ComposedShader S (SFVec3f) has 3 components");
   }
 
   @Test

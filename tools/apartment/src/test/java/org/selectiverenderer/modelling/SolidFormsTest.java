@@ -155,7 +155,7 @@ class SolidFormsTest {
   void whatHasNoRoomIsRefused() {
     assertThatThrownBy(() -> ExtrudedSolid.bevelled(1, 0.06, 1, L))
         .isInstanceOf(IllegalArgumentException.class)
-        .hasMessageContaining("room");
+        .hasMessageContaining("larger than the outline");
     assertThatThrownBy(() -> Boxes.bevelled(1, 1, 1, 0.6, 1))
         .isInstanceOf(IllegalArgumentException.class);
     assertThatThrownBy(() -> Lathe.solid(ProfileCurve.of(-1, 0, 1, 1), 8))

@@ -126,7 +126,7 @@ class AreaEditsTest {
     assertThatThrownBy(() -> edits.add("boxLibrary", box(0, 0, 0, 1, 1, 1)))
         .isInstanceOf(EditRejectedException.class);
     assertThatThrownBy(() -> edits.add("Flat", box(0, 0, 0, 1, 0, 1)))
-        .hasMessageContaining("larger than 0");
+        .hasMessageContaining("greater than 0");
   }
 
   @Test

@@ -42,6 +42,6 @@ class CommentToggleTest {
     assertThatThrownBy(() -> toggled("<a/>\n\n", 5, 5)).isInstanceOf(EditRejectedException.class);
     assertThatThrownBy(() -> toggled("<!-- <a/>", 6, 6))
         .isInstanceOf(EditRejectedException.class)
-        .hasMessageContaining("does not end");
+        .hasMessageContaining("is not closed");
   }
 }

@@ -110,7 +110,7 @@ class MetadataClipboardFormatTest {
     String ofArea = MetadataClipboardFormat.of(area(0));
     assertThatThrownBy(() -> MetadataClipboardFormat.paste(enrichment, ofArea, objects, List.of()))
         .isInstanceOf(EditRejectedException.class)
-        .hasMessageContaining("is for areas");
+        .hasMessageContaining("the metadata of an area");
     String cut = "object metadata\tCup\nconsistent";
     assertThatThrownBy(() -> MetadataClipboardFormat.paste(enrichment, cut, objects, List.of()))
         .isInstanceOf(EditRejectedException.class)

@@ -66,7 +66,7 @@ class NodeEditsTest {
     DocumentElement use = sceneElement.children().get(3).children().get(0);
     assertThatThrownBy(() -> edits.rename(use, "Other"))
         .isInstanceOf(EditRejectedException.class)
-        .hasMessageContaining("rename that one");
+        .hasMessageContaining("rename the original");
   }
 
   @Test

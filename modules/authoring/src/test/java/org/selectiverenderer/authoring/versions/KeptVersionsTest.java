@@ -74,7 +74,7 @@ class KeptVersionsTest extends VaseScene {
   @Test
   void aVersionThatIsNotThereCannotBeKept() throws IOException {
     assertThat(plan(request().keeping(Set.of(4)))).isEmpty();
-    assertThat(problems.list().get(0).message()).contains("no version 4");
+    assertThat(problems.list().get(0).message()).contains("version 4 of the object");
   }
 
   @Test

@@ -39,6 +39,6 @@ class ProgressBarTest {
     try (ProgressBar bar = new ProgressBar(console, false, Duration.ofMillis(1))) {
       bar.cancel();
     }
-    assertThat(messages.toString(StandardCharsets.UTF_8)).contains("did not end");
+    assertThat(messages.toString(StandardCharsets.UTF_8)).contains("did not stop");
   }
 }

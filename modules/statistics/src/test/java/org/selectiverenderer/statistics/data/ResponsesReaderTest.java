@@ -131,7 +131,7 @@ class ResponsesReaderTest {
     assertThat(found.usable()).extracting(Response::participant).containsOnly("p1");
     assertThat(problems.list())
         .extracting(Object::toString)
-        .anyMatch(line -> line.startsWith("r.csv:4:1: participant px: is not among"))
+        .anyMatch(line -> line.startsWith("r.csv:4:1: participant px: is not in the list"))
         .anyMatch(line -> line.endsWith("participants.csv:3:1: participant p3: has no answers"));
   }
 

@@ -41,8 +41,7 @@ class ThresholdResultsTest extends ThresholdPilotFixture {
         .asString()
         .endsWith(
             "threshold.json: the settings or the pictures were changed between participants (sub-001,"
-                + " sub-002; sub-003); what they saw was not the same, and should not be in one"
-                + " mean");
+                + " sub-002; sub-003); their results are not comparable, and should not be averaged");
   }
 
   @Test

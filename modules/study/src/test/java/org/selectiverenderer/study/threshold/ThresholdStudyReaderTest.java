@@ -76,6 +76,6 @@ class ThresholdStudyReaderTest extends ThresholdPilotFixture {
          "objects": [{"object": "A"}, {"object": "B"}, {"object": "C"}]}
         """);
     assertThat(ThresholdStudyReader.read(file, problems)).isEmpty();
-    assertThat(told()).singleElement().asString().contains("four objects are needed");
+    assertThat(told()).singleElement().asString().contains("needs at least four");
   }
 }

@@ -61,7 +61,7 @@ public final class RuleDocumentation {
 
             How to run the validator, to ignore rules and to read its reports: [validate.md](validate.md).
 
-            <!-- RuleBookTest writes this page: do not edit it by hand. -->
+            <!-- RuleDocumentationTest writes this page: do not edit it by hand. -->
 
             An error violates the standard, or something will not show. A warning works here, but is probably a
             mistake or does not work everywhere. A remark (info) never makes a run fail.

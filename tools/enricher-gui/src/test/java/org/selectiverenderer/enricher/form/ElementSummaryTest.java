@@ -29,9 +29,9 @@ class ElementSummaryTest {
     DocumentElement in = session.document().tree().orElseThrow().root().children().get(0);
     assertThat(in.children().stream().map(node -> advice(session, node)).toList())
         .satisfiesExactly(
-            chair -> assertThat(chair).contains("line 2", "read only", "<Group DEF='Chair'/>"),
+            chair -> assertThat(chair).contains("line 2", "read-only", "<Group DEF='Chair'/>"),
             far -> assertThat(far).contains("never fetched", "line 3"),
-            unknown -> assertThat(unknown).contains("does not declare it"));
+            unknown -> assertThat(unknown).contains("does not declare this entity"));
   }
 
   private static String advice(EnricherSession session, DocumentElement node) {

@@ -112,7 +112,7 @@ class PreviewPanelTest extends PreviewFixture {
       window.await(frame -> frame.otherLayers() == 0);
       replace(window, "</Scene>", layers + "</Scene>");
       window.await(frame -> frame.otherLayers() == 2);
-      assertThat(EventThread.get(window.panel::message)).contains("2 others");
+      assertThat(EventThread.get(window.panel::message)).contains("2 other layers");
       replace(window, layers, "");
       window.await(frame -> frame.otherLayers() == 0);
       assertThat(EventThread.get(window.panel::message)).isBlank();
