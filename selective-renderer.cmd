@@ -116,8 +116,9 @@ powershell -NoProfile -ExecutionPolicy Bypass -Command ^
   "$made = $jar[0].LastWriteTimeUtc;" ^
   "$note = Get-Item -LiteralPath target\downloaded -ErrorAction SilentlyContinue;" ^
   "if ($note -and $note.LastWriteTimeUtc -gt $made) { $made = $note.LastWriteTimeUtc };" ^
-  "$roots = 'pom.xml', 'src\main', 'src\sai', 'tools' | Where-Object { Test-Path $_ };" ^
-  "$files = @(Get-Item $roots) + @(Get-ChildItem $roots -Recurse);" ^
+  "$roots = 'pom.xml', 'src\pom.xml', 'src\main', 'modules\*\pom.xml', 'modules\*\src\main'," ^
+  "'tools\*\pom.xml', 'tools\*\src\main' | Get-Item -ErrorAction SilentlyContinue;" ^
+  "$files = @($roots) + @($roots | Where-Object PSIsContainer | Get-ChildItem -Recurse);" ^
   "if ($files | Where-Object { $_.LastWriteTimeUtc -gt $made }) { exit 1 }"
 exit /b %ERRORLEVEL%
 

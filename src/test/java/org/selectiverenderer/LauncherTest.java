@@ -213,8 +213,14 @@ class LauncherTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"tools/enricher-gui/src/main/java/B.java", "src/sai/java/B.java"})
-  void anEditedSourceOfAnotherRootIsBuiltAgain(String name) throws Exception {
+  @ValueSource(
+      strings = {
+        "tools/enricher-gui/src/main/java/B.java",
+        "modules/sai/src/main/java/B.java",
+        "modules/x3d/pom.xml",
+        "src/pom.xml"
+      })
+  void anEditedFileOfAnotherModuleIsBuiltAgain(String name) throws Exception {
     Path source = home.resolve(name);
     Files.createDirectories(source.getParent());
     Files.writeString(source, "");

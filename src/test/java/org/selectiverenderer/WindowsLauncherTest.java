@@ -124,9 +124,12 @@ class WindowsLauncherTest {
       assertThat(script()).contains(file);
       assertThat(windows).contains(file);
     }
-    assertThat(script()).contains("find pom.xml src/main src/sai tools -newer", "store=$home/app");
+    assertThat(script())
+        .contains("find pom.xml src/pom.xml src/main modules/*/pom.xml", "store=$home/app");
     assertThat(windows)
-        .contains("$roots = 'pom.xml', 'src/main', 'src/sai', 'tools'", "SR_STORE=%SR_HOME%app");
+        .contains(
+            "$roots = 'pom.xml', 'src/pom.xml', 'src/main', 'modules/*/pom.xml'",
+            "SR_STORE=%SR_HOME%app");
   }
 
   @Test
