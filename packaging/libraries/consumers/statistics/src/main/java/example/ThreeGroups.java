@@ -8,8 +8,8 @@ import org.selectiverenderer.statistics.anova.Design;
 import org.selectiverenderer.statistics.anova.Effect;
 import org.selectiverenderer.statistics.anova.Factor;
 import org.selectiverenderer.statistics.anova.Subject;
-import org.selectiverenderer.statistics.detection.ExtremeRateCorrection;
 import org.selectiverenderer.statistics.detection.DetectionIndices;
+import org.selectiverenderer.statistics.detection.ExtremeRateCorrection;
 import org.selectiverenderer.statistics.detection.ResponseCounts;
 
 /** Sensitivity of one participant, and whether three groups differ. */
@@ -17,7 +17,9 @@ public final class ThreeGroups {
   private ThreeGroups() {}
 
   public static void main(String[] args) {
-    Detection detection = Detection.of(new ResponseCounts(18, 2, 5, 15), Correction.LOG_LINEAR);
+    DetectionIndices detection =
+        DetectionIndices.of(
+            new ResponseCounts(18, 2, 5, 15), ExtremeRateCorrection.LOG_LINEAR);
     System.out.printf(
         Locale.ROOT, "d' = %.3f, c = %.3f%n", detection.dPrime(), detection.criterion());
 

@@ -6,8 +6,8 @@ import java.util.ArrayList;
 import java.util.List;
 import org.selectiverenderer.base.problem.Problem.Severity;
 import org.selectiverenderer.validation.Finding;
-import org.selectiverenderer.validation.ValidationReport;
 import org.selectiverenderer.validation.SourceFile;
+import org.selectiverenderer.validation.ValidationReport;
 import org.selectiverenderer.validation.ValidationSettings;
 import org.selectiverenderer.validation.report.ReportFormat;
 import org.selectiverenderer.validation.run.RuleCatalogue;
@@ -25,7 +25,7 @@ public final class CheckScenes {
     }
     Validator validator =
         new Validator(RuleCatalogue.standard(), ValidationSettings.standard(), base);
-    Report report = validator.validate(files);
+    ValidationReport report = validator.validate(files);
     for (Finding finding : report.findings()) {
       System.out.println(
           finding.severity() + " " + finding.rule().id() + " line " + finding.location().line());
