@@ -10,7 +10,7 @@ from .commands import HOME, asked, git, run, say
 
 JARS = ("selective-renderer.jar", "x3d-sai.jar")
 SBOM = "bom.json"
-LIBRARIES = "packaging/libraries/build"
+LIBRARIES = "selective-renderer-libraries-{}.zip"
 LIBRARIES_USED = "packaging/libraries/check"
 # Nothing that differs between two machines may show in the bytes.
 PLACES = (
@@ -35,43 +35,31 @@ def remove(work):
     asked("worktree", "prune")
 
 
-def twice(work, commit):
+def twice(work, commit, version):
     """Builds in both places, and refuses what has other bytes in the second; returns the first's folder."""
     one, other = (_build(work, commit, *place) for place in PLACES)
-    for name in (*JARS, SBOM, *libraries(one)):
+    for name in (*JARS, SBOM, LIBRARIES.format(version)):
         difference = files.difference(one / "target" / name, other / "target" / name)
         if difference:
             raise Refusal(f"two builds differ, so there is no release: {difference}")
-    if (one / LIBRARIES_USED).exists():
-        say("using the libraries as other projects do")
-        run(LIBRARIES_USED, cwd=one)
+    say("using the libraries as other projects do")
+    run(LIBRARIES_USED, cwd=one)
     return one
 
 
-def libraries(folder):
-    """The names of the libraries' archives in the folder's target, where LIBRARIES is to make them."""
-    if not (folder / LIBRARIES).exists():
-        return []
-    made = sorted(path.name for path in (folder / "target").glob("selective-renderer-libraries-*.zip"))
-    if not made:
-        raise Refusal(f"{LIBRARIES} made no target/selective-renderer-libraries-*.zip")
-    return made
-
-
-def recipe(name, tag, commit, archives=()):
-    """How to make the same bytes again, those of the libraries' archives too."""
+def recipe(version, tag, commit):
+    """How to make the same bytes again."""
     time = datetime.datetime.fromtimestamp(int(git("log", "-1", "--format=%ct", commit)), datetime.timezone.utc)
     maven = run("mvn", "-B", "--version", env=os.environ | {"MAVEN_ARGS": ""})
     maven = re.sub(r"\x1b\[[0-9;]*m", "", maven)  # Maven 3 writes bold letters wherever it runs.
     programs = [line for line in maven.splitlines() if line.startswith(("Apache Maven", "Java version"))]
     programs = [line.split(", runtime:")[0].split(" (")[0] for line in programs]
     return (
-        f"{name}\n\nCommit {commit}\nof {time:%Y-%m-%d %H:%M:%S} UTC, built twice with the same bytes by\n"
+        f"selective-renderer {version}\n\nCommit {commit}\nof {time:%Y-%m-%d %H:%M:%S} UTC, built twice with the same bytes by\n"
         + "".join(f"  {line}\n" for line in programs)
         + f"\nWith the same Java one gets these bytes again:\n\n  git checkout {tag}\n"
-        + "  mvn -DskipTests clean package\n"
-        + f"  {LIBRARIES}\n" * bool(archives)
-        + "  sha256sum " + " ".join(f"target/{file}" for file in (*JARS, *archives)) + "\n"
+        + "  mvn -Plibraries -DskipTests clean package\n"
+        + "  sha256sum " + " ".join(f"target/{file}" for file in (*JARS, LIBRARIES.format(version))) + "\n"
     )
 
 
@@ -80,8 +68,8 @@ def _build(work, commit, place, environment, umask):
     if not folder.exists():
         git("worktree", "add", "--quiet", "--detach", str(folder), commit)
     say(f"building in {folder.relative_to(HOME)}")
-    there = {"cwd": folder, "env": os.environ | environment, "umask": umask}
-    run("mvn", "-q", "-B", "-ntp", "-Psbom", "-DskipTests", "-Dmaven.test.skip=true", "package", **there)
-    if (folder / LIBRARIES).exists():
-        run(LIBRARIES, **there)
+    run(
+        "mvn", "-q", "-B", "-ntp", "-Psbom,libraries", "-Dmaven.test.skip=true", "package",
+        cwd=folder, env=os.environ | environment, umask=umask,
+    )
     return folder

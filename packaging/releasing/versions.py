@@ -6,7 +6,8 @@ from . import Refusal
 
 SNAPSHOT = "-SNAPSHOT"
 _RELEASE = re.compile(r"(0|[1-9]\d*)\.(0|[1-9]\d*)\.(0|[1-9]\d*)(?:-([0-9A-Za-z]+(?:\.[0-9A-Za-z]+)*))?")
-_IN_POM = re.compile(r"^  <version>(.*)</version>$", re.MULTILINE)
+# The version of a POM, or that of its parent, which stands first.
+_IN_POM = re.compile(r"^((?:  )?  <version>)(.*)(</version>)$", re.MULTILINE)
 _IN_CITATION = re.compile(r"^version: *(.*)$", re.MULTILINE)
 _DAY = re.compile(r"^date-released: .*\n", re.MULTILINE)
 
@@ -37,11 +38,11 @@ def following(version):
 
 
 def of_pom(pom):
-    return _IN_POM.search(pom).group(1)
+    return _IN_POM.search(pom).group(2)
 
 
 def in_pom(pom, version):
-    return _IN_POM.sub(f"  <version>{version}</version>", pom, count=1)
+    return _IN_POM.sub(rf"\g<1>{version}\3", pom, count=1)
 
 
 def of_citation(citation):

@@ -42,6 +42,21 @@ class ReleaseCommandTest {
       [1.1.0]: https://example.org/compare/v1.0.0...v1.1.0
       """;
 
+  private static final String MODULE = "modules/door/pom.xml";
+  private static final String CONSUMER = "packaging/libraries/consumers/door/pom.xml";
+
+  private static final String OF_MODULE =
+      """
+      <project>
+        <parent>
+          <version>%s</version>
+        </parent>
+        <dependencies>
+          <version>2.1</version>
+        </dependencies>
+      </project>
+      """;
+
   @TempDir private Path folder;
   private ScriptSandbox scripts;
 
@@ -52,13 +67,9 @@ class ReleaseCommandTest {
     scripts.write("CHANGELOG.md", CHANGELOG);
     scripts.write("CITATION.cff", "title: Doors\nversion: 1.1.0\ndate-released: 2025-02-03\n");
     scripts.write("pom.xml", "<project>\n  <version>1.2.0-SNAPSHOT</version>\n</project>\n");
+    scripts.write(MODULE, OF_MODULE.formatted("1.2.0-SNAPSHOT"));
+    scripts.write(CONSUMER, "<project>\n  <version>1</version>\n</project>\n");
     scripts.write("LICENSE", "MIT\n");
-    script(
-        "packaging/libraries/build",
-        """
-        v=$(sed -n 's|^  <version>\\(.*\\)</version>$|\\1|p' pom.xml)
-        cp target/x3d-sai.jar "target/selective-renderer-libraries-$v.zip"
-        """);
     script(
         "packaging/libraries/check",
         "[ -z \"${UNUSABLE:-}\" ] || { echo no method close in Door; exit 1; }\n");
@@ -84,6 +95,8 @@ class ReleaseCommandTest {
                 for entry, file in (("pom.xml", "pom.xml"), ("META-INF/THIRD-PARTY.txt", "table")):
                     jar.writestr(zipfile.ZipInfo(entry), open(f"target/{file}").read())
         END
+        v=$(sed -n 's|^  <version>\\(.*\\)</version>$|\\1|p' pom.xml)
+        cp target/x3d-sai.jar "target/selective-renderer-libraries-$v.zip"
         """);
     scripts.tool(
         "java",
@@ -180,8 +193,11 @@ class ReleaseCommandTest {
             "git reset --hard " + before.substring(0, 9));
 
     // Built twice, of the commit that is tagged; it states the version and the day everywhere.
-    assertThat(scripts.notes()).hasSize(2).allMatch(note -> note.contains("-Psbom"));
+    assertThat(scripts.notes()).hasSize(2).allMatch(note -> note.contains("-Psbom,libraries"));
     assertThat(scripts.git("show", "v1.2.0:pom.xml")).contains("<version>1.2.0</version>");
+    assertThat(scripts.git("show", "v1.2.0:" + MODULE) + "\n")
+        .isEqualTo(OF_MODULE.formatted("1.2.0"));
+    assertThat(scripts.git("show", "v1.2.0:" + CONSUMER)).contains("<version>1</version>");
     String day = scripts.git("log", "-1", "--format=%cs", "v1.2.0");
     assertThat(scripts.git("show", "v1.2.0:CHANGELOG.md"))
         .contains("## [1.2.0] - " + day + "\n\nDoors");
@@ -193,6 +209,7 @@ class ReleaseCommandTest {
     // Then the next version begins; nothing has left this machine.
     assertThat(scripts.git("rev-parse", "main~1")).isEqualTo(scripts.git("rev-parse", "v1.2.0^{}"));
     assertThat(scripts.read("pom.xml")).contains("<version>1.2.1-SNAPSHOT</version>");
+    assertThat(scripts.read(MODULE)).isEqualTo(OF_MODULE.formatted("1.2.1-SNAPSHOT"));
     assertThat(scripts.git("status", "--porcelain")).isEmpty();
     assertThat(scripts.git("ls-remote", "origin")).isEmpty();
     assertThat(scripts.git("worktree", "list")).hasLineCount(1);
@@ -223,7 +240,7 @@ class ReleaseCommandTest {
         .contains(
             "Apache Maven 3.9.9",
             scripts.git("rev-parse", "v1.2.0^{}"),
-            "  git checkout v1.2.0\n  mvn -DskipTests clean package\n  packaging/libraries/build\n",
+            "  git checkout v1.2.0\n  mvn -Plibraries -DskipTests clean package\n",
             "target/x3d-sai.jar target/selective-renderer-libraries-1.2.0.zip\n");
   }
 

@@ -18,8 +18,7 @@ public final class ThreeGroups {
 
   public static void main(String[] args) {
     DetectionIndices detection =
-        DetectionIndices.of(
-            new ResponseCounts(18, 2, 5, 15), ExtremeRateCorrection.LOG_LINEAR);
+        DetectionIndices.of(new ResponseCounts(18, 2, 5, 15), ExtremeRateCorrection.LOG_LINEAR);
     System.out.printf(
         Locale.ROOT, "d' = %.3f, c = %.3f%n", detection.dPrime(), detection.criterion());
 

@@ -17,6 +17,7 @@ import org.selectiverenderer.geometry.mesh.Mesh;
 public final class MeshBvh {
   /** The sides of triangles that a ray can hit. */
   public enum Sides {
+    /** The front side and the back side. */
     BOTH,
     /** Only the front side, seen from which a triangle is wound counter-clockwise. */
     FRONT

@@ -10,8 +10,11 @@ import org.selectiverenderer.x3d.source.XmlDocument;
 
 /** The encodings in which scenes are written, with their file name extensions. */
 public enum SceneFormat {
+  /** The XML encoding (ISO/IEC 19776-1). */
   XML(XmlSceneWriter::of, ".x3d", ".x3dz", ".xml"),
+  /** The ClassicVRML encoding (ISO/IEC 19776-2). */
   CLASSIC(ClassicVrmlSceneWriter::of, ".x3dv", ".x3dvz"),
+  /** The JSON encoding (ISO/IEC 19776-5). */
   JSON(JsonSceneWriter::of, ".x3dj", ".x3djz", ".json");
 
   private static final String GZIP = ".gz";

@@ -27,6 +27,7 @@ public final class X3dNodeWriter {
 
   /** Converts the urls of a node for the file being written. */
   public interface UrlRule {
+    /** Returns the url as the written file is to have it. */
     String written(NodeView node, String url);
   }
 
@@ -36,6 +37,7 @@ public final class X3dNodeWriter {
   private final Written which;
   private final Map<NodeView, String> defined = new IdentityHashMap<>();
 
+  /** Creates a writer of nodes that writes by another writer, to its file. */
   public X3dNodeWriter(X3dWriter out, Written which) {
     this.out = out;
     this.which = which;

@@ -16,6 +16,7 @@ public final class X3dWriter {
   private boolean inTag;
   private boolean ownLine;
 
+  /** Creates a writer for a short file. */
   public X3dWriter() {
     this(1000);
   }
