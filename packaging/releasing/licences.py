@@ -5,6 +5,8 @@ import re
 THIRD_PARTY = "META-INF/THIRD-PARTY.txt"
 # Whose POM says "BSD", which the SBOM's maker reads as a licence of four clauses; its text has three.
 _GROUPS = {"com.miglayout": "BSD-3-Clause"}
+# The program's modules, which are no third party's.
+_OWN = "org.selectiverenderer"
 _ROW = re.compile(r"^([\w.-]+:[\w.-]+) +(\S+) +(\S+) ", re.MULTILINE)
 
 
@@ -31,6 +33,8 @@ def faults(text, bom):
     rows = table(text)
     said = {}
     for component in bom["components"]:
+        if component["group"] == _OWN:
+            continue
         licences = {
             choice.get("expression") or choice["license"].get("id") or choice["license"]["name"]
             for choice in component.get("licenses", [])

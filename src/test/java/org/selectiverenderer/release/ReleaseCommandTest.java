@@ -87,7 +87,8 @@ class ReleaseCommandTest {
         echo "org.door:hinge  2.1  MIT  below" >target/table
         [ -z "${DIFFERENT:-}" ] || pwd >>target/pom.xml
         echo '{"components": [{"group": "org.door", "name": "hinge", "version": "'${HINGE:-2.1}'",
-          "licenses": [{"license": {"id": "MIT"}}]}]}' >target/bom.json
+          "licenses": [{"license": {"id": "MIT"}}]},
+          {"group": "org.selectiverenderer", "name": "a-module", "version": "1.2.0"}]}' >target/bom.json
         python3 - <<END
         import zipfile
         for name in ("selective-renderer", "x3d-sai"):

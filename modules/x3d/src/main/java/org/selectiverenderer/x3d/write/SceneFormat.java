@@ -14,7 +14,7 @@ public enum SceneFormat {
   XML(XmlSceneWriter::of, ".x3d", ".x3dz", ".xml"),
   /** The ClassicVRML encoding (ISO/IEC 19776-2). */
   CLASSIC(ClassicVrmlSceneWriter::of, ".x3dv", ".x3dvz"),
-  /** The JSON encoding (ISO/IEC 19776-5). */
+  /** X3D's JSON encoding. */
   JSON(JsonSceneWriter::of, ".x3dj", ".x3djz", ".json");
 
   private static final String GZIP = ".gz";
