@@ -9,9 +9,9 @@ import org.selectiverenderer.geometry.mesh.Mesh;
  * @param largest the size of the largest triangle: twice the height of a narrow one, else its
  *     longest edge
  * @param bent the size of the largest triangle whose normals differ by more than {@link
- *     Fineness#WIDE}
+ *     CurvatureTolerance#WIDE}
  * @param bentLittle the size of the largest triangle whose normals differ by more than {@link
- *     Fineness#NARROW}
+ *     CurvatureTolerance#NARROW}
  */
 public record MeshMetrics(double longest, double largest, double bent, double bentLittle) {
   /** The metrics of a mesh that is not lit or has no edges to split. */
