@@ -52,34 +52,6 @@ public record RadiositySettings(
           300_000,
           LightStorageSettings.DEFAULT);
 
-  /** Creates settings that store light at vertices. */
-  public RadiositySettings(
-      int iterations,
-      double quality,
-      OptionalDouble minMesh,
-      OptionalDouble maxMesh,
-      boolean globalSubdivision,
-      boolean regather,
-      boolean photometric,
-      int rays,
-      int seed,
-      double exposure,
-      int maxPolygons) {
-    this(
-        iterations,
-        quality,
-        minMesh,
-        maxMesh,
-        globalSubdivision,
-        regather,
-        photometric,
-        rays,
-        seed,
-        exposure,
-        maxPolygons,
-        LightStorageSettings.VERTICES);
-  }
-
   public RadiositySettings {
     require(iterations >= 1, "the number of iterations must be at least 1");
     require(quality > 0 && quality <= 100, "the quality must be above 0 and at most 100 percent");
@@ -97,23 +69,12 @@ public record RadiositySettings(
 
   /** Returns these settings with another storage of light. */
   public RadiositySettings with(LightStorageSettings other) {
-    return new RadiositySettings(
-        iterations,
-        quality,
-        minMesh,
-        maxMesh,
-        globalSubdivision,
-        regather,
-        photometric,
-        rays,
-        seed,
-        exposure,
-        maxPolygons,
-        other);
+    return with(rays, quality, other);
   }
 
-  /** Returns these settings with another number of rays and another quality. */
-  public RadiositySettings with(int otherRays, double otherQuality) {
+  /** Returns these settings with another number of rays, another quality and another storage. */
+  public RadiositySettings with(
+      int otherRays, double otherQuality, LightStorageSettings otherStore) {
     return new RadiositySettings(
         iterations,
         otherQuality,
@@ -126,7 +87,7 @@ public record RadiositySettings(
         seed,
         exposure,
         maxPolygons,
-        store);
+        otherStore);
   }
 
   private static void require(boolean condition, String otherwise) {

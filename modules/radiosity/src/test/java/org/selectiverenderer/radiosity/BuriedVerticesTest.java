@@ -28,7 +28,8 @@ class BuriedVerticesTest {
           16,
           1,
           0,
-          300_000);
+          300_000,
+          LightStorageSettings.VERTICES);
 
   private static String divided(int polygons, String body) {
     return "<Group><MetadataSet containerField='metadata' name='radiosity'>"

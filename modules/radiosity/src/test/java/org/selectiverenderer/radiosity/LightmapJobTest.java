@@ -60,18 +60,18 @@ class LightmapJobTest {
 
   private static RadiositySettings quick(LightStorageSettings store) {
     return new RadiositySettings(
-            50,
-            95,
-            OptionalDouble.empty(),
-            OptionalDouble.of(0.7),
-            true,
-            true,
-            true,
-            16,
-            1,
-            0,
-            300_000)
-        .with(store);
+        50,
+        95,
+        OptionalDouble.empty(),
+        OptionalDouble.of(0.7),
+        true,
+        true,
+        true,
+        16,
+        1,
+        0,
+        300_000,
+        store);
   }
 
   @BeforeEach

@@ -54,7 +54,8 @@ class RadiosityJobTest {
           16,
           1,
           0,
-          300_000);
+          300_000,
+          LightStorageSettings.VERTICES);
 
   @TempDir private Path folder;
   private final ProblemCollector problems = new ProblemCollector();
@@ -378,7 +379,8 @@ class RadiosityJobTest {
             16,
             1,
             0,
-            300_000);
+            300_000,
+            LightStorageSettings.VERTICES);
     assertThatThrownBy(
             () ->
                 job(scene(LAMP + walls), fine).run(problems, RadiosityProgress.NONE, (b, q) -> {}))
@@ -396,7 +398,8 @@ class RadiosityJobTest {
             16,
             1,
             0,
-            Integer.MAX_VALUE);
+            Integer.MAX_VALUE,
+            LightStorageSettings.VERTICES);
     assertThatThrownBy(
             () ->
                 job(scene(LAMP + walls), immense)

@@ -28,7 +28,8 @@ class TwoSidedVertexLightTest {
           64,
           1,
           0,
-          300_000);
+          300_000,
+          LightStorageSettings.VERTICES);
 
   private static VertexLitScene light(String scene) throws Exception {
     return new VertexLightBaker(SETTINGS, RadiosityProgress.NONE)

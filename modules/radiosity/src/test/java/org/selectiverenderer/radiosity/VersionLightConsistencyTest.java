@@ -17,20 +17,19 @@ import org.selectiverenderer.radiosity.scene.RadiosityScene;
 class VersionLightConsistencyTest {
   private static final RadiositySettings QUICK =
       new RadiositySettings(
-              20,
-              95,
-              OptionalDouble.empty(),
-              OptionalDouble.of(0.6),
-              true,
-              true,
-              true,
-              16,
-              1,
-              0,
-              300_000)
-          .with(
-              new LightStorageSettings(
-                  LightStorageSettings.Kind.TEXTURES, OptionalDouble.of(20), 8, false));
+          20,
+          95,
+          OptionalDouble.empty(),
+          OptionalDouble.of(0.6),
+          true,
+          true,
+          true,
+          16,
+          1,
+          0,
+          300_000,
+          new LightStorageSettings(
+              LightStorageSettings.Kind.TEXTURES, OptionalDouble.of(20), 8, false));
 
   private static String shape(String geometry) {
     return "<Shape><Appearance><Material diffuseColor='0.7 0.6 0.4'/></Appearance>"

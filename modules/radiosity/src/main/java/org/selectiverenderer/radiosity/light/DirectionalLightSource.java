@@ -17,18 +17,6 @@ public record DirectionalLightSource(double[] towards, float[] lux, double lumen
   }
 
   @Override
-  public void unshadowed(double[] point, double[] normal, double[] out) {
-    LightSample sample = new LightSample();
-    sample(point, 0.5, 0.5, sample);
-    sample.onto(normal, out);
-  }
-
-  @Override
-  public double near() {
-    return 0;
-  }
-
-  @Override
   public double away(double[] point) {
     return Double.POSITIVE_INFINITY;
   }

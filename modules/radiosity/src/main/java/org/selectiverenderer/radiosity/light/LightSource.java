@@ -25,14 +25,21 @@ public sealed interface LightSource
    * @param normal unit normal of the receiving surface
    * @param out receives r, g, b
    */
-  void unshadowed(double[] point, double[] normal, double[] out);
+  default void unshadowed(double[] point, double[] normal, double[] out) {
+    // Every sample of a lamp without extent is the whole lamp.
+    LightSample sample = new LightSample();
+    sample(point, 0.5, 0.5, sample);
+    sample.onto(normal, out);
+  }
 
   /**
    * Returns the distance, metres, within which single sample points of the lamp are too noisy,
    * since their light varies too much, and {@link #unshadowed} is to be used instead; 0 where that
    * is no better.
    */
-  double near();
+  default double near() {
+    return 0;
+  }
 
   /**
    * Returns a lower bound of the distance from a point to the lamp, metres; infinite for the sun.

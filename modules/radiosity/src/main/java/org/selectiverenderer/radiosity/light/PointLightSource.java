@@ -33,18 +33,6 @@ public record PointLightSource(
   }
 
   @Override
-  public void unshadowed(double[] point, double[] normal, double[] out) {
-    LightSample sample = new LightSample();
-    sample(point, 0.5, 0.5, sample);
-    sample.onto(normal, out);
-  }
-
-  @Override
-  public double near() {
-    return 0;
-  }
-
-  @Override
   public double away(double[] point) {
     double square = 0;
     for (int i = 0; i < 3; i++) {

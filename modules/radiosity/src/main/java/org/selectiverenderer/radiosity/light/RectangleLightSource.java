@@ -28,38 +28,46 @@ public record RectangleLightSource(
 
   @Override
   public void sample(double[] point, double s, double t, LightSample sample) {
-    double height = 0;
-    double x = 0;
-    double y = 0;
-    double width = 0;
-    double tall = 0;
-    double square = 0;
-    for (int i = 0; i < 3; i++) {
-      double d = point[i] - centre[i];
-      height += d * axis[i];
-      x += d * half[i];
-      y += d * up[i];
-      width += half[i] * half[i];
-      tall += up[i] * up[i];
-      square += d * d;
-    }
+    double height = along(axis, point);
     if (!(height > 0)) {
       sample.black();
       return;
+    }
+    double square = 0;
+    for (int i = 0; i < 3; i++) {
+      double d = point[i] - centre[i];
+      square += d * d;
     }
     if (square > NEAR * NEAR * area) {
       far(point, 2 * s - 1, 2 * t - 1, sample);
       return;
     }
-    width = Math.sqrt(width);
-    tall = Math.sqrt(tall);
-    x /= width;
-    y /= tall;
+    double width = Math.sqrt(squared(half));
+    double tall = Math.sqrt(squared(up));
+    double x = along(half, point) / width;
+    double y = along(up, point) / tall;
     SphericalRectangle seen = sample.rectangle;
     double solidAngle = seen.look(-width - x, width - x, -tall - y, tall - y, height);
     seen.place(s, t);
     aim(point, seen.across / width - 1, seen.along / tall - 1, sample);
     sample.shine(luminance, solidAngle);
+  }
+
+  /** Returns the dot product of a vector and the way from the centre to a point. */
+  private double along(double[] vector, double[] point) {
+    double sum = 0;
+    for (int i = 0; i < 3; i++) {
+      sum += (point[i] - centre[i]) * vector[i];
+    }
+    return sum;
+  }
+
+  private static double squared(double[] vector) {
+    double sum = 0;
+    for (int i = 0; i < 3; i++) {
+      sum += vector[i] * vector[i];
+    }
+    return sum;
   }
 
   private void far(double[] point, double a, double b, LightSample sample) {
@@ -79,12 +87,8 @@ public record RectangleLightSource(
 
   @Override
   public void unshadowed(double[] point, double[] normal, double[] out) {
-    double before = 0;
-    for (int i = 0; i < 3; i++) {
-      before += (point[i] - centre[i]) * axis[i];
-    }
     double factor = 0;
-    if (before > 0) {
+    if (along(axis, point) > 0) {
       double[] corners = new double[12];
       for (int i = 0; i < 12; i++) {
         int corner = i / 3;
@@ -99,27 +103,12 @@ public record RectangleLightSource(
   }
 
   @Override
-  public double near() {
-    return 0;
-  }
-
-  @Override
   public double away(double[] point) {
-    double height = 0;
-    double x = 0;
-    double y = 0;
-    double width = 0;
-    double tall = 0;
-    for (int i = 0; i < 3; i++) {
-      double d = point[i] - centre[i];
-      height += d * axis[i];
-      x += d * half[i];
-      y += d * up[i];
-      width += half[i] * half[i];
-      tall += up[i] * up[i];
-    }
-    x = Math.max(0, (Math.abs(x) - width) / Math.sqrt(width));
-    y = Math.max(0, (Math.abs(y) - tall) / Math.sqrt(tall));
+    double height = along(axis, point);
+    double width = squared(half);
+    double tall = squared(up);
+    double x = Math.max(0, (Math.abs(along(half, point)) - width) / Math.sqrt(width));
+    double y = Math.max(0, (Math.abs(along(up, point)) - tall) / Math.sqrt(tall));
     return Math.sqrt(height * height + x * x + y * y);
   }
 

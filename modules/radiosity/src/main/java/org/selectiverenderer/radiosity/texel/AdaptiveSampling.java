@@ -1,13 +1,10 @@
 package org.selectiverenderer.radiosity.texel;
 
 import java.util.Arrays;
-import java.util.concurrent.atomic.LongAdder;
 import java.util.function.DoubleConsumer;
 import java.util.stream.IntStream;
 import org.selectiverenderer.radiosity.parallel.ParallelFor;
 import org.selectiverenderer.radiosity.parallel.RadiosityProgress;
-import org.selectiverenderer.radiosity.scene.RadiosityScene;
-import org.selectiverenderer.radiosity.solve.RadiositySolution;
 
 /**
  * Adaptive sampling in rounds: denoises all records and casts more rays for those that keep more
@@ -33,46 +30,37 @@ final class AdaptiveSampling {
 
   private static final int CHUNK = 256;
 
-  private final RadiosityScene scene;
-  private final RadiositySolution solution;
-  private final TexelIndex texels;
+  private final RecordGatherer gatherer;
   private final TexelProximityPass nearby;
   private final float[] direct;
-  private final TexelRayCaster.Sets sets;
+  private final int most;
   private final IrradianceCache records;
   private final double noise;
   private final double dark;
   private final float[] evened;
-  private final LongAdder rays = new LongAdder();
 
   /**
+   * @param direct the direct light of each texel; r, g, b, lx
+   * @param most largest number of further rays of a record in a round
    * @param noise the requested standard error, as a share of the light
    * @param dark least light that relative errors refer to; red, green and blue together, lx
    */
   AdaptiveSampling(
-      RadiosityScene scene,
-      RadiositySolution solution,
-      TexelIndex texels,
+      RecordGatherer gatherer,
       TexelProximityPass nearby,
       float[] direct,
-      TexelRayCaster.Sets sets,
+      int most,
       IrradianceCache records,
       double noise,
       double dark) {
-    this.scene = scene;
-    this.solution = solution;
-    this.texels = texels;
+    this.gatherer = gatherer;
     this.nearby = nearby;
     this.direct = direct;
-    this.sets = sets;
+    this.most = most;
     this.records = records;
     this.noise = noise;
     this.dark = dark;
     evened = new float[KEPT * records.size()];
-  }
-
-  long rays() {
-    return rays.sum();
   }
 
   /**
@@ -115,13 +103,13 @@ final class AdaptiveSampling {
         share -> {},
         (from, to) -> {
           LepskiDenoiser filter = new LepskiDenoiser(records, places);
-          TexelSurfacePoint place = new TexelSurfacePoint(scene, solution, texels);
+          TexelSurfacePoint place = gatherer.place();
           for (int i = from; i < to; i++) {
             int texel = records.texels()[which[i]];
             place.at(texel);
             double reach = nearby.reach(texel, place);
-            double most = FARTHEST * place.size();
-            filter.filter(which[i], reach, most, ENOUGH * noise * light(which[i]));
+            double farthest = FARTHEST * place.size();
+            filter.filter(which[i], reach, farthest, ENOUGH * noise * light(which[i]));
             keep(which[i], filter.out);
           }
         });
@@ -162,7 +150,7 @@ final class AdaptiveSampling {
    */
   private int batch(int record) {
     double has = records.numbers()[IrradianceCache.NUMBERS * record + IrradianceCache.RAYS];
-    return (int) Math.min(sets.rays(), has);
+    return (int) Math.min(most, has);
   }
 
   /** Returns the records that get more rays within the number left, chosen noisiest first. */
@@ -184,25 +172,15 @@ final class AdaptiveSampling {
   }
 
   private boolean gather(int[] which, int round, RadiosityProgress progress, DoubleConsumer done) {
-    HitRadiance hits = new HitRadiance(scene, solution, texels, direct);
-    return ParallelFor.run(
-        which.length,
-        64,
+    int[] at = IntStream.of(which).map(i -> records.texels()[i]).toArray();
+    return gatherer.gather(
+        at,
         progress,
         done,
-        (from, to) -> {
-          HemisphereIrradianceEstimator hemisphere =
-              new HemisphereIrradianceEstimator(scene, hits, sets);
-          TexelSurfacePoint place = new TexelSurfacePoint(scene, solution, texels);
-          IrradianceRecord more = new IrradianceRecord();
-          for (int i = from; i < to; i++) {
-            int texel = records.texels()[which[i]];
-            place.at(texel);
-            int fewer = Math.max(1, sets.rays() / batch(which[i]));
-            hemisphere.gather(place, texel + 0x3779b97f * (round + 1), fewer, more);
-            records.join(which[i], more);
-          }
-          rays.add(hemisphere.rays());
+        (i, place, hemisphere, more) -> {
+          int fewer = Math.max(1, most / batch(which[i]));
+          hemisphere.gather(place, at[i] + 0x3779b97f * (round + 1), fewer, more);
+          records.join(which[i], more);
         });
   }
 }

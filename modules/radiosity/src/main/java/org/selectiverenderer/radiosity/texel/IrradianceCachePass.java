@@ -3,7 +3,6 @@ package org.selectiverenderer.radiosity.texel;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.Set;
-import java.util.concurrent.atomic.LongAdder;
 import java.util.function.DoubleConsumer;
 import org.selectiverenderer.radiosity.atlas.AtlasPage;
 import org.selectiverenderer.radiosity.parallel.ParallelFor;
@@ -56,12 +55,12 @@ final class IrradianceCachePass {
   private final TexelIndex texels;
   private final TexelProximityPass nearby;
   private final float[] direct;
-  private final TexelRayCaster.Sets sets;
+  private final int most;
+  private final RecordGatherer gatherer;
   private final double noise;
   private final double dark;
   private final ChartSampleGrid[] grids;
   private final IrradianceCache records = new IrradianceCache();
-  private final LongAdder rays = new LongAdder();
 
   /**
    * @param noise the standard error of a record, as a share of its light, above which it gets more
@@ -80,7 +79,8 @@ final class IrradianceCachePass {
     this.texels = texels;
     this.nearby = nearby;
     this.direct = direct;
-    this.sets = sets;
+    most = sets.rays();
+    gatherer = new RecordGatherer(scene, solution, texels, direct, sets);
     this.noise = noise;
     dark = DARK * meanLight();
     grids =
@@ -88,7 +88,7 @@ final class IrradianceCachePass {
   }
 
   long rays() {
-    return rays.sum();
+    return gatherer.rays();
   }
 
   /**
@@ -108,8 +108,7 @@ final class IrradianceCachePass {
     for (int level = 0; level < STRIDES.length; level++) {
       int stride = STRIDES[level];
       double before = GATHERED * level / STRIDES.length;
-      int[] places =
-          new RecordThinning(scene, solution, texels).of(wanting(stride, progress), stride);
+      int[] places = new RecordThinning(gatherer.place()).of(wanting(stride, progress), stride);
       if (progress.cancelled()
           || !gather(
               places, stride, progress, d -> done.accept(before + GATHERED * d / STRIDES.length))) {
@@ -118,10 +117,8 @@ final class IrradianceCachePass {
       records.index();
     }
     AdaptiveSampling rounds =
-        new AdaptiveSampling(scene, solution, texels, nearby, direct, sets, records, noise, dark);
-    boolean whole = rounds.run(progress, d -> done.accept(GATHERED + (1 - GATHERED) * d));
-    rays.add(rounds.rays());
-    return whole;
+        new AdaptiveSampling(gatherer, nearby, direct, most, records, noise, dark);
+    return rounds.run(progress, d -> done.accept(GATHERED + (1 - GATHERED) * d));
   }
 
   /** Returns the texels of a grid that need a record of their own. */
@@ -147,7 +144,7 @@ final class IrradianceCachePass {
   /** Searches for texels that need records. One per thread. */
   private final class Search {
     private final int stride;
-    private final TexelSurfacePoint place = new TexelSurfacePoint(scene, solution, texels);
+    private final TexelSurfacePoint place = gatherer.place();
     private final IrradianceInterpolator reader = new IrradianceInterpolator(records);
     private final int[] list = new int[TexelIndex.TILE * TexelIndex.TILE];
     private int size;
@@ -212,30 +209,16 @@ final class IrradianceCachePass {
       int[] places, int stride, RadiosityProgress progress, DoubleConsumer done) {
     float[] block = new float[IrradianceCache.NUMBERS * places.length];
     int[] groups = new int[places.length];
-    HitRadiance hits = new HitRadiance(scene, solution, texels, direct);
     boolean whole =
-        ParallelFor.run(
-            places.length,
-            64,
+        gatherer.gather(
+            places,
             progress,
             done,
-            (from, to) -> {
-              HemisphereIrradianceEstimator hemisphere =
-                  new HemisphereIrradianceEstimator(scene, hits, sets);
-              TexelSurfacePoint place = new TexelSurfacePoint(scene, solution, texels);
-              IrradianceRecord record = new IrradianceRecord();
-              for (int i = from; i < to; i++) {
-                place.at(places[i]);
-                hemisphere.gather(place, places[i], fewer(stride), record);
-                groups[i] = record.seen ? group(place) : -1;
-                IrradianceCache.write(
-                    place,
-                    radius(record, place, stride),
-                    record,
-                    block,
-                    IrradianceCache.NUMBERS * i);
-              }
-              rays.add(hemisphere.rays());
+            (i, place, hemisphere, record) -> {
+              hemisphere.gather(place, places[i], fewer(stride), record);
+              groups[i] = record.seen ? group(place) : -1;
+              IrradianceCache.write(
+                  place, radius(record, place, stride), record, block, IrradianceCache.NUMBERS * i);
             });
     for (int i = 0; i < places.length && whole; i++) {
       if (groups[i] < 0) {
@@ -283,8 +266,8 @@ final class IrradianceCachePass {
   private static final class RecordThinning {
     private final TexelSurfacePoint place;
 
-    RecordThinning(RadiosityScene scene, RadiositySolution solution, TexelIndex texels) {
-      place = new TexelSurfacePoint(scene, solution, texels);
+    RecordThinning(TexelSurfacePoint place) {
+      this.place = place;
     }
 
     int[] of(int[] all, int stride) {

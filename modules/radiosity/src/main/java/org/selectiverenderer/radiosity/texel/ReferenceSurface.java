@@ -1,7 +1,6 @@
 package org.selectiverenderer.radiosity.texel;
 
 import org.selectiverenderer.geometry.bvh.Bvh;
-import org.selectiverenderer.geometry.bvh.BvhBuilder;
 import org.selectiverenderer.radiosity.trace.SceneTriangles;
 
 /**
@@ -36,20 +35,7 @@ final class ReferenceSurface {
    */
   ReferenceSurface(SceneTriangles triangles, int[] members) {
     this.triangles = triangles;
-    float[] corners = triangles.corners();
-    Bvh tree =
-        BvhBuilder.build(
-            members.length,
-            (item, box) -> {
-              int at = 9 * members[item];
-              for (int axis = 0; axis < 3; axis++) {
-                float a = corners[at + axis];
-                float b = corners[at + 3 + axis];
-                float c = corners[at + 6 + axis];
-                box[axis] = Math.min(a, Math.min(b, c));
-                box[axis + 3] = Math.max(a, Math.max(b, c));
-              }
-            });
+    Bvh tree = triangles.tree(members);
     boxes = tree.boxes();
     first = tree.first();
     count = tree.count();

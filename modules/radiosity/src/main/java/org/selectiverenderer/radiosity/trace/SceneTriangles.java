@@ -1,6 +1,8 @@
 package org.selectiverenderer.radiosity.trace;
 
 import org.selectiverenderer.geometry.TriangleMath;
+import org.selectiverenderer.geometry.bvh.Bvh;
+import org.selectiverenderer.geometry.bvh.BvhBuilder;
 
 /**
  * All triangles of a scene in world coordinates.
@@ -17,6 +19,22 @@ public record SceneTriangles(
 
   public int count() {
     return twoSided.length;
+  }
+
+  /** Returns a bounding volume hierarchy over some triangles; its items are indices of members. */
+  public Bvh tree(int[] members) {
+    return BvhBuilder.build(
+        members.length,
+        (item, box) -> {
+          int at = 9 * members[item];
+          for (int axis = 0; axis < 3; axis++) {
+            float a = corners[at + axis];
+            float b = corners[at + 3 + axis];
+            float c = corners[at + 6 + axis];
+            box[axis] = Math.min(a, Math.min(b, c));
+            box[axis + 3] = Math.max(a, Math.max(b, c));
+          }
+        });
   }
 
   /** Writes the unit normal of a triangle to {@code out}; returns its area. */

@@ -1,7 +1,6 @@
 package org.selectiverenderer.radiosity.trace;
 
 import org.selectiverenderer.geometry.bvh.Bvh;
-import org.selectiverenderer.geometry.bvh.BvhBuilder;
 
 /**
  * A bounding volume hierarchy over some triangles of a scene for many rays: the corners of the
@@ -47,20 +46,7 @@ final class TriangleBvh {
   TriangleBvh(SceneTriangles triangles, int[] members, int[] objectOf) {
     this.triangles = triangles;
     this.objectOf = objectOf;
-    float[] corners = triangles.corners();
-    Bvh tree =
-        BvhBuilder.build(
-            members.length,
-            (item, box) -> {
-              int at = 9 * members[item];
-              for (int axis = 0; axis < 3; axis++) {
-                float a = corners[at + axis];
-                float b = corners[at + 3 + axis];
-                float c = corners[at + 6 + axis];
-                box[axis] = Math.min(a, Math.min(b, c));
-                box[axis + 3] = Math.max(a, Math.max(b, c));
-              }
-            });
+    Bvh tree = triangles.tree(members);
     pairs = BvhNodePairs.of(tree);
     touch = members.length == 0 ? 0 : TOUCH * extent(tree.boxes());
     int[] order = tree.order();
@@ -68,7 +54,7 @@ final class TriangleBvh {
     data = new float[9 * order.length];
     for (int i = 0; i < order.length; i++) {
       ids[i] = members[order[i]];
-      System.arraycopy(corners, 9 * ids[i], data, 9 * i, 9);
+      System.arraycopy(triangles.corners(), 9 * ids[i], data, 9 * i, 9);
     }
   }
 

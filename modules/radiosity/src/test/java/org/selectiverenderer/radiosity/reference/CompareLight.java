@@ -80,7 +80,8 @@ final class CompareLight {
     RadiositySettings settings =
         usual.with(
             number("--rays", options.getOrDefault("--rays", "" + usual.rays())),
-            percent(options.getOrDefault("--quality", "" + usual.quality())));
+            percent(options.getOrDefault("--quality", "" + usual.quality())),
+            usual.store());
     LightingResult lit = lit(scene, store, settings);
     out.printf(Locale.ROOT, "lit in %.0f s%n", (System.nanoTime() - begun) / 1e9);
     double[] ours = LightingResultRenderer.reflected(scene, hits, Irradiance.of(lit));

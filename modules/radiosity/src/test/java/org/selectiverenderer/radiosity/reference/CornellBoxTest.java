@@ -32,7 +32,8 @@ class CornellBoxTest {
           64,
           1,
           0,
-          300_000);
+          300_000,
+          LightStorageSettings.VERTICES);
 
   @TempDir private Path folder;
 
