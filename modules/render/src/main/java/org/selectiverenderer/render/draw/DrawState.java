@@ -42,28 +42,19 @@ record DrawState(
 
   /** Returns the same state with other programs. */
   DrawState drawnBy(ShapeProgramCache.Family pixel, ShapeProgramCache.Family vertex) {
-    return new DrawState(
-        pixel,
-        vertex,
-        texture,
-        reaching,
-        material,
-        textureTransform,
-        blended,
-        layout,
-        stroke,
-        around,
-        primitive,
-        solid,
-        detail,
-        author);
+    return with(pixel, vertex, material);
   }
 
   /** Returns the same state with another material. */
   DrawState of(FloatArrayKey other) {
+    return with(byPixel, byVertex, other);
+  }
+
+  private DrawState with(
+      ShapeProgramCache.Family pixel, ShapeProgramCache.Family vertex, FloatArrayKey other) {
     return new DrawState(
-        byPixel,
-        byVertex,
+        pixel,
+        vertex,
         texture,
         reaching,
         other,
