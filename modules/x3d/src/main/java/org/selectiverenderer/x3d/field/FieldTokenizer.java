@@ -11,6 +11,11 @@ public final class FieldTokenizer {
     return c <= ' ' || c == ',';
   }
 
+  /** Returns the offset after the sign of a number, if it has one. */
+  static int skipSign(char[] text, int at) {
+    return text[at] == '-' || text[at] == '+' ? at + 1 : at;
+  }
+
   static int skipSeparators(char[] text, int at, int end) {
     while (at < end && separates(text[at])) {
       at++;

@@ -44,12 +44,8 @@ final class FloatScanner extends NumberScanner {
 
   @Override
   int number(char[] text, int start, int word, int end, int index, FieldParseErrors flaws) {
-    int at = word;
-    boolean negative = text[at] == '-';
-    if (negative || text[at] == '+') {
-      at++;
-    }
-    int from = at;
+    int from = FieldTokenizer.skipSign(text, word);
+    int at = from;
     long number = 0;
     int digit;
     while (at < end && (digit = text[at] - '0') >= 0 && digit <= 9) {
@@ -74,7 +70,7 @@ final class FloatScanner extends NumberScanner {
         && digits <= 18
         && digits > 0) {
       float value = number / FLOAT_TENS[scale];
-      values[index] = negative ? -value : value;
+      values[index] = text[word] == '-' ? -value : value;
       return at;
     }
     at = FieldTokenizer.skipWord(text, word, end);

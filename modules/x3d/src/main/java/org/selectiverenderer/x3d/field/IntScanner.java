@@ -26,12 +26,8 @@ final class IntScanner extends NumberScanner {
 
   @Override
   int number(char[] text, int start, int word, int end, int index, FieldParseErrors flaws) {
-    int at = word;
-    boolean negative = text[at] == '-';
-    if (negative || text[at] == '+') {
-      at++;
-    }
-    int from = at;
+    int from = FieldTokenizer.skipSign(text, word);
+    int at = from;
     int number = 0;
     int digit;
     while (at < end && (digit = text[at] - '0') >= 0 && digit <= 9) {
@@ -41,7 +37,7 @@ final class IntScanner extends NumberScanner {
     int digits = at - from;
     // nine digits never overflow
     if (digits > 0 && digits <= 9 && (at == end || FieldTokenizer.separates(text[at]))) {
-      values[index] = negative ? -number : number;
+      values[index] = text[word] == '-' ? -number : number;
       return at;
     }
     at = FieldTokenizer.skipWord(text, word, end);
