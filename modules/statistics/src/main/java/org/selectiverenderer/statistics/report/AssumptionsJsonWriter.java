@@ -15,10 +15,7 @@ final class AssumptionsJsonWriter {
     ArrayNode levene = json.putArray("levene");
     for (LeveneTest test : found.levene()) {
       ObjectNode node = levene.addObject().put("at", test.at().orElse(null));
-      JsonNumbers.put(node, "F", test.f());
-      JsonNumbers.put(node, "df1", test.df1());
-      JsonNumbers.put(node, "df2", test.df2());
-      JsonNumbers.put(node, "p", test.p());
+      fTest(test.f(), test.df1(), test.df2(), test.p(), node);
     }
     found
         .box()
@@ -47,13 +44,14 @@ final class AssumptionsJsonWriter {
     found
         .welch()
         .ifPresent(
-            test -> {
-              ObjectNode node = json.putObject("welch");
-              JsonNumbers.put(node, "F", test.f());
-              JsonNumbers.put(node, "df1", test.df1());
-              JsonNumbers.put(node, "df2", test.df2());
-              JsonNumbers.put(node, "p", test.p());
-            });
+            test -> fTest(test.f(), test.df1(), test.df2(), test.p(), json.putObject("welch")));
     found.consequences().forEach(json.putArray("consequences")::add);
+  }
+
+  private static void fTest(double f, double df1, double df2, double p, ObjectNode json) {
+    JsonNumbers.put(json, "F", f);
+    JsonNumbers.put(json, "df1", df1);
+    JsonNumbers.put(json, "df2", df2);
+    JsonNumbers.put(json, "p", p);
   }
 }
