@@ -1,7 +1,7 @@
 /**
  * Swing components and layouts that several views share: {@code WrapLayout} wraps components into
  * as many lines as the width needs, {@code AccessibleCanvas} is a custom-painted component that is
- * accessible as a canvas.
+ * accessible as a canvas, {@code TextChangeListener} listens to every change of a text.
  *
  * <p>Uses nothing of ours. For the event dispatch thread.
  */

@@ -10,12 +10,11 @@ import javax.swing.JLabel;
 import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
-import javax.swing.event.DocumentEvent;
-import javax.swing.event.DocumentListener;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
+import org.selectiverenderer.enricher.component.TextChangeListener;
 import org.selectiverenderer.enricher.component.WrapLayout;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
@@ -89,7 +88,7 @@ public final class OverviewPanel extends JPanel {
     name.putClientProperty("JTextField.placeholderText", Texts.of("overview.filter.part"));
     name.putClientProperty("JTextField.showClearButton", true);
     name.getAccessibleContext().setAccessibleName(Texts.of("overview.filter.name"));
-    name.getDocument().addDocumentListener(new Typed());
+    name.getDocument().addDocumentListener(new TextChangeListener(this::filter));
     which.getAccessibleContext().setAccessibleName(Texts.of("overview.filter.which"));
     which.addActionListener(e -> filter());
     tools.add(filter);
@@ -296,23 +295,6 @@ public final class OverviewPanel extends JPanel {
   public void dispose() {
     session.document().removeListener(changes);
     session.removeSelectionListener(selection);
-  }
-
-  private final class Typed implements DocumentListener {
-    @Override
-    public void insertUpdate(DocumentEvent event) {
-      filter();
-    }
-
-    @Override
-    public void removeUpdate(DocumentEvent event) {
-      filter();
-    }
-
-    @Override
-    public void changedUpdate(DocumentEvent event) {
-      filter();
-    }
   }
 
   /** Asks for the name of a schema in a dialog. */

@@ -12,10 +12,9 @@ import javax.swing.JPanel;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import javax.swing.Timer;
-import javax.swing.event.DocumentEvent;
-import javax.swing.event.DocumentListener;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.authoring.editing.TextSearch;
+import org.selectiverenderer.enricher.component.TextChangeListener;
 import org.selectiverenderer.enricher.text.Texts;
 
 /**
@@ -65,7 +64,7 @@ final class FindBar {
     panel.add(replacing, "wrap");
     panel.add(choices);
     inSelection.addActionListener(event -> work.within(inSelection.isSelected()));
-    words.getDocument().addDocumentListener(new Typing());
+    words.getDocument().addDocumentListener(new TextChangeListener(pause::restart));
     words.addActionListener(event -> step(1));
     replacement.addActionListener(event -> replaceOne());
     on("shift ENTER", () -> step(-1));
@@ -103,23 +102,6 @@ final class FindBar {
                 run.run();
               }
             });
-  }
-
-  private final class Typing implements DocumentListener {
-    @Override
-    public void insertUpdate(DocumentEvent e) {
-      pause.restart();
-    }
-
-    @Override
-    public void removeUpdate(DocumentEvent e) {
-      pause.restart();
-    }
-
-    @Override
-    public void changedUpdate(DocumentEvent e) {
-      // styles only
-    }
   }
 
   JPanel component() {

@@ -10,8 +10,9 @@
  * comments; {@code SourcePanel} assembles the parts and follows the selection.
  *
  * <p>In: a session, typing. Out: changes of the document, selections. Uses {@code
- * enricher.session}, {@code enricher.completion}, {@code enricher.text}, {@code authoring}, {@code
- * authoring.editing}, {@code x3d.source}, {@code base.markup} and {@code base.problem}.
+ * enricher.session}, {@code enricher.component}, {@code enricher.completion}, {@code
+ * enricher.text}, {@code authoring}, {@code authoring.editing}, {@code x3d.source}, {@code
+ * base.markup} and {@code base.problem}.
  */
 @NullMarked
 package org.selectiverenderer.enricher.source;

@@ -13,12 +13,11 @@ import javax.swing.JTextField;
 import javax.swing.JTree;
 import javax.swing.Timer;
 import javax.swing.ToolTipManager;
-import javax.swing.event.DocumentEvent;
-import javax.swing.event.DocumentListener;
 import javax.swing.tree.TreePath;
 import javax.swing.tree.TreeSelectionModel;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
+import org.selectiverenderer.enricher.component.TextChangeListener;
 import org.selectiverenderer.enricher.session.ElementPath;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
@@ -68,7 +67,7 @@ public final class SceneTreePanel {
     search.getAccessibleContext().setAccessibleName(Texts.of("nodes.search"));
     Timer pause = new Timer(PAUSE_MILLISECONDS, event -> searchNow());
     pause.setRepeats(false);
-    search.getDocument().addDocumentListener(new Typed(pause::restart));
+    search.getDocument().addDocumentListener(new TextChangeListener(pause::restart));
     search.addActionListener(event -> nextHit());
     extent.getAccessibleContext().setAccessibleName(Texts.of("nodes.extent"));
     extent.addActionListener(event -> extentChosen());
@@ -102,23 +101,6 @@ public final class SceneTreePanel {
   /** Sets the fixed row height, which a large model needs, from the font. */
   private void rowHeight() {
     tree.setRowHeight(tree.getFontMetrics(tree.getFont()).getHeight() + 8);
-  }
-
-  private record Typed(Runnable then) implements DocumentListener {
-    @Override
-    public void insertUpdate(DocumentEvent e) {
-      then.run();
-    }
-
-    @Override
-    public void removeUpdate(DocumentEvent e) {
-      then.run();
-    }
-
-    @Override
-    public void changedUpdate(DocumentEvent e) {
-      then.run();
-    }
   }
 
   public JPanel component() {

@@ -19,13 +19,12 @@ import javax.swing.JProgressBar;
 import javax.swing.JScrollPane;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
-import javax.swing.event.DocumentEvent;
-import javax.swing.event.DocumentListener;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.authoring.versions.PlannedFile;
 import org.selectiverenderer.authoring.versions.VersionsEdit;
 import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.enricher.component.TextChangeListener;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Mnemonics;
 import org.selectiverenderer.enricher.text.Texts;
@@ -117,30 +116,13 @@ public final class VersionsDialog extends JDialog {
     name.setName("Name of the files");
     name.getAccessibleContext().setAccessibleName(Texts.of("versions.name.described"));
     name.setToolTipText(Texts.of("versions.name.described"));
-    name.getDocument().addDocumentListener(new Typing(() -> model.name(name.getText())));
+    name.getDocument()
+        .addDocumentListener(new TextChangeListener(() -> model.name(name.getText())));
     panel.add(nameLabel);
     panel.add(name);
     panel.add(more);
     panel.add(fewer);
     return panel;
-  }
-
-  /** Runs on every change of a text. */
-  private record Typing(Runnable changed) implements DocumentListener {
-    @Override
-    public void insertUpdate(DocumentEvent event) {
-      changed.run();
-    }
-
-    @Override
-    public void removeUpdate(DocumentEvent event) {
-      changed.run();
-    }
-
-    @Override
-    public void changedUpdate(DocumentEvent event) {
-      changed.run();
-    }
   }
 
   private JPanel buttons() {
