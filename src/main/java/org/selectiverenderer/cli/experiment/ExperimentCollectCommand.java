@@ -2,7 +2,6 @@ package org.selectiverenderer.cli.experiment;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -83,14 +82,7 @@ final class ExperimentCollectCommand extends CliCommand {
               + "whose questions are all answered, else the first with answers)")
   private @Nullable Integer number;
 
-  @Option(
-      names = "--paper",
-      paramLabel = "F.csv",
-      split = ",",
-      description =
-          "tables of experiment paper that were filled in with answers given on "
-              + "paper; can be repeated")
-  private List<Path> paper = List.of();
+  @Mixin private PaperTablesOption paper = new PaperTablesOption();
 
   ExperimentCollectCommand(Console console) {
     super(console);
@@ -113,7 +105,7 @@ final class ExperimentCollectCommand extends CliCommand {
             .writes("--answers", others)
             .writes("--scores", scores)
             .writes("--bands", bands);
-    paper.forEach(table -> files.reads("--paper", table));
+    paper.tables().forEach(table -> files.reads("--paper", table));
     files.check();
     ProblemCollector problems = new ProblemCollector(console()::problem);
     Optional<StudyMaterial> material = study.read(problems);
@@ -124,7 +116,7 @@ final class ExperimentCollectCommand extends CliCommand {
         CollectedAnswers.of(
             material.get(),
             number == null ? OptionalInt.empty() : OptionalInt.of(number),
-            PaperAnswers.read(material.get(), paper, problems),
+            PaperAnswers.read(material.get(), paper.tables(), problems),
             problems);
     if (Stream.of(responses, ratings, others, scores, bands).allMatch(Objects::isNull)) {
       console().out().print(answers.responses());

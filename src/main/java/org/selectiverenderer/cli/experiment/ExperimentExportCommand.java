@@ -3,7 +3,6 @@ package org.selectiverenderer.cli.experiment;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -45,14 +44,7 @@ final class ExperimentExportCommand extends CliCommand {
       description = "folder of the tables; made if it is not there")
   private Path output = Path.of("");
 
-  @Option(
-      names = "--paper",
-      paramLabel = "F.csv",
-      split = ",",
-      description =
-          "tables of experiment paper that were filled in with answers given on paper; can be "
-              + "repeated")
-  private List<Path> paper = List.of();
+  @Mixin private PaperTablesOption paper = new PaperTablesOption();
 
   ExperimentExportCommand(Console console) {
     super(console);
@@ -74,7 +66,10 @@ final class ExperimentExportCommand extends CliCommand {
     }
     CollectedAnswers answers =
         CollectedAnswers.of(
-            material, OptionalInt.empty(), PaperAnswers.read(material, paper, problems), problems);
+            material,
+            OptionalInt.empty(),
+            PaperAnswers.read(material, paper.tables(), problems),
+            problems);
     StudyExport written =
         StudyExport.write(
             RecordedStudy.read(material, problems),
