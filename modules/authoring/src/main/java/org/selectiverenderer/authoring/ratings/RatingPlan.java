@@ -25,8 +25,9 @@ import org.selectiverenderer.x3d.source.DocumentElement;
  * The metadata that ratings imply for a document, to be reviewed before it is applied. A schema
  * that a sensor activates belongs to a part of a room, all others to rooms; {@link RoomPartSchemas}
  * distinguishes them. An object that people expect is shown by its last version, with few polygons,
- * any other object by its first; the bands of ratings are those of thesis 5.1. The schema of a part of a room is written only if it shows another version than the room's
- * schema; otherwise it would have no effect.
+ * any other object by its first; the bands of ratings are those of thesis 5.1. The schema of a part
+ * of a room is written only if it shows another version than the room's schema; otherwise it would
+ * have no effect.
  */
 public final class RatingPlan {
   /**

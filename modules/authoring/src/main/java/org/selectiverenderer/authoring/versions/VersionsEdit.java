@@ -61,8 +61,8 @@ public final class VersionsEdit {
    *
    * @param scene the document's file, against which URLs are resolved
    * @param object the DEF name of the object, or of the Transform or Group around it
-   * @param goals the goals of versions 2, 3 and so on; a first goal equal to the whole original stands
-   *     for version 1
+   * @param goals the goals of versions 2, 3 and so on; a first goal equal to the whole original
+   *     stands for version 1
    * @param output the changed scene's file; the scene's own to change it in place
    * @param access the files and URLs that the scene may load besides those in its folder
    * @param inlineFolder folder of the versions' files, relative to the output's folder
