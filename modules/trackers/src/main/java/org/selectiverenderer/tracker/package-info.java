@@ -14,9 +14,9 @@
  *       {@code TrackerSpecParser} (the switch, and the list of kinds)
  *   <li>a {@link org.selectiverenderer.tracker.pipeline.PoseSource} in {@code serial} or {@code
  *       net}, beside the others, with its test
- *   <li>a line in {@code Trackers}
+ *   <li>a line in {@code factory.TrackerFactory}
  *   <li>a hint at what may be wrong with a device whose records are not valid: {@code
- *       live.TroubleEpisodes}
+ *       pipeline.TrackerProblemReporter}
  *   <li>the help of {@code --tracker} and of {@code track} in {@code cli.view}, and
  *       docs/trackers.md
  * </ol>
@@ -24,11 +24,11 @@
  * <p>The packages inside:
  *
  * <ul>
- *   <li>{@code live}: the pipeline of a record from its arrival to the reader, the same for all
+ *   <li>{@code pipeline}: the pipeline of a record from its arrival to the reader, the same for all
  *   <li>{@code serial}, {@code net}, {@code replay}: the devices' protocols; {@code text}: parsers
  *       of text records
- *   <li>{@code open}: the factory of trackers
- *   <li>{@code emulate}: an emulated device, for tests
+ *   <li>{@code factory}: the factory of trackers
+ *   <li>{@code emulator}: an emulated device, for tests
  *   <li>{@code report}: the outputs of the command {@code track}
  * </ul>
  *

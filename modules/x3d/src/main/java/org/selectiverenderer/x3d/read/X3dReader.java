@@ -26,7 +26,7 @@ import org.selectiverenderer.x3d.url.UrlContent;
 import org.selectiverenderer.x3d.vrml.VrmlParser;
 
 /**
- * Reads scenes of X3D 3.0 to 4.0 in the XML (ISO/IEC 19776-1), ClassicVRML (ISO/IEC 19776-2) and
+ * Reads scenes of X3D 3.0 to 4.1 in the XML (ISO/IEC 19776-1), ClassicVRML (ISO/IEC 19776-2) and
  * JSON encodings, and of VRML97 (ISO/IEC 14772-1), plain or compressed by gzip; the encoding is
  * detected by the first bytes. For any input the result is a scene of the valid parts and problems
  * with locations for the others, in bounded memory. Nothing is fetched: no DTD, no external entity,
