@@ -9,13 +9,13 @@ lsl-peer.py receive NAME SOURCE    prints samples of the stream NAME whose sourc
 import json
 import select
 import sys
-import time
 
 import pylsl
 
 
-def ended():
-    return bool(select.select([sys.stdin], [], [], 0)[0]) and not sys.stdin.readline()
+def ended(seconds=0):
+    """Waits so long for the end of standard input and tells whether it has come."""
+    return bool(select.select([sys.stdin], [], [], seconds)[0]) and not sys.stdin.readline()
 
 
 def send(source):
@@ -30,12 +30,11 @@ def send(source):
         pylsl.StreamInfo("Buttons", "Markers", 1, 0, pylsl.cf_string, source + "-buttons"))
     print("ready", flush=True)
     number = 0
-    while not ended():
+    while not ended(0.01):
         eeg.push_sample([number, number + 0.5])
         if number % 10 == 0:
             markers.push_sample([f"button {number}, \u00e9"])
         number += 1
-        time.sleep(0.01)
 
 
 def receive(name, source):

@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.cli.Main;
+import org.selectiverenderer.testing.Eventually;
 import org.selectiverenderer.testing.ShowsWindows;
 
 /** The program as an author starts it, in a process of its own. */
@@ -53,9 +54,8 @@ class ProgramStartTest {
     int[] before = screen(robot);
     Process process = enricher(System.getenv("DISPLAY")).start();
     try {
-      while (process.isAlive() && Arrays.equals(before, screen(robot))) {
-        robot.delay(200);
-      }
+      Eventually.await(
+          "the window", () -> !process.isAlive() || !Arrays.equals(before, screen(robot)));
       assertThat(process.isAlive()).as("the window stays").isTrue();
     } finally {
       process.destroy();

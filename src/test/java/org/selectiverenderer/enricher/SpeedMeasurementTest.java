@@ -29,6 +29,7 @@ import org.selectiverenderer.bench.ManySwitchesSceneGenerator;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.schema.ConsistencyDegree;
 import org.selectiverenderer.testing.ShowsWindows;
+import org.selectiverenderer.testing.robot.DisplaySettling;
 import org.selectiverenderer.testing.robot.GuiRobot;
 
 /**
@@ -176,7 +177,8 @@ class SpeedMeasurementTest {
             work.accept(now);
             return true;
           });
-      hands.rest(SETTLING); // all that follows is done: previews, checks, copies for a crash
+      DisplaySettling.pause(
+          SETTLING); // all that follows is done: previews, checks, copies for a crash
       times.add(GuiRobot.onEdt(() -> edt.longest));
     }
     double first = times.get(0);

@@ -2,9 +2,9 @@ package org.selectiverenderer.pages;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.stream.Collectors;
@@ -17,7 +17,6 @@ import org.selectiverenderer.study.questionnaire.AnswerTable;
  * headers that the program itself uses: {@code mvn test -Dtest=KeyPagesTest -Dreports.update=true}.
  */
 class KeyPagesTest {
-  private static final Path SCHEMAS = Path.of("src/main/resources/org/selectiverenderer");
   private static final String BELOW = "<!-- Below, all is written by KeyPagesTest. -->\n";
 
   @Test
@@ -25,9 +24,9 @@ class KeyPagesTest {
     hold(
         Path.of("docs/study-keys.md"),
         "\n## A study\n\n"
-            + keys("experiment/study/study.schema.json", "study")
+            + keys("study/definition/study.schema.json", "study")
             + "\n## A questionnaire\n\n"
-            + keys("experiment/study/questionnaire.schema.json", "questionnaire"));
+            + keys("study/definition/questionnaire.schema.json", "questionnaire"));
   }
 
   @Test
@@ -53,8 +52,10 @@ class KeyPagesTest {
   }
 
   private static String keys(String schema, String name) throws IOException {
-    JsonNode tree = new ObjectMapper().readTree(Files.readString(SCHEMAS.resolve(schema)));
-    return new SchemaTables(tree, name).text();
+    try (InputStream in =
+        KeyPagesTest.class.getResourceAsStream("/org/selectiverenderer/" + schema)) {
+      return new SchemaTables(new ObjectMapper().readTree(in), name).text();
+    }
   }
 
   /** Holds what stands below the mark of a page to what it should be, or writes it anew. */

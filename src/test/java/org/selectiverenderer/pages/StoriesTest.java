@@ -14,6 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.cli.CommandTestCase;
 import org.selectiverenderer.cli.Main;
+import org.selectiverenderer.testing.Eventually;
 import org.selectiverenderer.testing.ShowsWindows;
 
 /**
@@ -99,7 +100,7 @@ class StoriesTest extends CommandTestCase {
     return word.replaceAll("(^|[:,])(my-)", "$1" + folder.toString() + "/$2");
   }
 
-  private void startBeside(List<String> arguments) throws IOException, InterruptedException {
+  private void startBeside(List<String> arguments) throws IOException {
     List<String> command =
         new ArrayList<>(
             List.of(
@@ -113,10 +114,12 @@ class StoriesTest extends CommandTestCase {
         new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(log.toFile()).start();
     beside.add(process);
     Path link = Path.of(arguments.get(arguments.indexOf("--link") + 1));
-    while (!Files.exists(link)) {
-      assertThat(process.isAlive()).as(Files.readString(log)).isTrue();
-      Thread.sleep(20);
-    }
+    Eventually.await(
+        link.toString(),
+        () -> {
+          assertThat(process.isAlive()).as(Files.readString(log)).isTrue();
+          return Files.exists(link);
+        });
   }
 
   @AfterEach

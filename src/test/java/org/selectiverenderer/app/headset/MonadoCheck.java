@@ -6,7 +6,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.TimeUnit;
 import org.joml.Matrix4d;
 import org.joml.Quaterniond;
 import org.joml.Vector2d;
@@ -33,6 +32,7 @@ import org.selectiverenderer.openxr.HeadsetEvent;
 import org.selectiverenderer.render.context.Screenshot;
 import org.selectiverenderer.study.headlog.HeadLogDescription;
 import org.selectiverenderer.study.headlog.HeadSample;
+import org.selectiverenderer.testing.Eventually;
 import org.selectiverenderer.tracker.TrackerOptions;
 import org.selectiverenderer.tracker.TrackerSpec;
 import org.selectiverenderer.walkthrough.timeline.TimelineEvent;
@@ -107,18 +107,20 @@ final class MonadoCheck implements RunListener, HeadSampleListener {
   }
 
   /** Starts the service, and waits until it listens. */
-  private void start() throws IOException, InterruptedException {
+  private void start() throws IOException {
     Path socket = Path.of(System.getenv("XDG_RUNTIME_DIR"), "monado_comp_ipc");
     Files.deleteIfExists(socket);
     ProcessBuilder command = new ProcessBuilder("monado-service");
     command.redirectOutput(ProcessBuilder.Redirect.DISCARD);
     command.redirectError(ProcessBuilder.Redirect.DISCARD);
     runtime = command.start(); // Lives as long as its standard input.
-    for (int tries = 0; tries < 300 && !Files.exists(socket); tries++) {
-      require(runtime.isAlive(), "monado-service ends at once");
-      TimeUnit.MILLISECONDS.sleep(100);
-    }
-    require(Files.exists(socket), "monado-service does not listen");
+    Process service = runtime;
+    Eventually.await(
+        "monado-service to listen",
+        () -> {
+          require(service.isAlive(), "monado-service ends at once");
+          return Files.exists(socket);
+        });
   }
 
   private static void require(boolean right, String wrong) {

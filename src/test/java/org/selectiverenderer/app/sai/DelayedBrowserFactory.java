@@ -7,6 +7,7 @@ import java.net.InetAddress;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.browser.sai.EmbeddedBrowserFactory;
+import org.selectiverenderer.testing.Eventually;
 import org.web3d.x3d.sai.BrowserEvent;
 import org.web3d.x3d.sai.BrowserFactoryImpl;
 import org.web3d.x3d.sai.BrowserListener;
@@ -89,9 +90,12 @@ public final class DelayedBrowserFactory implements BrowserFactoryImpl {
     }
 
     private void awaitIdle() {
-      while (!used && (waiting == null || waiting.getState() != Thread.State.TIMED_WAITING)) {
-        Thread.onSpinWait();
-      }
+      Eventually.await(
+          "the thread that brought the world to wait for it",
+          () -> {
+            Thread thread = waiting;
+            return used || thread != null && thread.getState() == Thread.State.TIMED_WAITING;
+          });
     }
   }
 

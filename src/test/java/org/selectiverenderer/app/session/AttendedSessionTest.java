@@ -40,6 +40,7 @@ import org.selectiverenderer.hmd.DisplayConfiguration;
 import org.selectiverenderer.study.session.Session;
 import org.selectiverenderer.study.session.SessionOptions;
 import org.selectiverenderer.study.session.StudyMaterial;
+import org.selectiverenderer.testing.Eventually;
 import org.selectiverenderer.testing.ShowsWindows;
 import org.selectiverenderer.testing.WindowFinder;
 import org.selectiverenderer.testing.robot.GuiRobot;
@@ -50,9 +51,6 @@ import org.selectiverenderer.walkthrough.timeline.TimelineEvent;
 @ShowsWindows
 @Timeout(value = 120, unit = TimeUnit.SECONDS)
 class AttendedSessionTest {
-  /** Milliseconds between two looks at the picture, which fades over 400. */
-  private static final int LOOK = 15;
-
   private static final Rectangle WITHIN_THE_PICTURE = new Rectangle(60, 60, 80, 60);
 
   @TempDir Path folder;
@@ -192,15 +190,18 @@ class AttendedSessionTest {
    */
   private boolean watch() throws AWTException {
     Robot robot = new Robot();
-    boolean bright = false;
-    while (watching.get()) {
-      double now = brightness(robot.createScreenCapture(WITHIN_THE_PICTURE));
-      if (bright ? now < 0.1 : now > 0.985) {
-        bright = !bright;
-        flips.add(bright);
-      }
-      robot.delay(LOOK); // Or there is no processor left for what is to be watched.
-    }
+    AtomicBoolean bright = new AtomicBoolean();
+    Eventually.within(
+        10,
+        TimeUnit.MINUTES,
+        () -> {
+          double now = brightness(robot.createScreenCapture(WITHIN_THE_PICTURE));
+          if (bright.get() ? now < 0.1 : now > 0.985) {
+            bright.set(!bright.get());
+            flips.add(bright.get());
+          }
+          return !watching.get();
+        });
     return true;
   }
 

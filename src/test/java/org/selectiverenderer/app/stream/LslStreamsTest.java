@@ -38,6 +38,7 @@ import org.selectiverenderer.study.headlog.EyeSample;
 import org.selectiverenderer.study.headlog.HeadLogDescription;
 import org.selectiverenderer.study.headlog.HeadSample;
 import org.selectiverenderer.study.headlog.SceneMap;
+import org.selectiverenderer.testing.Eventually;
 import org.selectiverenderer.walkthrough.timeline.TimelineEvent;
 
 /** With the real liblsl, and another process at the other end. */
@@ -224,10 +225,11 @@ class LslStreamsTest {
     return next.path("more");
   }
 
-  private void awaitLines(Path file, int lines) throws IOException, InterruptedException {
-    while (!Files.exists(file) || Files.readAllLines(file).size() < lines) {
-      TimeUnit.MILLISECONDS.sleep(20); // Until the other process has sent them.
-    }
+  /** Waits until the other process has sent so many lines. */
+  private static void awaitLines(Path file, int lines) {
+    Eventually.await(
+        lines + " lines in " + file,
+        () -> Files.exists(file) && Files.readAllLines(file).size() >= lines);
   }
 
   private static List<String> column(Path file, String name) throws IOException {

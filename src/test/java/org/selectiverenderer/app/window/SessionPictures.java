@@ -26,6 +26,7 @@ import org.selectiverenderer.study.session.SessionOptions;
 import org.selectiverenderer.study.session.StudyMaterial;
 import org.selectiverenderer.testing.ShowsWindows;
 import org.selectiverenderer.testing.WindowFinder;
+import org.selectiverenderer.testing.robot.DisplaySettling;
 import org.selectiverenderer.testing.robot.GuiRobot;
 
 /**
@@ -68,7 +69,7 @@ class SessionPictures extends SessionWindowFixture {
     JFrame window = WindowFinder.named(hands, "questionnaire");
     if (!answer.isEmpty()) {
       choose(window, shown.questions().get(1).text() + answer, heard);
-      hands.rest(500);
+      DisplaySettling.pause(500);
     }
     assertThat(pages).isNotEmpty();
     GuiRobot.picture(window.getContentPane(), name, SCALE);
@@ -89,7 +90,7 @@ class SessionPictures extends SessionWindowFixture {
         JFrame window = WindowFinder.named(hands, "controls");
         controls.status("exposure-kitchen: 20 s left");
         JToggleButton pause = GuiRobot.named(window, "Pause (F8)", JToggleButton.class);
-        hands.rest(1000);
+        DisplaySettling.pause(1000);
         assertThat(GuiRobot.onEdt(pause::isShowing)).isTrue();
         GuiRobot.picture(window.getContentPane(), "session-controls", SCALE);
       } finally {

@@ -22,6 +22,7 @@ import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.study.questionnaire.ParticipantMessages;
 import org.selectiverenderer.testing.ShowsWindows;
 import org.selectiverenderer.testing.WindowFinder;
+import org.selectiverenderer.testing.robot.DisplaySettling;
 import org.selectiverenderer.testing.robot.GuiRobot;
 
 @ShowsWindows
@@ -69,7 +70,7 @@ class TrialWindowTest {
     JButton begin = GuiRobot.named(frame, "Begin", JButton.class);
     WindowFinder.click(hands, begin, () -> !begin.isShowing());
     hands.await("the pictures", () -> shows(frame, "picture-1"));
-    hands.rest(200);
+    DisplaySettling.awaitWindow();
     return frame;
   }
 

@@ -11,13 +11,13 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.locks.LockSupport;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.cli.Main;
+import org.selectiverenderer.testing.Eventually;
 import org.selectiverenderer.testing.ShowsWindows;
 import org.selectiverenderer.tracker.emulator.EmulatedInterTrax2;
 import org.selectiverenderer.tracker.emulator.HeadMotion;
@@ -45,12 +45,13 @@ class InterruptedRunTest {
               .redirectOutput(messages.toFile())
               .start();
       Path log = folder.resolve("p01.csv");
-      long until = System.nanoTime() + TimeUnit.SECONDS.toNanos(60);
       // The log is written four times a second once the scene is shown.
-      while ((Files.notExists(log) || Files.size(log) < 2000) && System.nanoTime() < until) {
-        assertThat(run.isAlive()).as(Files.readString(messages)).isTrue();
-        LockSupport.parkNanos(20_000_000);
-      }
+      Eventually.await(
+          "the head log",
+          () -> {
+            assertThat(run.isAlive()).as(Files.readString(messages)).isTrue();
+            return Files.exists(log) && Files.size(log) >= 2000;
+          });
       run.destroy(); // SIGTERM, where there are signals.
       run.waitFor();
       assertThat(messages).content(StandardCharsets.UTF_8).doesNotContain("gone", "Exception");

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.doctor.Probe;
+import org.selectiverenderer.testing.Eventually;
 
 /** Whatever ends the doctor ends the processes that ask for it; all of them are real. */
 class DoctorInterruptTest {
@@ -30,9 +31,7 @@ class DoctorInterruptTest {
   }
 
   private static ProcessHandle childOf(Process parent, Path ready) throws Exception {
-    while (!Files.exists(ready) && parent.isAlive()) {
-      parent.waitFor(20, TimeUnit.MILLISECONDS);
-    }
+    Eventually.await("the child", () -> Files.exists(ready) || !parent.isAlive());
     return parent.children().findFirst().orElseThrow();
   }
 
@@ -62,9 +61,9 @@ class DoctorInterruptTest {
       Thread impatient =
           new Thread(
               () -> {
-                while (ProcessHandle.current().children().allMatch(before::contains)) {
-                  Thread.onSpinWait();
-                }
+                Eventually.await(
+                    "a child",
+                    () -> !ProcessHandle.current().children().allMatch(before::contains));
                 waiting.interrupt();
               },
               "impatient");

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CountDownLatch;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
@@ -87,7 +88,7 @@ class DoctorTest {
 
   @Test
   void whatHangsIsGivenUp() throws InterruptedException {
-    Probe hangs = here("hangs", Duration.ofMillis(50), found -> Thread.sleep(AMPLE.toMillis()));
+    Probe hangs = here("hangs", Duration.ofMillis(50), found -> new CountDownLatch(1).await());
     List<Diagnosis> lines =
         doctor.examine(
             List.of(apart("hangs", Duration.ofSeconds(2)), hangs, apart("answers", AMPLE)));

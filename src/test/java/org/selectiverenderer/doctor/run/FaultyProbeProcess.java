@@ -5,6 +5,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import org.lwjgl.system.MemoryUtil;
 import org.selectiverenderer.base.platform.ParentProcessWatcher;
 import org.selectiverenderer.command.output.CommandException;
@@ -44,7 +46,7 @@ public final class FaultyProbeProcess {
     if (ready != null) {
       Files.createFile(Path.of(ready));
     }
-    Thread.sleep(600_000);
+    new CountDownLatch(1).await(10, TimeUnit.MINUTES);
   }
 
   /** Not a child: what begins them, as the command does. */

@@ -2,6 +2,8 @@ package org.selectiverenderer.enricher.run;
 
 import java.io.IOException;
 import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 
 /** A process that starts a run as the enricher does, says which process that is, and stays. */
 public final class RunStarter {
@@ -11,6 +13,6 @@ public final class RunStarter {
     Process run = ProcessLauncher.start(List.of(words));
     System.out.println(run.pid());
     run.getInputStream().transferTo(System.err);
-    Thread.sleep(600_000);
+    new CountDownLatch(1).await(10, TimeUnit.MINUTES);
   }
 }

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.base.platform.ChildProcessCommand;
+import org.selectiverenderer.testing.Eventually;
 import org.selectiverenderer.testing.ShowsWindows;
 
 /** What ends the enricher from outside ends the windows of its runs; all processes are real. */
@@ -35,10 +36,12 @@ class RunTerminationTest {
       ProcessHandle run = ProcessHandle.of(pid).orElseThrow();
       try {
         // The log is written four times a second once the scene is shown.
-        while (Files.notExists(log) || Files.size(log) < 500) {
-          assertThat(run.isAlive()).as("the run").isTrue();
-          TimeUnit.MILLISECONDS.sleep(20);
-        }
+        Eventually.await(
+            "the head log",
+            () -> {
+              assertThat(run.isAlive()).as("the run").isTrue();
+              return Files.exists(log) && Files.size(log) >= 500;
+            });
         enricher.destroyForcibly(); // Nothing of it is asked any more.
         run.onExit().get(PATIENCE, TimeUnit.SECONDS);
         assertThat(run.isAlive()).isFalse();

@@ -5,12 +5,12 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.Objects;
-import java.util.concurrent.locks.LockSupport;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.selectiverenderer.browser.nodes.sensor.SleepableNode;
 import org.selectiverenderer.browser.sound.Voice;
+import org.selectiverenderer.testing.Eventually;
 
 /** Tests which of a scene's sounds are audible in a frame. */
 class SceneVoicesTest {
@@ -81,31 +81,42 @@ class SceneVoicesTest {
     }
   }
 
-  /** Steps until the clip lasts so long, as far as it ever does. */
-  private static double lasting(WorldFixture fixture, double seconds) {
-    int duration = fixture.node("CLIP").type().indexOf("duration_changed");
-    double time = fixture.world.time();
-    for (int i = 0;
-        i < 200 && !Objects.equals(fixture.node("CLIP").value(duration), seconds);
-        i++) {
-      at(fixture, time += 0.01, 10);
-      LockSupport.parkNanos(5_000_000);
-    }
-    return (Double) fixture.node("CLIP").value(duration);
+  private static Object duration(WorldFixture fixture) {
+    return fixture.node("CLIP").value(fixture.node("CLIP").type().indexOf("duration_changed"));
+  }
+
+  /** Steps until the clip lasts so long. */
+  private static void awaitDuration(WorldFixture fixture, double seconds) {
+    Eventually.await(
+        () -> "a clip of " + seconds + " s; it lasts " + duration(fixture),
+        () -> {
+          at(fixture, fixture.world.time() + 0.01, 10);
+          return Objects.equals(duration(fixture), seconds);
+        });
+  }
+
+  /** Waits until all files that were asked for are read; no more can be. */
+  private static void awaitAllRead(WorldFixture fixture) {
+    fixture.loader.close();
+    Eventually.await(
+        "the end of the loader's threads",
+        () ->
+            Thread.getAllStackTraces().keySet().stream()
+                .noneMatch(thread -> thread.getName().startsWith("scene-loader-")));
   }
 
   @Test
   void aClipThatComesBackWithAnotherUrlIsReadAnew() {
     try (WorldFixture fixture = sound("loop='true'")) {
       at(fixture, 1, 10);
-      assertThat(lasting(fixture, 2)).isEqualTo(2);
+      awaitDuration(fixture, 2);
       fixture.send("PLACE", "children", List.of());
       at(fixture, 2, 10);
       fixture.send("CLIP", "url", new String[] {SHORT});
       at(fixture, 3, 10);
       fixture.send("PLACE", "children", List.of(fixture.node("SOUND")));
       at(fixture, 4, 10);
-      assertThat(lasting(fixture, 1)).isEqualTo(1);
+      awaitDuration(fixture, 1);
     }
   }
 
@@ -122,12 +133,11 @@ class SceneVoicesTest {
       at(fixture, 3.5, 10);
       fixture.send("PLACE", "children", List.of(fixture.node("SOUND")));
       at(fixture, 4, 10);
-      assertThat(lasting(fixture, 2)).isEqualTo(2);
-      for (double time = 10; time < 10.5; time += 0.01) {
-        at(fixture, time, 10);
-        LockSupport.parkNanos(1_000_000);
-      }
-      assertThat(lasting(fixture, 2)).isEqualTo(2);
+      awaitDuration(fixture, 2);
+      awaitAllRead(fixture);
+      at(fixture, 10, 10);
+      at(fixture, 10.5, 10);
+      assertThat(duration(fixture)).isEqualTo(2.0);
     }
   }
 
@@ -155,10 +165,12 @@ class SceneVoicesTest {
       assertThat(at(fixture, 3, 10)).isEmpty();
       fixture.watch("CLIP", "duration_changed");
       fixture.send("CLIP", "load", true);
-      for (int frame = 0; fixture.log.isEmpty(); frame++) {
-        at(fixture, 4 + frame * 1e-4, 10);
-        Thread.onSpinWait();
-      }
+      Eventually.await(
+          "the recording",
+          () -> {
+            at(fixture, fixture.world.time() + 1e-4, 10);
+            return !fixture.log.isEmpty();
+          });
       assertThat(fixture.log.get(0)).endsWith("duration_changed=2.0");
       assertThat(fixture.problems.list()).isEmpty();
     }

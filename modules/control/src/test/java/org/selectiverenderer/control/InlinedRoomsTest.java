@@ -12,7 +12,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -20,6 +19,7 @@ import org.selectiverenderer.control.ControlEvent.Enter;
 import org.selectiverenderer.control.ControlEvent.SwitchChange;
 import org.selectiverenderer.control.SelectiveController.Settings;
 import org.selectiverenderer.schema.Condition;
+import org.selectiverenderer.testing.Eventually;
 import org.web3d.x3d.sai.ExternalBrowser;
 import org.web3d.x3d.sai.X3DGroupingNode;
 import org.web3d.x3d.sai.X3DNode;
@@ -54,10 +54,12 @@ class InlinedRoomsTest {
   }
 
   private static void awaitArrival(ControlledSceneFixture scene, double place, String object) {
-    for (int i = 0; i < 2000 && !choices(scene).containsKey(object); i++) {
-      LockSupport.parkNanos(5_000_000);
-      scene.walkTo(place);
-    }
+    Eventually.await(
+        () -> object + "; there are " + choices(scene),
+        () -> {
+          scene.walkTo(place);
+          return choices(scene).containsKey(object);
+        });
   }
 
   @Test

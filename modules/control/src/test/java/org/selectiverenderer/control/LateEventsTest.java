@@ -16,6 +16,7 @@ import org.selectiverenderer.control.ControlEvent.Exit;
 import org.selectiverenderer.control.ControlEvent.Start;
 import org.selectiverenderer.control.ControlEvent.SwitchChange;
 import org.selectiverenderer.control.SelectiveController.Settings;
+import org.selectiverenderer.testing.Eventually;
 import org.web3d.x3d.sai.ExternalBrowser;
 import org.web3d.x3d.sai.X3DField;
 import org.web3d.x3d.sai.X3DFieldEvent;
@@ -168,9 +169,9 @@ class LateEventsTest {
       first.start();
       await(entering);
       second.start();
-      while (second.isAlive() && second.getState() != Thread.State.BLOCKED) {
-        Thread.onSpinWait();
-      }
+      Eventually.await(
+          "the second thread to wait for the first",
+          () -> !second.isAlive() || second.getState() == Thread.State.BLOCKED);
       goOn.countDown();
       first.join();
       second.join();

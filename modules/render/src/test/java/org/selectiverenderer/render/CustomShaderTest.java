@@ -18,6 +18,7 @@ import org.selectiverenderer.browser.nodes.NodeFactory;
 import org.selectiverenderer.browser.scene.Node;
 import org.selectiverenderer.render.context.Screenshot;
 import org.selectiverenderer.render.display.OffscreenView;
+import org.selectiverenderer.testing.Eventually;
 import org.selectiverenderer.testing.RequiresDisplay;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.ReadLimits;
@@ -138,14 +139,15 @@ class CustomShaderTest {
       if (then.length > 0) {
         Node part = world.scene().find("P").orElseThrow();
         world.post(() -> world.cascade().send(part, part.type().indexOf("sourceCode"), then[0]));
-        String[] now = {""};
-        for (int frame = 2; frame < 2000 && !now[0].equals(then[1]); frame++) {
-          world.step(frame, (viewer, time, dt) -> {});
-          view.draw(world);
-          now[0] = Integer.toHexString(view.screenshot().rgb(32, 32));
-          Thread.onSpinWait();
-        }
-        world.step(3000, (viewer, time, dt) -> {});
+        int[] frame = {2};
+        Eventually.await(
+            "the colour " + then[1],
+            () -> {
+              world.step(frame[0]++, (viewer, time, dt) -> {});
+              view.draw(world);
+              return Integer.toHexString(view.screenshot().rgb(32, 32)).equals(then[1]);
+            });
+        world.step(frame[0], (viewer, time, dt) -> {});
       }
       view.draw(world);
       return new Seen(
@@ -213,7 +215,8 @@ class CustomShaderTest {
                     + program));
     assertThat(seen.middle()).isEqualTo(GREEN);
     assertThat(seen.told()).hasSize(1);
-    assertThat(seen.told().get(0)).contains("the field tint of ComposedShader S (SFVec3f) has 3 components");
+    assertThat(seen.told().get(0))
+        .contains("the field tint of ComposedShader S (SFVec3f) has 3 components");
   }
 
   @Test

@@ -1,9 +1,7 @@
 package org.selectiverenderer.testing;
 
-import java.awt.AWTException;
 import java.awt.Component;
 import java.awt.EventQueue;
-import java.awt.Robot;
 import java.awt.Window;
 import java.awt.event.WindowEvent;
 import java.util.Arrays;
@@ -17,17 +15,13 @@ import java.util.function.BooleanSupplier;
 import javax.swing.JDialog;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
+import org.selectiverenderer.testing.robot.DisplaySettling;
 import org.selectiverenderer.testing.robot.GuiRobot;
 
 /** Windows that code under test opens by itself, and waits for on a thread of its own. */
 public final class WindowFinder {
   private static final int PATIENCE = 60;
-  private static final int SETTLING = 400;
   private static final int CLICKS = 6;
-  private static final int WAITS = 64;
-
-  /** Milliseconds between two looks at whether a click has had its effect. */
-  private static final int LOOK = 50;
 
   private WindowFinder() {}
 
@@ -50,7 +44,7 @@ public final class WindowFinder {
   /** Waits for the window of that name, without which it would be somebody else's. */
   public static JFrame named(GuiRobot hands, String name) {
     hands.await("the window " + name, () -> shown(name).isPresent());
-    settle();
+    DisplaySettling.awaitOpenedWindow();
     JFrame frame = GuiRobot.onEdt(() -> shown(name).orElseThrow());
     move(frame, frame.getX(), frame.getY() + (frame.getY() > 0 ? -1 : 1));
     return frame;
@@ -68,7 +62,7 @@ public final class WindowFinder {
           window.toFront();
           return true;
         });
-    settle();
+    DisplaySettling.awaitOpenedWindow();
   }
 
   private static Optional<JFrame> shown(String name) {
@@ -91,16 +85,6 @@ public final class WindowFinder {
     raise(frame);
   }
 
-  /** Lets a window that is shown come to where it will stay: a click would miss it before. */
-  private static void settle() {
-    try {
-      new Robot().delay(SETTLING);
-    } catch (AWTException e) {
-      throw new AssertionError(e);
-    }
-    GuiRobot.onEdt(() -> true);
-  }
-
   /**
    * Clicks until it has had its effect: a window that has just come on a busy machine may miss the
    * first click.
@@ -109,9 +93,7 @@ public final class WindowFinder {
     for (int i = 0; i < CLICKS && !GuiRobot.onEdt(effect::getAsBoolean); i++) {
       raise(component);
       hands.click(component);
-      for (int wait = 0; wait < WAITS && !GuiRobot.onEdt(effect::getAsBoolean); wait++) {
-        hands.rest(LOOK);
-      }
+      GuiRobot.has(effect);
     }
     hands.await("the effect of a click", effect);
   }
@@ -124,7 +106,7 @@ public final class WindowFinder {
   /** Waits for a dialogue, answers it by a button, and waits until it has gone. */
   public static void answerDialog(GuiRobot hands, String button) {
     hands.await("the dialogue", () -> dialog().isPresent());
-    settle();
+    DisplaySettling.awaitOpenedWindow();
     JDialog open = GuiRobot.onEdt(() -> dialog().orElseThrow());
     hands.choose(open, button);
   }

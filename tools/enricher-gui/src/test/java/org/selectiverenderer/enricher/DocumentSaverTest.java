@@ -130,7 +130,10 @@ class DocumentSaverTest extends DocumentSaverFixture {
     answers.target = other.resolve("saved.x3d");
     answers.agree = false;
     saving.saveAs(() -> done++);
-    assertThat(answers.asked).singleElement().asString().contains(other + "", "cup.x3d", "would not find");
+    assertThat(answers.asked)
+        .singleElement()
+        .asString()
+        .contains(other + "", "cup.x3d", "would not find");
     assertThat(answers.target).doesNotExist();
     assertThat(session.file().path()).isEqualTo(first);
     answers.agree = true;

@@ -33,6 +33,7 @@ import org.selectiverenderer.enricher.preview.PreviewPanel;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.geometry.BoundingBox;
 import org.selectiverenderer.testing.ShowsWindows;
+import org.selectiverenderer.testing.robot.DisplaySettling;
 import org.selectiverenderer.testing.robot.GuiRobot;
 
 /**
@@ -165,7 +166,7 @@ class EnricherPictures {
         return;
       }
       before = now;
-      hands.rest(BETWEEN_MS);
+      DisplaySettling.pause(BETWEEN_MS);
     }
     throw new AssertionError(name + ": the window does not come to rest");
   }

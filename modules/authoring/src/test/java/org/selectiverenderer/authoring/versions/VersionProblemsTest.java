@@ -120,7 +120,9 @@ class VersionProblemsTest extends VaseScene {
 
     assertThat(plan(scene, "A", new SimplificationTarget.Polygons(100))).isPresent();
 
-    assertThat(problems.list().toString()).contains("s.x3d:4:5").contains("the " + node + " is not geometry");
+    assertThat(problems.list().toString())
+        .contains("s.x3d:4:5")
+        .contains("the " + node + " is not geometry");
   }
 
   @Test

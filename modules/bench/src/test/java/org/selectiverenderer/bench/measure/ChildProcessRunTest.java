@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 
@@ -15,7 +16,7 @@ class ChildProcessRunTest {
     private Endless() {}
 
     public static void main(String[] arguments) throws InterruptedException {
-      Thread.sleep(600_000);
+      new CountDownLatch(1).await(10, TimeUnit.MINUTES);
     }
   }
 

@@ -21,7 +21,7 @@ final class ProgressBar implements RadiosityProgress, AutoCloseable {
 
   private final Console console;
   private final boolean terminal;
-  private final Duration patience;
+  private final EndAwaiter awaiter;
   private final long start = System.nanoTime();
   private final CountDownLatch ended = new CountDownLatch(1);
   private final Thread hook = new Thread(this::cancel, "radiosity-cancel");
@@ -31,19 +31,30 @@ final class ProgressBar implements RadiosityProgress, AutoCloseable {
   private double most;
   private String last = "";
 
-  /**
-   * @param patience the longest time after Ctrl-C without progress before the program gives up
-   */
-  ProgressBar(Console console, boolean terminal, Duration patience) {
+  /** Waits for the end of the work after Ctrl-C. */
+  @FunctionalInterface
+  interface EndAwaiter {
+    /**
+     * Waits until the work has ended or so long that work without progress meanwhile is given up.
+     *
+     * @return whether the work has ended
+     */
+    boolean await(CountDownLatch ended) throws InterruptedException;
+  }
+
+  ProgressBar(Console console, boolean terminal, EndAwaiter awaiter) {
     this.console = console;
     this.terminal = terminal;
-    this.patience = patience;
+    this.awaiter = awaiter;
     Runtime.getRuntime().addShutdownHook(hook);
   }
 
   /** Creates a bar that is drawn only on a terminal; elsewhere only whole lines are printed. */
   static ProgressBar on(Console console) {
-    return new ProgressBar(console, System.console() != null, PATIENCE);
+    return new ProgressBar(
+        console,
+        System.console() != null,
+        ended -> ended.await(PATIENCE.toMillis(), TimeUnit.MILLISECONDS));
   }
 
   /**
@@ -56,7 +67,7 @@ final class ProgressBar implements RadiosityProgress, AutoCloseable {
       boolean end;
       do {
         moved = false;
-        end = ended.await(patience.toMillis(), TimeUnit.MILLISECONDS);
+        end = awaiter.await(ended);
       } while (!end && moved);
       if (!end) {
         console.message("the computation did not stop in time; nothing is written");

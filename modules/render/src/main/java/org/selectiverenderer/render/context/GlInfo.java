@@ -28,8 +28,8 @@ public record GlInfo(String vendor, String renderer, String version) {
   }
 
   /**
-   * Returns the version that the build names, because our jar lacks the manifest in which JOGL looks
-   * for its own.
+   * Returns the version that the build names, because our jar lacks the manifest in which JOGL
+   * looks for its own.
    */
   static String libraryVersion() {
     try (InputStream in =

@@ -19,6 +19,7 @@ import java.io.UncheckedIOException;
 import java.lang.reflect.InvocationTargetException;
 import java.util.concurrent.Callable;
 import java.util.concurrent.FutureTask;
+import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import javax.imageio.ImageIO;
 import javax.swing.JButton;
@@ -27,12 +28,13 @@ import javax.swing.JDialog;
 import javax.swing.JTable;
 import javax.swing.SwingUtilities;
 import javax.swing.text.JTextComponent;
+import org.selectiverenderer.testing.Eventually;
 
 /** Mouse and keyboard on the components of a window, which are found by their accessible names. */
 public final class GuiRobot {
-  private static final int PATIENCE = 60_000;
-  private static final int STEP = 50;
-  private static final int SETTLING = 150;
+  /** Milliseconds that the effect of a click takes at most on a busy machine. */
+  private static final int EFFECT = 3_000;
+
   private static final int TRIES = 3;
   private final Robot robot;
 
@@ -65,7 +67,7 @@ public final class GuiRobot {
   public void show(Window window) {
     SwingUtilities.invokeLater(() -> window.setVisible(true));
     await("the window", window::isShowing);
-    settle();
+    DisplaySettling.awaitWindow();
     onEdt(
         () -> {
           Point wanted = window.getLocation();
@@ -74,36 +76,23 @@ public final class GuiRobot {
           window.toFront();
           return true;
         });
-    settle();
-  }
-
-  /** Lets a window that was shown or moved arrive, of which no event tells reliably. */
-  private void settle() {
-    robot.delay(SETTLING);
-    onEdt(() -> true);
-  }
-
-  /** Lets some time pass, for what is measured. */
-  public void rest(int milliseconds) {
-    robot.delay(milliseconds);
-    onEdt(() -> true);
+    DisplaySettling.awaitWindow();
   }
 
   /** Waits until something is so. */
   public void await(String what, BooleanSupplier so) {
-    for (int waited = 0; !onEdt(so::getAsBoolean); waited += STEP) {
-      if (waited > PATIENCE) {
-        write(screen(), "screen-when-waited-in-vain");
-        throw new AssertionError("waited in vain for " + what);
-      }
-      robot.delay(STEP);
-    }
+    Eventually.await(
+        () -> {
+          write(screen(), "screen-when-waited-in-vain");
+          return what;
+        },
+        () -> onEdt(so::getAsBoolean));
   }
 
   /** Waits for a dialog to show and gives it. */
   public <T extends JDialog> T dialog(Class<T> type) {
     await("a dialog", () -> showing(type) != null);
-    settle();
+    DisplaySettling.awaitWindow();
     T dialog = onEdt(() -> showing(type));
     assertThat(dialog).isNotNull();
     return dialog;
@@ -134,7 +123,7 @@ public final class GuiRobot {
             dialog.toFront();
             return chosen.requestFocusInWindow();
           });
-      settle();
+      DisplaySettling.awaitWindow();
       if (onEdt(dialog::isShowing)) {
         click(chosen);
       }
@@ -151,12 +140,9 @@ public final class GuiRobot {
     await("the end of the dialog", () -> !dialog.isShowing());
   }
 
-  /** Whether something gets so within the time that a click takes on a busy machine. */
-  private boolean has(BooleanSupplier so) {
-    for (int waited = 0; waited < PATIENCE / 20 && !onEdt(so::getAsBoolean); waited += STEP) {
-      robot.delay(STEP);
-    }
-    return onEdt(so::getAsBoolean);
+  /** Waits for the effect of a click and returns whether it came. */
+  public static boolean has(BooleanSupplier so) {
+    return Eventually.within(EFFECT, TimeUnit.MILLISECONDS, () -> onEdt(so::getAsBoolean));
   }
 
   /** Whether all of a button shows on the screen, enabled, with nothing of the dialog over it. */
@@ -218,7 +204,7 @@ public final class GuiRobot {
             SwingUtilities.getWindowAncestor(component).toFront();
             return component.requestFocusInWindow();
           });
-      settle();
+      DisplaySettling.awaitWindow();
       click(component, onEdt(() -> inView(component)));
     }
     await(

@@ -159,8 +159,7 @@ public final class InterTrax2Emulator implements AutoCloseable {
         settings.motion().at(seconds(), pose);
         InterTraxRecordEncoder.continuous(pose, record);
         write(record);
-        // After a blocked write, missed records are skipped.
-        due = Math.max(due + period, System.nanoTime());
+        due = next(due, period, System.nanoTime());
         while (!closed && System.nanoTime() < due) {
           LockSupport.parkNanos(this, due - System.nanoTime());
         }
@@ -168,6 +167,11 @@ public final class InterTrax2Emulator implements AutoCloseable {
     } catch (IOException e) {
       closed = true; // The cable was pulled.
     }
+  }
+
+  /** Returns when the next record is due: after a blocked write, missed records are skipped. */
+  static long next(long due, long period, long now) {
+    return Math.max(due + period, now);
   }
 
   private double seconds() {

@@ -4,8 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.util.concurrent.atomic.AtomicInteger;
-import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.Test;
+import org.selectiverenderer.testing.Eventually;
 import org.selectiverenderer.tracker.PoseSample;
 import org.selectiverenderer.tracker.RecordingTrackerListener;
 import org.selectiverenderer.tracker.TrackerOptions;
@@ -31,10 +31,12 @@ class LiveTrackerTest {
             if (opened.get() == 1) {
               throw new IllegalStateException("of ours");
             }
-            while (!intake.closed()) {
-              intake.angles(System.nanoTime(), 30, 20, 10);
-              LockSupport.parkNanos(1_000_000);
-            }
+            Eventually.await(
+                "the end of the connection",
+                () -> {
+                  intake.angles(System.nanoTime(), 30, 20, 10);
+                  return intake.closed();
+                });
           }
 
           @Override

@@ -7,9 +7,9 @@ import java.nio.file.Path;
 import java.util.HexFormat;
 import java.util.Random;
 import java.util.concurrent.atomic.AtomicInteger;
-import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.testing.Eventually;
 import org.selectiverenderer.tracker.HeadTracker;
 import org.selectiverenderer.tracker.RecordingTrackerListener;
 import org.selectiverenderer.tracker.TrackerOptions;
@@ -25,7 +25,7 @@ class InterTrax2HandshakeTest {
 
   @Test
   void commandsComeInTheirOrder() throws IOException {
-    try (FakeSerialDevice device = new FakeSerialDevice(link(), InterTrax2HandshakeTest::obeys);
+    try (FakeSerialDevice device = new FakeSerialDevice(link(), this::obeys);
         HeadTracker tracker = open()) {
       watching.more(2);
       assertThat(device.heard()).isEqualTo("ct\2b\4d");
@@ -119,7 +119,7 @@ class InterTrax2HandshakeTest {
 
   @Test
   void aDeviceThatFallsSilentOrSendsGarbageIsReportedAndHeardAgain() throws IOException {
-    try (FakeSerialDevice device = new FakeSerialDevice(link(), InterTrax2HandshakeTest::obeys);
+    try (FakeSerialDevice device = new FakeSerialDevice(link(), this::obeys);
         HeadTracker tracker = open()) {
       watching.more(2);
       watching.problem("no records for 0.5 s; the last orientation is kept");
@@ -143,7 +143,7 @@ class InterTrax2HandshakeTest {
     for (int i = 0; i < flood.length; i += RECORD.length) {
       System.arraycopy(RECORD, 0, flood, i, RECORD.length);
     }
-    try (FakeSerialDevice device = new FakeSerialDevice(link(), InterTrax2HandshakeTest::obeys);
+    try (FakeSerialDevice device = new FakeSerialDevice(link(), this::obeys);
         HeadTracker tracker = open()) {
       watching.more(2);
       for (int i = 0; i < 100; i++) {
@@ -154,17 +154,20 @@ class InterTrax2HandshakeTest {
     }
   }
 
-  private static void obeys(int command, FakeSerialDevice device) throws IOException {
+  private void obeys(int command, FakeSerialDevice device) throws IOException {
     switch (command) {
       case 'c' -> device.says('o');
       case 't', 'b' -> device.says(command);
       case 'd' -> {
         device.says('d');
-        // The host throws away what comes while it changes its speed; so a while of them.
-        for (int i = 0; i < 60; i++) {
-          LockSupport.parkNanos(5_000_000);
-          device.says(RECORD);
-        }
+        // The host throws away what comes while it changes its speed.
+        long before = watching.samples();
+        Eventually.await(
+            "two records",
+            () -> {
+              device.says(RECORD);
+              return watching.samples() >= before + 2;
+            });
       }
       default -> {
         // Arguments.

@@ -6,10 +6,10 @@ import java.io.FileInputStream;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.testing.Eventually;
 
 @Timeout(value = 30, unit = TimeUnit.SECONDS)
 class SerialLineTest {
@@ -26,9 +26,7 @@ class SerialLineTest {
       device.says(new byte[STALE]);
       // What does not read sees how much has come so far.
       try (FileInputStream arrived = new FileInputStream(link.toFile())) {
-        while (arrived.available() < STALE) {
-          LockSupport.parkNanos(1_000_000);
-        }
+        Eventually.await("the stale bytes", () -> arrived.available() >= STALE);
       }
       SerialLine line = SerialLine.open(link.toString(), 38400);
       byte[] bytes = new byte[100];

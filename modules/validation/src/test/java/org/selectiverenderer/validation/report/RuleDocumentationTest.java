@@ -22,7 +22,8 @@ class RuleDocumentationTest {
       Files.writeString(file, page, StandardCharsets.UTF_8);
     }
     assertThat(Files.readString(file, StandardCharsets.UTF_8).replace("\r\n", "\n"))
-        .as("docs/rules.md; to write it anew: mvn test -Dtest=RuleDocumentationTest -Drules.write=true")
+        .as(
+            "docs/rules.md; to write it anew: mvn test -Dtest=RuleDocumentationTest -Drules.write=true")
         .isEqualTo(page);
   }
 

@@ -135,7 +135,8 @@ class HttpFetcherTest {
   @Test
   void whatIsTooLargeOrTooSlowIsLeft() throws IOException {
     UrlResolver root = root("127.0.0.1");
-    String large = "UNREACHABLE cannot be fetched: the file has more than 1000 bytes, which is the limit";
+    String large =
+        "UNREACHABLE cannot be fetched: the file has more than 1000 bytes, which is the limit";
     assertThat(read(root, host + "/big")).isEqualTo(large);
     assertThat(read(root, host + "/big-unsaid")).isEqualTo(large);
     assertThat(read(root, host + "/slow"))

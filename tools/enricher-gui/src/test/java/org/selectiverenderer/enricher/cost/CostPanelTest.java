@@ -286,7 +286,9 @@ class CostPanelTest {
           return true;
         });
     hands.await("the reason", () -> !messages.isEmpty());
-    assertThat(messages.get(0)).contains("did you mean \"budgets\"").contains("the budget is not saved");
+    assertThat(messages.get(0))
+        .contains("did you mean \"budgets\"")
+        .contains("the budget is not saved");
     assertThat(Files.readString(file)).isEqualTo("{\"budget\": []}");
   }
 }

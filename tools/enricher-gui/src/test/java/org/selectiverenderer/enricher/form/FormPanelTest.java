@@ -23,6 +23,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.enricher.EventThread;
+import org.selectiverenderer.testing.Eventually;
 import org.selectiverenderer.testing.ShowsWindows;
 
 @ShowsWindows
@@ -103,7 +104,7 @@ class FormPanelTest {
       EventThread.edt(((JCheckBox) window.named("allFields"))::doClick);
       JComponent transparency = (JComponent) window.named("field transparency");
       EventThread.edt(transparency::requestFocusInWindow);
-      window.settle();
+      Eventually.await("the keyboard", () -> EventThread.get(transparency::isFocusOwner));
       window.fill(transparency, "0.5");
       window.press(KeyEvent.VK_ENTER);
       window.screenshot("form-fields", 1);
@@ -124,8 +125,7 @@ class FormPanelTest {
       window.robot.keyPress(KeyEvent.VK_CONTROL);
       window.press(KeyEvent.VK_SPACE);
       window.robot.keyRelease(KeyEvent.VK_CONTROL);
-      window.settle();
-      assertThat(EventThread.get(schemas::proposing)).isTrue();
+      Eventually.await("the proposals", () -> EventThread.get(schemas::proposing));
       window.press(KeyEvent.VK_ENTER);
       assertThat(shown(schemas)).isEqualTo("DeskSchema");
     }
@@ -204,8 +204,7 @@ class FormPanelTest {
       JComboBox<?> type = (JComboBox<?>) window.named("Type of choice 0");
       EventThread.edt(() -> type.setSelectedItem("consistent"));
       JLabel said = (JLabel) window.named("Findings");
-      window.settle();
-      assertThat(EventThread.get(said::getText)).contains("problem");
+      Eventually.await("a finding", () -> EventThread.get(said::getText).contains("problem"));
       window.screenshot("form-findings", 1);
       assertThat(EventThread.get(schemas::getLocationOnScreen)).isEqualTo(before);
     }
@@ -310,9 +309,8 @@ class FormPanelTest {
                 () -> window.session.enrichment().switches().get(0).element().def().orElseThrow());
         window.select(name);
         JLabel polygons = (JLabel) window.named("Polygons of choice 1");
-        while (!EventThread.get(polygons::getText).endsWith("polygons")) {
-          window.settle();
-        }
+        Eventually.await(
+            "the count", () -> EventThread.get(polygons::getText).endsWith("polygons"));
         window.screenshot("form-switch-" + (dark ? "dark" : "light"), dark ? 2 : 1);
         String area =
             EventThread.get(

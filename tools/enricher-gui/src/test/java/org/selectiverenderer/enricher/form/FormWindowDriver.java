@@ -43,8 +43,6 @@ import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** A window with the form, the help and the problems of a scene, driven by a robot. */
 final class FormWindowDriver implements AutoCloseable {
-  private static final int SETTLING = 100;
-
   final EnricherSession session;
   final FormPanel form;
   final HelpPanel help;
@@ -134,12 +132,6 @@ final class FormWindowDriver implements AutoCloseable {
           robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
           robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
         });
-  }
-
-  /** Lets what is done elsewhere arrive. */
-  void settle() {
-    robot.delay(SETTLING);
-    edt(() -> {});
   }
 
   /** Types letters, digits and signs without a modifier, capitals with Shift. */

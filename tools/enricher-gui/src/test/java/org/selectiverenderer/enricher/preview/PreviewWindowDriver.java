@@ -21,6 +21,7 @@ import javax.swing.JFrame;
 import org.selectiverenderer.authoring.file.DocumentFile;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.task.TaskExecutor;
+import org.selectiverenderer.testing.robot.DisplaySettling;
 import org.selectiverenderer.testing.robot.RobotEventSync;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 
@@ -29,7 +30,6 @@ final class PreviewWindowDriver implements AutoCloseable {
   static final int WIDTH = 640;
   static final int HEIGHT = 480;
   private static final long PATIENCE = 60;
-  private static final int SETTLING = 150;
 
   final EnricherSession session;
   final PreviewPanel panel;
@@ -123,8 +123,7 @@ final class PreviewWindowDriver implements AutoCloseable {
 
   /** Lets what is done elsewhere arrive. */
   void settle() {
-    robot.delay(SETTLING);
-    edt(() -> {});
+    DisplaySettling.awaitWindow();
   }
 
   /**
