@@ -14,8 +14,9 @@ import java.util.regex.Pattern;
  *     what is replaced, by what, and the file
  * @param prints pieces of what is printed, in their order; {@code ...} in the page stands between
  *     them
+ * @param shown what the page shows as printed, as it is written there
  */
-record StoryStep(List<String> words, List<String> prints) {
+record StoryStep(List<String> words, List<String> prints, String shown) {
   static final String REPLACE = "replace";
   private static final String PROGRAM = "./selective-renderer";
   private static final Pattern CHANGE =
@@ -36,7 +37,7 @@ record StoryStep(List<String> words, List<String> prints) {
             change -> {
               List<String> words =
                   List.of(REPLACE, change.group(1), change.group(2), change.group(3));
-              byPlace.put(change.start(), List.of(new StoryStep(words, List.of())));
+              byPlace.put(change.start(), List.of(new StoryStep(words, List.of(), "")));
             });
     page.blocks().forEach(block -> byPlace.put(block.start(), commands(block)));
     return byPlace.values().stream().flatMap(List::stream).toList();
@@ -50,7 +51,7 @@ record StoryStep(List<String> words, List<String> prints) {
         shown(shown).ifPresent(steps::add);
       }
     } else if (text.startsWith(PROGRAM)) {
-      text.lines().forEach(line -> steps.add(new StoryStep(words(line), List.of())));
+      text.lines().forEach(line -> steps.add(new StoryStep(words(line), List.of(), "")));
     }
     return steps;
   }
@@ -60,12 +61,13 @@ record StoryStep(List<String> words, List<String> prints) {
       return Optional.empty();
     }
     int end = text.indexOf('\n');
+    String shown = text.substring(end + 1);
     List<String> prints =
-        List.of(text.substring(end + 1).split("(?m)^\\.\\.\\.$")).stream()
+        List.of(shown.split("(?m)^\\.\\.\\.$")).stream()
             .map(String::strip)
             .filter(piece -> !piece.isEmpty())
             .toList();
-    return Optional.of(new StoryStep(words(text.substring(0, end)), prints));
+    return Optional.of(new StoryStep(words(text.substring(0, end)), prints, shown.strip()));
   }
 
   private static List<String> words(String line) {

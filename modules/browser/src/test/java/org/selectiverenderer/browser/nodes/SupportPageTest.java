@@ -93,9 +93,8 @@ class SupportPageTest {
   @Test
   void fieldsThatAreActedOnAreNamedSomewhereInTheCode() throws IOException {
     Set<String> named = new HashSet<>();
-    for (String folder :
-        List.of("modules/browser", "modules/geometry", "modules/schema", "modules/x3d")) {
-      try (Stream<Path> files = Files.walk(Path.of(folder, "src/main/java"))) {
+    for (String module : List.of("browser", "geometry", "render", "schema", "walkthrough", "x3d")) {
+      try (Stream<Path> files = Files.walk(Path.of("modules", module, "src/main/java"))) {
         for (Path file : files.filter(f -> f.toString().endsWith(".java")).toList()) {
           LITERAL.matcher(Files.readString(file)).results().forEach(r -> named.add(r.group(1)));
         }
