@@ -56,6 +56,27 @@ class ConvertCommandTest extends CommandTestCase {
   }
 
   @Test
+  void entitiesAreWrittenOut() throws IOException {
+    Path scene =
+        scene(
+            "room.x3d",
+            """
+            <!DOCTYPE X3D [ <!ENTITY wood "0.4 0.2 0.1">
+              <!ENTITY chair "<Shape DEF='Chair'><Box/></Shape>"> ]>
+            <X3D version='4.0' profile='Immersive'><Scene>
+              <DirectionalLight color='&wood;'/>&chair;
+            </Scene></X3D>
+            """);
+    Path output = folder.resolve("converted.x3d");
+    assertThat(execute("convert", scene.toString(), output.toString())).as(messages()).isZero();
+    assertThat(messages()).isEmpty();
+    assertThat(output)
+        .content()
+        .contains("color='0.4 0.2 0.1'", "<Shape DEF='Chair'>")
+        .doesNotContain("&", "ENTITY");
+  }
+
+  @Test
   void aFolderIsNoScene() {
     assertThat(execute("convert", folder.toString(), folder.resolve("a.x3d").toString()))
         .isEqualTo(2);

@@ -209,7 +209,19 @@ class SimulateBadSceneTest {
   }
 
   @Test
-  void entitiesAreNeverExpanded() {
+  void entitiesOfTheDoctypeAreShown() {
+    String subset = "<!DOCTYPE X3D [<!ENTITY d '0.1'><!ENTITY box \"" + BOX + "\">]>\n";
+    SimulateTestCase.Result result =
+        folder
+            .write("scene.x3d", subset + "<X3D><Scene>&box;<Group>&box;</Group></Scene></X3D>")
+            .simulate("scene.x3d");
+    assertThat(result.messages()).isEmpty();
+    assertThat(result.polygons()).isEqualTo(24);
+    assertThat(result.status()).isZero();
+  }
+
+  @Test
+  void entitiesDoNotExhaustMemoryNorReadFiles() {
     StringBuilder bomb = new StringBuilder("<!DOCTYPE X3D [<!ENTITY e0 'aaaaaaaaaa'>");
     for (int i = 1; i < 40; i++) {
       bomb.append("<!ENTITY e%d '&e%d;&e%d;&e%d;'>".formatted(i, i - 1, i - 1, i - 1));
@@ -223,8 +235,8 @@ class SimulateBadSceneTest {
     assertThat(result.messages().get(0))
         .startsWith("scene.x3d:4:")
         .endsWith(
-            "entities of a DOCTYPE are never expanded, and &e39; is one; the part "
-                + "before it is kept");
+            "the entity &e39; cannot be expanded: entities refer to each other more than 16 deep"
+                + "; the part before it is kept");
     assertThat(result.polygons()).isEqualTo(12);
     assertThat(result.status()).isEqualTo(1);
     assertThat(
@@ -233,7 +245,7 @@ class SimulateBadSceneTest {
                 .simulate("scene.x3d")
                 .messages())
         .containsExactly(
-            "scene.x3d:3:22: entities of a DOCTYPE are never expanded; &secret; is left out");
+            "scene.x3d:3:22: the entity &secret; is external and is never fetched; it is left out");
   }
 
   @Test

@@ -54,11 +54,13 @@ public final class XmlRules {
 
   static final Rule ENTITY =
       Rule.error("SR005", "{fault}")
-          .about("an entity of a DOCTYPE, which is never expanded")
+          .about("an entity that is not declared in the file itself or cannot be expanded")
           .because(
               """
-              Entities of a DOCTYPE are a way to read other files and to exhaust memory, so browsers \
-              and this program expand none but &lt; &gt; &amp; &quot; &apos; and numbers.""")
+              Entities that a file declares in its own DOCTYPE are expanded, within limits against \
+              exhausting memory. External entities and DTDs are never read, since they are a way to \
+              read other files, and many browsers expand no entities at all but &lt; &gt; &amp; \
+              &quot; &apos; and numbers.""")
           .bad("<Text string='\"&copyright;\"'/>")
           .good("<Text string='\"&#169;\"'/>")
           .see("XML 1.0, 4.1");

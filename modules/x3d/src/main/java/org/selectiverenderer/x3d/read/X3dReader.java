@@ -235,12 +235,9 @@ public final class X3dReader {
     ReadContext reading = state(source, problems);
     X3dFile file = new X3dElementReader(reading).read(new XmlCursor(xml, reading, cut != null));
     if (cut != null) {
-      boolean flood = cut.kind() == DocumentError.Kind.LIMIT;
+      boolean limit = cut.kind() == DocumentError.Kind.LIMIT;
       problems.error(
-          flood ? cut.location() : whole,
-          cut.message()
-              + (flood ? ", more than any node has" : "")
-              + "; the part before it is kept");
+          limit ? cut.location() : whole, cut.message() + "; the part before it is kept");
     }
     return file;
   }

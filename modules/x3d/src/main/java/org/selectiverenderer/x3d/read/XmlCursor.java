@@ -65,9 +65,7 @@ final class XmlCursor implements ElementCursor {
           }
         }
         case XMLStreamConstants.ENTITY_REFERENCE ->
-            reading.error(
-                place().location(),
-                "entities of a DOCTYPE are never expanded; &" + xml.entity() + "; is left out");
+            reading.error(xml.place().location(), xml.entityProblem() + "; it is left out");
         default -> {
           // comments, processing instructions and the DOCTYPE are not part of the scene
         }

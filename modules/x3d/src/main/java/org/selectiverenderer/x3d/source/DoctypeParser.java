@@ -150,7 +150,16 @@ final class DoctypeParser {
   }
 
   private boolean starts(String word) {
-    int end = at + word.length();
-    return end <= text.length() && word.contentEquals(text.subSequence(at, end));
+    return starts(text, at, word);
+  }
+
+  /** Returns whether a word is at an offset of a text. */
+  static boolean starts(CharSequence text, int at, String word) {
+    for (int i = 0; i < word.length(); i++) {
+      if (at + i >= text.length() || text.charAt(at + i) != word.charAt(i)) {
+        return false;
+      }
+    }
+    return true;
   }
 }

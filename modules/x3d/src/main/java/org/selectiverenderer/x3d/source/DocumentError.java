@@ -16,7 +16,7 @@ public record DocumentError(Kind kind, SourceLocation location, String message) 
     COMPRESSION,
     /** Invalid bytes or an unknown character encoding. */
     ENCODING,
-    /** An entity of a DOCTYPE, which is never expanded. */
+    /** An entity that is not declared, external, or beyond the limits of expansion. */
     ENTITY,
     /** XML that is not well formed. */
     SYNTAX,

@@ -143,11 +143,7 @@ public final class DocumentParser extends ElementParser {
           comments.add(
               new XmlDocument.Comment(xml.text(), xml.place().location(), xml.start(), null));
       case XMLStreamConstants.ENTITY_REFERENCE ->
-          document.add(
-              new DocumentError(
-                  Kind.ENTITY,
-                  xml.place().location(),
-                  "the entity &" + xml.entity() + "; of a DOCTYPE is not expanded"));
+          document.add(new DocumentError(Kind.ENTITY, xml.place().location(), xml.entityProblem()));
       case XMLStreamConstants.DTD -> document.type(xml.type());
       default -> {
         // processing instructions are not part of the scene

@@ -20,6 +20,9 @@ public record ElementLocation(ElementSource source, int offset, SourceLocation l
     int offset = at.getCharacterOffset();
     int line = at.getLineNumber();
     int column = at.getColumnNumber();
+    if (source.isExpanded()) {
+      return new ElementLocation(source, behind, source.location(behind));
+    }
     for (; offset < behind; offset++) {
       char c = text.charAt(offset);
       boolean first = c == '\r' && offset + 1 < text.length() && text.charAt(offset + 1) == '\n';

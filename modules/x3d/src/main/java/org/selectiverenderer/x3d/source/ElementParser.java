@@ -42,7 +42,7 @@ class ElementParser {
   static DocumentElement root(SourceText text, ElementSource source, int shift, long revision)
       throws XmlParseException {
     String name = source.file();
-    Preflight preflight = Preflight.of(name, text);
+    Preflight preflight = Preflight.unexpanded(name, text);
     ReadLimits standard = ReadLimits.standard();
     ReadLimits limits =
         new ReadLimits(

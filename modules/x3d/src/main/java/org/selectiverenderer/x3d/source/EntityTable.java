@@ -8,9 +8,8 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The general entities declared in the internal subset of a text's DOCTYPE (XML 1.0, 4.2), for
- * texts that are edited, whose attribute values may refer to them. External entities and an
- * external subset are never fetched. Immutable.
+ * The general entities declared in the internal subset of a text's DOCTYPE (XML 1.0, 4.2). External
+ * entities, an external subset and parameter entities are never fetched. Immutable.
  *
  * <p>Expansion is bounded, against exponential growth ("billion laughs"): one reference by {@link
  * #LONGEST}, all of a text by {@link #MOST}.
@@ -19,10 +18,10 @@ public final class EntityTable {
   /** No entities, as in nearly all texts. */
   public static final EntityTable NONE = new EntityTable(Map.of(), 0);
 
-  /** The maximum length of the expansion of one reference in an attribute. */
+  /** The maximum length of the expansion of one reference. */
   static final int LONGEST = 1 << 16;
 
-  /** The maximum length of the expansions of all references in the attributes of a text. */
+  /** The maximum length of the expansions of all references of a text. */
   static final long MOST = 1 << 24;
 
   private static final int DEPTH = 16;
@@ -30,6 +29,7 @@ public final class EntityTable {
 
   private final Map<String, Declared> declared;
   private final Map<String, Optional<String>> expanded = new HashMap<>();
+  private final Map<String, String> refused = new HashMap<>();
   private final int end;
 
   /**
@@ -76,6 +76,30 @@ public final class EntityTable {
     return expanded.getOrDefault(name, Optional.empty());
   }
 
+  /** Returns the replacement text of an entity that can be expanded, with its references. */
+  Optional<String> written(String name) {
+    return value(name).isPresent() ? declared.get(name).value() : Optional.empty();
+  }
+
+  /**
+   * Returns the reason why a reference is not expanded.
+   *
+   * @param attribute whether it is in an attribute value
+   */
+  String problem(String name, boolean attribute) {
+    if (!declared.containsKey(name)) {
+      return "the entity &" + name + "; is not declared in the DOCTYPE of this file";
+    }
+    String why = refused.get(name);
+    if (why != null) {
+      String start = "the entity &" + name + "; ";
+      return why.startsWith(start) ? why : start + "cannot be expanded: " + why;
+    }
+    return attribute
+        ? "the entity &" + name + "; has a '<', which the value of an attribute must not have"
+        : "the entity &" + name + "; has an element that does not begin and end in it";
+  }
+
   /** Returns whether a part of a text refers to a declared entity. */
   boolean within(CharSequence text, int from, int to) {
     if (none()) {
@@ -108,16 +132,32 @@ public final class EntityTable {
       return known.orElse(null);
     }
     Declared entity = declared.get(name);
-    if (entity == null || open.size() >= DEPTH || !open.add(name)) {
+    if (entity == null) {
       return null;
     }
-    String value = entity.value().map(written -> replaced(written, open)).orElse(null);
+    if (open.contains(name)) {
+      return refuse(open, "the entity &" + name + "; refers to itself");
+    }
+    if (open.size() >= DEPTH) {
+      return refuse(open, "entities refer to each other more than " + DEPTH + " deep");
+    }
+    open.add(name);
+    String value =
+        entity.value().isPresent()
+            ? replaced(name, entity.value().get(), open)
+            : refuse(open, "the entity &" + name + "; is external and is never fetched");
     open.remove(name);
     expanded.put(name, Optional.ofNullable(value));
     return value;
   }
 
-  private @Nullable String replaced(String written, Set<String> open) {
+  /** Notes why none of the open entities can be expanded, and returns null. */
+  private @Nullable String refuse(Set<String> open, String why) {
+    open.forEach(name -> refused.putIfAbsent(name, why));
+    return null;
+  }
+
+  private @Nullable String replaced(String name, String written, Set<String> open) {
     StringBuilder value = new StringBuilder(written.length());
     for (int i = 0; i < written.length(); i++) {
       char c = written.charAt(i);
@@ -127,13 +167,14 @@ public final class EntityTable {
       } else {
         String within = expand(inner, open);
         if (within == null) {
-          return null;
+          return refuse(open, refused.getOrDefault(inner, ""));
         }
         value.append(within);
         i += inner.length() + 1;
       }
       if (value.length() > LONGEST) {
-        return null;
+        String why = " stands for more than " + LONGEST + " characters";
+        return refuse(open, "the entity &" + name + ";" + why);
       }
     }
     return value.toString();

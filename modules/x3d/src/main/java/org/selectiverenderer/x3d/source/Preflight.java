@@ -34,26 +34,54 @@ public record Preflight(
         return new Preflight(text, new TextSource(name, text), faults, SceneEncoding.XML);
       }
     }
-    return of(name, text, faults);
+    return of(name, text, faults, true);
   }
 
-  /** Checks a text. */
+  /** Checks a text and expands its entities. */
   public static Preflight of(String name, SourceText text) {
-    return of(name, text, new ArrayList<>());
+    return of(name, text, new ArrayList<>(), true);
   }
 
-  private static Preflight of(String name, SourceText text, List<DocumentError> faults) {
+  /** Checks a text whose offsets must remain, so that its entities are not expanded. */
+  static Preflight unexpanded(String name, SourceText text) {
+    return of(name, text, new ArrayList<>(), false);
+  }
+
+  private static Preflight of(
+      String name, SourceText text, List<DocumentError> faults, boolean expand) {
     String head = text.head(64);
     SceneEncoding encoding = SceneEncoding.of(head).orElse(null);
     if (encoding == null) {
       return refused(name, text, foreign(head));
     }
     TextSource source = new TextSource(name, text);
+    EntityTable entities =
+        expand && encoding == SceneEncoding.XML ? EntityTable.of(text) : EntityTable.NONE;
+    return entities.none()
+        ? checked(text, source, faults, encoding)
+        : expanded(text, source, faults, entities);
+  }
+
+  private static Preflight expanded(
+      SourceText original, TextSource source, List<DocumentError> faults, EntityTable entities) {
+    EntityExpander expander = EntityExpander.of(original, entities);
+    EntityReferenceScanner.TooLong limit = expander.limit();
+    if (limit != null) {
+      faults.add(limit.fault(source, 0));
+    }
+    SourceText text = original.expandedTo(expander.text());
+    TextSource expanded = source.expanded(text, entities, expander.mapping());
+    return checked(text, expanded, faults, SceneEncoding.XML);
+  }
+
+  private static Preflight checked(
+      SourceText text, TextSource source, List<DocumentError> faults, SceneEncoding encoding) {
     int flood = encoding == SceneEncoding.XML ? text.floodedTag() : -1;
     if (flood < 0) {
       return new Preflight(text, source, faults, encoding);
     }
-    String why = "an element has more than " + SourceText.ATTRIBUTES + " attributes";
+    String why =
+        "an element has more than " + SourceText.ATTRIBUTES + " attributes, more than any node has";
     faults.add(new DocumentError(Kind.LIMIT, source.location(flood), why));
     return new Preflight(text.cutAt(flood), source, faults, encoding);
   }

@@ -206,6 +206,15 @@ public final class SourceText implements CharSequence {
     return at;
   }
 
+  /** Returns the text with its entities expanded, of the same file. */
+  SourceText expandedTo(CharSequence expanded) {
+    char[] letters = new char[expanded.length()];
+    for (int i = 0; i < letters.length; i++) {
+      letters[i] = expanded.charAt(i);
+    }
+    return new SourceText(new byte[0], letters.length, letters, complaint, charset, mark);
+  }
+
   /** Returns the text up to an offset. */
   SourceText cutAt(int offset) {
     return new SourceText(bytes, offset, decoded, complaint, charset, mark);
@@ -273,7 +282,7 @@ public final class SourceText implements CharSequence {
     return subSequence(0, Math.min(length, most)).toString();
   }
 
-  /** Returns an XML parser of the text, which fetches nothing and expands no entities. */
+  /** Returns an XML parser of the text, which fetches nothing and itself expands no entities. */
   XMLStreamReader2 parser() throws XMLStreamException {
     InputFactoryImpl factory = new InputFactoryImpl();
     factory.setProperty(XMLInputFactory.SUPPORT_DTD, false);

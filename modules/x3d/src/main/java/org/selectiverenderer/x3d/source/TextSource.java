@@ -8,6 +8,9 @@ import org.selectiverenderer.x3d.field.FieldParser;
 public final class TextSource implements ElementSource {
   private final String file;
   private final CharSequence text;
+  private final EntityTable declared;
+  private final CharSequence original;
+  private final @Nullable ExpansionMapping expansions;
   private final FieldParser parser = new FieldParser();
   private @Nullable LineIndex lines;
   private @Nullable StartTag tag;
@@ -19,8 +22,39 @@ public final class TextSource implements ElementSource {
    * @param file the name of the file in locations
    */
   public TextSource(String file, CharSequence text) {
+    this(file, text, EntityTable.NONE, text, null);
+  }
+
+  private TextSource(
+      String file,
+      CharSequence text,
+      EntityTable declared,
+      CharSequence original,
+      @Nullable ExpansionMapping expansions) {
     this.file = file;
     this.text = text;
+    this.declared = declared;
+    this.original = original;
+    this.expansions = expansions;
+  }
+
+  /**
+   * Returns this text with its entities expanded; locations are those of the references.
+   *
+   * @param declared the entities of the text
+   */
+  TextSource expanded(CharSequence expanded, EntityTable declared, ExpansionMapping mapping) {
+    return new TextSource(file, expanded, declared, original, mapping);
+  }
+
+  /** Returns whether entities are expanded, so that offsets are not those of the file. */
+  boolean isExpanded() {
+    return expansions != null;
+  }
+
+  /** Returns the entities of the DOCTYPE, for messages; empty if none has been expanded. */
+  EntityTable declared() {
+    return declared;
   }
 
   @Override
@@ -37,11 +71,12 @@ public final class TextSource implements ElementSource {
   public SourceLocation location(int offset) {
     LineIndex known = lines;
     if (known == null) {
-      known = new LineIndex(text);
+      known = new LineIndex(original);
       lines = known;
     }
-    int line = known.line(text, offset);
-    return new SourceLocation(file, line, offset - known.start(text, line) + 1);
+    int at = expansions == null ? offset : expansions.original(offset);
+    int line = known.line(original, at);
+    return new SourceLocation(file, line, at - known.start(original, line) + 1);
   }
 
   @Override

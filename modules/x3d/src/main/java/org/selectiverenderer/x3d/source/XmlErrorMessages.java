@@ -31,6 +31,18 @@ final class XmlErrorMessages {
 
   private XmlErrorMessages() {}
 
+  /** Returns the name of the entity that is not expanded; empty if the error is another one. */
+  static String entity(XMLStreamException fault) {
+    String raw = fault.getMessage() == null ? "" : fault.getMessage();
+    String message = raw.toLowerCase(Locale.ROOT);
+    Matcher entity = ENTITY.matcher(raw);
+    boolean cut = message.contains("end-of-input") || message.contains("end of input");
+    if (cut || !message.contains("entity") || !entity.find()) {
+      return "";
+    }
+    return entity.group(1) != null ? entity.group(1) : entity.group(2);
+  }
+
   /** Returns the message, to which the consequence can be appended. */
   static String describe(XMLStreamException fault) {
     String raw = fault.getMessage() == null ? "" : fault.getMessage();
@@ -39,12 +51,7 @@ final class XmlErrorMessages {
       return "the file is cut off here";
     }
     if (message.contains("entity")) {
-      Matcher entity = ENTITY.matcher(raw);
-      return entity.find()
-          ? "entities of a DOCTYPE are never expanded, and &"
-              + (entity.group(1) != null ? entity.group(1) : entity.group(2))
-              + "; is one"
-          : "this is not a valid reference to a character";
+      return "this is not a valid reference to a character";
     }
     if (message.contains("unbound namespace prefix")) {
       Matcher prefix = PREFIX.matcher(raw);
@@ -87,7 +94,7 @@ final class XmlErrorMessages {
     String message = String.valueOf(fault.getMessage()).toLowerCase(Locale.ROOT);
     int end = Math.max(0, Math.min(at.getCharacterOffset(), length));
     if (message.contains("end-of-input") || message.contains("end of input")) {
-      return new SourceLocation(source.file(), at.getLineNumber(), at.getColumnNumber());
+      return stop(at, source);
     }
     if (message.contains("expected </") || message.contains("processing instruction target")) {
       return source.location(back(text, end, '<'));
@@ -104,6 +111,13 @@ final class XmlErrorMessages {
     }
     boolean ended = end > 0 && message.contains("root element");
     return source.location(ended ? back(text, end, '<') : Math.max(0, end - 1));
+  }
+
+  /** Returns the location at which the parser stopped. */
+  static SourceLocation stop(javax.xml.stream.Location at, TextSource source) {
+    return source.isExpanded()
+        ? source.location(Math.max(0, at.getCharacterOffset()))
+        : new SourceLocation(source.file(), at.getLineNumber(), at.getColumnNumber());
   }
 
   /** Returns the offset of the last such character before an offset, or else that offset. */

@@ -81,9 +81,12 @@ public final class XmlPullParser {
   }
 
   private void breakOff(XMLStreamException e) {
-    String what = XmlErrorMessages.describe(e);
-    Kind kind = what.contains("entities of a DOCTYPE") ? Kind.ENTITY : Kind.SYNTAX;
-    fault = new DocumentError(kind, XmlErrorMessages.place(e, source, text.length()), what);
+    String reference = XmlErrorMessages.entity(e);
+    SourceLocation place = XmlErrorMessages.place(e, source, text.length());
+    fault =
+        reference.isEmpty()
+            ? new DocumentError(Kind.SYNTAX, place, XmlErrorMessages.describe(e))
+            : new DocumentError(Kind.ENTITY, place, source.declared().problem(reference, true));
   }
 
   // The parser reads text lazily and then wraps its exception. Any other exception on hostile text
@@ -92,9 +95,7 @@ public final class XmlPullParser {
     if (e.getCause() instanceof XMLStreamException wrapped) {
       breakOff(wrapped);
     } else {
-      javax.xml.stream.Location at = xml().getLocation();
-      SourceLocation place =
-          new SourceLocation(source.file(), at.getLineNumber(), at.getColumnNumber());
+      SourceLocation place = XmlErrorMessages.stop(xml().getLocation(), source);
       String what = "the XML is not well formed from here on";
       fault = new DocumentError(Kind.SYNTAX, place, what);
     }
@@ -166,8 +167,13 @@ public final class XmlPullParser {
     }
   }
 
+  /** Returns the reason why the current reference to an entity is not expanded. */
+  public String entityProblem() {
+    return source.declared().problem(entity(), false);
+  }
+
   /** Returns the name of the current entity. */
-  public String entity() {
+  String entity() {
     return xml().getLocalName();
   }
 

@@ -9,6 +9,10 @@
  * elements of the validator store parsed attributes, while those of an edited text leave them in
  * the text.
  *
+ * <p>The internal entities of a DOCTYPE are expanded before parsing by {@code EntityExpander},
+ * within limits; an edited text keeps them, and {@code EntityMasker} hides them from the parser.
+ * Nothing is fetched.
+ *
  * <p>A text of another encoding is converted to the same elements: its parser calls a {@link
  * org.selectiverenderer.x3d.source.ElementTreeBuilder}, with locations in that text.
  *
