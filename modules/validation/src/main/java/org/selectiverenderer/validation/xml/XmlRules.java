@@ -96,7 +96,7 @@ public final class XmlRules {
 
   static final Rule LIMIT =
       Rule.error("SR008", "{fault}; the rest of the file is not read")
-          .about("the elements are too many or too deeply nested")
+          .about("the elements are too many or too deeply nested, or the entities too long")
           .because(
               """
               Limits keep a hostile file from using all memory. No real scene that we know \

@@ -51,7 +51,7 @@ public interface ElementSource {
     return StartTag.of(characters(), start, entities());
   }
 
-  /** Returns the entities for references in attributes; none if they are never expanded. */
+  /** Returns the entities for references in attributes; none if they are expanded before. */
   default EntityTable entities() {
     return EntityTable.NONE;
   }
