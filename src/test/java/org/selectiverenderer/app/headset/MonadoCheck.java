@@ -216,8 +216,6 @@ final class MonadoCheck implements RunListener, HeadSampleListener {
         start();
       } catch (IOException e) {
         throw new IllegalStateException(e);
-      } catch (InterruptedException e) {
-        Thread.currentThread().interrupt();
       }
     }
   }
