@@ -8,7 +8,7 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.Locale;
-import org.selectiverenderer.cli.bundle.DesktopLaunch;
+import org.selectiverenderer.cli.bundle.DesktopLauncherAdapter;
 import org.selectiverenderer.command.LibraryProperties;
 import org.selectiverenderer.command.ProgramVersion;
 import org.selectiverenderer.command.output.Console;
@@ -26,7 +26,7 @@ public final class Main {
   /** Runs one command and ends the process, whatever windows or threads are left. */
   public static void main(String[] typed) {
     LibraryProperties.set();
-    DesktopLaunch desktop = DesktopLaunch.ofProcess();
+    DesktopLauncherAdapter desktop = DesktopLauncherAdapter.ofProcess();
     String[] args = desktop.arguments(typed);
     // Messages and reports are parsed by other programs, so numbers do not depend on the
     // machine's locale.

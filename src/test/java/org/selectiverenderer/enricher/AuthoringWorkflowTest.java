@@ -34,8 +34,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.authoring.area.AreaInstance;
 import org.selectiverenderer.authoring.area.AreaLocator;
-import org.selectiverenderer.authoring.area.PlacedArea;
 import org.selectiverenderer.cli.Main;
 import org.selectiverenderer.enricher.diff.DiffDialog;
 import org.selectiverenderer.enricher.robot.TestSessions;
@@ -175,7 +175,7 @@ class AuthoringWorkflowTest {
 
   private void draw(
       EnricherSession session,
-      PlacedArea like,
+      AreaInstance like,
       double fromX,
       double fromY,
       double toX,
@@ -321,9 +321,9 @@ class AuthoringWorkflowTest {
     Path scene = apartment();
     EnricherSession session = open(scene);
     hands.press(KeyEvent.VK_CONTROL, KeyEvent.VK_4);
-    Map<String, PlacedArea> areas =
+    Map<String, AreaInstance> areas =
         AreaLocator.of(TestSessions.open(SCENES.resolve("apartment.x3d")).enrichment()).stream()
-            .collect(Collectors.toMap(PlacedArea::name, Function.identity()));
+            .collect(Collectors.toMap(AreaInstance::name, Function.identity()));
     JComponent plan = plan();
     hands.await("the plan", () -> plan.getAccessibleContext().getAccessibleDescription().isEmpty());
     assertThat(GuiRobot.onEdt(() -> colours(plan))).isGreaterThan(50);

@@ -16,8 +16,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.selectiverenderer.app.run.RunListener;
 import org.selectiverenderer.app.run.SceneRunner;
-import org.selectiverenderer.app.settings.FollowedPath;
 import org.selectiverenderer.app.settings.MotionSettings;
+import org.selectiverenderer.app.settings.PathPlaybackSettings;
 import org.selectiverenderer.app.settings.RunSettings;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
@@ -90,7 +90,7 @@ class CountsMatchRunningBrowserTest {
   void theSameNodeTypesAreGroups() {
     NodeFactory factory = new NodeFactory();
     for (NodeType type : CATALOGUE.all()) {
-      assertThat(DrawableNodes.isGroup(type))
+      assertThat(DrawableNodeClassifier.isGroup(type))
           .as(type.name())
           .isEqualTo(factory.make(type, null, SourceLocation.of("test")) instanceof GroupingNode);
     }
@@ -106,7 +106,7 @@ class CountsMatchRunningBrowserTest {
     CameraPath camera = CameraPathReader.read(path, new ProblemCollector()).orElseThrow();
     SceneRunner.simulated(
         new RunSettings(file, SelectiveController.Settings.SELECTIVE)
-            .with(MotionSettings.following(FollowedPath.at(60, camera))),
+            .with(MotionSettings.following(PathPlaybackSettings.at(60, camera))),
         new RunListener() {
           @Override
           public void problem(Problem problem) {

@@ -1,7 +1,7 @@
 package org.selectiverenderer.app.clock;
 
 import java.util.OptionalDouble;
-import org.selectiverenderer.app.settings.FollowedPath;
+import org.selectiverenderer.app.settings.PathPlaybackSettings;
 import org.selectiverenderer.browser.viewer.CameraPath;
 
 /** A sequence of frames whose times are known before the run; it has at least one frame. */
@@ -18,7 +18,7 @@ interface FrameSchedule {
    *
    * @param duration seconds after which the schedule ends; empty for the path's own end
    */
-  static FrameSchedule of(FollowedPath followed, OptionalDouble duration) {
+  static FrameSchedule of(PathPlaybackSettings followed, OptionalDouble duration) {
     double start = followed.path().start();
     double end = duration.isPresent() ? start + duration.getAsDouble() : followed.path().end();
     return followed.rate().isPresent()

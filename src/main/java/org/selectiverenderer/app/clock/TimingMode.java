@@ -3,12 +3,12 @@ package org.selectiverenderer.app.clock;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
-import org.selectiverenderer.app.settings.FollowedPath;
+import org.selectiverenderer.app.settings.PathPlaybackSettings;
 import org.selectiverenderer.app.settings.RunSettings;
 import org.selectiverenderer.browser.World;
 import org.selectiverenderer.browser.viewer.PathMotion;
 import org.selectiverenderer.browser.viewer.ViewerMotion;
-import org.selectiverenderer.walkthrough.UserNavigation;
+import org.selectiverenderer.walkthrough.NavigationController;
 
 /**
  * The timing of a run: in real time before a user, or as fast as possible without one. It decides
@@ -28,7 +28,7 @@ public enum TimingMode {
     }
 
     @Override
-    ViewerMotion unled(UserNavigation walking) {
+    ViewerMotion unled(NavigationController walking) {
       return walking;
     }
 
@@ -60,13 +60,13 @@ public enum TimingMode {
       }
       if (replayed.isPresent()) {
         double end = settings.duration().orElse(replayed.getAsDouble());
-        return new ScheduleClock(new FixedRateSchedule(0, end, FollowedPath.RATE));
+        return new ScheduleClock(new FixedRateSchedule(0, end, PathPlaybackSettings.RATE));
       }
       return new WallClock(settings.duration().orElse(0));
     }
 
     @Override
-    ViewerMotion unled(UserNavigation walking) {
+    ViewerMotion unled(NavigationController walking) {
       return (viewer, time, dt) -> {};
     }
 
@@ -106,14 +106,14 @@ public enum TimingMode {
   public abstract boolean audible();
 
   /** Returns what moves the viewer where no path is followed. */
-  abstract ViewerMotion unled(UserNavigation walking);
+  abstract ViewerMotion unled(NavigationController walking);
 
   /**
    * Returns what moves the viewer, before a tracker turns it.
    *
    * @param walking the user's navigation
    */
-  public ViewerMotion motion(RunSettings settings, UserNavigation walking) {
+  public ViewerMotion motion(RunSettings settings, NavigationController walking) {
     return settings
         .motion()
         .path()

@@ -18,8 +18,8 @@ import org.selectiverenderer.browser.viewer.Viewer;
 import org.selectiverenderer.control.SelectiveController;
 import org.selectiverenderer.hmd.DisplayConfiguration;
 import org.selectiverenderer.study.headlog.EyeSample;
-import org.selectiverenderer.study.headlog.HeadLogDescription;
 import org.selectiverenderer.study.headlog.HeadLogFiles;
+import org.selectiverenderer.study.headlog.HeadLogMetadata;
 import org.selectiverenderer.study.headlog.HeadLogWriter;
 import org.selectiverenderer.study.headlog.HeadSample;
 import org.selectiverenderer.tracker.PoseSample;
@@ -76,7 +76,7 @@ final class HeadLogRecorder implements AutoCloseable {
       Walkthrough walk,
       Consumer<Problem> problem)
       throws IOException {
-    HeadLogDescription description = description(settings, coneDegrees, eyes, walk);
+    HeadLogMetadata description = description(settings, coneDegrees, eyes, walk);
     if (listener != null) {
       listener.scene(description);
     }
@@ -84,14 +84,14 @@ final class HeadLogRecorder implements AutoCloseable {
     return new HeadLogRecorder(walk, writer, listener, coneDegrees, eyes);
   }
 
-  private static HeadLogDescription description(
+  private static HeadLogMetadata description(
       RunSettings settings, double coneDegrees, boolean eyes, Walkthrough walk) {
     int width = settings.display().width();
     int height = settings.display().height();
     DisplayConfiguration shown = settings.display().presentation();
     FieldOfView field = shown.seen(walk.world().viewer().fieldOfView(), width, height);
     SelectiveController.Settings rendering = settings.scene().rendering();
-    return new HeadLogDescription(
+    return new HeadLogMetadata(
         OffsetDateTime.now().truncatedTo(ChronoUnit.MILLIS).toString(),
         String.valueOf(settings.scene().file().getFileName()),
         rendering.condition().name().toLowerCase(Locale.ROOT).replace('_', '-'),

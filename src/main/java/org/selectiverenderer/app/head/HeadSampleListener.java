@@ -1,6 +1,6 @@
 package org.selectiverenderer.app.head;
 
-import org.selectiverenderer.study.headlog.HeadLogDescription;
+import org.selectiverenderer.study.headlog.HeadLogMetadata;
 import org.selectiverenderer.study.headlog.HeadSample;
 
 /**
@@ -9,7 +9,7 @@ import org.selectiverenderer.study.headlog.HeadSample;
  */
 public interface HeadSampleListener {
   /** Reports that a scene begins, to which the following samples belong. */
-  void scene(HeadLogDescription description);
+  void scene(HeadLogMetadata description);
 
   /**
    * Reports the sample of a frame.

@@ -13,7 +13,7 @@ import org.selectiverenderer.app.settings.TrackerSettings;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.browser.viewer.ViewerMotion;
-import org.selectiverenderer.hmd.BodyFollower;
+import org.selectiverenderer.hmd.HeadTrackedCollision;
 import org.selectiverenderer.hmd.HeadTrackedMotion;
 import org.selectiverenderer.hmd.HeadTrackingOptions;
 import org.selectiverenderer.study.headlog.HeadLogFiles;
@@ -155,7 +155,8 @@ public final class HeadTrackingSession implements AutoCloseable {
    * @return the viewer's motion including the tracker
    * @throws IOException if the log cannot be written
    */
-  public ViewerMotion begin(Walkthrough walk, ViewerMotion walking, @Nullable BodyFollower body)
+  public ViewerMotion begin(
+      Walkthrough walk, ViewerMotion walking, @Nullable HeadTrackedCollision body)
       throws IOException {
     if (files != null || listener != null) {
       double cone = settings.log().map(HeadLogSettings::coneDegrees).orElse(HeadLogSettings.CONE);

@@ -7,8 +7,8 @@ import java.util.Optional;
 import java.util.Set;
 import org.selectiverenderer.browser.navigation.KeyboardMouseControls;
 import org.selectiverenderer.openxr.ControllerAction;
-import org.selectiverenderer.openxr.SpacePose;
 import org.selectiverenderer.openxr.XrInputState;
+import org.selectiverenderer.openxr.XrPose;
 
 /** Translates the input of a headset's hand controllers into navigation, commands and answers. */
 public final class HeadsetControllers {
@@ -21,7 +21,7 @@ public final class HeadsetControllers {
   private static final double RELEASED = 0.4;
 
   private final double step;
-  private final List<ControllerAnswer> answers = new ArrayList<>();
+  private final List<ControllerCommand> answers = new ArrayList<>();
   private final Set<ControllerAction> pressed = EnumSet.noneOf(ControllerAction.class);
   private XrInputState now = XrInputState.NONE;
   private boolean rightPoints = true;
@@ -43,8 +43,8 @@ public final class HeadsetControllers {
       if (went(input, button)) {
         pressed.add(button);
         switch (button) {
-          case YES -> answers.add(ControllerAnswer.YES);
-          case NO -> answers.add(ControllerAnswer.NO);
+          case YES -> answers.add(ControllerCommand.YES);
+          case NO -> answers.add(ControllerCommand.NO);
           default -> {
             // No answer.
           }
@@ -58,7 +58,7 @@ public final class HeadsetControllers {
     turned = side;
     int way = pushed(input.more(), told);
     if (way != told && way != 0) {
-      answers.add(way > 0 ? ControllerAnswer.MORE : ControllerAnswer.LESS);
+      answers.add(way > 0 ? ControllerCommand.MORE : ControllerCommand.LESS);
     }
     told = way;
     now = input;
@@ -70,7 +70,7 @@ public final class HeadsetControllers {
     boolean right = went(input, ControllerAction.CHOOSE_RIGHT) && input.right().isPresent();
     if (left || right) {
       rightPoints = right;
-      answers.add(ControllerAnswer.CHOOSE);
+      answers.add(ControllerCommand.CHOOSE);
     }
   }
 
@@ -79,7 +79,7 @@ public final class HeadsetControllers {
   }
 
   /** Returns the pose of the pointing hand in head coordinates; the hand points along -Z. */
-  public Optional<SpacePose> aim() {
+  public Optional<XrPose> aim() {
     return rightPoints ? now.right().or(now::left) : now.left().or(now::right);
   }
 
@@ -115,8 +115,8 @@ public final class HeadsetControllers {
   }
 
   /** Removes and returns the answers since the last call, in order. */
-  public List<ControllerAnswer> takeAnswers() {
-    List<ControllerAnswer> taken = List.copyOf(answers);
+  public List<ControllerCommand> takeAnswers() {
+    List<ControllerCommand> taken = List.copyOf(answers);
     answers.clear();
     return taken;
   }

@@ -11,7 +11,7 @@ import org.selectiverenderer.browser.World;
 import org.selectiverenderer.browser.camera.Primitive2D;
 import org.selectiverenderer.browser.camera.WorldSpacePanel;
 import org.selectiverenderer.hmd.HeadsetLayout;
-import org.selectiverenderer.openxr.SpacePose;
+import org.selectiverenderer.openxr.XrPose;
 
 /**
  * A ray from the hand of a headset's user, by which the user points at a panel.
@@ -38,7 +38,7 @@ public record PanelPointerRay(Vector3dc from, Vector3dc way, double metre, Vecto
    * @param layout gives the scale of the user in the world
    * @param hand pose of the hand in head coordinates
    */
-  public static PanelPointerRay of(World world, HeadsetLayout layout, SpacePose hand) {
+  public static PanelPointerRay of(World world, HeadsetLayout layout, XrPose hand) {
     double metre = layout.unitsPerMetre(world);
     Vector3dc head = world.viewer().position();
     Vector3d from =

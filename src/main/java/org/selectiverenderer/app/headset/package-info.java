@@ -12,7 +12,7 @@
  * <p>{@link org.selectiverenderer.app.headset.HeadsetConnection} is found before anything opens, so
  * that a missing headset ends the run with one line. All else happens on the thread {@code
  * headset}, which steps the world. Code that asks the user something reads {@link
- * org.selectiverenderer.app.headset.ControllerAnswer}s, and places its text by {@link
+ * org.selectiverenderer.app.headset.ControllerCommand}s, and places its text by {@link
  * org.selectiverenderer.app.headset.PanelPlacement}. Uses {@code openxr}, {@code hmd}, {@code
  * tracker}, {@code browser} with its renderer and {@code study.headlog} for rooms.
  */

@@ -2,11 +2,11 @@ package org.selectiverenderer.app.run;
 
 import java.util.List;
 import java.util.Optional;
-import org.selectiverenderer.app.headset.ControllerAnswer;
+import org.selectiverenderer.app.headset.ControllerCommand;
 import org.selectiverenderer.browser.camera.WorldSpacePanel;
 import org.selectiverenderer.browser.navigation.NavigationCommand;
 import org.selectiverenderer.browser.viewer.ViewerMotion;
-import org.selectiverenderer.openxr.SpacePose;
+import org.selectiverenderer.openxr.XrPose;
 import org.selectiverenderer.render.window.KeyboardKey;
 import org.selectiverenderer.walkthrough.Walkthrough;
 
@@ -85,10 +85,10 @@ public interface RunController {
    * @param hand pose of the hand in head coordinates and metres, pointing along -Z; empty where
    *     there is none
    */
-  default void pointed(Optional<SpacePose> hand) {}
+  default void pointed(Optional<XrPose> hand) {}
 
   /** Reports an answer that the user of a headset gave with the controllers. */
-  default void answered(ControllerAnswer answer) {}
+  default void answered(ControllerCommand answer) {}
 
   /** Returns whether the run is paused. */
   default boolean paused() {

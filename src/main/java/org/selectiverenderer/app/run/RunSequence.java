@@ -18,8 +18,8 @@ import org.selectiverenderer.browser.camera.WorldSpacePanel;
 import org.selectiverenderer.render.FrameStatistics;
 import org.selectiverenderer.render.context.GlInfo;
 import org.selectiverenderer.render.display.OperatorPage;
+import org.selectiverenderer.render.display.WorldController;
 import org.selectiverenderer.render.display.WorldDisplay;
-import org.selectiverenderer.render.display.WorldHost;
 import org.selectiverenderer.render.window.InputEvent;
 
 /**
@@ -28,7 +28,7 @@ import org.selectiverenderer.render.window.InputEvent;
  * run is a {@link SceneRun}, so what is shown and logged is what the command {@code run} shows and
  * logs; each run loads its scene anew.
  */
-public final class RunSequence implements WorldHost {
+public final class RunSequence implements WorldController {
   /** The source of the runs. All calls come from the render thread. */
   public interface Runs {
     /**

@@ -11,8 +11,8 @@ import org.selectiverenderer.apparatus.DisplayMode;
 import org.selectiverenderer.apparatus.DisplayProfile;
 import org.selectiverenderer.render.AntiAliasing;
 import org.selectiverenderer.render.display.WindowSetup;
+import org.selectiverenderer.render.display.WorldController;
 import org.selectiverenderer.render.display.WorldDisplay;
-import org.selectiverenderer.render.display.WorldHost;
 import org.selectiverenderer.render.display.WorldWindow;
 import org.selectiverenderer.render.headset.HeadsetView;
 import org.selectiverenderer.render.window.Monitor;
@@ -65,7 +65,7 @@ final class RunWindowFactory {
   static WorldDisplay screen(
       RunSettings settings,
       Optional<HeadsetConnection> headset,
-      WorldHost host,
+      WorldController host,
       Consumer<String> message) {
     WindowSetup windows = of(settings, message);
     if (headset.isEmpty()) {

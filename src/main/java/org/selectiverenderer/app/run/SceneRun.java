@@ -26,9 +26,9 @@ import org.selectiverenderer.browser.viewer.ViewerMotion;
 import org.selectiverenderer.render.FrameStatistics;
 import org.selectiverenderer.render.context.GlInfo;
 import org.selectiverenderer.render.display.OperatorPage;
-import org.selectiverenderer.render.display.WorldHost;
+import org.selectiverenderer.render.display.WorldController;
 import org.selectiverenderer.render.window.InputEvent;
-import org.selectiverenderer.walkthrough.UserNavigation;
+import org.selectiverenderer.walkthrough.NavigationController;
 import org.selectiverenderer.walkthrough.ViewpointFinder;
 import org.selectiverenderer.walkthrough.Walkthrough;
 
@@ -37,7 +37,7 @@ import org.selectiverenderer.walkthrough.Walkthrough;
  * target. The frame target calls {@link #input}, {@link #step}, {@link #drawn} and {@link
  * #submitted} for each, on one thread, until the run is {@link #finished}.
  */
-final class SceneRun implements WorldHost, AutoCloseable {
+final class SceneRun implements WorldController, AutoCloseable {
   /** The darkness up to which the participant counts as seeing the picture. */
   private static final double HALF = 0.5;
 
@@ -48,14 +48,14 @@ final class SceneRun implements WorldHost, AutoCloseable {
   private final RunCancellation stop;
   private final KeyboardMouseControls controls;
   private final InputDispatcher input;
-  private final RunStatusText text;
+  private final RunStatusFormatter text;
   private final RunMetricsCollector keeper = new RunMetricsCollector();
   private final Stopwatch time;
   private final BackgroundSceneLoader opening;
   private final SoundOutput sound;
-  private final RunHeadset eyes;
+  private final HeadsetRunState eyes;
   private State state = State.LOADING;
-  private @Nullable ActiveScene scene;
+  private @Nullable RunningSceneState scene;
   private @Nullable IOException failure;
   private boolean unreadable;
 
@@ -105,8 +105,8 @@ final class SceneRun implements WorldHost, AutoCloseable {
     this.time = time;
     controls = new KeyboardMouseControls(settings.motion().mouse());
     input = new InputDispatcher(controls, guide);
-    text = new RunStatusText(settings, head, guide, headset.isPresent());
-    eyes = new RunHeadset(headset, guide, listener);
+    text = new RunStatusFormatter(settings, head, guide, headset.isPresent());
+    eyes = new HeadsetRunState(headset, guide, listener);
     sound = new SoundOutput(pace.audible() && !settings.scene().muted());
     opening = new BackgroundSceneLoader(settings.scene(), listener);
   }
@@ -157,7 +157,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
                 controls.takeCommands().stream().filter(guide::hears),
                 eyes.straightened() ? Stream.of(NavigationCommand.RESET_HEADING) : Stream.empty())
             .toList();
-    eyes.tell(Optional.ofNullable(scene).map(ActiveScene::walk));
+    eyes.tell(Optional.ofNullable(scene).map(RunningSceneState::walk));
     // In a headset the scene begins when its user first sees the picture.
     if (state == State.LOADING && opening.done() && eyes.begun()) {
       open();
@@ -165,7 +165,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
     if (stop.asked() || commands.contains(NavigationCommand.LEAVE)) {
       state = state.then(State.OVER);
     }
-    ActiveScene live = scene;
+    RunningSceneState live = scene;
     if (live == null) {
       return Optional.empty();
     }
@@ -192,10 +192,11 @@ final class SceneRun implements WorldHost, AutoCloseable {
       if (settings.motion().viewpoint().isPresent()) {
         ViewpointFinder.start(world, settings.motion().viewpoint().get());
       }
-      UserNavigation walking = new UserNavigation(world, controls, settings.motion().collisions());
+      NavigationController walking =
+          new NavigationController(world, controls, settings.motion().collisions());
       guide.opened(walk);
       scene =
-          new ActiveScene(
+          new RunningSceneState(
               walk, walking, motion(walk, walking), pace.clock(settings, head.replayed()));
       pace.begin(world, settings);
       keeper.loaded();
@@ -210,7 +211,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
    * Returns what moves the viewer. Where the head's position is tracked, the guide moves the body
    * and the tracker moves the head relative to it.
    */
-  private ViewerMotion motion(Walkthrough walk, UserNavigation walking) throws IOException {
+  private ViewerMotion motion(Walkthrough walk, NavigationController walking) throws IOException {
     ViewerMotion moving = pace.motion(settings, walking);
     if (!eyes.worn() && !settings.tracker().placed()) {
       return guide.motion(head.begin(walk, moving, null));
@@ -219,7 +220,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
     return head.begin(walk, guide.motion(moving), follows ? walking::push : null);
   }
 
-  private void obey(NavigationCommand command, UserNavigation walking) {
+  private void obey(NavigationCommand command, NavigationController walking) {
     guide.heard(command);
     switch (command) {
       case RESET_HEADING -> head.resetHeading();
@@ -228,7 +229,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
     }
   }
 
-  private void advance(ActiveScene live, double elapsed) {
+  private void advance(RunningSceneState live, double elapsed) {
     boolean over = guide.over(elapsed);
     if (!paused() || live.walk().frames() == 0) {
       head.log(false); // A frame that was stepped but not drawn because the window was hidden.

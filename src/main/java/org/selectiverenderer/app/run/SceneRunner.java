@@ -10,8 +10,8 @@ import org.selectiverenderer.app.headset.HeadsetConnection;
 import org.selectiverenderer.app.settings.DisplaySettings;
 import org.selectiverenderer.app.settings.RunSettings;
 import org.selectiverenderer.render.context.GlInfo;
+import org.selectiverenderer.render.display.WorldController;
 import org.selectiverenderer.render.display.WorldDisplay;
-import org.selectiverenderer.render.display.WorldHost;
 import org.selectiverenderer.tracker.HeadTracker;
 
 /** Runs a scene from its beginning to its end. */
@@ -148,12 +148,12 @@ public final class SceneRunner {
    * being loaded, and their thread steps the run.
    */
   private static final class WindowFrameTarget implements FrameTarget {
-    private final Function<WorldHost, WorldDisplay> screens;
+    private final Function<WorldController, WorldDisplay> screens;
 
     /**
      * @param screens creates the screen that shows the world of a host
      */
-    WindowFrameTarget(Function<WorldHost, WorldDisplay> screens) {
+    WindowFrameTarget(Function<WorldController, WorldDisplay> screens) {
       this.screens = screens;
     }
 

@@ -9,7 +9,7 @@ import org.joml.Matrix4dc;
 import org.joml.Vector2d;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.app.headset.ControllerAnswer;
+import org.selectiverenderer.app.headset.ControllerCommand;
 import org.selectiverenderer.app.headset.PanelPlacement;
 import org.selectiverenderer.app.headset.PanelPointerRay;
 import org.selectiverenderer.app.run.RunController;
@@ -18,7 +18,7 @@ import org.selectiverenderer.browser.camera.Primitive2D;
 import org.selectiverenderer.browser.camera.WorldSpacePanel;
 import org.selectiverenderer.browser.viewer.ViewerMotion;
 import org.selectiverenderer.hmd.HeadsetLayout;
-import org.selectiverenderer.openxr.SpacePose;
+import org.selectiverenderer.openxr.XrPose;
 import org.selectiverenderer.render.window.KeyboardKey;
 import org.selectiverenderer.study.questionnaire.ButtonQuestionnaireController;
 import org.selectiverenderer.study.questionnaire.ParticipantMessages;
@@ -50,7 +50,7 @@ final class HeadsetQuestionController implements RunController {
   private @Nullable ButtonQuestionnaireController buttons;
   private @Nullable PanelPlacement place;
   private @Nullable World world;
-  private Optional<SpacePose> aim = Optional.empty();
+  private Optional<XrPose> aim = Optional.empty();
   private @Nullable Shown shown;
   private @Nullable PointerTarget lit;
   private boolean taken;
@@ -119,7 +119,7 @@ final class HeadsetQuestionController implements RunController {
   }
 
   @Override
-  public void pointed(Optional<SpacePose> hand) {
+  public void pointed(Optional<XrPose> hand) {
     aim = hand;
     taken = false;
   }
@@ -159,12 +159,12 @@ final class HeadsetQuestionController implements RunController {
   }
 
   @Override
-  public void answered(ControllerAnswer answer) {
+  public void answered(ControllerCommand answer) {
     ButtonQuestionnaireController asking = buttons;
     if (asking == null || asking.over() || controls.paused()) {
       return;
     }
-    if (answer == ControllerAnswer.CHOOSE) {
+    if (answer == ControllerCommand.CHOOSE) {
       choose();
       return;
     }
@@ -194,7 +194,7 @@ final class HeadsetQuestionController implements RunController {
       if (written && asking.written().isEmpty()) {
         asking.write(asking.line().orElseThrow().simulated(simulated));
       }
-      answered(yes ? ControllerAnswer.YES : ControllerAnswer.NO);
+      answered(yes ? ControllerCommand.YES : ControllerCommand.NO);
     }
     QuestionPanelRenderer.Sheet drawn = sheet.of(asking, aim.isPresent());
     Matrix4dc stands =

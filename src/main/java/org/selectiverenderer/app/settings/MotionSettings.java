@@ -13,14 +13,14 @@ import org.selectiverenderer.apparatus.MouseMapping;
  */
 public record MotionSettings(
     MouseMapping mouse,
-    Optional<FollowedPath> path,
+    Optional<PathPlaybackSettings> path,
     Optional<String> viewpoint,
     boolean collisions) {
   /**
    * Creates the settings of a motion from the first viewpoint of the scene with collision
    * detection.
    */
-  public MotionSettings(MouseMapping mouse, Optional<FollowedPath> path) {
+  public MotionSettings(MouseMapping mouse, Optional<PathPlaybackSettings> path) {
     this(mouse, path, Optional.empty(), true);
   }
 
@@ -35,7 +35,7 @@ public record MotionSettings(
   }
 
   /** Creates the settings of a motion along a path. */
-  public static MotionSettings following(FollowedPath path) {
+  public static MotionSettings following(PathPlaybackSettings path) {
     return new MotionSettings(MouseMapping.WALK, Optional.of(path));
   }
 }

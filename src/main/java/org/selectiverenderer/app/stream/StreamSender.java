@@ -20,7 +20,7 @@ import org.selectiverenderer.lsl.LslOutlet;
 import org.selectiverenderer.lsl.StreamInfo;
 import org.selectiverenderer.lsl.StreamInfo.Channel;
 import org.selectiverenderer.study.headlog.EyeSample;
-import org.selectiverenderer.study.headlog.HeadLogDescription;
+import org.selectiverenderer.study.headlog.HeadLogMetadata;
 import org.selectiverenderer.study.headlog.HeadSample;
 
 /**
@@ -147,7 +147,7 @@ final class StreamSender implements HeadSampleListener, AutoCloseable {
   }
 
   @Override
-  public void scene(HeadLogDescription description) {
+  public void scene(HeadLogMetadata description) {
     metresPerUnit = description.metresPerUnit();
     looked = null;
     if (description.eyes()) {

@@ -33,7 +33,7 @@ import org.selectiverenderer.models.simplify.SimplificationTarget;
 import org.selectiverenderer.render.AntiAliasing;
 import org.selectiverenderer.render.preview.PreviewOptions;
 import org.selectiverenderer.render.preview.ScenePreviewRenderer;
-import org.selectiverenderer.study.threshold.PolygonLadder;
+import org.selectiverenderer.study.threshold.StimulusLevels;
 import org.selectiverenderer.study.threshold.ThresholdStudy;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.ReadLimits;
@@ -75,7 +75,7 @@ final class StimulusRenderer implements AutoCloseable {
    * @return the polygon counts; empty when versions cannot be made, which is reported to {@code
    *     problems}
    */
-  Optional<PolygonLadder> take(String object, PictureFiles files, ProblemCollector problems)
+  Optional<StimulusLevels> take(String object, PictureFiles files, ProblemCollector problems)
       throws IOException {
     Optional<VersionsEdit> plan = plan(object, problems);
     if (plan.isEmpty()) {
@@ -120,13 +120,13 @@ final class StimulusRenderer implements AutoCloseable {
         }
       }
     }
-    return Optional.of(new PolygonLadder(versions.stream().map(ObjectVersion::polygons).toList()));
+    return Optional.of(new StimulusLevels(versions.stream().map(ObjectVersion::polygons).toList()));
   }
 
   private Optional<VersionsEdit> plan(String object, ProblemCollector problems) throws IOException {
     DocumentSnapshot document = DocumentFile.open(study.scene()).document().snapshot();
     List<SimplificationTarget> goals =
-        Arrays.stream(PolygonLadder.shares(study.fewest(), study.rungs()))
+        Arrays.stream(StimulusLevels.shares(study.fewest(), study.rungs()))
             .<SimplificationTarget>mapToObj(
                 share -> new SimplificationTarget.VertexPercent(100 * share))
             .toList();

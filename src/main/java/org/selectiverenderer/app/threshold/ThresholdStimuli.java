@@ -19,8 +19,8 @@ import org.selectiverenderer.base.files.Sha256;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.formats.json.JsonTree;
 import org.selectiverenderer.formats.json.JsonWriter;
-import org.selectiverenderer.study.session.Checksums;
-import org.selectiverenderer.study.threshold.PolygonLadder;
+import org.selectiverenderer.study.session.FileChecksumCalculator;
+import org.selectiverenderer.study.threshold.StimulusLevels;
 import org.selectiverenderer.study.threshold.ThresholdStudy;
 
 /**
@@ -32,11 +32,11 @@ import org.selectiverenderer.study.threshold.ThresholdStudy;
 public final class ThresholdStimuli {
   private final ThresholdStudy study;
   private final Path folder;
-  private final Map<String, PolygonLadder> ladders;
+  private final Map<String, StimulusLevels> ladders;
   private final String checksum;
 
   private ThresholdStimuli(
-      ThresholdStudy study, Path folder, Map<String, PolygonLadder> ladders, String list)
+      ThresholdStudy study, Path folder, Map<String, StimulusLevels> ladders, String list)
       throws IOException {
     this.study = study;
     this.folder = folder;
@@ -71,11 +71,11 @@ public final class ThresholdStimuli {
       Files.delete(list);
     }
     Files.createDirectories(folder);
-    Map<String, PolygonLadder> ladders = new LinkedHashMap<>();
+    Map<String, StimulusLevels> ladders = new LinkedHashMap<>();
     try (StimulusRenderer camera = new StimulusRenderer(study)) {
       for (ThresholdStudy.Judged judged : study.objects()) {
         hears.accept("making the versions of " + judged.object());
-        Optional<PolygonLadder> ladder =
+        Optional<StimulusLevels> ladder =
             camera.take(
                 judged.object(),
                 (rung, view) -> file(study, folder, judged.object(), rung, view),
@@ -94,14 +94,15 @@ public final class ThresholdStimuli {
   /** Returns the SHA-256 of all inputs of the pictures. */
   private static String key(ThresholdStudy study) throws IOException {
     StringBuilder all = new StringBuilder();
-    Checksums.ofScene(study.scene()).forEach((name, sum) -> all.append(name).append(sum));
+    FileChecksumCalculator.ofScene(study.scene())
+        .forEach((name, sum) -> all.append(name).append(sum));
     study.objects().forEach(judged -> all.append('/').append(judged.object()));
     all.append('/').append(study.rungs()).append('/').append(study.fewest());
     all.append('/').append(study.picture()).append('/').append(study.views());
     return Sha256.of(all.toString().getBytes(StandardCharsets.UTF_8));
   }
 
-  private static ObjectNode tree(String key, Map<String, PolygonLadder> ladders) {
+  private static ObjectNode tree(String key, Map<String, StimulusLevels> ladders) {
     ObjectNode tree = JsonTree.object();
     tree.put("made_from", key);
     ObjectNode objects = tree.putObject("polygons");
@@ -113,15 +114,15 @@ public final class ThresholdStimuli {
     return tree;
   }
 
-  private static Map<String, PolygonLadder> ladders(JsonNode tree) {
-    Map<String, PolygonLadder> ladders = new LinkedHashMap<>();
+  private static Map<String, StimulusLevels> ladders(JsonNode tree) {
+    Map<String, StimulusLevels> ladders = new LinkedHashMap<>();
     tree.path("polygons")
         .properties()
         .forEach(
             entry -> {
               List<Integer> polygons = new ArrayList<>();
               entry.getValue().forEach(count -> polygons.add(count.asInt()));
-              ladders.put(entry.getKey(), new PolygonLadder(polygons));
+              ladders.put(entry.getKey(), new StimulusLevels(polygons));
             });
     return ladders;
   }
@@ -142,7 +143,7 @@ public final class ThresholdStimuli {
   }
 
   /** Returns the polygon counts of each object's versions. */
-  public Map<String, PolygonLadder> ladders() {
+  public Map<String, StimulusLevels> ladders() {
     return ladders;
   }
 
@@ -158,7 +159,7 @@ public final class ThresholdStimuli {
 
   /** Returns the picture of the original. */
   Path original(String object, int view) {
-    PolygonLadder ladder = ladders.get(object);
+    StimulusLevels ladder = ladders.get(object);
     if (ladder == null) {
       throw new IllegalArgumentException("no versions of " + object);
     }

@@ -42,7 +42,11 @@ final class ChoiceView implements FieldView {
    * @param asked the question's text, for the accessible names of the buttons
    */
   ChoiceView(
-      AnswerField.Choice field, String id, String asked, RowMetrics shape, Listener listener) {
+      AnswerField.Choice field,
+      String id,
+      String asked,
+      QuestionRowLayout shape,
+      Listener listener) {
     this.field = field;
     this.listener = listener;
     panel.setOpaque(false);
@@ -50,7 +54,7 @@ final class ChoiceView implements FieldView {
       panel.setLayout(new BoxLayout(panel, BoxLayout.Y_AXIS));
       field.options().forEach(option -> panel.add(named(listed(option), option, id, asked)));
     } else {
-      panel.setLayout(new FlowLayout(FlowLayout.LEFT, RowMetrics.GAP, 0));
+      panel.setLayout(new FlowLayout(FlowLayout.LEFT, QuestionRowLayout.GAP, 0));
       boolean ends = shape.beside() || !field.least().isEmpty() || !field.most().isEmpty();
       end(field.least(), ends ? shape.least() : 0, SwingConstants.RIGHT);
       field.options().forEach(option -> panel.add(inLine(option, id, asked, shape)));
@@ -67,7 +71,7 @@ final class ChoiceView implements FieldView {
   private void end(String text, int width, int side) {
     if (width > 0) {
       JLabel label = new HiDpiComponents.Label();
-      label.setText(RowMetrics.wrapped(text, width, side));
+      label.setText(QuestionRowLayout.wrapped(text, width, side));
       label.setHorizontalAlignment(side);
       Dimension size = label.getPreferredSize();
       label.setPreferredSize(new Dimension(width, size.height));
@@ -75,11 +79,11 @@ final class ChoiceView implements FieldView {
     }
   }
 
-  private JComponent inLine(ChoiceOption option, String id, String asked, RowMetrics shape) {
+  private JComponent inLine(ChoiceOption option, String id, String asked, QuestionRowLayout shape) {
     JToggleButton button = named(new HiDpiComponents.Button(option.label()), option, id, asked);
     button.putClientProperty(FlatClientProperties.STYLE, CHOSEN);
     button.setPreferredSize(
-        new Dimension(RowMetrics.width(field, button), RowMetrics.BUTTON_HEIGHT));
+        new Dimension(QuestionRowLayout.width(field, button), QuestionRowLayout.BUTTON_HEIGHT));
     if (option.note().isEmpty()) {
       return button;
     }
@@ -90,7 +94,9 @@ final class ChoiceView implements FieldView {
     JPanel noted = new JPanel(new BorderLayout());
     noted.setOpaque(false);
     noted.add(button, BorderLayout.NORTH);
-    noted.add(RowMetrics.note(option.note(), RowMetrics.width(field, button)), BorderLayout.CENTER);
+    noted.add(
+        QuestionRowLayout.note(option.note(), QuestionRowLayout.width(field, button)),
+        BorderLayout.CENTER);
     return noted;
   }
 
@@ -175,6 +181,6 @@ final class ChoiceView implements FieldView {
 
   /** Returns the space between two fields of a row. */
   static JComponent gap() {
-    return (JComponent) Box.createHorizontalStrut(RowMetrics.FIELD_GAP);
+    return (JComponent) Box.createHorizontalStrut(QuestionRowLayout.FIELD_GAP);
   }
 }

@@ -148,7 +148,7 @@ public final class ControlWindow implements AutoCloseable {
    * @param desk the operator's monitor
    */
   public static ControlWindow open(ExperimenterControls controls, MonitorBounds desk) {
-    return BlockingWindow.onSwing(
+    return ModalWindowRunner.onSwing(
         () -> {
           ControlWindow window = new ControlWindow(controls, desk);
           window.frame.setVisible(true);
@@ -196,7 +196,7 @@ public final class ControlWindow implements AutoCloseable {
 
   @Override
   public void close() {
-    BlockingWindow.onSwing(
+    ModalWindowRunner.onSwing(
         () -> {
           refresh.stop();
           frame.dispose();

@@ -52,7 +52,7 @@ final class PagePanel implements QuestionRow.Listener {
     JPanel list = new JPanel();
     list.setOpaque(false);
     list.setLayout(new BoxLayout(list, BoxLayout.Y_AXIS));
-    RowMetrics shape = RowMetrics.of(page, wording);
+    QuestionRowLayout shape = QuestionRowLayout.of(page, wording);
     for (Question question : page.questions()) {
       int number = rows.size();
       QuestionRow row =

@@ -48,7 +48,7 @@ final class QuestionRow {
       Question question,
       Answer known,
       ParticipantMessages wording,
-      RowMetrics shape,
+      QuestionRowLayout shape,
       int width,
       Listener listener) {
     this.question = question;
@@ -69,7 +69,7 @@ final class QuestionRow {
     current(false);
   }
 
-  private FieldView view(AnswerField field, RowMetrics shape, boolean first) {
+  private FieldView view(AnswerField field, QuestionRowLayout shape, boolean first) {
     FieldView.Listener told =
         (value, settled) ->
             change(
@@ -91,10 +91,10 @@ final class QuestionRow {
         : question.text();
   }
 
-  private void layBeside(RowMetrics shape) {
+  private void layBeside(QuestionRowLayout shape) {
     panel.setLayout(new BoxLayout(panel, BoxLayout.X_AXIS));
     panel.setBorder(BorderFactory.createEmptyBorder(5, 12, 5, 12));
-    panel.add(Box.createRigidArea(new Dimension(0, RowMetrics.BUTTON_HEIGHT)));
+    panel.add(Box.createRigidArea(new Dimension(0, QuestionRowLayout.BUTTON_HEIGHT)));
     if (shape.name() == 0) {
       panel.add(Box.createHorizontalGlue()); // Without a question text, centre the scale.
     } else {
@@ -105,10 +105,11 @@ final class QuestionRow {
       name.setText(
           fits
               ? question.text()
-              : RowMetrics.wrapped(question.text(), shape.name() - 8, JLabel.LEFT));
+              : QuestionRowLayout.wrapped(question.text(), shape.name() - 8, JLabel.LEFT));
       Dimension size =
           new Dimension(
-              shape.name(), Math.max(RowMetrics.BUTTON_HEIGHT, name.getPreferredSize().height));
+              shape.name(),
+              Math.max(QuestionRowLayout.BUTTON_HEIGHT, name.getPreferredSize().height));
       name.setPreferredSize(size);
       name.setMinimumSize(size);
       name.setMaximumSize(size);

@@ -128,7 +128,7 @@ public final class QuestionnaireWindow {
       SessionEndWatcher sessionEnd,
       MonitorBounds desk) {
     AtomicBoolean through = new AtomicBoolean();
-    BlockingWindow.on(
+    ModalWindowRunner.on(
         finished ->
             new QuestionnaireWindow(
                     asking,

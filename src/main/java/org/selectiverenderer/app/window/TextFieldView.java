@@ -32,7 +32,8 @@ final class TextFieldView implements FieldView {
   private final AnswerField.Line field;
   private final Listener listener;
   private final Runnable touched;
-  private final JPanel panel = new JPanel(new FlowLayout(FlowLayout.LEFT, RowMetrics.GAP, 0));
+  private final JPanel panel =
+      new JPanel(new FlowLayout(FlowLayout.LEFT, QuestionRowLayout.GAP, 0));
   private final JTextComponent text;
   private final JLabel unit = new JLabel();
   private final Timer rest = new Timer(REST, event -> settle());

@@ -19,7 +19,7 @@ public final class ThanksWindow {
    * @param desk the participant's monitor
    */
   public static void show(ParticipantMessages wording, MonitorBounds desk) {
-    BlockingWindow.on(done -> frame(wording, desk, done));
+    ModalWindowRunner.on(done -> frame(wording, desk, done));
   }
 
   private static JFrame frame(ParticipantMessages wording, MonitorBounds desk, Runnable done) {

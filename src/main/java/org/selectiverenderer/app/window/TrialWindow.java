@@ -91,7 +91,7 @@ public final class TrialWindow implements AutoCloseable {
 
   /** Opens the window. */
   public static TrialWindow open(ParticipantMessages wording, String title) {
-    TrialWindow window = BlockingWindow.onSwing(() -> new TrialWindow(wording, title));
+    TrialWindow window = ModalWindowRunner.onSwing(() -> new TrialWindow(wording, title));
     EventQueue.invokeLater(() -> window.frame.setVisible(true));
     return window;
   }

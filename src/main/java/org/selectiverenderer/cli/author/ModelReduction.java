@@ -52,7 +52,7 @@ record ModelReduction(
     new CommandFileCheck().writes("--output", output).check(access.named());
     Model model = read.get();
     ModelSize size = ModelSize.of(model.meshes());
-    if (ReductionGoals.beyond(goal, size, file, problems)) {
+    if (ReductionGoalOptions.beyond(goal, size, file, problems)) {
       return ExitStatus.PROBLEMS;
     }
     long start = System.nanoTime();
@@ -67,7 +67,7 @@ record ModelReduction(
     write(file, model.with(reduced.parts()), reduced, console);
     print(file, size, reduced, milliseconds, console);
     if (!reduced.met()) {
-      console.message(ReductionGoals.shortfall(file.toString(), goal, reduced));
+      console.message(ReductionGoalOptions.shortfall(file.toString(), goal, reduced));
     }
     return reduced.met() ? ExitStatus.of(problems) : ExitStatus.PROBLEMS;
   }
@@ -86,7 +86,8 @@ record ModelReduction(
                 folder == null ? target.toAbsolutePath() : folder,
                 String.valueOf(target.getFileName()),
                 "%s, reduced to %s"
-                    .formatted(file.getFileName(), ReductionGoals.polygonText(reduced.polygons())));
+                    .formatted(
+                        file.getFileName(), ReductionGoalOptions.polygonText(reduced.polygons())));
     if (output == null) {
       console.out().print(text);
       return;

@@ -25,7 +25,7 @@ import org.selectiverenderer.polygon.SceneStatisticsCharts;
 import org.selectiverenderer.polygon.SceneStatisticsCsvWriter;
 import org.selectiverenderer.polygon.SceneStatisticsJsonWriter;
 import org.selectiverenderer.polygon.SceneStatisticsTextWriter;
-import org.selectiverenderer.polygon.UnknownScopeException;
+import org.selectiverenderer.polygon.UnknownRegionException;
 import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -136,7 +136,7 @@ public final class PolygonsCommand extends CliCommand {
   private SceneStatistics count(Path scene, ProblemCollector problems) throws IOException {
     try {
       return ScenePolygonCounter.of(scene, scopes, allowed, problems);
-    } catch (UnknownScopeException e) {
+    } catch (UnknownRegionException e) {
       throw CommandException.usage("--scope: " + e.getMessage());
     }
   }

@@ -72,12 +72,14 @@ public final class SimplifyCommand extends CliCommand {
 
     SimplificationTarget goal() {
       if (vertPercent != null) {
-        return ReductionGoals.percent(vertPercent);
+        return ReductionGoalOptions.percent(vertPercent);
       }
       if (vertCount != null) {
-        return ReductionGoals.vertices(vertCount);
+        return ReductionGoalOptions.vertices(vertCount);
       }
-      return polygons != null ? ReductionGoals.polygons(polygons) : ReductionGoals.error(maxError);
+      return polygons != null
+          ? ReductionGoalOptions.polygons(polygons)
+          : ReductionGoalOptions.error(maxError);
     }
   }
 

@@ -72,8 +72,8 @@ public final class VersionsCommand extends CliCommand {
 
     List<SimplificationTarget> goals() {
       return polygons.isEmpty()
-          ? vertPercent.stream().map(ReductionGoals::percent).toList()
-          : polygons.stream().map(ReductionGoals::polygons).toList();
+          ? vertPercent.stream().map(ReductionGoalOptions::percent).toList()
+          : polygons.stream().map(ReductionGoalOptions::polygons).toList();
     }
   }
 
@@ -163,7 +163,7 @@ public final class VersionsCommand extends CliCommand {
                         scene.file(),
                         version.number(),
                         object,
-                        ReductionGoals.polygonText(version.polygons())
+                        ReductionGoalOptions.polygonText(version.polygons())
                             + (version.polygons() == 1 ? " comes" : " come")));
       }
     }

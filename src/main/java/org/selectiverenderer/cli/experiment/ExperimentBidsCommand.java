@@ -12,7 +12,7 @@ import org.selectiverenderer.command.output.Console;
 import org.selectiverenderer.command.output.ExitStatus;
 import org.selectiverenderer.study.bids.BidsDataset;
 import org.selectiverenderer.study.dataset.RecordedStudy;
-import org.selectiverenderer.study.session.StudyMaterial;
+import org.selectiverenderer.study.session.LoadedStudy;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -52,7 +52,7 @@ final class ExperimentBidsCommand extends CliCommand {
   @Override
   public ExitStatus run() throws IOException {
     ProblemCollector problems = new ProblemCollector(console()::problem);
-    Optional<StudyMaterial> material = study.read(problems);
+    Optional<LoadedStudy> material = study.read(problems);
     if (material.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }

@@ -16,8 +16,8 @@ import org.selectiverenderer.command.output.Console;
 import org.selectiverenderer.command.output.ExitStatus;
 import org.selectiverenderer.command.output.OutputFile;
 import org.selectiverenderer.study.session.CollectedAnswers;
+import org.selectiverenderer.study.session.LoadedStudy;
 import org.selectiverenderer.study.session.PaperAnswers;
-import org.selectiverenderer.study.session.StudyMaterial;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -108,7 +108,7 @@ final class ExperimentCollectCommand extends CliCommand {
     paper.tables().forEach(table -> files.reads("--paper", table));
     files.check();
     ProblemCollector problems = new ProblemCollector(console()::problem);
-    Optional<StudyMaterial> material = study.read(problems);
+    Optional<LoadedStudy> material = study.read(problems);
     if (material.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }

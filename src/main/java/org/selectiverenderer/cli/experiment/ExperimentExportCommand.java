@@ -15,8 +15,8 @@ import org.selectiverenderer.statistics.script.RScriptGenerator;
 import org.selectiverenderer.study.dataset.RecordedStudy;
 import org.selectiverenderer.study.export.StudyExport;
 import org.selectiverenderer.study.session.CollectedAnswers;
+import org.selectiverenderer.study.session.LoadedStudy;
 import org.selectiverenderer.study.session.PaperAnswers;
-import org.selectiverenderer.study.session.StudyMaterial;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -53,11 +53,11 @@ final class ExperimentExportCommand extends CliCommand {
   @Override
   public ExitStatus run() throws IOException {
     ProblemCollector problems = new ProblemCollector(console()::problem);
-    Optional<StudyMaterial> found = study.read(problems);
+    Optional<LoadedStudy> found = study.read(problems);
     if (found.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
-    StudyMaterial material = found.get();
+    LoadedStudy material = found.get();
     if (Files.exists(output) && Files.isSameFile(output, material.study().folder())) {
       throw CommandException.usage(
           "--output "

@@ -17,9 +17,9 @@ import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.study.questionnaire.Questionnaire;
 import org.selectiverenderer.study.questionnaire.paper.DataEntryTemplate;
 import org.selectiverenderer.study.questionnaire.paper.PaperQuestionnaireHtml;
+import org.selectiverenderer.study.session.LoadedStudy;
 import org.selectiverenderer.study.session.ParticipantsFile;
 import org.selectiverenderer.study.session.SessionFolder;
-import org.selectiverenderer.study.session.StudyMaterial;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -78,7 +78,7 @@ final class ExperimentPaperCommand extends CliCommand {
     OutputFile.check("--output", output, ".html");
     OutputFile.check("--csv", csv, ".csv");
     ProblemCollector problems = new ProblemCollector(console()::problem);
-    Optional<StudyMaterial> material = study.read(problems);
+    Optional<LoadedStudy> material = study.read(problems);
     if (material.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
@@ -103,7 +103,7 @@ final class ExperimentPaperCommand extends CliCommand {
     return ExitStatus.of(problems);
   }
 
-  private String group(StudyMaterial material) throws IOException {
+  private String group(LoadedStudy material) throws IOException {
     if (condition != null) {
       return condition.spelling();
     }

@@ -22,7 +22,7 @@ import org.selectiverenderer.apparatus.DisplayProfile;
 import org.selectiverenderer.apparatus.DisplayProfileLoader;
 import org.selectiverenderer.apparatus.EyeGeometry;
 import org.selectiverenderer.base.problem.ProblemCollector;
-import org.selectiverenderer.browser.camera.MirrorSide;
+import org.selectiverenderer.browser.camera.MirroredEye;
 import org.selectiverenderer.cli.option.ConditionOptions;
 import org.selectiverenderer.cli.option.LslOptions;
 import org.selectiverenderer.cli.option.TrackerFilterOptions;
@@ -43,13 +43,13 @@ import org.selectiverenderer.render.context.OffscreenContext;
 import org.selectiverenderer.render.window.Monitor;
 import org.selectiverenderer.render.window.Monitors;
 import org.selectiverenderer.schema.Condition;
+import org.selectiverenderer.study.definition.LslSettings;
 import org.selectiverenderer.study.definition.Study;
-import org.selectiverenderer.study.definition.StudyStreams;
+import org.selectiverenderer.study.session.LoadedStudy;
 import org.selectiverenderer.study.session.Session;
 import org.selectiverenderer.study.session.SessionFolder;
 import org.selectiverenderer.study.session.SessionOptions;
 import org.selectiverenderer.study.session.SessionStep;
-import org.selectiverenderer.study.session.StudyMaterial;
 import org.selectiverenderer.tracker.TrackerSpec;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -140,11 +140,11 @@ final class ExperimentRunCommand extends CliCommand {
   public ExitStatus run() throws IOException {
     check();
     ProblemCollector problems = new ProblemCollector(console()::problem);
-    Optional<StudyMaterial> found = study.read(problems);
+    Optional<LoadedStudy> found = study.read(problems);
     if (found.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
-    StudyMaterial material = found.get();
+    LoadedStudy material = found.get();
     if (condition != null && !material.study().conditions().contains(condition)) {
       throw CommandException.usage(
           "the study has no condition " + condition.spelling() + " for --condition");
@@ -162,7 +162,7 @@ final class ExperimentRunCommand extends CliCommand {
             operator == null ? !unattended && viewFits(monitors) : operator,
             stage,
             new ConsoleRunListener(console(), event -> {}));
-    StudyStreams wanted =
+    LslSettings wanted =
         lsl.asked() ? material.study().streams().sending() : material.study().streams();
     Optional<LslLibrary> library = lsl.library(wanted.wanted()); // before anything has begun
     requireGl(material);
@@ -191,8 +191,8 @@ final class ExperimentRunCommand extends CliCommand {
   }
 
   /** Returns the study's headset, checked before the session begins; empty for other displays. */
-  private Optional<SessionHeadset> headset(
-      DisplayConfiguration presentation, StudyMaterial material) throws IOException {
+  private Optional<SessionHeadset> headset(DisplayConfiguration presentation, LoadedStudy material)
+      throws IOException {
     if (presentation.headset().isEmpty()) {
       return Optional.empty();
     }
@@ -208,7 +208,7 @@ final class ExperimentRunCommand extends CliCommand {
     return Optional.of(worn);
   }
 
-  private LslStreams streams(StudyStreams wanted, Optional<LslLibrary> library, Session session)
+  private LslStreams streams(LslSettings wanted, Optional<LslLibrary> library, Session session)
       throws IOException {
     if (library.isEmpty()) {
       return LslStreams.none();
@@ -271,7 +271,7 @@ final class ExperimentRunCommand extends CliCommand {
    * Opens OpenGL once before the session begins: otherwise a participant would have a condition and
    * would have filled in the form when the first window fails.
    */
-  private static void requireGl(StudyMaterial material) {
+  private static void requireGl(LoadedStudy material) {
     if (material.steps().stream().anyMatch(SessionStep::shows)) {
       try {
         OffscreenContext.open().close();
@@ -321,7 +321,7 @@ final class ExperimentRunCommand extends CliCommand {
    * condition.
    */
   private Session open(
-      StudyMaterial material,
+      LoadedStudy material,
       SessionDisplaySettings show,
       SharedHeadTracker tracker,
       ProblemCollector problems)
@@ -363,7 +363,7 @@ final class ExperimentRunCommand extends CliCommand {
                   worn.seated(),
                   worn.scale(),
                   Math.toRadians(worn.turn()),
-                  MirrorSide.BOTH,
+                  MirroredEye.BOTH,
                   new HeadsetLayout(worn.scale()))));
     }
     Optional<DisplayProfile> profile = DisplayProfileLoader.builtIn(display.hmd());

@@ -7,7 +7,7 @@ import org.selectiverenderer.cli.option.FormatOption;
 import org.selectiverenderer.command.CliCommand;
 import org.selectiverenderer.command.output.Console;
 import org.selectiverenderer.command.output.ExitStatus;
-import org.selectiverenderer.study.session.StudyMaterial;
+import org.selectiverenderer.study.session.LoadedStudy;
 import org.selectiverenderer.study.session.StudyStatus;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -28,7 +28,7 @@ final class ExperimentStatusCommand extends CliCommand {
   @Override
   public ExitStatus run() throws IOException {
     ProblemCollector problems = new ProblemCollector(console()::problem);
-    Optional<StudyMaterial> material = study.read(problems);
+    Optional<LoadedStudy> material = study.read(problems);
     if (material.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }

@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.study.definition.StudyTemplate;
-import org.selectiverenderer.study.session.StudyMaterial;
+import org.selectiverenderer.study.session.LoadedStudy;
 import picocli.CommandLine.Parameters;
 
 /** The parameter that names the study of a command. */
@@ -17,8 +17,8 @@ final class StudyArgument {
   private Path study = Path.of("");
 
   /** Reads the study; empty when it has errors, which are reported to {@code problems}. */
-  Optional<StudyMaterial> read(ProblemCollector problems) throws IOException {
-    return StudyMaterial.read(
+  Optional<LoadedStudy> read(ProblemCollector problems) throws IOException {
+    return LoadedStudy.read(
         Files.isDirectory(study) ? study.resolve(StudyTemplate.STUDY) : study, problems);
   }
 }

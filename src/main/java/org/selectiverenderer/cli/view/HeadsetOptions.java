@@ -2,7 +2,7 @@ package org.selectiverenderer.cli.view;
 
 import java.util.Locale;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.browser.camera.MirrorSide;
+import org.selectiverenderer.browser.camera.MirroredEye;
 import org.selectiverenderer.command.output.CommandException;
 import org.selectiverenderer.hmd.HeadsetLayout;
 import org.selectiverenderer.hmd.HeadsetViewSettings;
@@ -78,7 +78,7 @@ final class HeadsetOptions {
         turn == null ? usual.turnStep() : Math.toRadians(turn),
         mirror == null
             ? usual.mirror()
-            : MirrorSide.valueOf(mirror.name().toUpperCase(Locale.ROOT)),
+            : MirroredEye.valueOf(mirror.name().toUpperCase(Locale.ROOT)),
         new HeadsetLayout(size));
   }
 }

@@ -18,8 +18,8 @@ import org.selectiverenderer.app.run.RunCancellation;
 import org.selectiverenderer.app.run.RunResult;
 import org.selectiverenderer.app.run.SceneRunner;
 import org.selectiverenderer.app.settings.DisplaySettings;
-import org.selectiverenderer.app.settings.FollowedPath;
 import org.selectiverenderer.app.settings.MotionSettings;
+import org.selectiverenderer.app.settings.PathPlaybackSettings;
 import org.selectiverenderer.app.settings.RunSettings;
 import org.selectiverenderer.app.settings.TrackerSettings;
 import org.selectiverenderer.app.stream.LslStreams;
@@ -196,7 +196,10 @@ public final class RunCommand extends CliCommand {
     return new MotionSettings(
         MouseMapping.valueOf(mouse.name().toUpperCase(Locale.ROOT)),
         walked.map(
-            path -> session ? FollowedPath.rows(path) : FollowedPath.at(FollowedPath.RATE, path)),
+            path ->
+                session
+                    ? PathPlaybackSettings.rows(path)
+                    : PathPlaybackSettings.at(PathPlaybackSettings.RATE, path)),
         view.viewpoint(),
         view.collisions());
   }
@@ -211,7 +214,7 @@ public final class RunCommand extends CliCommand {
   }
 
   private void checkPath(CameraPath walked, TrackerSpec tracker, boolean session) {
-    FrameLimits.check(walked, FollowedPath.RATE);
+    FrameLimits.check(walked, PathPlaybackSettings.RATE);
     if (session && path != null) {
       throw CommandException.usage(
           "--path cannot be combined with a replayed head log, which has positions of "

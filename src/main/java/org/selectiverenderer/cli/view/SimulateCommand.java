@@ -7,8 +7,8 @@ import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.run.RunResult;
 import org.selectiverenderer.app.run.SceneRunner;
-import org.selectiverenderer.app.settings.FollowedPath;
 import org.selectiverenderer.app.settings.MotionSettings;
+import org.selectiverenderer.app.settings.PathPlaybackSettings;
 import org.selectiverenderer.app.settings.RunSettings;
 import org.selectiverenderer.base.files.FileFinder;
 import org.selectiverenderer.base.problem.ProblemCollector;
@@ -131,7 +131,8 @@ public final class SimulateCommand extends CliCommand {
     RunSettings settings =
         new RunSettings(scene, condition.settings())
             .allowing(allowed)
-            .with(MotionSettings.following(FollowedPath.at(rate, walked)).from(viewpoint()));
+            .with(
+                MotionSettings.following(PathPlaybackSettings.at(rate, walked)).from(viewpoint()));
     RunResult result =
         SceneRunner.simulated(
             settings, new ConsoleRunListener(to, event -> to.out().println(text.apply(event))));

@@ -13,8 +13,8 @@ import org.selectiverenderer.apparatus.MouseMapping;
 import org.selectiverenderer.browser.navigation.KeyboardMouseControls;
 import org.selectiverenderer.browser.navigation.MotionRequest;
 import org.selectiverenderer.openxr.ControllerAction;
-import org.selectiverenderer.openxr.SpacePose;
 import org.selectiverenderer.openxr.XrInputState;
+import org.selectiverenderer.openxr.XrPose;
 
 class HeadsetControllersTest {
   private final KeyboardMouseControls controls = new KeyboardMouseControls(MouseMapping.WALK);
@@ -76,10 +76,10 @@ class HeadsetControllersTest {
     assertThat(hands.takeAnswers())
         .isEqualTo(
             List.of(
-                ControllerAnswer.YES,
-                ControllerAnswer.NO,
-                ControllerAnswer.MORE,
-                ControllerAnswer.LESS));
+                ControllerCommand.YES,
+                ControllerCommand.NO,
+                ControllerCommand.MORE,
+                ControllerCommand.LESS));
     assertThat(hands.takeAnswers()).isEmpty();
   }
 
@@ -93,8 +93,8 @@ class HeadsetControllersTest {
   }
 
   private static XrInputState pointing(boolean left, boolean right, ControllerAction... buttons) {
-    SpacePose leftHand = new SpacePose(new Vector3d(-1, 0, 0), new Quaterniond());
-    SpacePose rightHand = new SpacePose(new Vector3d(1, 0, 0), new Quaterniond());
+    XrPose leftHand = new XrPose(new Vector3d(-1, 0, 0), new Quaterniond());
+    XrPose rightHand = new XrPose(new Vector3d(1, 0, 0), new Quaterniond());
     return new XrInputState(
         0,
         0,
@@ -117,10 +117,11 @@ class HeadsetControllersTest {
     hands.frame(pointing(true, true, ControllerAction.CHOOSE_LEFT));
     hands.frame(pointing(true, true, ControllerAction.CHOOSE_LEFT));
     assertThat(hands.aim().orElseThrow().position().x).isEqualTo(-1);
-    assertThat(hands.takeAnswers()).containsExactly(ControllerAnswer.CHOOSE);
+    assertThat(hands.takeAnswers()).containsExactly(ControllerCommand.CHOOSE);
     hands.frame(pointing(true, true, ControllerAction.CHOOSE_RIGHT, ControllerAction.YES));
     assertThat(hands.aim().orElseThrow().position().x).isEqualTo(1);
-    assertThat(hands.takeAnswers()).containsExactly(ControllerAnswer.CHOOSE, ControllerAnswer.YES);
+    assertThat(hands.takeAnswers())
+        .containsExactly(ControllerCommand.CHOOSE, ControllerCommand.YES);
     hands.frame(pointing(true, false));
     hands.frame(pointing(true, false, ControllerAction.CHOOSE_RIGHT)); // A hand that nobody sees.
     assertThat(hands.takeAnswers()).isEmpty();

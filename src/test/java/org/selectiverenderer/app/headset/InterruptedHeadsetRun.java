@@ -17,7 +17,7 @@ import org.selectiverenderer.hmd.DisplayConfiguration;
 import org.selectiverenderer.hmd.HeadTrackedMotion.WhenLost;
 import org.selectiverenderer.hmd.HeadsetViewSettings;
 import org.selectiverenderer.openxr.FakeHeadset;
-import org.selectiverenderer.study.headlog.HeadLogDescription;
+import org.selectiverenderer.study.headlog.HeadLogMetadata;
 import org.selectiverenderer.study.headlog.HeadSample;
 import org.selectiverenderer.tracker.TrackerOptions;
 import org.selectiverenderer.tracker.TrackerSpec;
@@ -62,7 +62,7 @@ final class InterruptedHeadsetRun implements RunListener, HeadSampleListener {
   }
 
   @Override
-  public void scene(HeadLogDescription description) {
+  public void scene(HeadLogMetadata description) {
     // Only the frames count.
   }
 

@@ -30,7 +30,7 @@ import org.selectiverenderer.hmd.HeadsetLayout;
 import org.selectiverenderer.hmd.HeadsetViewSettings;
 import org.selectiverenderer.openxr.HeadsetEvent;
 import org.selectiverenderer.render.context.Screenshot;
-import org.selectiverenderer.study.headlog.HeadLogDescription;
+import org.selectiverenderer.study.headlog.HeadLogMetadata;
 import org.selectiverenderer.study.headlog.HeadSample;
 import org.selectiverenderer.testing.Eventually;
 import org.selectiverenderer.tracker.TrackerOptions;
@@ -192,7 +192,7 @@ final class MonadoCheck implements RunListener, HeadSampleListener {
   }
 
   @Override
-  public void scene(HeadLogDescription description) {
+  public void scene(HeadLogMetadata description) {
     // Only the frames count.
   }
 

@@ -17,7 +17,7 @@ import org.selectiverenderer.app.clock.TimingMode;
 import org.selectiverenderer.app.head.HeadTrackingSession;
 import org.selectiverenderer.app.settings.RunSettings;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.browser.PointerState;
+import org.selectiverenderer.browser.PointingDeviceState;
 import org.selectiverenderer.browser.World;
 import org.selectiverenderer.control.SelectiveController;
 import org.selectiverenderer.render.FrameStatistics;
@@ -81,7 +81,7 @@ class SceneInputTest {
 
   private static void point(SceneRun run, World world, double right, boolean pressed) {
     run.input(new InputEvent.MotionInput(0, 0, (int) (100 * right), 0));
-    world.point(new PointerState(Optional.of(new Vector3d(right, 0, -1)), pressed));
+    world.point(new PointingDeviceState(Optional.of(new Vector3d(right, 0, -1)), pressed));
   }
 
   private static void button(SceneRun run, boolean pressed) {
@@ -125,7 +125,7 @@ class SceneInputTest {
         World world = step(run);
         point(run, world, 0, false);
         button(run, true);
-        world.point(new PointerState(Optional.of(new Vector3d(0, 0, -1)), true));
+        world.point(new PointingDeviceState(Optional.of(new Vector3d(0, 0, -1)), true));
         point(run, world, 0.5, true);
         step(run);
         step(run);
@@ -138,15 +138,15 @@ class SceneInputTest {
   void walkingIsNotEndedByAPointerThatPassesOverADragSensor() throws IOException {
     try (SceneRun run = run("<PlaneSensor/>" + PLATE)) {
       World world = step(run);
-      world.point(new PointerState(Optional.of(new Vector3d(5, 0, -1)), false));
+      world.point(new PointingDeviceState(Optional.of(new Vector3d(5, 0, -1)), false));
       step(run);
       button(run, true);
-      world.point(new PointerState(Optional.of(new Vector3d(5, 0, -1)), true));
+      world.point(new PointingDeviceState(Optional.of(new Vector3d(5, 0, -1)), true));
       for (int i = 0; i < 5; i++) {
         step(run);
       }
       double before = world.viewer().position().z();
-      world.point(new PointerState(Optional.of(new Vector3d(0, 0, -1)), true));
+      world.point(new PointingDeviceState(Optional.of(new Vector3d(0, 0, -1)), true));
       step(run);
       step(run);
       assertThat(world.viewer().position().z()).isLessThan(before - 0.15);

@@ -37,9 +37,9 @@ import org.selectiverenderer.apparatus.EyeGeometry;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.hmd.DisplayConfiguration;
+import org.selectiverenderer.study.session.LoadedStudy;
 import org.selectiverenderer.study.session.Session;
 import org.selectiverenderer.study.session.SessionOptions;
-import org.selectiverenderer.study.session.StudyMaterial;
 import org.selectiverenderer.testing.Eventually;
 import org.selectiverenderer.testing.ShowsWindows;
 import org.selectiverenderer.testing.WindowFinder;
@@ -57,7 +57,7 @@ class AttendedSessionTest {
   private final GuiRobot hands = new GuiRobot();
   private final List<Boolean> flips = new CopyOnWriteArrayList<>();
   private final AtomicBoolean watching = new AtomicBoolean(true);
-  private @Nullable StudyMaterial material;
+  private @Nullable LoadedStudy material;
   private @Nullable JFrame controls;
 
   @BeforeEach
@@ -83,8 +83,7 @@ class AttendedSessionTest {
          "display": {"width": 320, "height": 240},
          "questionnaires": [{"kind": "recognition", "items": "items.csv"}]}
         """);
-    material =
-        StudyMaterial.read(folder.resolve("study.json"), new ProblemCollector()).orElseThrow();
+    material = LoadedStudy.read(folder.resolve("study.json"), new ProblemCollector()).orElseThrow();
   }
 
   @AfterEach

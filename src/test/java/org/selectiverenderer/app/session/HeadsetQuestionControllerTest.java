@@ -20,7 +20,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.app.headset.ControllerAnswer;
+import org.selectiverenderer.app.headset.ControllerCommand;
 import org.selectiverenderer.app.headset.PanelPlacement;
 import org.selectiverenderer.app.run.RunController;
 import org.selectiverenderer.app.run.RunListener;
@@ -34,7 +34,7 @@ import org.selectiverenderer.control.SelectiveController;
 import org.selectiverenderer.hmd.DisplayConfiguration;
 import org.selectiverenderer.hmd.HeadsetViewSettings;
 import org.selectiverenderer.openxr.HeadsetEvent;
-import org.selectiverenderer.openxr.SpacePose;
+import org.selectiverenderer.openxr.XrPose;
 import org.selectiverenderer.study.questionnaire.Answer;
 import org.selectiverenderer.study.session.ExperimenterControls;
 import org.selectiverenderer.study.session.Session;
@@ -146,8 +146,7 @@ class HeadsetQuestionControllerTest {
     RunController guide = steps.next().orElseThrow().guide();
     try (Walkthrough walk = scene()) {
       guide.opened(walk);
-      guide.pointed(
-          Optional.of(new SpacePose(new Vector3d(), new Quaterniond().rotationY(Math.PI))));
+      guide.pointed(Optional.of(new XrPose(new Vector3d(), new Quaterniond().rotationY(Math.PI))));
       for (String key :
           List.of("ABC", "h", "i", "Space", "ΕΛ", "΄", "ω", "ς", "ψ", "Erase", "Continue")) {
         choose(guide, walk, key.equals("h") ? "H" : key);
@@ -174,7 +173,7 @@ class HeadsetQuestionControllerTest {
       assertThat(large.pixels().color(1023, 511)).isEqualTo(0xFF000000);
       assertThat(large.width()).isEqualTo(2 * large.height());
       assertThat(2 * large.x() + large.width()).isEqualTo(QuestionPanelRenderer.WIDTH);
-      guide.pointed(Optional.of(new SpacePose(new Vector3d(), new Quaterniond())));
+      guide.pointed(Optional.of(new XrPose(new Vector3d(), new Quaterniond())));
       assertThat(picture(guide).height()).isLessThan(large.height()); // There are keys below it.
       assertThat(picture(guide).pixels()).isSameAs(large.pixels());
     }
@@ -210,18 +209,18 @@ class HeadsetQuestionControllerTest {
     assertThat(guide.darkness(0)).isEqualTo(1); // There is no practice to be shown behind.
     try (Walkthrough walk = scene()) {
       guide.opened(walk);
-      guide.answered(ControllerAnswer.YES); // Before there is anything to read.
+      guide.answered(ControllerCommand.YES); // Before there is anything to read.
       assertThat(texts(guide.panels().get(0))).contains("a cube", "Yes", "No");
       controls.pause(true);
       assertThat(guide.panels()).isEmpty();
-      guide.answered(ControllerAnswer.NO);
+      guide.answered(ControllerCommand.NO);
       controls.pause(false);
-      guide.answered(ControllerAnswer.YES);
-      guide.answered(ControllerAnswer.MORE);
-      guide.answered(ControllerAnswer.MORE);
-      guide.answered(ControllerAnswer.YES);
+      guide.answered(ControllerCommand.YES);
+      guide.answered(ControllerCommand.MORE);
+      guide.answered(ControllerCommand.MORE);
+      guide.answered(ControllerCommand.YES);
       assertThat(guide.over(1)).isFalse();
-      guide.answered(ControllerAnswer.YES);
+      guide.answered(ControllerCommand.YES);
       assertThat(guide.over(1)).isTrue();
     }
     assertThat(session.answers(asked)).containsOnly(Map.entry("cube", new Answer("yes", 2)));
@@ -230,7 +229,7 @@ class HeadsetQuestionControllerTest {
   }
 
   /** A hand at the head that points at the middle of a text on the panel. */
-  private static Optional<SpacePose> at(RunController guide, Walkthrough walk, String text) {
+  private static Optional<XrPose> at(RunController guide, Walkthrough walk, String text) {
     WorldSpacePanel panel = guide.panels().get(0);
     Primitive2D.Text mark =
         panel.marks().stream()
@@ -242,16 +241,16 @@ class HeadsetQuestionControllerTest {
     Vector3d point = panel.place().transformPosition(new Vector3d(mark.x() + 5, mark.y() - 5, 0));
     Vector3d way = point.sub(walk.world().viewer().position());
     return Optional.of(
-        new SpacePose(new Vector3d(), new Quaterniond().rotationTo(new Vector3d(0, 0, -1), way)));
+        new XrPose(new Vector3d(), new Quaterniond().rotationTo(new Vector3d(0, 0, -1), way)));
   }
 
   private void choose(RunController guide, Walkthrough walk, String text) {
-    Optional<SpacePose> hand = at(guide, walk, text);
+    Optional<XrPose> hand = at(guide, walk, text);
     guide.pointed(hand);
     guide.panels(); // It is lit before it is chosen.
     guide.pointed(hand);
-    guide.answered(ControllerAnswer.CHOOSE);
-    guide.answered(ControllerAnswer.NO); // The same button on controllers that have few.
+    guide.answered(ControllerCommand.CHOOSE);
+    guide.answered(ControllerCommand.NO); // The same button on controllers that have few.
   }
 
   @Test
@@ -287,12 +286,11 @@ class HeadsetQuestionControllerTest {
     try (Walkthrough walk = scene()) {
       guide.opened(walk);
       guide.panels();
-      guide.pointed(
-          Optional.of(new SpacePose(new Vector3d(), new Quaterniond().rotationY(Math.PI))));
+      guide.pointed(Optional.of(new XrPose(new Vector3d(), new Quaterniond().rotationY(Math.PI))));
       assertThat(guide.panels()).hasSize(2);
-      guide.answered(ControllerAnswer.CHOOSE);
+      guide.answered(ControllerCommand.CHOOSE);
       assertThat(session.answers(asked)).isEmpty();
-      guide.answered(ControllerAnswer.NO);
+      guide.answered(ControllerCommand.NO);
     }
     assertThat(session.answers(asked)).containsOnly(Map.entry("cube", new Answer("no", 0)));
   }
@@ -305,7 +303,7 @@ class HeadsetQuestionControllerTest {
       guide.panels();
       guide.pointed(
           Optional.of(
-              new SpacePose(
+              new XrPose(
                   new Vector3d(0.2, -0.4, -0.3), new Quaterniond().rotationX(0.2).rotateY(0.1))));
       WorldSpacePanel ray = guide.panels().get(1);
       double[] band = ((Primitive2D.Area) ray.marks().get(0)).corners();

@@ -15,13 +15,13 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.selectiverenderer.app.headset.ControllerAnswer;
+import org.selectiverenderer.app.headset.ControllerCommand;
 import org.selectiverenderer.browser.camera.Camera;
 import org.selectiverenderer.browser.camera.Primitive2D;
 import org.selectiverenderer.browser.camera.WorldSpacePanel;
 import org.selectiverenderer.control.SelectiveController;
 import org.selectiverenderer.hmd.HeadsetLayout;
-import org.selectiverenderer.openxr.SpacePose;
+import org.selectiverenderer.openxr.XrPose;
 import org.selectiverenderer.render.TestImageRenderer;
 import org.selectiverenderer.render.context.OffscreenFramebuffer;
 import org.selectiverenderer.render.context.Screenshot;
@@ -107,7 +107,7 @@ class HeadsetQuestionsTest {
       guide.panels();
       for (String key : chosen.split(";")) {
         point(guide, walk, key);
-        guide.answered(ControllerAnswer.CHOOSE);
+        guide.answered(ControllerCommand.CHOOSE);
       }
       Screenshot before = drawn(guide.panels());
       point(guide, walk, pointed);
@@ -143,8 +143,8 @@ class HeadsetQuestionsTest {
             .transformPosition(
                 new Vector3d(mark.x() + 5 + 13 * (text.length() - 1), mark.y() - 5, 0))
             .sub(HAND);
-    SpacePose hand =
-        new SpacePose(
+    XrPose hand =
+        new XrPose(
             new Vector3d(HAND).sub(walk.world().viewer().position()),
             new Quaterniond().rotationTo(new Vector3d(0, 0, -1), way));
     guide.pointed(Optional.of(hand));

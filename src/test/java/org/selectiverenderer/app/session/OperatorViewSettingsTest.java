@@ -16,7 +16,7 @@ import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.hmd.DisplayConfiguration;
 import org.selectiverenderer.render.window.Monitor;
 import org.selectiverenderer.study.definition.StudyTemplate;
-import org.selectiverenderer.study.session.StudyMaterial;
+import org.selectiverenderer.study.session.LoadedStudy;
 
 /** Where the windows of a session open. */
 class OperatorViewSettingsTest {
@@ -30,7 +30,7 @@ class OperatorViewSettingsTest {
   private OperatorViewSettings stage(DisplayMode mode, Optional<String> wanted) throws IOException {
     Path file = StudyTemplate.write(folder.resolve("s"), Path.of("scenes/apartment.x3d"));
     return OperatorViewSettings.of(
-        StudyMaterial.read(file, new ProblemCollector()).orElseThrow().study(),
+        LoadedStudy.read(file, new ProblemCollector()).orElseThrow().study(),
         new DisplayConfiguration(mode, new EyeGeometry(DisplayProfile.PROVIEW_50, 0.063), false),
         wanted,
         false,

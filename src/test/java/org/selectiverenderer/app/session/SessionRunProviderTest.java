@@ -23,10 +23,10 @@ import org.selectiverenderer.hmd.DisplayConfiguration;
 import org.selectiverenderer.study.questionnaire.Answer;
 import org.selectiverenderer.study.questionnaire.Question;
 import org.selectiverenderer.study.session.ExperimenterControls;
+import org.selectiverenderer.study.session.LoadedStudy;
 import org.selectiverenderer.study.session.Session;
 import org.selectiverenderer.study.session.SessionOptions;
 import org.selectiverenderer.study.session.SessionStep;
-import org.selectiverenderer.study.session.StudyMaterial;
 import org.selectiverenderer.tracker.TrackerOptions;
 import org.selectiverenderer.walkthrough.timeline.TimelineEvent;
 
@@ -73,7 +73,7 @@ class SessionRunProviderTest {
              "form": "form.json", "display": {"mode": "side-by-side", "ipd": 64},
              "areas": [{"name": "hall", "viewpoint": "Here", "seconds": 1}]}
             """);
-    StudyMaterial material = StudyMaterial.read(file, new ProblemCollector()).orElseThrow();
+    LoadedStudy material = LoadedStudy.read(file, new ProblemCollector()).orElseThrow();
     try (Session session =
         Session.begin(
             material,

@@ -6,17 +6,17 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.study.session.LoadedStudy;
 import org.selectiverenderer.study.session.Session;
 import org.selectiverenderer.study.session.SessionOptions;
 import org.selectiverenderer.study.session.SessionStep;
-import org.selectiverenderer.study.session.StudyMaterial;
 
 /** A session of a study's first participant, who has filled in the form. */
 final class StartedSession {
   private StartedSession() {}
 
   static Session of(Path study) throws IOException {
-    StudyMaterial material = StudyMaterial.read(study, new ProblemCollector()).orElseThrow();
+    LoadedStudy material = LoadedStudy.read(study, new ProblemCollector()).orElseThrow();
     Session session =
         Session.begin(
             material,

@@ -23,8 +23,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.app.head.HeadSampleListener;
 import org.selectiverenderer.app.run.RunListener;
 import org.selectiverenderer.app.run.SceneRunner;
-import org.selectiverenderer.app.settings.FollowedPath;
 import org.selectiverenderer.app.settings.MotionSettings;
+import org.selectiverenderer.app.settings.PathPlaybackSettings;
 import org.selectiverenderer.app.settings.RunSettings;
 import org.selectiverenderer.apparatus.MouseMapping;
 import org.selectiverenderer.base.problem.Problem;
@@ -35,7 +35,7 @@ import org.selectiverenderer.formats.csv.CsvTable;
 import org.selectiverenderer.formats.json.JsonTree;
 import org.selectiverenderer.lsl.LslLibrary;
 import org.selectiverenderer.study.headlog.EyeSample;
-import org.selectiverenderer.study.headlog.HeadLogDescription;
+import org.selectiverenderer.study.headlog.HeadLogMetadata;
 import org.selectiverenderer.study.headlog.HeadSample;
 import org.selectiverenderer.study.headlog.SceneMap;
 import org.selectiverenderer.testing.Eventually;
@@ -79,7 +79,7 @@ class LslStreamsTest {
                 new MotionSettings(
                     MouseMapping.OFF,
                     CameraPathReader.read(walked, new ProblemCollector())
-                        .map(path -> FollowedPath.at(10, path))));
+                        .map(path -> PathPlaybackSettings.at(10, path))));
     SceneRunner.simulated(settings, new Listener(streams));
   }
 
@@ -172,7 +172,7 @@ class LslStreamsTest {
     try (LslStreams streams = LslStreams.sending(lsl, Map.of("study", id), this::tell)) {
       HeadSampleListener eyes = streams.samples().orElseThrow();
       eyes.scene(
-          new HeadLogDescription(
+          new HeadLogMetadata(
               "", "scene.x3d", "high", 0, "headset", "none", 1, 1, 1, 10, true, SceneMap.EMPTY));
       try (LslPeer looking = LslPeer.start("receive", "SelectiveRenderer-Eyes", id);
           LslPeer naming = LslPeer.start("receive", "SelectiveRenderer-EyeObject", id)) {

@@ -20,9 +20,9 @@ import org.junit.jupiter.api.Test;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.study.questionnaire.ParticipantMessages;
 import org.selectiverenderer.study.session.ExperimenterControls;
+import org.selectiverenderer.study.session.LoadedStudy;
 import org.selectiverenderer.study.session.Session;
 import org.selectiverenderer.study.session.SessionOptions;
-import org.selectiverenderer.study.session.StudyMaterial;
 import org.selectiverenderer.testing.ShowsWindows;
 import org.selectiverenderer.testing.WindowFinder;
 import org.selectiverenderer.testing.robot.GuiRobot;
@@ -49,7 +49,7 @@ class ControlWindowTest extends SessionWindowFixture {
 
   @Test
   void theExperimentersNotesPausesAndEndAreInTheJournal() throws IOException {
-    StudyMaterial material = material("en");
+    LoadedStudy material = material("en");
     try (Session session =
         Session.begin(
             material,

@@ -10,7 +10,7 @@ import java.util.concurrent.FutureTask;
 import javax.swing.JButton;
 import javax.swing.JFrame;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.study.session.StudyMaterial;
+import org.selectiverenderer.study.session.LoadedStudy;
 import org.selectiverenderer.testing.ShowsWindows;
 import org.selectiverenderer.testing.WindowFinder;
 import org.selectiverenderer.testing.robot.GuiRobot;
@@ -20,7 +20,7 @@ import org.selectiverenderer.testing.robot.GuiRobot;
 class FormWindowTest extends SessionWindowFixture {
   @Test
   void theFormGoesOnWithAnAgeAndConsentOnly() throws IOException {
-    StudyMaterial material = form("en");
+    LoadedStudy material = form("en");
     List<String> heard = new CopyOnWriteArrayList<>();
     FutureTask<Boolean> asked = asking(material, material.form(), true, heard);
     JFrame form = WindowFinder.named(hands, "questionnaire");
@@ -42,7 +42,7 @@ class FormWindowTest extends SessionWindowFixture {
 
   @Test
   void theTemplatesConsentStandsOnAPageOfItsOwnAndMustBeGivenInFull() throws IOException {
-    StudyMaterial material = material("en");
+    LoadedStudy material = material("en");
     FutureTask<Boolean> asked = asking(material, material.form(), true, new ArrayList<>());
     JFrame form = WindowFinder.named(hands, "questionnaire");
     assertThat(pages).hasSize(1);
@@ -54,7 +54,7 @@ class FormWindowTest extends SessionWindowFixture {
 
   @Test
   void theFormSaysWhoDoesNotTakePart() throws IOException {
-    StudyMaterial material = form("el");
+    LoadedStudy material = form("el");
     FutureTask<Boolean> asked = asking(material, material.form(), true, new ArrayList<>());
     JFrame form = WindowFinder.named(hands, "questionnaire");
     pictures(form, "session-form-greek");
@@ -65,7 +65,7 @@ class FormWindowTest extends SessionWindowFixture {
 
   @Test
   void closingTheFormAsksAndTheFormGoesWithTheSessionOnly() throws IOException {
-    StudyMaterial material = form("en");
+    LoadedStudy material = form("en");
     FutureTask<Boolean> asked = asking(material, material.form(), true, new ArrayList<>());
     JFrame form = WindowFinder.named(hands, "questionnaire");
     WindowFinder.close(form);

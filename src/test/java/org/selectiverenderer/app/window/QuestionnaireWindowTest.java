@@ -23,7 +23,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.study.questionnaire.Question;
 import org.selectiverenderer.study.questionnaire.Questionnaire;
-import org.selectiverenderer.study.session.StudyMaterial;
+import org.selectiverenderer.study.session.LoadedStudy;
 import org.selectiverenderer.testing.ShowsWindows;
 import org.selectiverenderer.testing.WindowFinder;
 import org.selectiverenderer.testing.robot.GuiRobot;
@@ -33,7 +33,7 @@ import org.selectiverenderer.testing.robot.GuiRobot;
 class QuestionnaireWindowTest extends SessionWindowFixture {
   @Test
   void aQuestionThatAnAnswerBringsHasItsRoom() throws IOException {
-    StudyMaterial material = material("en");
+    LoadedStudy material = material("en");
     Questionnaire closing =
         material.questionnaires("001").stream()
             .filter(each -> each.id().equals("closing"))
@@ -73,7 +73,7 @@ class QuestionnaireWindowTest extends SessionWindowFixture {
   @ParameterizedTest
   @ValueSource(strings = {"en", "el"})
   void keysAnswerAPageRowByRow(String language) throws IOException {
-    StudyMaterial material = material(language);
+    LoadedStudy material = material(language);
     Questionnaire screen = desk(material);
     List<String> heard = new CopyOnWriteArrayList<>();
     FutureTask<Boolean> asked = asking(material, screen, false, heard);
@@ -102,7 +102,7 @@ class QuestionnaireWindowTest extends SessionWindowFixture {
     assertThat(places.get(places.size() - 1)).isEqualTo(screen.questions().size());
   }
 
-  private static Questionnaire desk(StudyMaterial material) {
+  private static Questionnaire desk(LoadedStudy material) {
     return material.questionnaires("001").stream()
         .filter(each -> each.id().equals("recognition-desk"))
         .findFirst()
@@ -111,7 +111,7 @@ class QuestionnaireWindowTest extends SessionWindowFixture {
 
   @Test
   void theMouseAnswersAndChangesAnswersInAnyOrder() throws IOException {
-    StudyMaterial material = material("en");
+    LoadedStudy material = material("en");
     Questionnaire screen = desk(material);
     Question last = screen.questions().get(screen.questions().size() - 1);
     List<String> heard = new CopyOnWriteArrayList<>();
@@ -133,8 +133,8 @@ class QuestionnaireWindowTest extends SessionWindowFixture {
   @Test
   void expectancyIsRatedFromOneToSix() throws IOException {
     material("en");
-    StudyMaterial pilot =
-        StudyMaterial.read(folder.resolve("study/pilot/study.json"), new ProblemCollector())
+    LoadedStudy pilot =
+        LoadedStudy.read(folder.resolve("study/pilot/study.json"), new ProblemCollector())
             .orElseThrow();
     Questionnaire screen = pilot.questionnaires("001").get(1); // The first is the example.
     List<String> heard = new CopyOnWriteArrayList<>();
@@ -154,7 +154,7 @@ class QuestionnaireWindowTest extends SessionWindowFixture {
     assertThat(WindowFinder.answer(asked)).isFalse();
   }
 
-  private StudyMaterial ofKinds(String questionnaire) throws IOException {
+  private LoadedStudy ofKinds(String questionnaire) throws IOException {
     Files.writeString(folder.resolve("all.json"), questionnaire);
     Path file = folder.resolve("kinds.json");
     Files.writeString(
@@ -163,12 +163,12 @@ class QuestionnaireWindowTest extends SessionWindowFixture {
         {"name": "Kinds", "conditions": ["high"], "participants": 1,
          "questionnaires": [{"file": "all.json"}]}
         """);
-    return StudyMaterial.read(file, new ProblemCollector()).orElseThrow();
+    return LoadedStudy.read(file, new ProblemCollector()).orElseThrow();
   }
 
   @Test
   void allKindsAreAnsweredByKeysPageByPageAndBack() throws IOException {
-    StudyMaterial material =
+    LoadedStudy material =
         ofKinds(
             """
             {"name": "all", "title": "All kinds", "pages": [

@@ -21,9 +21,9 @@ import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.study.definition.StudyTemplate;
 import org.selectiverenderer.study.questionnaire.Questionnaire;
 import org.selectiverenderer.study.session.ExperimenterControls;
+import org.selectiverenderer.study.session.LoadedStudy;
 import org.selectiverenderer.study.session.Session;
 import org.selectiverenderer.study.session.SessionOptions;
-import org.selectiverenderer.study.session.StudyMaterial;
 import org.selectiverenderer.testing.ShowsWindows;
 import org.selectiverenderer.testing.WindowFinder;
 import org.selectiverenderer.testing.robot.DisplaySettling;
@@ -39,12 +39,12 @@ import org.selectiverenderer.testing.robot.GuiRobot;
 class SessionPictures extends SessionWindowFixture {
   private static final int SCALE = 2;
 
-  private StudyMaterial template() throws IOException {
+  private LoadedStudy template() throws IOException {
     Path file = StudyTemplate.write(folder.resolve("study"), Path.of("scenes/apartment.x3d"));
-    return StudyMaterial.read(file, new ProblemCollector()).orElseThrow();
+    return LoadedStudy.read(file, new ProblemCollector()).orElseThrow();
   }
 
-  private static Questionnaire asked(StudyMaterial material, String id) {
+  private static Questionnaire asked(LoadedStudy material, String id) {
     return Stream.concat(Stream.of(material.form()), material.questionnaires("001").stream())
         .filter(each -> each.id().equals(id))
         .findFirst()
@@ -62,7 +62,7 @@ class SessionPictures extends SessionWindowFixture {
     "session-kinds, closing, : Yes"
   })
   void questions(String name, String questionnaire, String answer) throws IOException {
-    StudyMaterial material = template();
+    LoadedStudy material = template();
     Questionnaire shown = asked(material, questionnaire);
     List<String> heard = new CopyOnWriteArrayList<>();
     asking(material, shown, questionnaire.equals("form"), heard);

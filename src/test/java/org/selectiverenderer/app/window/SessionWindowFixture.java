@@ -28,7 +28,7 @@ import org.selectiverenderer.study.questionnaire.Question;
 import org.selectiverenderer.study.questionnaire.Questionnaire;
 import org.selectiverenderer.study.questionnaire.QuestionnairePage;
 import org.selectiverenderer.study.questionnaire.QuestionnaireProgress;
-import org.selectiverenderer.study.session.StudyMaterial;
+import org.selectiverenderer.study.session.LoadedStudy;
 import org.selectiverenderer.testing.RequiresDisplay;
 import org.selectiverenderer.testing.WindowFinder;
 import org.selectiverenderer.testing.robot.GuiRobot;
@@ -60,7 +60,7 @@ abstract class SessionWindowFixture {
     WindowFinder.closeAll();
   }
 
-  StudyMaterial material(String language) throws IOException {
+  LoadedStudy material(String language) throws IOException {
     Path file = StudyTemplate.write(folder.resolve("study"), Path.of("scenes/apartment.x3d"));
     Files.writeString(
         file,
@@ -68,7 +68,7 @@ abstract class SessionWindowFixture {
             .replace("\"language\": \"en\"", "\"language\": \"" + language + "\""));
     shorten(file.resolveSibling("recognition.csv"), "desk,");
     shorten(file.resolveSibling("pilot/expectancy.csv"), "kitchen,");
-    return StudyMaterial.read(file, new ProblemCollector()).orElseThrow();
+    return LoadedStudy.read(file, new ProblemCollector()).orElseThrow();
   }
 
   /** Leaves few rows of a long list: each costs a robot's second. */
@@ -85,7 +85,7 @@ abstract class SessionWindowFixture {
   }
 
   /** A study without a form of its own. */
-  StudyMaterial form(String language) throws IOException {
+  LoadedStudy form(String language) throws IOException {
     Path file = folder.resolve("plain.json");
     Files.writeString(
         folder.resolve("i.csv"),
@@ -97,7 +97,7 @@ abstract class SessionWindowFixture {
          "questionnaires": [{"kind": "recognition", "items": "i.csv"}]}
         """
             .formatted(language));
-    return StudyMaterial.read(file, new ProblemCollector()).orElseThrow();
+    return LoadedStudy.read(file, new ProblemCollector()).orElseThrow();
   }
 
   static void pictures(JFrame frame, String name) {
@@ -106,7 +106,7 @@ abstract class SessionWindowFixture {
   }
 
   FutureTask<Boolean> asking(
-      StudyMaterial material, Questionnaire asked, boolean mayRefuse, List<String> heard) {
+      LoadedStudy material, Questionnaire asked, boolean mayRefuse, List<String> heard) {
     return WindowFinder.asking(
         () ->
             QuestionnaireWindow.ask(

@@ -23,9 +23,9 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.cli.CommandTestCase;
+import org.selectiverenderer.study.session.LoadedStudy;
 import org.selectiverenderer.study.session.Session;
 import org.selectiverenderer.study.session.SessionOptions;
-import org.selectiverenderer.study.session.StudyMaterial;
 import org.selectiverenderer.testing.ShowsWindows;
 
 /** What experiment run refuses before anybody is assigned, and what it flags. */
@@ -71,7 +71,7 @@ class ExperimentRunTest extends CommandTestCase {
 
   private Session held(String id) throws IOException {
     return Session.begin(
-        StudyMaterial.read(study, new ProblemCollector()).orElseThrow(),
+        LoadedStudy.read(study, new ProblemCollector()).orElseThrow(),
         id,
         1,
         new SessionOptions(Optional.empty(), OptionalDouble.empty(), true, "another window"),

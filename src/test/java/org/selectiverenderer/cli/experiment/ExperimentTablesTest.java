@@ -20,10 +20,10 @@ import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.cli.CommandTestCase;
 import org.selectiverenderer.study.questionnaire.Answer;
 import org.selectiverenderer.study.questionnaire.Question;
+import org.selectiverenderer.study.session.LoadedStudy;
 import org.selectiverenderer.study.session.Session;
 import org.selectiverenderer.study.session.SessionOptions;
 import org.selectiverenderer.study.session.SessionStep;
-import org.selectiverenderer.study.session.StudyMaterial;
 import org.selectiverenderer.testing.RequiresProgram;
 
 /** What becomes of the answers of a study with questionnaires of all kinds and moments. */
@@ -96,8 +96,8 @@ class ExperimentTablesTest extends CommandTestCase {
   }
 
   private void session(String id) throws IOException {
-    StudyMaterial material =
-        StudyMaterial.read(study.resolve("study.json"), new ProblemCollector()).orElseThrow();
+    LoadedStudy material =
+        LoadedStudy.read(study.resolve("study.json"), new ProblemCollector()).orElseThrow();
     try (Session session =
         Session.begin(
             material,
@@ -172,8 +172,8 @@ class ExperimentTablesTest extends CommandTestCase {
             "memory-hall",
             "memory-bath",
             "sus");
-    StudyMaterial material =
-        StudyMaterial.read(study.resolve("study.json"), new ProblemCollector()).orElseThrow();
+    LoadedStudy material =
+        LoadedStudy.read(study.resolve("study.json"), new ProblemCollector()).orElseThrow();
     assertThat(material.questionnaires("001").get(2).questions().get(0).text())
         .isEqualTo("Did you like the bath?");
   }

@@ -8,11 +8,11 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.x3d.field.FieldParser;
+import org.selectiverenderer.x3d.source.DecodedText;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.DocumentError;
 import org.selectiverenderer.x3d.source.ElementSource;
 import org.selectiverenderer.x3d.source.ElementTree;
-import org.selectiverenderer.x3d.source.EncodedText;
 import org.selectiverenderer.x3d.source.EntityTable;
 import org.selectiverenderer.x3d.source.Gzip;
 import org.selectiverenderer.x3d.source.SourceAttribute;
@@ -30,7 +30,7 @@ public final class SceneDocument {
   private static final String TYPING = "Typing";
 
   private final String name;
-  private final EncodedText encoding;
+  private final DecodedText encoding;
   private final boolean compressed;
   private final byte @Nullable [] original;
   private final TextBuffer buffer;
@@ -45,7 +45,7 @@ public final class SceneDocument {
   /** The latest snapshot, which is shared as long as it is reachable. */
   private WeakReference<DocumentSnapshot> latest = new WeakReference<>(null);
 
-  private SceneDocument(String name, EncodedText encoding, boolean compressed, byte[] bytes) {
+  private SceneDocument(String name, DecodedText encoding, boolean compressed, byte[] bytes) {
     this.name = name;
     this.encoding = encoding;
     this.compressed = compressed;
@@ -71,7 +71,7 @@ public final class SceneDocument {
   public static SceneDocument of(String name, byte[] bytes) throws IOException {
     boolean compressed = Gzip.compressed(bytes);
     try {
-      EncodedText text = EncodedText.of(compressed ? Gzip.unpacked(bytes) : bytes);
+      DecodedText text = DecodedText.of(compressed ? Gzip.unpacked(bytes) : bytes);
       return new SceneDocument(name, text, compressed, bytes);
     } catch (IOException e) {
       throw new IOException(name + ": " + e.getMessage(), e);

@@ -3,7 +3,7 @@
  * that can be undone, and the elements and their positions are known after each edit.
  *
  * <p>The text is authoritative, never a running scene: parts that an edit does not change keep
- * every byte. {@link org.selectiverenderer.x3d.source.EncodedText} turns the characters into the
+ * every byte. {@link org.selectiverenderer.x3d.source.DecodedText} turns the characters into the
  * file's bytes again, with encoding and byte order mark, and knows when it cannot: such a document
  * is read-only. Attributes are read from the text on demand. A text that is not well-formed has no
  * tree, but an error with its location; nothing is guessed.

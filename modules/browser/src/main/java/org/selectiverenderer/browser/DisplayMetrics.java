@@ -2,7 +2,7 @@ package org.selectiverenderer.browser;
 
 import java.util.Optional;
 import org.selectiverenderer.browser.nodes.layout.ViewParameters;
-import org.selectiverenderer.browser.viewer.ViewExtent;
+import org.selectiverenderer.browser.viewer.OrthographicExtent;
 import org.selectiverenderer.browser.viewer.Viewer;
 
 /**
@@ -13,7 +13,7 @@ import org.selectiverenderer.browser.viewer.Viewer;
  * @param frustum the cross-section of the display's view frustum at distance 1, for displays whose
  *     viewing angle differs from the viewer's
  */
-record DisplayMetrics(double width, double height, Optional<ViewExtent> frustum) {
+record DisplayMetrics(double width, double height, Optional<OrthographicExtent> frustum) {
   /**
    * The size assumed while nothing is drawn; its aspect ratio is the one that {@link
    * WorldFrameContext} assumes.
@@ -25,16 +25,16 @@ record DisplayMetrics(double width, double height, Optional<ViewExtent> frustum)
     double wide = width * part.width();
     double high = height * part.height();
     double aspect = wide / high;
-    Optional<ViewExtent> parallel = viewer.extent().map(extent -> extent.filling(aspect));
+    Optional<OrthographicExtent> parallel = viewer.extent().map(extent -> extent.filling(aspect));
     double half = Math.tan(viewer.fieldOfView() / 2);
-    ViewExtent seen =
+    OrthographicExtent seen =
         parallel
             .or(() -> frustum)
             .orElseGet(
                 () -> {
                   double x = half * Math.max(1, aspect);
                   double y = half * Math.max(1, 1 / aspect);
-                  return new ViewExtent(-x, -y, x, y);
+                  return new OrthographicExtent(-x, -y, x, y);
                 });
     return new ViewParameters(
         viewer.view(),

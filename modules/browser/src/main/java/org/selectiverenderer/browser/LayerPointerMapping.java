@@ -10,16 +10,17 @@ final class LayerPointerMapping {
   private LayerPointerMapping() {}
 
   /**
-   * Returns the pointer as the viewer of a layer sees it; {@link PointerState#AWAY} where it points
-   * outside the layer's part of the picture.
+   * Returns the pointer as the viewer of a layer sees it; {@link PointingDeviceState#AWAY} where it
+   * points outside the layer's part of the picture.
    *
    * @param pointer the pointer in the frame of the viewer of the whole picture
    * @param layer the viewer of the layer
    */
-  static PointerState in(LayerView.Part part, Viewer layer, PointerState pointer, Viewer whole) {
+  static PointingDeviceState in(
+      LayerView.Part part, Viewer layer, PointingDeviceState pointer, Viewer whole) {
     Optional<Vector3dc> direction =
         pointer.direction().flatMap(at -> direction(part, layer, at, whole, pointer.aspect()));
-    return new PointerState(
+    return new PointingDeviceState(
         direction, pointer.pressed(), pointer.aspect() * part.width() / part.height());
   }
 

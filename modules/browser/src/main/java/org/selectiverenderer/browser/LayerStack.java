@@ -58,7 +58,7 @@ final class LayerStack {
   private boolean relayered;
 
   private SceneLayer active;
-  private PointerState pointed = PointerState.AWAY;
+  private PointingDeviceState pointed = PointingDeviceState.AWAY;
   private DisplayMetrics picture;
 
   /**
@@ -215,12 +215,12 @@ final class LayerStack {
    *
    * @param since the pointer states since the last frame, oldest first
    */
-  void point(List<PointerState> since, EventCascade cascade) {
+  void point(List<PointingDeviceState> since, EventCascade cascade) {
     if (alone()) {
       base.pointing.frame(since, user, cascade);
       return;
     }
-    List<PointerState> left = since.isEmpty() ? List.of(pointed) : since;
+    List<PointingDeviceState> left = since.isEmpty() ? List.of(pointed) : since;
     pointed = left.get(left.size() - 1);
     List<SceneLayer> order = order();
     for (int i = order.size() - 1; i >= 0; i--) {
@@ -235,14 +235,14 @@ final class LayerStack {
    *
    * @param latest the last pointer state since the last frame, if there was one
    */
-  Optional<ShapeInstance> pointedAt(Optional<PointerState> latest) {
+  Optional<ShapeInstance> pointedAt(Optional<PointingDeviceState> latest) {
     if (alone()) {
       return base.pointing.idle(latest.orElse(base.pointing.last()), user);
     }
     List<SceneLayer> order = order();
     for (int i = order.size() - 1; i >= 0; i--) {
       SceneLayer layer = order.get(i);
-      PointerState inside =
+      PointingDeviceState inside =
           LayerPointerMapping.in(part(layer), layer.viewer(), latest.orElse(pointed), user);
       if (pickable(layer) && layer.pointing.meets(inside, layer.viewer())) {
         return layer == active ? layer.pointing.idle(inside, user) : Optional.empty();

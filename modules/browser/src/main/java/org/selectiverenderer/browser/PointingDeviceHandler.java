@@ -27,7 +27,7 @@ final class PointingDeviceHandler {
   private @Nullable RayCaster rays;
   private final Consumer<GroupInstance> activated;
   private final PointingSensorDispatcher touch = new PointingSensorDispatcher();
-  private PointerState last = PointerState.AWAY;
+  private PointingDeviceState last = PointingDeviceState.AWAY;
   private Optional<GroupInstance> pressedOn = Optional.empty();
   private Optional<GroupInstance> pointedAnchor = Optional.empty();
   private boolean touchable;
@@ -74,7 +74,7 @@ final class PointingDeviceHandler {
   /**
    * @param since the pointer states since the last frame, oldest first
    */
-  void frame(List<PointerState> since, Viewer viewer, EventCascade cascade) {
+  void frame(List<PointingDeviceState> since, Viewer viewer, EventCascade cascade) {
     if (!touchable) {
       last = since.isEmpty() ? last : since.get(since.size() - 1);
       return;
@@ -87,11 +87,12 @@ final class PointingDeviceHandler {
   }
 
   /** Returns whether the pointer is over any shape. */
-  boolean meets(PointerState pointer, Viewer viewer) {
+  boolean meets(PointingDeviceState pointer, Viewer viewer) {
     return ray(pointer, viewer).flatMap(this::cast).isPresent();
   }
 
-  private static Optional<PointingSensorDispatcher.Ray> ray(PointerState pointer, Viewer viewer) {
+  private static Optional<PointingSensorDispatcher.Ray> ray(
+      PointingDeviceState pointer, Viewer viewer) {
     return pointer
         .direction()
         .map(direction -> ViewRay.of(viewer, direction, pointer.aspect()))
@@ -103,14 +104,14 @@ final class PointingDeviceHandler {
   }
 
   /** Returns the last state of the device. */
-  PointerState last() {
+  PointingDeviceState last() {
     return last;
   }
 
   /**
    * Returns the shape under the pointer, unless a sensor or Anchor of the scene takes clicks there.
    */
-  Optional<ShapeInstance> idle(PointerState pointer, Viewer viewer) {
+  Optional<ShapeInstance> idle(PointingDeviceState pointer, Viewer viewer) {
     return ray(pointer, viewer)
         .flatMap(this::cast)
         .map(RayCaster.Hit::shape)
@@ -120,7 +121,7 @@ final class PointingDeviceHandler {
                     && PointingSensorDispatcher.anchor(at).isEmpty());
   }
 
-  private void point(PointerState pointer, Viewer viewer, EventCascade cascade) {
+  private void point(PointingDeviceState pointer, Viewer viewer, EventCascade cascade) {
     Optional<PointingSensorDispatcher.Ray> ray = ray(pointer, viewer);
     Optional<PointingSensorDispatcher.Hit> hit =
         ray.flatMap(this::cast).map(PointingDeviceHandler::touched);

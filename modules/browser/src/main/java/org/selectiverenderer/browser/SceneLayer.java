@@ -25,7 +25,7 @@ import org.selectiverenderer.browser.picking.PickSensorEvaluator;
 import org.selectiverenderer.browser.scene.EventCascade;
 import org.selectiverenderer.browser.scene.Node;
 import org.selectiverenderer.browser.scene.Scene;
-import org.selectiverenderer.browser.viewer.ViewExtent;
+import org.selectiverenderer.browser.viewer.OrthographicExtent;
 import org.selectiverenderer.browser.viewer.Viewer;
 
 /**
@@ -153,7 +153,7 @@ final class SceneLayer {
     if (flat) {
       viewer.moveTo(FLAT_EYE);
       viewer.turnTo(UPRIGHT);
-      viewer.extent(Optional.of(ViewExtent.DEFAULT));
+      viewer.extent(Optional.of(OrthographicExtent.DEFAULT));
     }
     see(picture, part);
     Vector3d up = viewer.orientation().transform(new Vector3d(0, 1, 0));
@@ -234,26 +234,26 @@ final class SceneLayer {
   /**
    * Passes the pointing device to the layer's sensors and Anchors.
    *
-   * @return the states for the layers below: {@link PointerState#AWAY} where the pointer is over a
-   *     shape of this layer
+   * @return the states for the layers below: {@link PointingDeviceState#AWAY} where the pointer is
+   *     over a shape of this layer
    */
-  List<PointerState> point(
-      List<PointerState> since,
+  List<PointingDeviceState> point(
+      List<PointingDeviceState> since,
       LayerView.Part part,
       boolean pickable,
       Viewer whole,
       EventCascade cascade) {
-    List<PointerState> here = new ArrayList<>(since.size());
-    List<PointerState> below = new ArrayList<>(since.size());
-    for (PointerState pointer : since) {
-      PointerState inside =
+    List<PointingDeviceState> here = new ArrayList<>(since.size());
+    List<PointingDeviceState> below = new ArrayList<>(since.size());
+    for (PointingDeviceState pointer : since) {
+      PointingDeviceState inside =
           pickable
               ? LayerPointerMapping.in(part, viewer, pointer, whole)
-              : new PointerState(Optional.empty(), pointer.pressed());
+              : new PointingDeviceState(Optional.empty(), pointer.pressed());
       here.add(inside);
       below.add(
           pointing.meets(inside, viewer)
-              ? new PointerState(Optional.empty(), pointer.pressed(), pointer.aspect())
+              ? new PointingDeviceState(Optional.empty(), pointer.pressed(), pointer.aspect())
               : pointer);
     }
     pointing.frame(here, viewer, cascade);

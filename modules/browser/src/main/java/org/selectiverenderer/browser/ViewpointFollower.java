@@ -9,15 +9,15 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.browser.instance.InstanceTree;
-import org.selectiverenderer.browser.instance.VisibleBounds;
+import org.selectiverenderer.browser.instance.VisibleBoundsCalculator;
 import org.selectiverenderer.browser.nodes.bindable.BindingStacks;
 import org.selectiverenderer.browser.nodes.bindable.ViewpointNode;
 import org.selectiverenderer.browser.scene.Node;
 import org.selectiverenderer.browser.viewer.CameraFraming;
-import org.selectiverenderer.browser.viewer.NavigationFrame;
+import org.selectiverenderer.browser.viewer.OrthographicExtent;
 import org.selectiverenderer.browser.viewer.Pose;
-import org.selectiverenderer.browser.viewer.ViewExtent;
 import org.selectiverenderer.browser.viewer.Viewer;
+import org.selectiverenderer.browser.viewer.ViewpointFrame;
 import org.selectiverenderer.geometry.BoundingBox;
 
 /**
@@ -44,7 +44,7 @@ final class ViewpointFollower {
   private boolean allWanted;
 
   private @Nullable Vector3d centre;
-  private @Nullable ViewExtent wide;
+  private @Nullable OrthographicExtent wide;
 
   ViewpointFollower(InstanceTree instances, BindingStacks bindables, Viewer viewer) {
     this.instances = instances;
@@ -104,11 +104,11 @@ final class ViewpointFollower {
       // Without a jump the viewer stays and sees as before, until it is moved.
       if (!another || !started || viewpoint.jump()) {
         viewer.fieldOfView(viewpoint.fieldOfView());
-        double scale = NavigationFrame.of(placeOf(viewpoint)).scale();
+        double scale = ViewpointFrame.of(placeOf(viewpoint)).scale();
         viewer.extent(
             viewpoint
                 .extent()
-                .map(extent -> wide == null ? ViewExtent.of(extent).times(scale) : wide));
+                .map(extent -> wide == null ? OrthographicExtent.of(extent).times(scale) : wide));
       }
       pose.set(now);
     }
@@ -138,7 +138,7 @@ final class ViewpointFollower {
    * @return whether the scene shows any shape
    */
   boolean viewAll() {
-    Optional<BoundingBox> all = VisibleBounds.of(instances.shapes());
+    Optional<BoundingBox> all = VisibleBoundsCalculator.of(instances.shapes());
     all.ifPresent(this::look);
     return all.isPresent();
   }
@@ -146,8 +146,7 @@ final class ViewpointFollower {
   /** Moves the viewer to where a whole bounding box is in view. */
   void look(BoundingBox box) {
     Node from = followed;
-    NavigationFrame frame =
-        from == null ? NavigationFrame.WORLD : NavigationFrame.of(placeOf(from));
+    ViewpointFrame frame = from == null ? ViewpointFrame.WORLD : ViewpointFrame.of(placeOf(from));
     CameraFraming framing = CameraFraming.of(box, Pose.of(viewer), frame.upright());
     boolean parallel = viewer.extent().isPresent();
     framing.pose().applyTo(viewer);
@@ -209,7 +208,7 @@ final class ViewpointFollower {
   Matrix4d poseOf(ViewpointNode viewpoint) {
     Matrix4dc place = placeOf(viewpoint);
     Vector3d eye = place.transformPosition(viewpoint.position());
-    Quaterniond turn = new Quaterniond(NavigationFrame.of(place).upright());
+    Quaterniond turn = new Quaterniond(ViewpointFrame.of(place).upright());
     return new Matrix4d().translationRotate(eye, turn.mul(viewpoint.orientation()));
   }
 

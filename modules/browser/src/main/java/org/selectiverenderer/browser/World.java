@@ -18,7 +18,7 @@ import org.selectiverenderer.browser.nodes.keyboard.KeyDevice;
 import org.selectiverenderer.browser.scene.EventCascade;
 import org.selectiverenderer.browser.scene.Scene;
 import org.selectiverenderer.browser.sound.Voice;
-import org.selectiverenderer.browser.viewer.ViewExtent;
+import org.selectiverenderer.browser.viewer.OrthographicExtent;
 import org.selectiverenderer.browser.viewer.Viewer;
 import org.selectiverenderer.browser.viewer.ViewerMotion;
 
@@ -46,7 +46,7 @@ public final class World {
   private final List<ReplaceListener> replaceListeners = new ArrayList<>();
   private final KeyDevice keys = new KeyDevice();
   private final MeshBvhCache meshes = new MeshBvhCache();
-  private final ConcurrentLinkedQueue<PointerState> pointed = new ConcurrentLinkedQueue<>();
+  private final ConcurrentLinkedQueue<PointingDeviceState> pointed = new ConcurrentLinkedQueue<>();
 
   private final List<Runnable> stepListeners = new ArrayList<>();
   private double time = Double.NaN;
@@ -165,7 +165,7 @@ public final class World {
    * @param frustum the cross-section of the display's view frustum at distance 1, for displays
    *     whose viewing angle differs from the viewer's
    */
-  public void seenIn(double width, double height, Optional<ViewExtent> frustum) {
+  public void seenIn(double width, double height, Optional<OrthographicExtent> frustum) {
     picture = new DisplayMetrics(width, height, frustum);
     shown.layers.see(picture);
   }
@@ -179,7 +179,7 @@ public final class World {
    * Reports that the pointing device moved or that its button went down or up. The next step
    * evaluates it before it delivers events. Thread-safe.
    */
-  public void point(PointerState pointer) {
+  public void point(PointingDeviceState pointer) {
     pointed.add(pointer);
   }
 
@@ -336,7 +336,7 @@ public final class World {
   }
 
   /** Returns the last state of the pointing device since the last frame, if there was one. */
-  Optional<PointerState> latestPointer() {
+  Optional<PointingDeviceState> latestPointer() {
     return pointed.stream().reduce((before, after) -> after);
   }
 }

@@ -5,7 +5,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.ReentrantLock;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
-import org.selectiverenderer.browser.scene.ListenerInvoker;
+import org.selectiverenderer.browser.scene.SafeListenerInvoker;
 
 /**
  * The tasks that other threads post to a world. One lock is held by the thread that steps or
@@ -84,7 +84,7 @@ final class WorldTaskQueue {
    */
   void runDeferred(SourceLocation place) {
     for (Runnable task = deferred.poll(); task != null; task = deferred.poll()) {
-      ListenerInvoker.call(problems, place, "a change of the scene", task);
+      SafeListenerInvoker.call(problems, place, "a change of the scene", task);
     }
   }
 

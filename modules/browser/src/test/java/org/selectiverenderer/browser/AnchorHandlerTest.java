@@ -20,8 +20,8 @@ class AnchorHandlerTest {
     return "<Anchor url='\"" + url + "\"'><Shape><Box/></Shape></Anchor>\n" + nodes;
   }
 
-  private static PointerState ahead(boolean pressed) {
-    return new PointerState(Optional.of(new Vector3d(0, 0, -1)), pressed);
+  private static PointingDeviceState ahead(boolean pressed) {
+    return new PointingDeviceState(Optional.of(new Vector3d(0, 0, -1)), pressed);
   }
 
   private static void click(WorldFixture fixture) {
@@ -61,7 +61,7 @@ class AnchorHandlerTest {
     try (WorldFixture fixture =
         new WorldFixture(
             anchor("#There", "<Viewpoint/><Viewpoint DEF='There' position='1 2 3'/>"))) {
-      fixture.world.point(new PointerState(Optional.of(new Vector3d(0, 1, 0)), true));
+      fixture.world.point(new PointingDeviceState(Optional.of(new Vector3d(0, 1, 0)), true));
       fixture.world.point(ahead(true));
       fixture.world.point(ahead(false));
       fixture.step(1);

@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.stream.DoubleStream;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.browser.instance.InstanceTree;
-import org.selectiverenderer.browser.viewer.ViewExtent;
+import org.selectiverenderer.browser.viewer.OrthographicExtent;
 
 /** Tests nodes whose layout depends on the size of the picture or the display, without drawing. */
 class LayoutTest {
@@ -46,7 +46,7 @@ class LayoutTest {
   void aPixelOfADisplayIsAsLargeAsItsAngle() {
     try (WorldFixture fixture = new WorldFixture(SCREEN)) {
       fixture.step(0);
-      fixture.world.seenIn(100, 100, Optional.of(new ViewExtent(-0.5, -0.5, 0.5, 0.5)));
+      fixture.world.seenIn(100, 100, Optional.of(new OrthographicExtent(-0.5, -0.5, 0.5, 0.5)));
       // The viewer stands 10 away, where 100 pixels are 10 high.
       assertThat(corners(fixture, 0)).isEqualTo(box(-0.5, -0.5, 1, 0.5));
     }

@@ -8,15 +8,15 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
 class PointingDeviceHandlerTest {
-  private static final PointerState AHEAD = ahead(false);
-  private static final PointerState PRESSED = ahead(true);
+  private static final PointingDeviceState AHEAD = ahead(false);
+  private static final PointingDeviceState PRESSED = ahead(true);
 
   /** A button of 2 m at the origin; the viewer stands at (0, 0, 10) and looks at it. */
   private static final String BUTTON =
       "<Group><TouchSensor DEF='Touch'/><Transform DEF='T'><Shape><Box/></Shape></Transform></Group>";
 
-  private static PointerState ahead(boolean pressed) {
-    return new PointerState(Optional.of(new Vector3d(0, 0, -1)), pressed);
+  private static PointingDeviceState ahead(boolean pressed) {
+    return new PointingDeviceState(Optional.of(new Vector3d(0, 0, -1)), pressed);
   }
 
   private static WorldFixture button() {
@@ -54,7 +54,7 @@ class PointingDeviceHandlerTest {
       fixture.step(3);
       fixture.world.point(AHEAD);
       fixture.step(4);
-      fixture.world.point(PointerState.AWAY);
+      fixture.world.point(PointingDeviceState.AWAY);
       fixture.step(5);
       assertThat(fixture.log)
           .containsExactly(

@@ -8,8 +8,8 @@ import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.browser.World;
 import org.selectiverenderer.browser.navigation.NavigationParameters;
-import org.selectiverenderer.browser.viewer.NavigationFrame;
 import org.selectiverenderer.browser.viewer.Viewer;
+import org.selectiverenderer.browser.viewer.ViewpointFrame;
 import org.selectiverenderer.tracker.PoseSample;
 
 /**
@@ -28,7 +28,7 @@ final class HeadPositionMapper {
 
   private final World world;
   private final HeadTrackingOptions settings;
-  private final @Nullable BodyFollower body;
+  private final @Nullable HeadTrackedCollision body;
 
   /** The body's position in the tracker's room: right, back. */
   private double footX;
@@ -46,7 +46,8 @@ final class HeadPositionMapper {
   /**
    * @param body the body that follows the head; null if something else moves it, such as a path
    */
-  HeadPositionMapper(World world, HeadTrackingOptions settings, @Nullable BodyFollower body) {
+  HeadPositionMapper(
+      World world, HeadTrackingOptions settings, @Nullable HeadTrackedCollision body) {
     this.world = world;
     this.settings = settings;
     this.body = body;
@@ -97,7 +98,7 @@ final class HeadPositionMapper {
   }
 
   private void follow(Viewer viewer, PoseSample sample, Quaterniondc room, double scale) {
-    BodyFollower walking = body;
+    HeadTrackedCollision walking = body;
     if (walking == null) {
       return;
     }
@@ -131,11 +132,11 @@ final class HeadPositionMapper {
             .map(NavigationParameters::of)
             .orElse(NavigationParameters.WALKING)
             .height();
-    Optional<NavigationFrame> frame =
+    Optional<ViewpointFrame> frame =
         world
             .bindables()
             .bound("X3DViewpointNode")
-            .map(viewpoint -> NavigationFrame.of(world.views().placeOf(viewpoint)));
-    return height * frame.map(NavigationFrame::scale).orElse(1.0);
+            .map(viewpoint -> ViewpointFrame.of(world.views().placeOf(viewpoint)));
+    return height * frame.map(ViewpointFrame::scale).orElse(1.0);
   }
 }

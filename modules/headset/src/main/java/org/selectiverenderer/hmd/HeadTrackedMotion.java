@@ -4,10 +4,10 @@ import org.joml.Quaterniond;
 import org.joml.Quaterniondc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.browser.World;
-import org.selectiverenderer.browser.viewer.Heading;
-import org.selectiverenderer.browser.viewer.NavigationFrame;
 import org.selectiverenderer.browser.viewer.Viewer;
 import org.selectiverenderer.browser.viewer.ViewerMotion;
+import org.selectiverenderer.browser.viewer.ViewpointFrame;
+import org.selectiverenderer.browser.viewer.YawPitch;
 import org.selectiverenderer.tracker.HeadTracker;
 import org.selectiverenderer.tracker.PoseSample;
 
@@ -63,7 +63,7 @@ public final class HeadTrackedMotion implements ViewerMotion {
       ViewerMotion walking,
       WhenLost whenLost,
       HeadTrackingOptions settings,
-      @Nullable BodyFollower body) {
+      @Nullable HeadTrackedCollision body) {
     this.world = world;
     this.tracker = tracker;
     this.walking = walking;
@@ -121,7 +121,7 @@ public final class HeadTrackedMotion implements ViewerMotion {
   }
 
   private static double heading(Viewer viewer, Quaterniondc upright) {
-    return Heading.of(upright.conjugate(new Quaterniond()).mul(viewer.orientation())).yaw();
+    return YawPitch.of(upright.conjugate(new Quaterniond()).mul(viewer.orientation())).yaw();
   }
 
   /** Returns the upright frame of the walking viewer, which defines the up direction. */
@@ -129,7 +129,7 @@ public final class HeadTrackedMotion implements ViewerMotion {
     return world
         .bindables()
         .bound("Viewpoint")
-        .map(viewpoint -> NavigationFrame.of(world.views().placeOf(viewpoint)).upright())
-        .orElse(NavigationFrame.WORLD.upright());
+        .map(viewpoint -> ViewpointFrame.of(world.views().placeOf(viewpoint)).upright())
+        .orElse(ViewpointFrame.WORLD.upright());
   }
 }

@@ -1,6 +1,6 @@
 package org.selectiverenderer.hmd;
 
-import org.selectiverenderer.browser.camera.MirrorSide;
+import org.selectiverenderer.browser.camera.MirroredEye;
 
 /**
  * Options for showing a scene in a headset.
@@ -14,10 +14,10 @@ import org.selectiverenderer.browser.camera.MirrorSide;
  * @param layout the layout of the eyes, which the runtime updates in each frame
  */
 public record HeadsetViewSettings(
-    boolean seated, double size, double turnStep, MirrorSide mirror, HeadsetLayout layout) {
+    boolean seated, double size, double turnStep, MirroredEye mirror, HeadsetLayout layout) {
   /** Returns the options of a standing user at true scale who turns by steps of 30 degrees. */
   public static HeadsetViewSettings standing() {
     return new HeadsetViewSettings(
-        false, 1, Math.toRadians(30), MirrorSide.BOTH, new HeadsetLayout(1));
+        false, 1, Math.toRadians(30), MirroredEye.BOTH, new HeadsetLayout(1));
   }
 }

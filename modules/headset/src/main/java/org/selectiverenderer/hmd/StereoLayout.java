@@ -12,7 +12,7 @@ import org.selectiverenderer.browser.camera.DepthRange;
 import org.selectiverenderer.browser.camera.EyeView;
 import org.selectiverenderer.browser.camera.EyeView.Channel;
 import org.selectiverenderer.browser.camera.ViewLayout;
-import org.selectiverenderer.browser.viewer.NavigationFrame;
+import org.selectiverenderer.browser.viewer.ViewpointFrame;
 
 /**
  * The layout of both eyes' views in a framebuffer. Each picture keeps the display's aspect ratio in
@@ -52,12 +52,12 @@ public record StereoLayout(EyeGeometry geometry, Arrangement arrangement) implem
 
   /** Returns the scene's units per metre of the viewer. */
   static double unitsPerMetre(World world) {
-    Optional<NavigationFrame> frame =
+    Optional<ViewpointFrame> frame =
         world
             .bindables()
             .bound("X3DViewpointNode")
-            .map(viewpoint -> NavigationFrame.of(world.views().placeOf(viewpoint)));
-    return frame.map(NavigationFrame::scale).orElse(1.0) / world.scene().unitLength();
+            .map(viewpoint -> ViewpointFrame.of(world.views().placeOf(viewpoint)));
+    return frame.map(ViewpointFrame::scale).orElse(1.0) / world.scene().unitLength();
   }
 
   private double farthestEye() {

@@ -19,7 +19,7 @@ final class LwjglLoader implements XrLoader {
   private static final String NAME = "Selective Renderer";
 
   LwjglLoader() {
-    LoaderLogSilencer.silence();
+    OpenXrLogSuppressor.silence();
   }
 
   /** Throws {@link XrResultException} for a result below 0; all other results are success codes. */

@@ -112,16 +112,16 @@ final class LwjglSession implements XrSession {
   }
 
   @Override
-  public Optional<SpacePose> locate(long space, long in, long time) {
+  public Optional<XrPose> locate(long space, long in, long time) {
     return locate(space, in, time, ORIENTATION);
   }
 
   @Override
-  public Optional<SpacePose> tracked(long space, long in, long time) {
+  public Optional<XrPose> tracked(long space, long in, long time) {
     return locate(space, in, time, VOUCHED);
   }
 
-  private Optional<SpacePose> locate(long space, long in, long time, long flags) {
+  private Optional<XrPose> locate(long space, long in, long time, long flags) {
     try (MemoryStack stack = MemoryStack.stackPush()) {
       XrSpaceLocation found = XrSpaceLocation.calloc(stack).type$Default();
       check("LocateSpace", XR10.xrLocateSpace(spaces.get(space), spaces.get(in), time, found));
@@ -163,8 +163,8 @@ final class LwjglSession implements XrSession {
     }
   }
 
-  private static SpacePose pose(XrPosef pose) {
-    return new SpacePose(
+  private static XrPose pose(XrPosef pose) {
+    return new XrPose(
         new Vector3d(pose.position$().x(), pose.position$().y(), pose.position$().z()),
         new Quaterniond(
                 pose.orientation().x(),

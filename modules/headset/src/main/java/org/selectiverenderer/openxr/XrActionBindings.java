@@ -121,7 +121,7 @@ final class XrActionBindings {
         aim(1, session, head, time));
   }
 
-  private Optional<SpacePose> aim(int hand, XrSession session, long head, long time) {
+  private Optional<XrPose> aim(int hand, XrSession session, long head, long time) {
     return inputs.active(aims.get(hand))
         ? session.locate(aimSpaces.get(hand), head, time)
         : Optional.empty();

@@ -9,4 +9,4 @@ package org.selectiverenderer.openxr;
  * @param bottom tangent of the angle to the lower edge, usually below 0
  * @param top tangent of the angle to the upper edge, above {@code bottom}
  */
-public record XrEyeView(SpacePose pose, double left, double right, double bottom, double top) {}
+public record XrEyeView(XrPose pose, double left, double right, double bottom, double top) {}

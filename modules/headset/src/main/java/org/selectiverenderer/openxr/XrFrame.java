@@ -16,7 +16,7 @@ import java.util.List;
 public record XrFrame(
     long display,
     boolean drawn,
-    SpacePose head,
+    XrPose head,
     List<XrEyeView> eyes,
     boolean floor,
     long lead,

@@ -24,8 +24,8 @@ public record XrInputState(
     double more,
     Set<ControllerAction> held,
     Optional<Vector3d> gaze,
-    Optional<SpacePose> left,
-    Optional<SpacePose> right) {
+    Optional<XrPose> left,
+    Optional<XrPose> right) {
   /** No input. */
   public static final XrInputState NONE = new XrInputState(0, 0, 0, 0, Set.of(), Optional.empty());
 

@@ -77,7 +77,7 @@ final class XrRunningSession implements AutoCloseable {
    * Returns the frame for a display time, with predicted poses; empty while the poses are unknown.
    */
   Optional<XrFrame> frame(XrSession.FrameTime time) {
-    Optional<SpacePose> at = session.locate(head, room, time.display());
+    Optional<XrPose> at = session.locate(head, room, time.display());
     Optional<List<XrEyeView>> eyes = session.eyes(room, time.display());
     if (at.isEmpty() || eyes.isEmpty()) {
       sights = List.of();

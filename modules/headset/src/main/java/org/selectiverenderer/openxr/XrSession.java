@@ -35,13 +35,13 @@ interface XrSession extends AutoCloseable {
   long space(SpaceKind kind);
 
   /** Locates a space in another at a time; empty while its orientation is not valid. */
-  Optional<SpacePose> locate(long space, long in, long time);
+  Optional<XrPose> locate(long space, long in, long time);
 
   /**
    * Locates a space only if its pose is tracked, not inferred. An eye tracker that does not see the
    * eyes well may still report a valid pose ({@code XR_EXT_eye_gaze_interaction}).
    */
-  Optional<SpacePose> tracked(long space, long in, long time);
+  Optional<XrPose> tracked(long space, long in, long time);
 
   /**
    * Locates the views of the eyes in a space at a time, the left one first; empty while unknown.

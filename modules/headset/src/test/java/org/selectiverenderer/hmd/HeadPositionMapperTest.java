@@ -13,7 +13,7 @@ import org.selectiverenderer.browser.navigation.MotionRequest;
 import org.selectiverenderer.browser.navigation.NavigationMotion;
 import org.selectiverenderer.browser.navigation.NavigationParameters;
 import org.selectiverenderer.browser.scene.Node;
-import org.selectiverenderer.browser.viewer.NavigationFrame;
+import org.selectiverenderer.browser.viewer.ViewpointFrame;
 import org.selectiverenderer.hmd.HeadTrackedMotion.WhenLost;
 import org.selectiverenderer.tracker.PoseSample;
 import org.selectiverenderer.tracker.pipeline.HeadsetPoseTracker;
@@ -40,7 +40,7 @@ class HeadPositionMapperTest {
     NavigationMotion walker =
         new NavigationMotion(
             new CollisionWorld(world.instances(), world.assets(), world.meshes()), dt -> wish);
-    walker.use(NavigationParameters.WALKING, NavigationFrame.WORLD);
+    walker.use(NavigationParameters.WALKING, ViewpointFrame.WORLD);
     motion =
         new HeadTrackedMotion(
             world,

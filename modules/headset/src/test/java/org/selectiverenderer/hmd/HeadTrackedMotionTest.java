@@ -12,8 +12,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.browser.World;
-import org.selectiverenderer.browser.viewer.Heading;
 import org.selectiverenderer.browser.viewer.ViewerMotion;
+import org.selectiverenderer.browser.viewer.YawPitch;
 import org.selectiverenderer.hmd.HeadTrackedMotion.WhenLost;
 import org.selectiverenderer.tracker.TrackerOptions;
 import org.selectiverenderer.tracker.TrackerSpec;
@@ -83,10 +83,10 @@ class HeadTrackedMotionTest {
     FrameSteppedReplay head = tracker("0,-90,0,0\n1,-90,20,15\n");
     ViewerMotion ahead =
         (viewer, time, dt) -> {
-          Heading heading = Heading.of(viewer.orientation());
+          YawPitch heading = YawPitch.of(viewer.orientation());
           viewer.moveTo(viewer.position().add(heading.level(1, 0), new Vector3d()));
           // A tenth of a radian to the left, upright as a walker leaves it.
-          viewer.turnTo(new Heading(heading.yaw() + 0.1, heading.pitch()).orientation());
+          viewer.turnTo(new YawPitch(heading.yaw() + 0.1, heading.pitch()).orientation());
         };
     HeadTrackedMotion motion = new HeadTrackedMotion(world, head, ahead, WhenLost.FREEZE);
     head.advanceTo(0);

@@ -15,8 +15,8 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.browser.World;
-import org.selectiverenderer.browser.viewer.Heading;
 import org.selectiverenderer.browser.viewer.ViewerMotion;
+import org.selectiverenderer.browser.viewer.YawPitch;
 import org.selectiverenderer.hmd.HeadTrackedMotion.WhenLost;
 import org.selectiverenderer.tracker.HeadTracker;
 import org.selectiverenderer.tracker.PoseSample;
@@ -85,6 +85,6 @@ class LostTrackerTest {
   }
 
   private static double pitch(World world) {
-    return Math.toDegrees(Heading.of(world.viewer().orientation()).pitch());
+    return Math.toDegrees(YawPitch.of(world.viewer().orientation()).pitch());
   }
 }

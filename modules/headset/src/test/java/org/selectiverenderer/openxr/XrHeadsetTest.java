@@ -73,7 +73,7 @@ class XrHeadsetTest {
   @Test
   void tellsWhereHeadAndEyesWillBe() throws Exception {
     runtime.head =
-        new SpacePose(new Vector3d(1, 1.7, 2), new Quaterniond().rotationY(Math.toRadians(90)));
+        new XrPose(new Vector3d(1, 1.7, 2), new Quaterniond().rotationY(Math.toRadians(90)));
     XrHeadset headset = worn();
     XrFrame due = frame(headset).orElseThrow();
     assertEquals(runtime.display, due.display());
@@ -94,7 +94,7 @@ class XrHeadsetTest {
     headset.begin();
     assertEquals(Optional.of(2001), headset.acquire(0));
     assertEquals(Optional.of(2011), headset.acquire(1));
-    runtime.head = new SpacePose(new Vector3d(9, 9, 9), new Quaterniond());
+    runtime.head = new XrPose(new Vector3d(9, 9, 9), new Quaterniond());
     headset.end(true);
     assertEquals(due, runtime.shownAt);
     assertEquals(2, runtime.shown.size());
@@ -297,7 +297,7 @@ class XrHeadsetTest {
     runtime.extensions.add(XrActionBindings.GAZE);
     runtime.eyeGaze = true;
     runtime.gaze =
-        Optional.of(new SpacePose(new Vector3d(), new Quaterniond().rotationX(Math.PI / 2)));
+        Optional.of(new XrPose(new Vector3d(), new Quaterniond().rotationX(Math.PI / 2)));
     XrHeadset headset = worn();
     Vector3d looked = frame(headset).orElseThrow().input().gaze().orElseThrow();
     assertEquals(1, looked.y, 1e-9);
@@ -311,8 +311,7 @@ class XrHeadsetTest {
 
   @Test
   void readsWhereEachHandPoints() throws Exception {
-    SpacePose right =
-        new SpacePose(new Vector3d(0.2, -0.3, -0.4), new Quaterniond().rotationX(0.3));
+    XrPose right = new XrPose(new Vector3d(0.2, -0.3, -0.4), new Quaterniond().rotationX(0.3));
     runtime.aims.put(52L, right);
     runtime.buttons.put("choose_right", true);
     XrInputState input = frame(worn()).orElseThrow().input();

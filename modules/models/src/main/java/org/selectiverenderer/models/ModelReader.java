@@ -103,8 +103,8 @@ public final class ModelReader {
   private Model gather(
       List<? extends NodeView> nodes, Path folder, X3dFile scene, ProblemCollector problems) {
     UrlResolver root = new UrlResolver(rootFolder.orElse(folder).toAbsolutePath(), access);
-    ShapeCollector gatherer = new ShapeCollector(reader, tessellator, root, problems);
-    gatherer.gather(nodes, folder, ShapeCollector.metres(scene));
+    ModelPartCollector gatherer = new ModelPartCollector(reader, tessellator, root, problems);
+    gatherer.gather(nodes, folder, ModelPartCollector.metres(scene));
     return new Model(gatherer.parts(), scene.units());
   }
 

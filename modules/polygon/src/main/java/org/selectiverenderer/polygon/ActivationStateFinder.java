@@ -49,7 +49,7 @@ final class ActivationStateFinder {
   /**
    * @param sets sets of areas of the scope, each in document order
    */
-  List<ActivationState> states(CountScope scope, Collection<List<Area>> sets) {
+  List<ActivationState> states(CountedRegion scope, Collection<List<Area>> sets) {
     List<ActivationState> states = new ArrayList<>();
     SchemaActivation<Area, CountGraphNode> start = activation(objects, areas);
     states.add(new ActivationState(mainSchemas(scope), count(scope, start), start.shown()));
@@ -80,7 +80,8 @@ final class ActivationStateFinder {
     return activation;
   }
 
-  private static long count(CountScope scope, SchemaActivation<Area, CountGraphNode> activation) {
+  private static long count(
+      CountedRegion scope, SchemaActivation<Area, CountGraphNode> activation) {
     return new PolygonCounter(activation.shown()).of(scope.item());
   }
 
@@ -88,7 +89,7 @@ final class ActivationStateFinder {
    * Returns the schemas that all objects which know them follow as loaded; those that areas
    * activate are left out unless no other remains.
    */
-  private List<String> mainSchemas(CountScope scope) {
+  private List<String> mainSchemas(CountedRegion scope) {
     Map<String, Boolean> followed = new LinkedHashMap<>();
     for (CountGraphNode object : scope.objects()) {
       SwitchSchemas versions = object.versions.orElseThrow();

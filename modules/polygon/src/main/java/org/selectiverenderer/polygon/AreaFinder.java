@@ -27,8 +27,8 @@ final class AreaFinder {
   private final List<Area> areas = new ArrayList<>();
   private final InstanceTransforms places;
 
-  AreaFinder(CountGraphNode root, Collection<CountScope> scopes) {
-    CountScope all = CountScope.of(SceneStatistics.WHOLE_SCENE, root);
+  AreaFinder(CountGraphNode root, Collection<CountedRegion> scopes) {
+    CountedRegion all = CountedRegion.of(SceneStatistics.WHOLE_SCENE, root);
     Set<CountGraphNode> sensors = new LinkedHashSet<>(all.sensors());
     Set<CountGraphNode> wanted = new LinkedHashSet<>(sensors);
     scopes.forEach(scope -> wanted.add(scope.item()));
@@ -52,15 +52,15 @@ final class AreaFinder {
   }
 
   /** Returns the areas that lie in a scope. */
-  List<Area> in(CountScope scope, Collection<CountScope> scopes) {
+  List<Area> in(CountedRegion scope, Collection<CountedRegion> scopes) {
     return areas.stream().filter(area -> lies(area, scope, scopes)).toList();
   }
 
-  private boolean lies(Area area, CountScope scope, Collection<CountScope> scopes) {
+  private boolean lies(Area area, CountedRegion scope, Collection<CountedRegion> scopes) {
     if (scopes.stream().anyMatch(other -> other.sensors().contains(area.sensor))) {
       return scope.sensors().contains(area.sensor);
     }
-    List<CountScope> around = scopes.stream().filter(other -> surrounds(other, area)).toList();
+    List<CountedRegion> around = scopes.stream().filter(other -> surrounds(other, area)).toList();
     if (!around.isEmpty()) {
       return around.stream().min(Comparator.comparingDouble(this::volume)).orElseThrow() == scope;
     }
@@ -70,16 +70,16 @@ final class AreaFinder {
         .anyMatch(choices -> area.schemas.enter().stream().anyMatch(choices::containsKey));
   }
 
-  private boolean surrounds(CountScope scope, Area area) {
+  private boolean surrounds(CountedRegion scope, Area area) {
     return bounds(scope)
         .anyMatch(bounds -> area.boxes.stream().anyMatch(box -> bounds.contains(box.centre())));
   }
 
-  private double volume(CountScope scope) {
+  private double volume(CountedRegion scope) {
     return bounds(scope).mapToDouble(BoundingBox::volume).max().orElse(0);
   }
 
-  private Stream<BoundingBox> bounds(CountScope scope) {
+  private Stream<BoundingBox> bounds(CountedRegion scope) {
     return places.of(scope.item()).stream().map(scope.item().bounds::transformed);
   }
 

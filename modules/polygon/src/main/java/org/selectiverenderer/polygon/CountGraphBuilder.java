@@ -16,7 +16,7 @@ import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.polygon.metadata.NodeViewMetadata;
 import org.selectiverenderer.schema.SchemaReader;
 import org.selectiverenderer.x3d.read.ParsedNode;
-import org.selectiverenderer.x3d.tessellate.GroupingNodes;
+import org.selectiverenderer.x3d.tessellate.GroupingNodeChildren;
 import org.selectiverenderer.x3d.tessellate.InstancedShapeTransforms;
 
 /**
@@ -29,15 +29,15 @@ final class CountGraphBuilder {
 
   private final ProblemCollector problems;
   private final Map<ParsedNode, CountGraphNode> items = new IdentityHashMap<>();
-  private final Map<MeasuredFile, CountGraphNode> contents = new IdentityHashMap<>();
-  private final Set<MeasuredFile> open = new HashSet<>();
-  private final Map<MeasuredFile, NodeNames> names = new IdentityHashMap<>();
+  private final Map<FilePolygonMeasurement, CountGraphNode> contents = new IdentityHashMap<>();
+  private final Set<FilePolygonMeasurement> open = new HashSet<>();
+  private final Map<FilePolygonMeasurement, NodeNames> names = new IdentityHashMap<>();
   private final Set<String> taken = new HashSet<>();
   private final Map<String, ParsedNode> named = new LinkedHashMap<>();
   private final CountGraphNode root;
 
   /** Builds the graph of a scene. */
-  CountGraphBuilder(MeasuredFile main, ProblemCollector problems) {
+  CountGraphBuilder(FilePolygonMeasurement main, ProblemCollector problems) {
     this.problems = problems;
     this.root = content(main, "");
   }
@@ -68,7 +68,7 @@ final class CountGraphBuilder {
   /**
    * @param path the names of the Inlines that lead to the file, as {@link NodeNames} wants it
    */
-  private CountGraphNode content(MeasuredFile file, String path) {
+  private CountGraphNode content(FilePolygonMeasurement file, String path) {
     CountGraphNode known = contents.get(file);
     if (known != null) {
       return known;
@@ -84,7 +84,7 @@ final class CountGraphBuilder {
     return made;
   }
 
-  private List<CountGraphNode> items(List<ParsedNode> nodes, MeasuredFile file) {
+  private List<CountGraphNode> items(List<ParsedNode> nodes, FilePolygonMeasurement file) {
     List<CountGraphNode> made = new ArrayList<>(nodes.size());
     for (ParsedNode node : nodes) {
       made.add(item(node, file));
@@ -92,7 +92,7 @@ final class CountGraphBuilder {
     return made;
   }
 
-  private CountGraphNode item(ParsedNode node, MeasuredFile file) {
+  private CountGraphNode item(ParsedNode node, FilePolygonMeasurement file) {
     CountGraphNode known = items.get(node);
     if (known == null) {
       known = make(node, file);
@@ -101,34 +101,34 @@ final class CountGraphBuilder {
     return known;
   }
 
-  private CountGraphNode make(ParsedNode node, MeasuredFile file) {
+  private CountGraphNode make(ParsedNode node, FilePolygonMeasurement file) {
     String name = names.get(file).of(node);
     CountGraphNode.Builder builder = new CountGraphNode.Builder(node).name(name);
-    if (DrawableNodes.isShape(node)) {
-      DrawableNodes.geometry(node)
+    if (DrawableNodeClassifier.isShape(node)) {
+      DrawableNodeClassifier.geometry(node)
           .map(file::size)
           .map(size -> placed(node, size))
           .ifPresent(builder::size);
-    } else if (DrawableNodes.isInline(node)) {
+    } else if (DrawableNodeClassifier.isInline(node)) {
       fill(node, name, file, builder);
     } else {
-      List<ParsedNode> children = DrawableNodes.children(node);
+      List<ParsedNode> children = DrawableNodeClassifier.children(node);
       enrich(node, name, children.size(), builder);
       builder.children(items(children, file));
-      GroupingNodes.placement(node).ifPresent(builder::placement);
+      GroupingNodeChildren.placement(node).ifPresent(builder::placement);
     }
     return builder.build();
   }
 
   private static GeometrySize placed(ParsedNode shape, GeometrySize size) {
-    return DrawableNodes.isInstanced(shape)
+    return DrawableNodeClassifier.isInstanced(shape)
         ? size.copied(InstancedShapeTransforms.of(shape, MOST_COPIES))
         : size;
   }
 
   private void fill(
-      ParsedNode inline, String name, MeasuredFile file, CountGraphNode.Builder builder) {
-    MeasuredFile content = file.content(inline).orElse(null);
+      ParsedNode inline, String name, FilePolygonMeasurement file, CountGraphNode.Builder builder) {
+    FilePolygonMeasurement content = file.content(inline).orElse(null);
     if (content == null) {
       return;
     }
@@ -152,10 +152,10 @@ final class CountGraphBuilder {
                 problems.warning(
                     ((NodeViewMetadata) problem.metadata()).node().location(),
                     name + ": " + problem.message()));
-    if (DrawableNodes.isSwitch(node)) {
+    if (DrawableNodeClassifier.isSwitch(node)) {
       builder.versions(
           NodeViewMetadata.of(node).flatMap(data -> reader.switchNode(data, children)));
-    } else if (DrawableNodes.isSensor(node)) {
+    } else if (DrawableNodeClassifier.isSensor(node)) {
       builder.area(NodeViewMetadata.of(node).flatMap(reader::sensor));
     }
   }
@@ -190,14 +190,14 @@ final class CountGraphBuilder {
       String type = node.type().name();
       int number = numbers.merge(type, 1, Integer::sum);
       String def = node.name();
-      if (DrawableNodes.isInline(node)) { // only a part of paths, which need not be unique
+      if (DrawableNodeClassifier.isInline(node)) { // only a part of paths, which need not be unique
         return def != null ? def.strip() : type + "#" + number;
       }
       if (def == null) {
         return path + type + "#" + number;
       }
       String name = def.strip();
-      boolean told = DrawableNodes.isSwitch(node) || DrawableNodes.isSensor(node);
+      boolean told = DrawableNodeClassifier.isSwitch(node) || DrawableNodeClassifier.isSensor(node);
       return !told || taken.add(name) ? name : path + name;
     }
   }

@@ -68,7 +68,9 @@ final class CountGraphNode {
   }
 
   private static long ownPolygons(Builder from) {
-    return from.node != null && !DrawableNodes.visible(from.node) ? 0 : from.size.polygons();
+    return from.node != null && !DrawableNodeClassifier.visible(from.node)
+        ? 0
+        : from.size.polygons();
   }
 
   private static long sum(List<CountGraphNode> items) {
@@ -92,7 +94,7 @@ final class CountGraphNode {
 
   /** Returns whichChoice of a Switch as in the file; -1 for other nodes. */
   int whichChoice() {
-    return node != null && DrawableNodes.isSwitch(node) ? node.integer("whichChoice") : -1;
+    return node != null && DrawableNodeClassifier.isSwitch(node) ? node.integer("whichChoice") : -1;
   }
 
   /**
@@ -104,7 +106,7 @@ final class CountGraphNode {
     if (node == null) {
       return children;
     }
-    if (!DrawableNodes.visible(node)) {
+    if (!DrawableNodeClassifier.visible(node)) {
       return List.of();
     }
     return switch (node.type().name()) {

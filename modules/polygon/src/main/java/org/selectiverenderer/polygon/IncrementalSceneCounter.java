@@ -14,7 +14,7 @@ import org.selectiverenderer.x3d.url.ContentAccessPolicy;
  * <p>Thread-safe; one thread counts at a time.
  */
 public final class IncrementalSceneCounter {
-  private volatile FileCache kept = new FileCache();
+  private volatile GeometryMeasurementCache kept = new GeometryMeasurementCache();
 
   /**
    * The result of a count. Problems of the scene are not included; the validator reports them.
@@ -25,8 +25,8 @@ public final class IncrementalSceneCounter {
    */
   public record CountResult(
       SceneStatistics statistics,
-      List<StateBreakdown> states,
-      EnrichmentModel model,
+      List<PolygonContributions> states,
+      EnrichmentPolygonModel model,
       int filesRead) {
     /** Makes defensive copies, so that the record is immutable. */
     public CountResult {
@@ -47,7 +47,10 @@ public final class IncrementalSceneCounter {
     SceneFileLoader.Read read = SceneFileLoader.read(file, name, text, access, kept);
     ScenePolygonCounter counting = new ScenePolygonCounter(read.file(), List.of(), problems);
     return new CountResult(
-        counting.count(name), counting.shares(), EnrichmentModel.of(read.file()), read.filesRead());
+        counting.count(name),
+        counting.shares(),
+        EnrichmentPolygonModel.of(read.file()),
+        read.filesRead());
   }
 
   /**
@@ -55,6 +58,6 @@ public final class IncrementalSceneCounter {
    * progress.
    */
   public void forget() {
-    kept = new FileCache();
+    kept = new GeometryMeasurementCache();
   }
 }

@@ -36,8 +36,8 @@ final class ReachableStateSearch {
    * Returns the states of a part: the state as loaded first, then by the number of areas entered
    * and left.
    */
-  List<EnrichmentModel.State> states(CountGraphNode part) {
-    List<EnrichmentModel.State> states = new ArrayList<>();
+  List<EnrichmentPolygonModel.State> states(CountGraphNode part) {
+    List<EnrichmentPolygonModel.State> states = new ArrayList<>();
     Set<Key> known = new HashSet<>();
     Deque<List<Step>> pending = new ArrayDeque<>();
     pending.add(List.of());
@@ -46,7 +46,7 @@ final class ReachableStateSearch {
       SchemaActivation<Area, CountGraphNode> activation = after(walk);
       if (known.add(new Key(activation.enteredAreas(), activation.shown()))) {
         states.add(
-            new EnrichmentModel.State(
+            new EnrichmentPolygonModel.State(
                 schemas(activation), new PolygonCounter(activation.shown()).of(part)));
         next(activation.enteredAreas()).forEach(step -> pending.add(with(walk, step)));
       }

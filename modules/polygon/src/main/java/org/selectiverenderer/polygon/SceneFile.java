@@ -23,7 +23,7 @@ record SceneFile(
     ProblemCollector problems,
     Map<ParsedNode, GeometrySize> sizes,
     Map<ParsedNode, CompletableFuture<Optional<SceneFile>>> inlines)
-    implements MeasuredFile {
+    implements FilePolygonMeasurement {
 
   SceneFile(X3dFile file, ProblemCollector problems) {
     this(file, problems, new ConcurrentHashMap<>(), new ConcurrentHashMap<>());

@@ -26,9 +26,9 @@ import org.selectiverenderer.x3d.read.X3dReader;
 import org.selectiverenderer.x3d.tessellate.Tessellator;
 import org.selectiverenderer.x3d.url.BaseUrl;
 import org.selectiverenderer.x3d.url.ContentAccessPolicy;
+import org.selectiverenderer.x3d.url.ResolvedUrlContent;
 import org.selectiverenderer.x3d.url.UrlContent;
 import org.selectiverenderer.x3d.url.UrlResolver;
-import org.selectiverenderer.x3d.url.UrlSelection;
 
 /**
  * Reads a scene and all files that it inlines and measures their geometry, on all processors.
@@ -44,11 +44,14 @@ final class SceneFileLoader {
   private final UrlResolver root;
   private final BaseUrl base;
   private final PrototypeLibraryProvider libraries;
-  private final FileCache kept;
+  private final GeometryMeasurementCache kept;
   private final AtomicInteger filesRead = new AtomicInteger();
 
   private SceneFileLoader(
-      Path nameFolder, ContentAccessPolicy access, FileCache kept, ExecutorService executor) {
+      Path nameFolder,
+      ContentAccessPolicy access,
+      GeometryMeasurementCache kept,
+      ExecutorService executor) {
     this.kept = kept;
     base = BaseUrl.folder(nameFolder);
     this.executor = executor;
@@ -66,7 +69,7 @@ final class SceneFileLoader {
     return measured(
         scene,
         access,
-        new FileCache(),
+        new GeometryMeasurementCache(),
         files -> {
           ProblemCollector problems = new ProblemCollector();
           X3dReader reader = files.reader.with(files.libraries, files.base);
@@ -88,7 +91,12 @@ final class SceneFileLoader {
    * @param name name of the scene in messages
    * @param kept the cache of files, to which the files read are added
    */
-  static Read read(Path scene, String name, byte[] text, ContentAccessPolicy access, FileCache kept)
+  static Read read(
+      Path scene,
+      String name,
+      byte[] text,
+      ContentAccessPolicy access,
+      GeometryMeasurementCache kept)
       throws IOException {
     return measured(
         scene,
@@ -109,7 +117,7 @@ final class SceneFileLoader {
   }
 
   private static <T> T measured(
-      Path scene, ContentAccessPolicy access, FileCache kept, Loading<T> loading)
+      Path scene, ContentAccessPolicy access, GeometryMeasurementCache kept, Loading<T> loading)
       throws IOException {
     ExecutorService executor =
         Executors.newFixedThreadPool(
@@ -150,7 +158,7 @@ final class SceneFileLoader {
    * overwritten.
    */
   private void note(ParsedNode node, BaseUrl from) {
-    if (!DrawableNodes.isInline(node) && node.type().field("url").isPresent()) {
+    if (!DrawableNodeClassifier.isInline(node) && node.type().field("url").isPresent()) {
       for (String url : node.strings("url")) {
         root.note(url, node.base(from));
       }
@@ -161,24 +169,26 @@ final class SceneFileLoader {
     if (!seen.add(node)) {
       return;
     }
-    if (DrawableNodes.isInline(node)) {
+    if (DrawableNodeClassifier.isInline(node)) {
       if (node.bool("load")) {
         inline(node, file, from);
       }
-    } else if (DrawableNodes.isShape(node)) {
-      DrawableNodes.geometry(node).filter(seen::add).ifPresent(geometry -> measure(geometry, file));
+    } else if (DrawableNodeClassifier.isShape(node)) {
+      DrawableNodeClassifier.geometry(node)
+          .filter(seen::add)
+          .ifPresent(geometry -> measure(geometry, file));
     } else {
-      DrawableNodes.children(node).forEach(child -> follow(child, file, from, seen));
+      DrawableNodeClassifier.children(node).forEach(child -> follow(child, file, from, seen));
     }
   }
 
   private void inline(ParsedNode inline, SceneFile file, BaseUrl from) {
-    UrlSelection choice =
-        UrlSelection.of(inline, root, inline.base(from), "the Inline is left out");
-    if (choice instanceof UrlSelection.Found found) {
+    ResolvedUrlContent choice =
+        ResolvedUrlContent.of(inline, root, inline.base(from), "the Inline is left out");
+    if (choice instanceof ResolvedUrlContent.Found found) {
       file.inlines().put(inline, content(found.content(), inline, file));
     } else {
-      file.problems().add(((UrlSelection.None) choice).problem());
+      file.problems().add(((ResolvedUrlContent.None) choice).problem());
     }
   }
 
@@ -218,7 +228,7 @@ final class SceneFileLoader {
   private Optional<SceneFile> fresh(
       UrlContent content, SourceLocation requestedBy, ProblemCollector requester) {
     filesRead.incrementAndGet();
-    Optional<String> stamp = FileCache.stamp(content);
+    Optional<String> stamp = GeometryMeasurementCache.stamp(content);
     String name = content.name();
     ProblemCollector problems = new ProblemCollector();
     try (var in = content.open()) {

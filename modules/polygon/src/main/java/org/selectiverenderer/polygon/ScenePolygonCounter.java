@@ -19,21 +19,22 @@ import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 /** Counts the polygons of a scene. */
 public final class ScenePolygonCounter {
   private final ProblemCollector problems;
-  private final List<CountScope> scopes;
+  private final List<CountedRegion> scopes;
   private final boolean scopesChosen;
   private final CountGraphNode root;
   private final List<CountGraphNode> objects;
   private final AreaFinder areas;
   private final PolygonCounter high;
-  private final Map<CountScope, List<ActivationStateFinder.ActivationState>> found =
+  private final Map<CountedRegion, List<ActivationStateFinder.ActivationState>> found =
       new LinkedHashMap<>();
 
-  ScenePolygonCounter(MeasuredFile file, List<String> scopeNames, ProblemCollector problems) {
+  ScenePolygonCounter(
+      FilePolygonMeasurement file, List<String> scopeNames, ProblemCollector problems) {
     this.problems = problems;
     CountGraphBuilder items = new CountGraphBuilder(file, problems);
     root = items.root();
-    objects = CountScope.of(SceneStatistics.WHOLE_SCENE, root).objects();
-    ScopeFinder finder = new ScopeFinder(items, items.named());
+    objects = CountedRegion.of(SceneStatistics.WHOLE_SCENE, root).objects();
+    CountedRegionFinder finder = new CountedRegionFinder(items, items.named());
     scopesChosen = !scopeNames.isEmpty();
     scopes = scopeNames.isEmpty() ? finder.outermost() : finder.named(scopeNames);
     areas = new AreaFinder(root, scopes);
@@ -56,7 +57,7 @@ public final class ScenePolygonCounter {
    * @param access further folders and hosts that the scene may refer to
    * @param problems receives the problems of the files, in document order
    * @throws IOException if the scene itself cannot be read, with a message of one line
-   * @throws UnknownScopeException if the scene has no group of a given name
+   * @throws UnknownRegionException if the scene has no group of a given name
    */
   public static SceneStatistics of(
       Path scene, List<String> scopes, ContentAccessPolicy access, ProblemCollector problems)
@@ -80,7 +81,7 @@ public final class ScenePolygonCounter {
     }
     ActivationStateFinder states = new ActivationStateFinder(objects, areas.all());
     List<ScopeCount> counts = new ArrayList<>();
-    for (CountScope scope : scopes) {
+    for (CountedRegion scope : scopes) {
       long all = high.of(scope.item());
       OverlappingAreaSets sets = new OverlappingAreaSets(areas.in(scope, scopes));
       if (!sets.complete()) {
@@ -102,8 +103,8 @@ public final class ScenePolygonCounter {
    * Returns the contributions of objects to the states of all scopes; to be called after {@link
    * #count}.
    */
-  List<StateBreakdown> shares() {
-    List<StateBreakdown> shares = new ArrayList<>();
+  List<PolygonContributions> shares() {
+    List<PolygonContributions> shares = new ArrayList<>();
     found.forEach(
         (scope, states) -> {
           Map<CountGraphNode, Integer> none = new LinkedHashMap<>();
@@ -114,7 +115,7 @@ public final class ScenePolygonCounter {
           for (ActivationStateFinder.ActivationState state : states) {
             PolygonCounter counter = new PolygonCounter(state.shown());
             shares.add(
-                new StateBreakdown(
+                new PolygonContributions(
                     scope.name(),
                     state.schemas(),
                     state.polygons(),
@@ -128,12 +129,12 @@ public final class ScenePolygonCounter {
     return shares;
   }
 
-  private StateBreakdown.ObjectShare share(
+  private PolygonContributions.ObjectShare share(
       CountGraphNode object,
       ActivationStateFinder.ActivationState state,
       PolygonCounter counter,
       int places) {
-    return new StateBreakdown.ObjectShare(
+    return new PolygonContributions.ObjectShare(
         object.name,
         state.shown().getOrDefault(object, object.whichChoice()),
         object.children.stream().map(high::of).toList(),
@@ -149,7 +150,7 @@ public final class ScenePolygonCounter {
   private List<ObjectCount> objectCounts() {
     List<ObjectCount> counts = new ArrayList<>();
     Set<CountGraphNode> outside = new LinkedHashSet<>(objects);
-    for (CountScope scope : scopes) {
+    for (CountedRegion scope : scopes) {
       for (CountGraphNode object : scope.objects()) {
         counts.add(count(object, Optional.of(scope.name())));
         outside.remove(object);

@@ -13,10 +13,10 @@
  * object to each state.
  *
  * <p>In: a scene file. Out: {@link org.selectiverenderer.polygon.SceneStatistics}, as text, CSV,
- * JSON and bar charts, and problems. {@link org.selectiverenderer.polygon.EnrichmentModel} gives
- * the validator the same counts, boxes and states for files that the validator has read itself
- * ({@link org.selectiverenderer.polygon.MeasuredFile}). Uses {@code chart}, {@code schema}, {@code
- * geometry}, {@code x3d} and {@code base}; loads no AWT and no GL.
+ * JSON and bar charts, and problems. {@link org.selectiverenderer.polygon.EnrichmentPolygonModel}
+ * gives the validator the same counts, boxes and states for files that the validator has read
+ * itself ({@link org.selectiverenderer.polygon.FilePolygonMeasurement}). Uses {@code chart}, {@code
+ * schema}, {@code geometry}, {@code x3d} and {@code base}; loads no AWT and no GL.
  */
 @NullMarked
 package org.selectiverenderer.polygon;

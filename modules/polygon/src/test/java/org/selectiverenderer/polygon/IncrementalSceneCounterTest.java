@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.polygon.IncrementalSceneCounter.CountResult;
-import org.selectiverenderer.polygon.StateBreakdown.ObjectShare;
+import org.selectiverenderer.polygon.PolygonContributions.ObjectShare;
 import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 
 /** Counting while a scene is edited. */
@@ -49,7 +49,7 @@ class IncrementalSceneCounterTest {
                 SmallScene.count(folder, new ProblemCollector(), content).totalHigh(),
                 SmallScene.count(folder, new ProblemCollector(), content).objects(),
                 SmallScene.count(folder, new ProblemCollector(), content).scopes()));
-    StateBreakdown desk = counted.states().get(1);
+    PolygonContributions desk = counted.states().get(1);
     assertThat(desk.scope()).isEqualTo("Room");
     assertThat(desk.schemas()).containsExactly("Desk");
     assertThat(desk.fixed()).isEqualTo(5);

@@ -305,10 +305,10 @@ class ScenePolygonCounterTest {
             folder, "<Group DEF='Office'>" + shape(1) + "</Group>", "<Viewpoint DEF='View'/>");
 
     assertThatThrownBy(() -> ScenePolygonCounter.of(file, List.of("Ofice"), problems))
-        .isInstanceOf(UnknownScopeException.class)
+        .isInstanceOf(UnknownRegionException.class)
         .hasMessage("the scene has no group 'Ofice'; did you mean Office?");
     assertThatThrownBy(() -> ScenePolygonCounter.of(file, List.of("View"), problems))
-        .isInstanceOf(UnknownScopeException.class)
+        .isInstanceOf(UnknownRegionException.class)
         .hasMessageContaining("scene.x3d:4:")
         .hasMessageEndingWith("View is a Viewpoint, not a group");
   }

@@ -10,7 +10,7 @@ import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.radiosity.atlas.Atlas;
 import org.selectiverenderer.radiosity.atlas.AtlasBuilder;
 import org.selectiverenderer.radiosity.atlas.AtlasSettings;
-import org.selectiverenderer.radiosity.bake.GlossySurfaces;
+import org.selectiverenderer.radiosity.bake.GlossySurfaceFinder;
 import org.selectiverenderer.radiosity.bake.LightmappedScene;
 import org.selectiverenderer.radiosity.bake.ReinhardToneMapping;
 import org.selectiverenderer.radiosity.mesh.AdaptiveSubdivision;
@@ -71,7 +71,7 @@ final class LightmapBaker {
     Map<Integer, List<Facet>> divided = divided(scene, plan);
     double[] wished =
         settings.store().highlights()
-            ? GlossySurfaces.texels(scene)
+            ? GlossySurfaceFinder.texels(scene)
             : new double[scene.bodies().size()];
     Atlas atlas = new AtlasBuilder(atlasSettings(), problems).make(scene, fileOf, wished);
     RadiositySolveStage iterations = RadiositySolveStage.of(scene, plan, settings, progress, each);

@@ -5,7 +5,7 @@ import org.selectiverenderer.radiosity.parallel.RadiosityProgress;
 import org.selectiverenderer.radiosity.scene.MemoryEstimator;
 import org.selectiverenderer.radiosity.scene.RadiosityException;
 import org.selectiverenderer.radiosity.scene.RadiosityScene;
-import org.selectiverenderer.radiosity.solve.FormFactorSamples;
+import org.selectiverenderer.radiosity.solve.MonteCarloFormFactors;
 import org.selectiverenderer.radiosity.solve.RadiositySolution;
 import org.selectiverenderer.radiosity.solve.RadiositySolver;
 import org.selectiverenderer.radiosity.solve.SurfacePatches;
@@ -27,7 +27,7 @@ record RadiositySolveStage(RadiositySolution solution, long rays) {
 
   /**
    * Divides both numbers for versions whose texels copy the light of the reference version: see
-   * {@link FormFactorSamples.Effort}.
+   * {@link MonteCarloFormFactors.Effort}.
    */
   private static final int FEWER = 4;
 
@@ -51,10 +51,10 @@ record RadiositySolveStage(RadiositySolution solution, long rays) {
       throws RadiosityException {
     SurfacePatches patches = new SurfacePatches(scene, PATCH * plan.maxMesh());
     boolean shared = settings.regather() && settings.store().inTextures();
-    FormFactorSamples.Effort effort =
-        new FormFactorSamples.Effort(PATCH_RAYS, PATCH_LAMP_PLACES, shared ? FEWER : 1);
-    FormFactorSamples transport =
-        FormFactorSamples.find(scene, patches, effort, settings.seed(), progress);
+    MonteCarloFormFactors.Effort effort =
+        new MonteCarloFormFactors.Effort(PATCH_RAYS, PATCH_LAMP_PLACES, shared ? FEWER : 1);
+    MonteCarloFormFactors transport =
+        MonteCarloFormFactors.find(scene, patches, effort, settings.seed(), progress);
     RadiositySolution solution =
         new RadiositySolver(scene, transport)
             .solve(settings.iterations(), settings.quality(), progress, each);

@@ -6,7 +6,7 @@ import org.selectiverenderer.radiosity.mesh.AdaptiveSubdivision;
 import org.selectiverenderer.radiosity.scene.Body;
 import org.selectiverenderer.radiosity.scene.RadiosityException;
 import org.selectiverenderer.radiosity.scene.RadiosityScene;
-import org.selectiverenderer.radiosity.trace.ObjectVersions;
+import org.selectiverenderer.radiosity.trace.ObjectVersionIndex;
 
 /**
  * The plan of the adaptive subdivision: which bodies are subdivided and to how many polygons. These
@@ -107,7 +107,7 @@ record SubdivisionPlan(double minMesh, double maxMesh, List<Region> regions) {
     double[] normal = new double[3];
     for (int i = 0; i < scene.bodies().size(); i++) {
       Body body = scene.bodies().get(i);
-      if (body.version() != ObjectVersions.FIXED) {
+      if (body.version() != ObjectVersionIndex.FIXED) {
         continue;
       }
       bodies.add(i);

@@ -7,7 +7,7 @@ import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.browser.instance.ExtendedMaterial;
 import org.selectiverenderer.browser.scene.Node;
 import org.selectiverenderer.radiosity.bake.DiffuseTexture;
-import org.selectiverenderer.radiosity.bake.GlossySurfaces;
+import org.selectiverenderer.radiosity.bake.GlossySurfaceFinder;
 import org.selectiverenderer.radiosity.bake.TextureBakePlan;
 import org.selectiverenderer.radiosity.scene.Body;
 import org.selectiverenderer.radiosity.scene.RadiosityScene;
@@ -52,7 +52,7 @@ final class TextureDiagnostics {
     List<Body> matt = new ArrayList<>();
     for (int i = 0; i < scene.bodies().size(); i++) {
       Body body = scene.bodies().get(i);
-      if (use.apart(i) && GlossySurfaces.shines(body.shape().surface())) {
+      if (use.apart(i) && GlossySurfaceFinder.shines(body.shape().surface())) {
         matt.add(body);
       }
     }

@@ -17,7 +17,7 @@ import org.selectiverenderer.radiosity.scene.Photometry;
 import org.selectiverenderer.radiosity.scene.RadiosityException;
 import org.selectiverenderer.radiosity.scene.RadiosityScene;
 import org.selectiverenderer.radiosity.solve.RadiositySolution;
-import org.selectiverenderer.radiosity.texel.LitSideSelection;
+import org.selectiverenderer.radiosity.texel.TwoSidedLightSelector;
 
 /**
  * Bakes the light of a scene to vertices: solves on patches, subdivides the mesh adaptively and
@@ -67,7 +67,7 @@ final class VertexLightBaker {
     RadiositySolveStage iterations = RadiositySolveStage.of(scene, plan, settings, progress, each);
     RadiositySolution solution = iterations.solution();
     ReinhardToneMapping curve = ReinhardToneMapping.of(scene, solution, settings.exposure());
-    LitSideSelection sides = LitSideSelection.of(scene, solution, settings.seed());
+    TwoSidedLightSelector sides = TwoSidedLightSelector.of(scene, solution, settings.seed());
     long rays = iterations.rays();
     Map<Integer, List<Facet>> divided = new HashMap<>();
     for (SubdivisionPlan.Region region : plan.regions()) {
@@ -91,7 +91,7 @@ final class VertexLightBaker {
   private long divide(
       RadiosityScene scene,
       RadiositySolution solution,
-      LitSideSelection sides,
+      TwoSidedLightSelector sides,
       ReinhardToneMapping curve,
       SubdivisionPlan plan,
       SubdivisionPlan.Region region,
@@ -126,7 +126,7 @@ final class VertexLightBaker {
   private DisplayValues gather(
       RadiosityScene scene,
       RadiositySolution solution,
-      LitSideSelection sides,
+      TwoSidedLightSelector sides,
       ReinhardToneMapping curve,
       SubdivisionPlan.Region region,
       AdaptiveSubdivision subdivision) {

@@ -9,7 +9,7 @@ import org.selectiverenderer.radiosity.bake.ReinhardToneMapping;
 import org.selectiverenderer.radiosity.parallel.RadiosityProgress;
 import org.selectiverenderer.radiosity.scene.Photometry;
 import org.selectiverenderer.radiosity.scene.RadiosityScene;
-import org.selectiverenderer.radiosity.solve.FormFactorSamples;
+import org.selectiverenderer.radiosity.solve.MonteCarloFormFactors;
 import org.selectiverenderer.radiosity.solve.RadiositySolution;
 import org.selectiverenderer.radiosity.solve.RadiositySolver;
 import org.selectiverenderer.radiosity.solve.SurfacePatches;
@@ -22,8 +22,8 @@ class ChromaticAdaptationTest {
         TestScenes.read(
             room(0, 0, 0, 4, "diffuseColor='0.7 0.7 0.7'")
                 + "<PointLight location='2 2 2' color='%s'/>".formatted(colour));
-    FormFactorSamples transport =
-        FormFactorSamples.find(
+    MonteCarloFormFactors transport =
+        MonteCarloFormFactors.find(
             scene, new SurfacePatches(scene, 1), 64, 16, 1, RadiosityProgress.NONE);
     RadiositySolution solution =
         new RadiositySolver(scene, transport).solve(20, 99, RadiosityProgress.NONE, each -> {});

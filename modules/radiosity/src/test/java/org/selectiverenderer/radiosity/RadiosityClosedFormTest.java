@@ -14,7 +14,7 @@ import org.selectiverenderer.radiosity.parallel.RadiosityProgress;
 import org.selectiverenderer.radiosity.scene.Photometry;
 import org.selectiverenderer.radiosity.scene.RadiosityScene;
 import org.selectiverenderer.radiosity.solve.EnergyBalance;
-import org.selectiverenderer.radiosity.solve.FormFactorSamples;
+import org.selectiverenderer.radiosity.solve.MonteCarloFormFactors;
 import org.selectiverenderer.radiosity.solve.RadiositySolution;
 import org.selectiverenderer.radiosity.solve.RadiositySolver;
 import org.selectiverenderer.radiosity.solve.SurfacePatches;
@@ -30,14 +30,14 @@ class RadiosityClosedFormTest {
     RadiosityScene scene = TestScenes.read(LAMP + one + other);
     SurfacePatches patches = new SurfacePatches(scene, 100);
     assertThat(patches.count()).isEqualTo(2);
-    return FormFactorSamples.find(scene, patches, 16384, 1, 1, RadiosityProgress.NONE)
+    return MonteCarloFormFactors.find(scene, patches, 16384, 1, 1, RadiosityProgress.NONE)
         .formFactor(0, 1);
   }
 
   private static RadiositySolution solve(
       RadiosityScene scene, double length, int iterations, List<RadiositySolution> all) {
-    FormFactorSamples transport =
-        FormFactorSamples.find(
+    MonteCarloFormFactors transport =
+        MonteCarloFormFactors.find(
             scene, new SurfacePatches(scene, length), 256, 64, 1, RadiosityProgress.NONE);
     return new RadiositySolver(scene, transport)
         .solve(iterations, 100, RadiosityProgress.NONE, all::add);
@@ -157,10 +157,11 @@ class RadiosityClosedFormTest {
     RadiosityScene open = TestScenes.read(floor + lamp);
     RadiosityScene covered = TestScenes.read(floor + pane + lamp);
     float free =
-        FormFactorSamples.find(open, new SurfacePatches(open, 100), 4, 4, 1, RadiosityProgress.NONE)
+        MonteCarloFormFactors.find(
+                open, new SurfacePatches(open, 100), 4, 4, 1, RadiosityProgress.NONE)
             .direct()[0];
     float less =
-        FormFactorSamples.find(
+        MonteCarloFormFactors.find(
                 covered, new SurfacePatches(covered, 100), 4, 4, 1, RadiosityProgress.NONE)
             .direct()[0];
     assertThat(less).isCloseTo(0.75f * free, within(1e-3f * free));
@@ -194,8 +195,8 @@ class RadiosityClosedFormTest {
 
   private static double fromAbove(String body) throws Exception {
     RadiosityScene scene = TestScenes.read(body);
-    FormFactorSamples transport =
-        FormFactorSamples.find(
+    MonteCarloFormFactors transport =
+        MonteCarloFormFactors.find(
             scene, new SurfacePatches(scene, 100), 4096, 64, 1, RadiosityProgress.NONE);
     RadiositySolution solution =
         new RadiositySolver(scene, transport).solve(4, 100, RadiosityProgress.NONE, each -> {});
@@ -207,8 +208,8 @@ class RadiosityClosedFormTest {
   void whatIsStillToComeIsAddedWhenTheWantedQualityIsReached() throws Exception {
     RadiosityScene scene =
         TestScenes.read(room(0, 0, 0, 4, BRIGHT) + "<PointLight location='2 3 1'/>");
-    FormFactorSamples transport =
-        FormFactorSamples.find(
+    MonteCarloFormFactors transport =
+        MonteCarloFormFactors.find(
             scene, new SurfacePatches(scene, 0.5), 256, 16, 1, RadiosityProgress.NONE);
     RadiositySolution early =
         new RadiositySolver(scene, transport).solve(50, 90, RadiosityProgress.NONE, each -> {});
@@ -253,7 +254,7 @@ class RadiosityClosedFormTest {
       RadiosityScene scene = TestScenes.read(below + lamp);
       SurfacePatches patches = new SurfacePatches(scene, 100);
       double lux =
-          FormFactorSamples.find(scene, patches, 64, 64, 1, RadiosityProgress.NONE).direct()[0];
+          MonteCarloFormFactors.find(scene, patches, 64, 64, 1, RadiosityProgress.NONE).direct()[0];
       assertThat(lux).isCloseTo(expected, within(0.02 * expected));
     }
   }

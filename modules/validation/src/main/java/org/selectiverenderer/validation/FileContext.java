@@ -4,7 +4,7 @@ import java.util.Set;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.source.DocumentElement;
-import org.selectiverenderer.x3d.source.X3dStatements;
+import org.selectiverenderer.x3d.source.StatementNames;
 import org.selectiverenderer.x3d.source.XmlDocument;
 
 /**
@@ -20,6 +20,6 @@ public record FileContext(
     NodeCatalogue catalogue, XmlDocument document, X3dFile scene, Set<String> rules) {
   /** Returns whether an element is defined by X3D. */
   public boolean knows(DocumentElement element) {
-    return X3dStatements.is(element.name()) || catalogue.find(element.name()).isPresent();
+    return StatementNames.is(element.name()) || catalogue.find(element.name()).isPresent();
   }
 }

@@ -6,14 +6,14 @@ import java.util.Map;
 import java.util.Optional;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.geometry.BoundingBox;
-import org.selectiverenderer.polygon.EnrichmentModel;
+import org.selectiverenderer.polygon.EnrichmentPolygonModel;
+import org.selectiverenderer.polygon.FilePolygonMeasurement;
 import org.selectiverenderer.polygon.GeometrySize;
-import org.selectiverenderer.polygon.MeasuredFile;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.X3dFile;
 
 /** Adapts a file outline to the polygon counter. */
-public final class FileOutlineAdapter implements MeasuredFile {
+public final class FileOutlineAdapter implements FilePolygonMeasurement {
   private final FileOutline outline;
   private final SceneContext scene;
   private final Map<FileOutline, FileOutlineAdapter> known;
@@ -26,8 +26,9 @@ public final class FileOutlineAdapter implements MeasuredFile {
   }
 
   /** Returns the enrichment of a scene with its polygon counts. */
-  public static EnrichmentModel model(SceneContext scene) {
-    return EnrichmentModel.of(new FileOutlineAdapter(scene.main(), scene, new IdentityHashMap<>()));
+  public static EnrichmentPolygonModel model(SceneContext scene) {
+    return EnrichmentPolygonModel.of(
+        new FileOutlineAdapter(scene.main(), scene, new IdentityHashMap<>()));
   }
 
   @Override

@@ -13,7 +13,7 @@ public record RuleGroup(
     List<Rule> rules,
     List<FileCheck> fileChecks,
     List<SceneCheck> sceneChecks,
-    List<RunCheck> runChecks) {
+    List<CrossSceneCheck> runChecks) {
   /** Makes defensive copies, so that the record is immutable. */
   public RuleGroup {
     rules = List.copyOf(rules);

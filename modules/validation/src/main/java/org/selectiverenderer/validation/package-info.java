@@ -7,7 +7,7 @@
  *                                    | Inlines, each file once
  *                                    v
  *               SceneCheck: one scene with all it inlines --> findings of the scene
- *               RunCheck: all scenes                      --> findings of the run
+ *               CrossSceneCheck: all scenes                      --> findings of the run
  *                                    v
  *               severities of the settings --> Baseline --> Report --> report.*
  * </pre>

@@ -12,8 +12,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.base.problem.ProblemCollector;
-import org.selectiverenderer.polygon.EnrichmentModel;
-import org.selectiverenderer.polygon.EnrichmentModel.Version;
+import org.selectiverenderer.polygon.EnrichmentPolygonModel;
+import org.selectiverenderer.polygon.EnrichmentPolygonModel.Version;
 import org.selectiverenderer.polygon.ScenePolygonCounter;
 import org.selectiverenderer.polygon.SceneStatistics;
 import org.selectiverenderer.validation.run.RuleCatalogue;
@@ -29,7 +29,7 @@ class FileOutlineAdapterTest {
   void countsWhatThePolygonsCommandCounts(String scene) throws IOException {
     SceneStatistics statistics =
         ScenePolygonCounter.of(Path.of(scene), List.of(), new ProblemCollector());
-    EnrichmentModel model = model(Path.of(scene));
+    EnrichmentPolygonModel model = model(Path.of(scene));
 
     assertThat(
             model.objects().stream()
@@ -56,7 +56,10 @@ class FileOutlineAdapterTest {
                 + "</Scene></X3D>");
 
     long sphere = 960;
-    assertThat(model(scene).states("").stream().mapToLong(EnrichmentModel.State::polygons).max())
+    assertThat(
+            model(scene).states("").stream()
+                .mapToLong(EnrichmentPolygonModel.State::polygons)
+                .max())
         .hasValue(2 * sphere);
     assertThat(report(scene, "{\"budgets\": [{\"polygons\": 1919}]}").findings())
         .filteredOn(finding -> finding.rule().id().equals("SR501"))
@@ -84,8 +87,8 @@ class FileOutlineAdapterTest {
         .formatted(schema);
   }
 
-  private static EnrichmentModel model(Path scene) throws IOException {
-    List<EnrichmentModel> models = new ArrayList<>();
+  private static EnrichmentPolygonModel model(Path scene) throws IOException {
+    List<EnrichmentPolygonModel> models = new ArrayList<>();
     RuleGroup probe =
         new RuleGroup(
             "",

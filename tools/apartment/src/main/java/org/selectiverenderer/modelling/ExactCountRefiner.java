@@ -31,8 +31,8 @@ public final class ExactCountRefiner {
               + polygons
               + " asked for");
     }
-    List<SplitMeshVertices> points =
-        model.parts().stream().map(p -> new SplitMeshVertices(p.mesh())).toList();
+    List<EdgeSplitVertexBuffer> points =
+        model.parts().stream().map(p -> new EdgeSplitVertexBuffer(p.mesh())).toList();
     List<LongestEdgeBisection> splitters = new ArrayList<>();
     for (int i = 0; i < points.size(); i++) {
       splitters.add(

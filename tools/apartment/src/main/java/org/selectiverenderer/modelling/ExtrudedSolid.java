@@ -17,7 +17,7 @@ public final class ExtrudedSolid {
   private ExtrudedSolid() {}
 
   /** Returns an extrusion with sharp edges. */
-  public static TriangleMesh plain(double depth, Outline outline, Outline... holes) {
+  public static TriangleMesh plain(double depth, SimplePolygon outline, SimplePolygon... holes) {
     return build(depth, 0, 0, outline, holes);
   }
 
@@ -30,7 +30,7 @@ public final class ExtrudedSolid {
    *     and back
    */
   public static TriangleMesh bevelled(
-      double depth, double bevel, int steps, Outline outline, Outline... holes) {
+      double depth, double bevel, int steps, SimplePolygon outline, SimplePolygon... holes) {
     return build(depth, bevel, steps, outline, holes);
   }
 
@@ -39,7 +39,7 @@ public final class ExtrudedSolid {
    * viewer, towards -z), from y = 0 to y = thickness.
    */
   public static TriangleMesh plate(
-      double thickness, double bevel, int steps, Outline outline, Outline... holes) {
+      double thickness, double bevel, int steps, SimplePolygon outline, SimplePolygon... holes) {
     return build(thickness, bevel, steps, outline, holes).turnX(-90);
   }
 
@@ -47,7 +47,7 @@ public final class ExtrudedSolid {
    * Returns the front cap alone: a flat surface in the plane z = 0 that shows the outline as drawn;
    * {@code n - 2 + 2 h} triangles, with a border.
    */
-  public static TriangleMesh face(Outline outline, Outline... holes) {
+  public static TriangleMesh face(SimplePolygon outline, SimplePolygon... holes) {
     double[][] rings = rings(outline, holes);
     TriangleMeshBuilder mesh = new TriangleMeshBuilder();
     for (double[] ring : rings) {
@@ -59,7 +59,7 @@ public final class ExtrudedSolid {
     return mesh.mesh();
   }
 
-  private static double[][] rings(Outline outline, Outline... holes) {
+  private static double[][] rings(SimplePolygon outline, SimplePolygon... holes) {
     double[][] rings = new double[holes.length + 1][];
     rings[0] = outline.points();
     for (int i = 0; i < holes.length; i++) {
@@ -69,7 +69,7 @@ public final class ExtrudedSolid {
   }
 
   private static TriangleMesh build(
-      double depth, double bevel, int steps, Outline outline, Outline... holes) {
+      double depth, double bevel, int steps, SimplePolygon outline, SimplePolygon... holes) {
     if (2 * bevel > depth + 1e-9) {
       throw new IllegalArgumentException("the bevel radius must be at most half the depth");
     }

@@ -40,7 +40,7 @@ public final class Lathe {
    *
    * @param section the outline, all of it at positive x
    */
-  public static TriangleMesh ring(Outline section, int segments) {
+  public static TriangleMesh ring(SimplePolygon section, int segments) {
     return LoftedSurface.over(
         rows(ProfileCurve.of(section.points()), segments, 360, segments), LoftedSurface.Form.RING);
   }

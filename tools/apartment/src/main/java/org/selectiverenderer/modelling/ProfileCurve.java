@@ -5,8 +5,8 @@ import org.selectiverenderer.geometry.DegreeMath;
 
 /**
  * An open curve in the plane, built segment by segment: the profile of a lathe (x is the radius, y
- * the height) or, closed, an {@link Outline}. Immutable; every method that adds a segment returns a
- * longer curve.
+ * the height) or, closed, an {@link SimplePolygon}. Immutable; every method that adds a segment
+ * returns a longer curve.
  */
 public final class ProfileCurve {
   private final double[] xy;
@@ -96,17 +96,17 @@ public final class ProfileCurve {
    * Returns the outline of the curve and its mirror image in the y axis; the curve must be drawn
    * upwards or downwards on one side of the axis.
    */
-  public Outline closedWithMirrorX() {
+  public SimplePolygon closedWithMirrorX() {
     double[] mirrored = reversed().xy;
     for (int i = 0; i < mirrored.length; i += 2) {
       mirrored[i] = -mirrored[i];
     }
-    return Outline.of(plus(mirrored).xy);
+    return SimplePolygon.of(plus(mirrored).xy);
   }
 
   /** Returns the outline that joins the last point to the first. */
-  public Outline closed() {
-    return Outline.of(xy);
+  public SimplePolygon closed() {
+    return SimplePolygon.of(xy);
   }
 
   public int size() {

@@ -69,7 +69,7 @@ public record Spine(List<Vector3d> points, boolean closed) {
   }
 
   /** Returns an outline as a closed path at z = 0, for a picture's frame. */
-  public static Spine of(Outline outline) {
+  public static Spine of(SimplePolygon outline) {
     return new Spine(of(ProfileCurve.of(outline.points())).points, true);
   }
 

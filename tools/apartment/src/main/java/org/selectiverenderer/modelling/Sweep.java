@@ -17,7 +17,7 @@ public final class Sweep {
   private Sweep() {}
 
   /** Returns a sweep with a constant section; the ends of an open spine are closed. */
-  public static TriangleMesh of(Outline section, Spine spine) {
+  public static TriangleMesh of(SimplePolygon section, Spine spine) {
     return of(section, spine, t -> 1);
   }
 
@@ -25,7 +25,7 @@ public final class Sweep {
    * @param scale scale of the section as a function of the share of the spine's points passed, 0 to
    *     1; 0 at an end makes a tip
    */
-  public static TriangleMesh of(Outline section, Spine spine, DoubleUnaryOperator scale) {
+  public static TriangleMesh of(SimplePolygon section, Spine spine, DoubleUnaryOperator scale) {
     List<Vector3d[]> rows = new ArrayList<>();
     RotationMinimizingFrames frames = new RotationMinimizingFrames(spine);
     int n = spine.points().size();
@@ -43,11 +43,11 @@ public final class Sweep {
 
   /** Returns a round tube with closed ends. */
   public static TriangleMesh tube(Spine spine, double radius, int segments) {
-    return of(Outline.circle(radius, segments), spine);
+    return of(SimplePolygon.circle(radius, segments), spine);
   }
 
   /** Returns a round tube whose radius changes from point to point of the spine. */
   public static TriangleMesh tube(Spine spine, int segments, DoubleUnaryOperator radius) {
-    return of(Outline.circle(1, segments), spine, radius);
+    return of(SimplePolygon.circle(1, segments), spine, radius);
   }
 }

@@ -18,8 +18,8 @@ class ExactCountRefinerTest {
     ParametricModel model =
         ParametricModel.of(
             "pair",
-            Part.of("box", GREY, Boxes.bevelled(1, 2, 3, 0.2, 2)),
-            Part.of("ball", GREY, RoundSolids.sphere(0.5, 8, 12)));
+            Part.of("box", GREY, BoxBuilder.bevelled(1, 2, 3, 0.2, 2)),
+            Part.of("ball", GREY, RoundSolidBuilder.sphere(0.5, 8, 12)));
     Random random = new Random(5);
     for (int i = 0; i < 40; i++) {
       int target = model.polygons() + 2 * random.nextInt(3000);
@@ -42,7 +42,7 @@ class ExactCountRefinerTest {
         ParametricModel.of(
             "cup",
             Part.of("wall", GREY, Lathe.surface(ProfileCurve.of(1, 0, 2, 3), 12)),
-            Part.of("ball", GREY, RoundSolids.sphere(5, 8, 12)));
+            Part.of("ball", GREY, RoundSolidBuilder.sphere(5, 8, 12)));
     for (int target = model.polygons(); target < model.polygons() + 60; target++) {
       assertThat(ExactCountRefiner.refine(model, target).polygons()).isEqualTo(target);
     }
@@ -65,8 +65,8 @@ class ExactCountRefinerTest {
 
   @Test
   void theLongestEdgeIsSplitFirst() {
-    TriangleMesh long1 = Boxes.plain(1, 1, 8);
-    TriangleMesh short1 = Boxes.plain(1, 1, 1);
+    TriangleMesh long1 = BoxBuilder.plain(1, 1, 8);
+    TriangleMesh short1 = BoxBuilder.plain(1, 1, 1);
     ParametricModel refined =
         ExactCountRefiner.refine(
             ParametricModel.of(
@@ -79,7 +79,8 @@ class ExactCountRefinerTest {
 
   @Test
   void whatCannotBeIsSaid() {
-    ParametricModel box = ParametricModel.of("box", Part.of("box", GREY, Boxes.plain(1, 1, 1)));
+    ParametricModel box =
+        ParametricModel.of("box", Part.of("box", GREY, BoxBuilder.plain(1, 1, 1)));
 
     assertThatThrownBy(() -> ExactCountRefiner.refine(box, 13))
         .hasMessageContaining("closed everywhere");

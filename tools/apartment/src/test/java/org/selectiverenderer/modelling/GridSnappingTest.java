@@ -14,7 +14,7 @@ class GridSnappingTest {
     ParametricModel sharp =
         GridSnapping.toGrid(
             ParametricModel.of(
-                "box", Part.of("box", GREY, Boxes.bevelled(0.5, 0.5, 0.5, 1e-6, 1))));
+                "box", Part.of("box", GREY, BoxBuilder.bevelled(0.5, 0.5, 0.5, 1e-6, 1))));
 
     TriangleMesh mesh = sharp.parts().get(0).mesh();
     assertThat(mesh.triangleCount()).isEqualTo(12);
@@ -35,7 +35,7 @@ class GridSnappingTest {
   @Test
   void whatIsOnTheGridStays() {
     ParametricModel box =
-        ParametricModel.of("box", Part.of("box", GREY, Boxes.plain(0.25, 0.5, 0.125)));
+        ParametricModel.of("box", Part.of("box", GREY, BoxBuilder.plain(0.25, 0.5, 0.125)));
 
     assertThat(GridSnapping.toGrid(box).parts().get(0).mesh()).isEqualTo(box.parts().get(0).mesh());
   }

@@ -17,26 +17,31 @@ import org.selectiverenderer.geometry.mesh.TriangleMesh;
 
 /** Every form is closed, faces outwards, and has the volume and the triangles that it says. */
 class SolidFormsTest {
-  private static final Outline L = Outline.of(0, 0, 0.3, 0, 0.3, 0.1, 0.1, 0.1, 0.1, 0.4, 0, 0.4);
+  private static final SimplePolygon L =
+      SimplePolygon.of(0, 0, 0.3, 0, 0.3, 0.1, 0.1, 0.1, 0.1, 0.4, 0, 0.4);
 
   static Stream<Arguments> solids() {
     double circle48 = 24 * DegreeMath.sin(7.5); // area of a 48-gon of radius 1
-    Outline hole = Outline.rectangle(0.1, 0.1);
+    SimplePolygon hole = SimplePolygon.rectangle(0.1, 0.1);
     return Stream.of(
-        solid("box", Boxes.plain(1, 2, 3), 12, 6),
-        solid("chamfered box", Boxes.bevelled(1, 2, 3, 0.1, 1), 44, 5.8800),
-        solid("bevelled box", Boxes.bevelled(0.4, 0.2, 0.3, 0.05, 4), 332, 0.02225),
-        solid("capsule-like box", Boxes.bevelled(0.2, 0.2, 0.2, 0.1, 8), -1, 0.00405),
-        solid("cylinder", RoundSolids.cylinder(1, 2, 48), 192, 2 * circle48),
-        solid("cone", RoundSolids.cone(1, 0, 3, 48), 96, circle48),
-        solid("truncated cone", RoundSolids.cone(2, 1, 3, 48), 192, 7 * circle48),
-        solid("sphere", RoundSolids.sphere(1, 64, 128), 2 * 128 * 63, 4.18),
-        solid("ellipsoid", RoundSolids.ellipsoid(1, 2, 3, 64, 128), 2 * 128 * 63, 25.07),
-        solid("pillow", RoundSolids.superellipsoid(1, 1, 1, 40, 40, 64, 128), -1, 7.9),
-        solid("rounded cylinder", RoundSolids.roundedCylinder(1, 2, 0.25, 3, 48), 48 * 4 * 4, 6.11),
-        solid("capsule", RoundSolids.capsule(1, 4, 16, 64), -1, 10.44),
-        solid("torus", RoundSolids.torus(2, 0.5, 64, 32), 2 * 64 * 32, 9.79),
-        solid("pipe", RoundSolids.pipe(1, 0.5, 2, 48), 8 * 48, 1.5 * circle48),
+        solid("box", BoxBuilder.plain(1, 2, 3), 12, 6),
+        solid("chamfered box", BoxBuilder.bevelled(1, 2, 3, 0.1, 1), 44, 5.8800),
+        solid("bevelled box", BoxBuilder.bevelled(0.4, 0.2, 0.3, 0.05, 4), 332, 0.02225),
+        solid("capsule-like box", BoxBuilder.bevelled(0.2, 0.2, 0.2, 0.1, 8), -1, 0.00405),
+        solid("cylinder", RoundSolidBuilder.cylinder(1, 2, 48), 192, 2 * circle48),
+        solid("cone", RoundSolidBuilder.cone(1, 0, 3, 48), 96, circle48),
+        solid("truncated cone", RoundSolidBuilder.cone(2, 1, 3, 48), 192, 7 * circle48),
+        solid("sphere", RoundSolidBuilder.sphere(1, 64, 128), 2 * 128 * 63, 4.18),
+        solid("ellipsoid", RoundSolidBuilder.ellipsoid(1, 2, 3, 64, 128), 2 * 128 * 63, 25.07),
+        solid("pillow", RoundSolidBuilder.superellipsoid(1, 1, 1, 40, 40, 64, 128), -1, 7.9),
+        solid(
+            "rounded cylinder",
+            RoundSolidBuilder.roundedCylinder(1, 2, 0.25, 3, 48),
+            48 * 4 * 4,
+            6.11),
+        solid("capsule", RoundSolidBuilder.capsule(1, 4, 16, 64), -1, 10.44),
+        solid("torus", RoundSolidBuilder.torus(2, 0.5, 64, 32), 2 * 64 * 32, 9.79),
+        solid("pipe", RoundSolidBuilder.pipe(1, 0.5, 2, 48), 8 * 48, 1.5 * circle48),
         solid("extruded L", ExtrudedSolid.plain(0.5, L), 20, 0.03),
         solid("bevelled L", ExtrudedSolid.bevelled(0.5, 0.02, 3, L), 8 + 7 * 12, 0.0297),
         solid(
@@ -50,7 +55,7 @@ class SolidFormsTest {
                 0.1,
                 0.01,
                 1,
-                Outline.roundedRectangle(0.8, 0.6, 0.1, 4),
+                SimplePolygon.roundedRectangle(0.8, 0.6, 0.1, 4),
                 hole.move(-0.2, 0.05),
                 hole.move(0.2, 0)),
             2 * (28 - 2 + 4) + 3 * 56,
@@ -59,12 +64,12 @@ class SolidFormsTest {
         solid("tube", Sweep.tube(Spine.of(0, 0, 0, 0, 0, 5), 1, 48), 4 * 48, 5 * circle48),
         solid(
             "mitred frame",
-            Sweep.of(Outline.rectangle(0.1, 0.1), Spine.of(Outline.rectangle(1, 2))),
+            Sweep.of(SimplePolygon.rectangle(0.1, 0.1), Spine.of(SimplePolygon.rectangle(1, 2))),
             32,
             0.06),
         solid(
             "mitred elbow",
-            Sweep.of(Outline.rectangle(0.1, 0.1), Spine.of(0, 0, 0, 1, 0, 0, 1, 1, 0)),
+            Sweep.of(SimplePolygon.rectangle(0.1, 0.1), Spine.of(0, 0, 0, 1, 0, 0, 1, 1, 0)),
             24,
             0.02),
         solid("spring", Sweep.tube(Spine.helix(1, 2, 3, 32), 0.1, 12), -1, 0.03 * 6.283 * 2.97),
@@ -110,10 +115,10 @@ class SolidFormsTest {
   void solidsStandOnTheFloorInTheMiddle() {
     for (TriangleMesh mesh :
         new TriangleMesh[] {
-          Boxes.plain(2, 1, 4),
-          Boxes.bevelled(2, 1, 4, 0.2, 2),
-          RoundSolids.cylinder(1, 2, 8),
-          RoundSolids.roundedCylinder(1, 2, 0.1, 2, 8)
+          BoxBuilder.plain(2, 1, 4),
+          BoxBuilder.bevelled(2, 1, 4, 0.2, 2),
+          RoundSolidBuilder.cylinder(1, 2, 8),
+          RoundSolidBuilder.roundedCylinder(1, 2, 0.1, 2, 8)
         }) {
       BoundingBox b = mesh.bounds();
       assertThat(b.minY()).isZero();
@@ -135,10 +140,12 @@ class SolidFormsTest {
 
   @Test
   void aFaceIsTheFrontOfItsPrism() {
-    TriangleMesh face = ExtrudedSolid.face(Outline.rectangle(2, 1), Outline.circle(0.3, 8));
+    TriangleMesh face =
+        ExtrudedSolid.face(SimplePolygon.rectangle(2, 1), SimplePolygon.circle(0.3, 8));
 
     assertThat(face.triangleCount()).isEqualTo(12 - 2 + 2);
-    assertThat(MeshMeasures.area(face)).isCloseTo(2 - Outline.circle(0.3, 8).area(), within(1e-6));
+    assertThat(MeshMeasures.area(face))
+        .isCloseTo(2 - SimplePolygon.circle(0.3, 8).area(), within(1e-6));
     for (int t = 0; t < face.triangleCount(); t++) {
       assertThat(MeshMeasures.normal(face, t).z).isPositive();
     }
@@ -146,8 +153,8 @@ class SolidFormsTest {
 
   @Test
   void mirroringKeepsTheOutsideOutside() {
-    assertThat(MeshMeasures.volume(Boxes.plain(1, 1, 1).mirrorX())).isPositive();
-    assertThat(MeshMeasures.volume(MeshPatterns.corners(Boxes.plain(1, 1, 1), 2, 2)))
+    assertThat(MeshMeasures.volume(BoxBuilder.plain(1, 1, 1).mirrorX())).isPositive();
+    assertThat(MeshMeasures.volume(MeshPatterns.corners(BoxBuilder.plain(1, 1, 1), 2, 2)))
         .isCloseTo(4, within(1e-6));
   }
 
@@ -156,7 +163,7 @@ class SolidFormsTest {
     assertThatThrownBy(() -> ExtrudedSolid.bevelled(1, 0.06, 1, L))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("larger than the outline");
-    assertThatThrownBy(() -> Boxes.bevelled(1, 1, 1, 0.6, 1))
+    assertThatThrownBy(() -> BoxBuilder.bevelled(1, 1, 1, 0.6, 1))
         .isInstanceOf(IllegalArgumentException.class);
     assertThatThrownBy(() -> Lathe.solid(ProfileCurve.of(-1, 0, 1, 1), 8))
         .isInstanceOf(IllegalArgumentException.class);

@@ -76,7 +76,8 @@ class TextureMappingTest {
   @Test
   void facesOfABoxHaveThePictureEach() {
     ModelMaterial look = ModelMaterial.matt(ModelColour.grey(1)).clad(WALL);
-    ParametricModel box = ParametricModel.of("box", Part.of("box", look, Boxes.plain(1, 1, 1)));
+    ParametricModel box =
+        ParametricModel.of("box", Part.of("box", look, BoxBuilder.plain(1, 1, 1)));
 
     String text = new X3dModelWriter("a test").text(box, "box.x3d", "A box");
 

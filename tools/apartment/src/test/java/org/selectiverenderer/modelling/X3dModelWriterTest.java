@@ -78,7 +78,8 @@ class X3dModelWriterTest {
     ParametricModel ball =
         ParametricModel.of(
             "ball",
-            Part.of("b", ModelMaterial.matt(ModelColour.grey(1)), RoundSolids.sphere(1, 9, 9)));
+            Part.of(
+                "b", ModelMaterial.matt(ModelColour.grey(1)), RoundSolidBuilder.sphere(1, 9, 9)));
 
     assertThat(new X3dModelWriter("a test").text(ball, "b", "b").lines())
         .allSatisfy(line -> assertThat(line.length()).isLessThan(160));

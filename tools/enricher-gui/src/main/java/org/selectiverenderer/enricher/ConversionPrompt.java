@@ -6,7 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Consumer;
-import org.selectiverenderer.authoring.file.NonXmlScene;
+import org.selectiverenderer.authoring.file.XmlConversion;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.base.files.AtomicFileWriter;
 import org.selectiverenderer.base.problem.Problem;
@@ -48,7 +48,7 @@ final class ConversionPrompt {
   void open(Path path, Runnable asItIs, Runnable nothing) {
     tasks.run(
         Texts.of("window.looking", String.valueOf(path.getFileName())),
-        () -> NonXmlScene.of(path),
+        () -> XmlConversion.of(path),
         foreign -> foreign.ifPresentOrElse(scene -> offer(path, scene, nothing), asItIs),
         failed -> tell(nothing, failed));
   }
@@ -58,7 +58,7 @@ final class ConversionPrompt {
     questions.tell(String.valueOf(failed.getMessage()));
   }
 
-  private void offer(Path path, NonXmlScene scene, Runnable nothing) {
+  private void offer(Path path, XmlConversion scene, Runnable nothing) {
     Path target = scene.beside();
     boolean wanted =
         questions.convert(
@@ -85,7 +85,7 @@ final class ConversionPrompt {
         failed -> tell(nothing, failed));
   }
 
-  private Optional<Path> write(NonXmlScene scene, Path target, ProblemCollector problems)
+  private Optional<Path> write(XmlConversion scene, Path target, ProblemCollector problems)
       throws IOException {
     Optional<String> xml = scene.xml(catalogue, problems);
     if (xml.isPresent()) {

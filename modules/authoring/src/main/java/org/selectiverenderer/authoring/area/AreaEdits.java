@@ -123,7 +123,8 @@ public final class AreaEdits {
     return enrichment.sensors().stream()
         .anyMatch(
             sensor ->
-                child.contains(sensor.element()) && AreaFrame.of(sensor.element()).isPresent());
+                child.contains(sensor.element())
+                    && LocalCoordinateSystem.of(sensor.element()).isPresent());
   }
 
   /**
@@ -131,7 +132,7 @@ public final class AreaEdits {
    *
    * @param name name of the undo step, such as {@code Move Desk}
    */
-  public Edit place(PlacedArea area, AreaBox box, String name) {
+  public Edit place(AreaInstance area, AreaBox box, String name) {
     sound(box);
     DocumentElement sensor = area.element();
     Vector3d centre = vector(area.frame().ownCentre(box));
@@ -149,7 +150,7 @@ public final class AreaEdits {
   }
 
   /** Adds a translated copy of an area with its schemas, as another part of the same area. */
-  public Edit copy(PlacedArea area, String name, Vector3dc shift) {
+  public Edit copy(AreaInstance area, String name, Vector3dc shift) {
     List<TextEdit> moved = place(area, area.box().movedBy(shift), "").changes();
     return new Edit("Copy " + area.name(), List.of(nodes.copied(area.element(), name, moved)));
   }

@@ -20,22 +20,22 @@ public final class AreaLocator {
   private AreaLocator() {}
 
   /** Returns all areas whose position the text determines, in document order. */
-  public static List<PlacedArea> of(DocumentEnrichment enrichment) {
-    List<PlacedArea> areas = new ArrayList<>();
+  public static List<AreaInstance> of(DocumentEnrichment enrichment) {
+    List<AreaInstance> areas = new ArrayList<>();
     enrichment.sensors().forEach(sensor -> of(enrichment, sensor).ifPresent(areas::add));
     return areas;
   }
 
   /** Returns the area of a sensor; empty if the text does not determine its position. */
-  public static Optional<PlacedArea> of(DocumentEnrichment enrichment, EnrichedSensor sensor) {
+  public static Optional<AreaInstance> of(DocumentEnrichment enrichment, EnrichedSensor sensor) {
     DocumentElement element = sensor.element();
     ElementTree tree = enrichment.document().tree().orElseThrow();
-    return AreaFrame.of(element)
+    return LocalCoordinateSystem.of(element)
         .map(
             frame -> {
               float[] centre = centre(element);
               float[] size = size(element);
-              return new PlacedArea(
+              return new AreaInstance(
                   element,
                   sensor.name(),
                   sensor.schemas(),
@@ -47,11 +47,11 @@ public final class AreaLocator {
   }
 
   static float[] centre(DocumentElement sensor) {
-    return AreaFrame.numbers(sensor, "center", FieldType.SFVec3f, 0, 0, 0);
+    return LocalCoordinateSystem.numbers(sensor, "center", FieldType.SFVec3f, 0, 0, 0);
   }
 
   static float[] size(DocumentElement sensor) {
-    return AreaFrame.numbers(sensor, "size", FieldType.SFVec3f, 0, 0, 0);
+    return LocalCoordinateSystem.numbers(sensor, "size", FieldType.SFVec3f, 0, 0, 0);
   }
 
   private static List<String> elsewhere(DocumentElement element, ElementTree tree) {
@@ -65,7 +65,7 @@ public final class AreaLocator {
   }
 
   /** Returns the other sensors that activate the same schemas: parts of one area. */
-  public static List<PlacedArea> parts(PlacedArea area, List<PlacedArea> all) {
+  public static List<AreaInstance> parts(AreaInstance area, List<AreaInstance> all) {
     return all.stream()
         .filter(other -> other.element() != area.element())
         .filter(other -> area.enriched() && other.schemas().equals(area.schemas()))
@@ -79,13 +79,13 @@ public final class AreaLocator {
    * @param within whether the area lies completely in the other one
    * @param around whether the other one lies completely in the area
    */
-  public record Overlap(PlacedArea other, double volume, boolean within, boolean around) {}
+  public record Overlap(AreaInstance other, double volume, boolean within, boolean around) {}
 
   /** Returns the overlaps of an area with other areas, except for parts of the same area. */
-  public static List<Overlap> overlaps(PlacedArea area, List<PlacedArea> all) {
-    List<PlacedArea> parts = parts(area, all);
+  public static List<Overlap> overlaps(AreaInstance area, List<AreaInstance> all) {
+    List<AreaInstance> parts = parts(area, all);
     List<Overlap> found = new ArrayList<>();
-    for (PlacedArea other : all) {
+    for (AreaInstance other : all) {
       if (other.element() != area.element() && !parts.contains(other)) {
         overlap(area, other).ifPresent(found::add);
       }
@@ -93,7 +93,7 @@ public final class AreaLocator {
     return found;
   }
 
-  private static Optional<Overlap> overlap(PlacedArea area, PlacedArea other) {
+  private static Optional<Overlap> overlap(AreaInstance area, AreaInstance other) {
     if (area.solid().isEmpty() || other.solid().isEmpty()) {
       return Optional.empty();
     }
@@ -106,7 +106,7 @@ public final class AreaLocator {
         new Overlap(other, volume(area, other), two.contains(one), one.contains(two)));
   }
 
-  private static double volume(PlacedArea area, PlacedArea other) {
+  private static double volume(AreaInstance area, AreaInstance other) {
     BoundingBox a = area.solid().orElseThrow().bounds();
     BoundingBox b = other.solid().orElseThrow().bounds();
     BoundingBox both =

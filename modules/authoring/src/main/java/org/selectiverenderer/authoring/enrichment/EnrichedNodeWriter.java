@@ -172,16 +172,16 @@ final class EnrichedNodeWriter {
       int index,
       ChoiceMetadata wanted) {
     Map<SchemaField, List<String>> changed =
-        SchemaFieldValues.changed(
-            SchemaFieldValues.of(wanted), SchemaFieldValues.of(node.values().get(index)));
+        SchemaFieldFormatter.changed(
+            SchemaFieldFormatter.of(wanted), SchemaFieldFormatter.of(node.values().get(index)));
     return new MetadataSetWriter(document, text)
         .changes(set, MetadataNames.ofPart(node.object(), index), changed);
   }
 
   List<TextEdit> changes(EnrichedSensor node, SensorSchemas wanted) {
-    Map<SchemaField, List<String>> fields = SchemaFieldValues.of(wanted);
+    Map<SchemaField, List<String>> fields = SchemaFieldFormatter.of(wanted);
     Map<SchemaField, List<String>> changed =
-        SchemaFieldValues.changed(fields, SchemaFieldValues.of(node.schemas()));
+        SchemaFieldFormatter.changed(fields, SchemaFieldFormatter.of(node.schemas()));
     if (changed.isEmpty()) {
       return List.of();
     }

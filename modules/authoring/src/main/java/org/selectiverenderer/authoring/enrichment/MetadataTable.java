@@ -19,7 +19,7 @@ import org.selectiverenderer.schema.ConsistencyType;
 import org.selectiverenderer.schema.SchemaField;
 import org.selectiverenderer.schema.SchemaField.Owner;
 import org.selectiverenderer.schema.SensorSchemas;
-import org.selectiverenderer.x3d.source.EncodedText;
+import org.selectiverenderer.x3d.source.DecodedText;
 
 /**
  * Reads schema metadata from a table with the columns {@code node,choice,field,value}: {@code node}
@@ -58,7 +58,7 @@ public final class MetadataTable {
     ProblemCollector own = new ProblemCollector(problems::add);
     CsvErrorHandler faults = (at, message) -> own.error(at, message + "; the table is not applied");
     Optional<CsvTable> read =
-        CsvTable.parse(name, EncodedText.of(table).characters(), FORM, faults);
+        CsvTable.parse(name, DecodedText.of(table).characters(), FORM, faults);
     if (read.isEmpty() || !read.get().require(COLUMNS, String.join(",", COLUMNS))) {
       return Optional.empty();
     }

@@ -49,7 +49,7 @@ final class MetadataXmlWriter {
   List<String> part(String object, int index, ChoiceMetadata values) {
     String about = MetadataNames.ofPart(object, index);
     List<List<String>> strings = new ArrayList<>();
-    SchemaFieldValues.of(values)
+    SchemaFieldFormatter.of(values)
         .forEach((field, words) -> strings.add(string(field, about, words)));
     return set("value", MetadataNames.part(object, index), object + "_v" + (index + 1), strings);
   }

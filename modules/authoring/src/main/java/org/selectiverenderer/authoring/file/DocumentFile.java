@@ -22,7 +22,7 @@ public final class DocumentFile {
   private final FileOperations actions;
   private final SceneDocument document;
   private Path path;
-  private @Nullable FileStamp stamp;
+  private @Nullable FileFingerprint stamp;
 
   /** Whether the file's text, as opened or saved last, is well-formed. */
   private boolean sound;
@@ -31,7 +31,7 @@ public final class DocumentFile {
   private @Nullable String common;
 
   private DocumentFile(
-      FileOperations actions, SceneDocument document, Path path, @Nullable FileStamp stamp) {
+      FileOperations actions, SceneDocument document, Path path, @Nullable FileFingerprint stamp) {
     this.actions = actions;
     this.document = document;
     this.path = path;
@@ -55,10 +55,10 @@ public final class DocumentFile {
       throw new IOException(path + ": this is a folder, not a scene");
     }
     byte[] bytes;
-    FileStamp stamp;
+    FileFingerprint stamp;
     try {
       bytes = Files.readAllBytes(path);
-      stamp = FileStamp.of(path, bytes);
+      stamp = FileFingerprint.of(path, bytes);
     } catch (NoSuchFileException e) {
       throw new IOException(path + ": the file does not exist", e);
     } catch (AccessDeniedException e) {
@@ -110,7 +110,7 @@ public final class DocumentFile {
     return file.resolveSibling(file.getFileName() + (sound ? ".bak" : ".faulty.bak"));
   }
 
-  private static FileState state(Path file, @Nullable FileStamp stamp) throws IOException {
+  private static FileState state(Path file, @Nullable FileFingerprint stamp) throws IOException {
     return stamp == null
         ? (Files.exists(file) ? FileState.CHANGED : FileState.GONE)
         : stamp.compare(file);
@@ -148,7 +148,7 @@ public final class DocumentFile {
   /** Returns a guard that detects changes of the file from now on. */
   public ChangeGuard guard() {
     Path file = path;
-    FileStamp expected = stamp;
+    FileFingerprint expected = stamp;
     return () -> state(file, expected);
   }
 

@@ -13,11 +13,11 @@ import org.selectiverenderer.authoring.SceneDocument;
  */
 public final class ExternalFileVersion {
   private final byte[] bytes;
-  private final FileStamp stamp;
+  private final FileFingerprint stamp;
   private final String text;
   private final boolean sound;
 
-  private ExternalFileVersion(byte[] bytes, FileStamp stamp, String text, boolean sound) {
+  private ExternalFileVersion(byte[] bytes, FileFingerprint stamp, String text, boolean sound) {
     this.bytes = bytes;
     this.stamp = stamp;
     this.text = text;
@@ -32,7 +32,7 @@ public final class ExternalFileVersion {
    */
   public static ExternalFileVersion read(Path file) throws IOException {
     byte[] bytes = Files.readAllBytes(file);
-    FileStamp stamp = FileStamp.of(file, bytes);
+    FileFingerprint stamp = FileFingerprint.of(file, bytes);
     SceneDocument there = SceneDocument.of(file.toString(), bytes);
     return new ExternalFileVersion(bytes, stamp, there.snapshot().text(), there.fault().isEmpty());
   }
@@ -46,7 +46,7 @@ public final class ExternalFileVersion {
     return Arrays.equals(document.encoder().apply(text), bytes);
   }
 
-  FileStamp stamp() {
+  FileFingerprint stamp() {
     return stamp;
   }
 

@@ -19,7 +19,7 @@ public final class SaveOperation {
   private final Path target;
   private final Text text;
   private final @Nullable Before before;
-  private @Nullable FileStamp stamp;
+  private @Nullable FileFingerprint stamp;
 
   /**
    * The text to be written.
@@ -54,7 +54,7 @@ public final class SaveOperation {
     return text;
   }
 
-  @Nullable FileStamp stamp() {
+  @Nullable FileFingerprint stamp() {
     return stamp;
   }
 
@@ -90,7 +90,7 @@ public final class SaveOperation {
               .formatted(target, e instanceof FileWriteException it ? it.reason() : e.getMessage()),
           e);
     }
-    stamp = FileStamp.of(target, bytes);
+    stamp = FileFingerprint.of(target, bytes);
   }
 
   private void backUp() throws IOException {

@@ -70,9 +70,9 @@ public final class ThreeWayMerge {
    * @param theirs the other text; its line ends are converted to those of {@code mine}
    */
   public static ThreeWayMerge of(Optional<String> base, String mine, String theirs) {
-    List<String> here = TextLines.of(mine);
-    List<String> there = TextLines.of(ends(theirs, mine.contains("\r\n")));
-    List<String> from = base.map(TextLines::of).orElseGet(() -> common(here, there));
+    List<String> here = LineTokenizer.of(mine);
+    List<String> there = LineTokenizer.of(ends(theirs, mine.contains("\r\n")));
+    List<String> from = base.map(LineTokenizer::of).orElseGet(() -> common(here, there));
     return new ThreeWayMerge(parts(from, here, there, base.isPresent()));
   }
 

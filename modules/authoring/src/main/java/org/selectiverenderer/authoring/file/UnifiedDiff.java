@@ -19,7 +19,7 @@ public final class UnifiedDiff {
    * @return empty when the texts are the same; lines end with LF
    */
   public static String of(String name, String nameAfter, String before, String after) {
-    List<Line> lines = lines(TextLines.of(before), TextLines.of(after));
+    List<Line> lines = lines(LineTokenizer.of(before), LineTokenizer.of(after));
     StringBuilder diff = new StringBuilder();
     int at = 0;
     while ((at = nextChange(lines, at)) < lines.size()) {

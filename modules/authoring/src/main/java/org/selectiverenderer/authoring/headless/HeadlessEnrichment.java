@@ -16,10 +16,10 @@ import org.selectiverenderer.authoring.enrichment.EnrichedSwitch;
 import org.selectiverenderer.authoring.enrichment.MetadataTable;
 import org.selectiverenderer.authoring.file.BrokenRelativeUrls;
 import org.selectiverenderer.authoring.file.DocumentFile;
-import org.selectiverenderer.authoring.file.NonXmlScene;
 import org.selectiverenderer.authoring.file.UnifiedDiff;
-import org.selectiverenderer.authoring.ratings.ObjectMatching;
-import org.selectiverenderer.authoring.ratings.ObjectMatching.Match;
+import org.selectiverenderer.authoring.file.XmlConversion;
+import org.selectiverenderer.authoring.ratings.ObjectNameMatcher;
+import org.selectiverenderer.authoring.ratings.ObjectNameMatcher.Match;
 import org.selectiverenderer.authoring.ratings.RatingPlan;
 import org.selectiverenderer.authoring.ratings.Ratings;
 import org.selectiverenderer.base.files.InputFileReader;
@@ -86,7 +86,7 @@ public final class HeadlessEnrichment {
    */
   private static Optional<DocumentFile> open(
       Request request, NodeCatalogue catalogue, ProblemCollector problems) throws IOException {
-    Optional<NonXmlScene> foreign = NonXmlScene.of(request.scene());
+    Optional<XmlConversion> foreign = XmlConversion.of(request.scene());
     if (foreign.isEmpty()) {
       return Optional.of(DocumentFile.open(request.scene()));
     }
@@ -108,8 +108,8 @@ public final class HeadlessEnrichment {
     if (ratings.isEmpty()) {
       return false;
     }
-    ObjectMatching matching =
-        new ObjectMatching(ratings.get().means().keySet(), enrichment.switches());
+    ObjectNameMatcher matching =
+        new ObjectNameMatcher(ratings.get().means().keySet(), enrichment.switches());
     RatingPlan plan = RatingPlan.of(enrichment, ratings.get(), matching, true);
     plan.unused().forEach(match -> unused(table, match));
     String following =

@@ -18,9 +18,9 @@ import org.selectiverenderer.schema.RatingBand;
 /** Computes the metadata that ratings imply for one Switch. */
 final class ObjectRatingPlan {
   private final EnrichedSwitch node;
-  private final RoomPartSchemas places;
+  private final RoomPartSchemaResolver places;
 
-  ObjectRatingPlan(EnrichedSwitch node, RoomPartSchemas places) {
+  ObjectRatingPlan(EnrichedSwitch node, RoomPartSchemaResolver places) {
     this.node = node;
     this.places = places;
   }

@@ -16,18 +16,18 @@ import org.selectiverenderer.authoring.enrichment.EnrichedSwitch;
 import org.selectiverenderer.authoring.enrichment.EnrichmentEdits;
 import org.selectiverenderer.authoring.enrichment.EnrichmentEdits.SensorMetadata;
 import org.selectiverenderer.authoring.enrichment.EnrichmentEdits.SwitchMetadata;
-import org.selectiverenderer.authoring.ratings.ObjectMatching.Match;
+import org.selectiverenderer.authoring.ratings.ObjectNameMatcher.Match;
 import org.selectiverenderer.authoring.ratings.RatingPlan.Row;
 import org.selectiverenderer.authoring.ratings.Ratings.Mean;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
  * The metadata that ratings imply for a document, to be reviewed before it is applied. A schema
- * that a sensor activates belongs to a part of a room, all others to rooms; {@link RoomPartSchemas}
- * distinguishes them. An object that people expect is shown by its last version, with few polygons,
- * any other object by its first; the bands of ratings are those of thesis 5.1. The schema of a part
- * of a room is written only if it shows another version than the room's schema; otherwise it would
- * have no effect.
+ * that a sensor activates belongs to a part of a room, all others to rooms; {@link
+ * RoomPartSchemaResolver} distinguishes them. An object that people expect is shown by its last
+ * version, with few polygons, any other object by its first; the bands of ratings are those of
+ * thesis 5.1. The schema of a part of a room is written only if it shows another version than the
+ * room's schema; otherwise it would have no effect.
  */
 public final class RatingPlan {
   /**
@@ -84,9 +84,9 @@ public final class RatingPlan {
   public static RatingPlan of(
       DocumentEnrichment enrichment,
       Ratings ratings,
-      ObjectMatching matching,
+      ObjectNameMatcher matching,
       boolean unratedFollow) {
-    RoomPartSchemas places = new RoomPartSchemas(enrichment.sensors(), ratings);
+    RoomPartSchemaResolver places = new RoomPartSchemaResolver(enrichment.sensors(), ratings);
     Map<String, EnrichedSwitch> switches = enrichment.switchesByName();
     Map<String, Row> rows = new LinkedHashMap<>();
     List<Match> unused = new ArrayList<>();
@@ -155,7 +155,7 @@ public final class RatingPlan {
   private static final class RoomSchemaInference {
     private final Map<DocumentElement, Set<String>> rooms = new IdentityHashMap<>();
 
-    RoomSchemaInference(Collection<Row> rated, RoomPartSchemas places) {
+    RoomSchemaInference(Collection<Row> rated, RoomPartSchemaResolver places) {
       for (Row row : rated) {
         Optional<DocumentElement> around = row.node().element().parent();
         while (around.isPresent()) {

@@ -14,7 +14,7 @@ import org.selectiverenderer.formats.csv.CsvNumberParser;
 import org.selectiverenderer.formats.csv.CsvRow;
 import org.selectiverenderer.formats.csv.CsvTable;
 import org.selectiverenderer.schema.RatingBand;
-import org.selectiverenderer.x3d.source.EncodedText;
+import org.selectiverenderer.x3d.source.DecodedText;
 
 /**
  * Expectancy ratings: how likely people find it that an object is in the place of a schema.
@@ -48,7 +48,7 @@ public record Ratings(Map<String, Map<String, Mean>> means) {
     ProblemCollector own = new ProblemCollector(problems::add);
     CsvErrorHandler faults = (at, message) -> own.error(at, message + "; the table is not used");
     Optional<CsvTable> read =
-        CsvTable.parse(name, EncodedText.of(table).characters(), FORM, faults);
+        CsvTable.parse(name, DecodedText.of(table).characters(), FORM, faults);
     if (read.isEmpty() || !read.get().require(COLUMNS, String.join(",", COLUMNS))) {
       return Optional.empty();
     }

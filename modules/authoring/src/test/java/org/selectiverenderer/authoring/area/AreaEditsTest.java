@@ -26,7 +26,7 @@ class AreaEditsTest {
         <ROUTE fromNode='x' fromField='y' toNode='z' toField='w'/>
       """;
 
-  private static PlacedArea area(EnrichmentScenes scene, String name) {
+  private static AreaInstance area(EnrichmentScenes scene, String name) {
     return AreaLocator.of(scene.enrichment, scene.sensor(name)).orElseThrow();
   }
 
@@ -46,7 +46,7 @@ class AreaEditsTest {
   @Test
   void anAreaUnderTransformsIsABoxOfTheSceneAndCanBePutElsewhere() {
     EnrichmentScenes scene = EnrichmentScenes.with(LIBRARY);
-    PlacedArea library = area(scene, "BookcaseProx");
+    AreaInstance library = area(scene, "BookcaseProx");
     same(
         library.box(),
         3.744,
@@ -75,7 +75,7 @@ class AreaEditsTest {
         EnrichmentScenes.with(
             "<ProximitySensor DEF='P' center=\"1.23456 0 0.0\" size='2 2 2.00'/>\n");
     AreaEdits edits = new AreaEdits(scene.enrichment);
-    PlacedArea area = area(scene, "P");
+    AreaInstance area = area(scene, "P");
     assertThat(edits.place(area, area.box(), "x").isEmpty()).isTrue();
     scene.perform(edits.place(area, area.box().movedBy(new Vector3d(0, 1, 0)), "Move P"));
     assertThat(scene.nodes())
@@ -95,13 +95,13 @@ class AreaEditsTest {
             </Transform>
             <Billboard><ProximitySensor DEF='Unknown' size='1 2 3'/></Billboard>
             """);
-    PlacedArea right = area(scene, "Right");
+    AreaInstance right = area(scene, "Right");
     assertThat(right.frame().turned()).isFalse();
     same(right.box(), 0, 0, 0, 6, 2, 1);
     AreaEdits edits = new AreaEdits(scene.enrichment);
     scene.perform(edits.place(right, box(0, 0, 0, 4, 2, 1), "Resize"));
     same(area(scene, "Right").box(), 0, 0, 0, 4, 2, 1);
-    PlacedArea turned = area(scene, "Turned");
+    AreaInstance turned = area(scene, "Turned");
     assertThat(turned.frame().turned()).isTrue();
     same(turned.box(), 9, 0, 0, 1, 2, 3);
     near(turned.frame().direction(0), Math.cos(0.5), 0, -Math.sin(0.5));
@@ -197,11 +197,11 @@ class AreaEditsTest {
         scene.edits().sensor(scene.sensor("A"), new SensorSchemas(List.of("Desk"), List.of())));
     AreaEdits edits = new AreaEdits(scene.enrichment);
     scene.perform(edits.copy(area(scene, "A"), "A_2", new Vector3d(0.5, 0, 0)));
-    PlacedArea copy = area(scene, "A_2");
+    AreaInstance copy = area(scene, "A_2");
     same(copy.box(), 0.5, 0, 0, 2, 2, 2);
     assertThat(copy.schemas().enter()).containsExactly("Desk");
-    List<PlacedArea> all = AreaLocator.of(scene.enrichment);
-    assertThat(AreaLocator.parts(copy, all)).extracting(PlacedArea::name).containsExactly("A");
+    List<AreaInstance> all = AreaLocator.of(scene.enrichment);
+    assertThat(AreaLocator.parts(copy, all)).extracting(AreaInstance::name).containsExactly("A");
     assertThat(AreaLocator.overlaps(copy, all))
         .extracting(each -> each.other().name())
         .containsExactly("B", "C");

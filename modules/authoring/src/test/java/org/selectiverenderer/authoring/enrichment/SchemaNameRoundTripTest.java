@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.authoring.EditRejectedException;
-import org.selectiverenderer.authoring.ratings.ObjectMatching;
+import org.selectiverenderer.authoring.ratings.ObjectNameMatcher;
 import org.selectiverenderer.authoring.ratings.RatingPlan;
 import org.selectiverenderer.authoring.ratings.Ratings;
 import org.selectiverenderer.base.problem.ProblemCollector;
@@ -84,7 +84,7 @@ class SchemaNameRoundTripTest {
         RatingPlan.of(
                 scene.enrichment,
                 ratings,
-                new ObjectMatching(ratings.means().keySet(), scene.enrichment.switches()),
+                new ObjectNameMatcher(ratings.means().keySet(), scene.enrichment.switches()),
                 true)
             .edit("ratings"));
     assertThat(again().switchNode("Switch_A").values().get(1).schemas()).containsExactly(name);

@@ -13,8 +13,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.authoring.enrichment.ChoiceMetadata;
 import org.selectiverenderer.authoring.enrichment.EnrichmentScenes;
-import org.selectiverenderer.authoring.ratings.ObjectMatching.How;
-import org.selectiverenderer.authoring.ratings.ObjectMatching.Match;
+import org.selectiverenderer.authoring.ratings.ObjectNameMatcher.How;
+import org.selectiverenderer.authoring.ratings.ObjectNameMatcher.Match;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.schema.ConsistencyDegree;
@@ -39,8 +39,8 @@ class RatingPlanTest {
 
   private RatingPlan plan(EnrichmentScenes scene, String rows) {
     Ratings ratings = ratings(rows).orElseThrow();
-    ObjectMatching matching =
-        new ObjectMatching(ratings.means().keySet(), scene.enrichment.switches());
+    ObjectNameMatcher matching =
+        new ObjectNameMatcher(ratings.means().keySet(), scene.enrichment.switches());
     return RatingPlan.of(scene.enrichment, ratings, matching, true);
   }
 
@@ -120,8 +120,8 @@ class RatingPlanTest {
   @Test
   void similarNamesAreProposedButNotTaken() {
     EnrichmentScenes scene = EnrichmentScenes.with(object("CoffeeMug", 2));
-    ObjectMatching matching =
-        new ObjectMatching(
+    ObjectNameMatcher matching =
+        new ObjectNameMatcher(
             ratings("mug,Desk,1\nsword,Desk,1\n").orElseThrow().means().keySet(),
             scene.enrichment.switches());
     assertThat(matching.matches())

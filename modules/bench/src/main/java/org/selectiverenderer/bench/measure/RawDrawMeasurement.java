@@ -14,7 +14,7 @@ import org.selectiverenderer.browser.viewer.CameraPathReader;
 import org.selectiverenderer.browser.viewer.PathMotion;
 import org.selectiverenderer.control.SelectiveController;
 import org.selectiverenderer.render.ShadingMode;
-import org.selectiverenderer.render.display.BaselineView;
+import org.selectiverenderer.render.display.BaselineOffscreenView;
 import org.selectiverenderer.render.display.OffscreenView;
 import org.selectiverenderer.render.draw.BaselineRenderer;
 import org.selectiverenderer.render.mesh.PackedMesh;
@@ -80,7 +80,7 @@ final class RawDrawMeasurement {
 
   private static double raw(Walkthrough walk, CameraPath path, PackedMesh triangles, double start)
       throws IOException {
-    try (BaselineView view = new BaselineView(triangles, WIDTH, HEIGHT)) {
+    try (BaselineOffscreenView view = new BaselineOffscreenView(triangles, WIDTH, HEIGHT)) {
       return perSecond(walk, path, start, view::draw, view::finish);
     }
   }

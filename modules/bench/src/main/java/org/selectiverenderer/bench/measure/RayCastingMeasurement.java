@@ -16,7 +16,7 @@ import org.selectiverenderer.radiosity.parallel.RadiosityProgress;
 import org.selectiverenderer.radiosity.scene.RadiosityException;
 import org.selectiverenderer.radiosity.scene.RadiosityScene;
 import org.selectiverenderer.radiosity.scene.RadiositySceneBuilder;
-import org.selectiverenderer.radiosity.solve.FormFactorSamples;
+import org.selectiverenderer.radiosity.solve.MonteCarloFormFactors;
 import org.selectiverenderer.radiosity.solve.SurfacePatches;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.ReadLimits;
@@ -73,7 +73,8 @@ final class RayCastingMeasurement {
         long rays =
             one.submit(
                     () ->
-                        FormFactorSamples.find(scene, patches, RAYS, 2, 1, RadiosityProgress.NONE)
+                        MonteCarloFormFactors.find(
+                                scene, patches, RAYS, 2, 1, RadiosityProgress.NONE)
                             .cast())
                 .join();
         best = Math.max(best, rays * 1_000_000_000L / (System.nanoTime() - start));

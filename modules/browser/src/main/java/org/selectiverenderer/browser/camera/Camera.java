@@ -5,7 +5,7 @@ import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
-import org.selectiverenderer.browser.viewer.ViewExtent;
+import org.selectiverenderer.browser.viewer.OrthographicExtent;
 import org.selectiverenderer.browser.viewer.Viewer;
 
 /**
@@ -36,9 +36,9 @@ public record Camera(Matrix4dc view, Matrix4dc projection, int x, int y, int wid
    */
   public static Camera of(Viewer viewer, int width, int height, double near, double far) {
     double aspect = width / (double) height;
-    Optional<ViewExtent> parallel = viewer.extent();
+    Optional<OrthographicExtent> parallel = viewer.extent();
     if (parallel.isPresent()) {
-      ViewExtent shown = parallel.get().filling(aspect);
+      OrthographicExtent shown = parallel.get().filling(aspect);
       Matrix4d flat =
           new Matrix4d()
               .setOrtho(shown.left(), shown.right(), shown.bottom(), shown.top(), near, far);
@@ -62,10 +62,10 @@ public record Camera(Matrix4dc view, Matrix4dc projection, int x, int y, int wid
    * Returns the cross-section of the view frustum at distance 1, centred on the view axis; empty
    * for an orthographic view.
    */
-  public Optional<ViewExtent> angle() {
+  public Optional<OrthographicExtent> angle() {
     double x = 1 / projection.m00();
     double y = 1 / projection.m11();
-    return parallel() ? Optional.empty() : Optional.of(new ViewExtent(-x, -y, x, y));
+    return parallel() ? Optional.empty() : Optional.of(new OrthographicExtent(-x, -y, x, y));
   }
 
   /** Returns whether the projection is orthographic. */

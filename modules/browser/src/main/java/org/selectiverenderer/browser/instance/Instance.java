@@ -7,7 +7,7 @@ import org.selectiverenderer.browser.scene.Node;
 
 /** One occurrence of a node in the scene: a node that is USEd twice has two instances. */
 public abstract sealed class Instance
-    permits GroupInstance, ShapeInstance, LightInstance, ScopedEffectInstance, PlainInstance {
+    permits GroupInstance, ShapeInstance, LightInstance, ScopedEffectInstance, NonVisualInstance {
   static final Matrix4dc IDENTITY = new Matrix4d();
 
   private final Node node;

@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.RandomAccess;
 import org.joml.Matrix4dc;
-import org.selectiverenderer.browser.nodes.group.ViewerDependent;
+import org.selectiverenderer.browser.nodes.group.ViewerDependentNode;
 import org.selectiverenderer.browser.nodes.layout.ViewDependentLayout;
 import org.selectiverenderer.browser.scene.Node;
 
@@ -58,7 +58,7 @@ final class InstanceIndex {
     boolean first = known.isEmpty();
     known.append(instance);
     if (instance instanceof GroupInstance group) {
-      if (first && group.node() instanceof ViewerDependent) {
+      if (first && group.node() instanceof ViewerDependentNode) {
         viewerDependent.add(group);
       }
       if (group.node() instanceof ViewDependentLayout) {
@@ -74,7 +74,7 @@ final class InstanceIndex {
       lights.add(light);
     } else if (instance instanceof ScopedEffectInstance effect && effect.environment()) {
       environments.add(effect);
-    } else if (first && instance instanceof PlainInstance) {
+    } else if (first && instance instanceof NonVisualInstance) {
       otherNodes.add(instance.node());
     }
   }

@@ -17,7 +17,7 @@ import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.browser.nodes.group.Deformer;
 import org.selectiverenderer.browser.nodes.group.GroupingNode;
-import org.selectiverenderer.browser.nodes.group.ViewerDependent;
+import org.selectiverenderer.browser.nodes.group.ViewerDependentNode;
 import org.selectiverenderer.browser.nodes.layout.ViewParameters;
 import org.selectiverenderer.browser.nodes.shader.ShaderNode;
 import org.selectiverenderer.browser.scene.EventCascade;
@@ -229,7 +229,7 @@ public final class InstanceTree {
         continue;
       }
       GroupingNode.Effect effect =
-          ((ViewerDependent) group.node()).view(localEye, localUp, cascade);
+          ((ViewerDependentNode) group.node()).view(localEye, localUp, cascade);
       if (effect != GroupingNode.Effect.NONE) {
         instances(group.node()).forEach(place -> ((GroupInstance) place).affected(effect));
       }
@@ -296,7 +296,7 @@ public final class InstanceTree {
       return new ScopedEffectInstance(node, parent, assets);
     }
     plainMoved(node); // The node may have been elsewhere before.
-    return new PlainInstance(node, parent);
+    return new NonVisualInstance(node, parent);
   }
 
   /**
@@ -361,7 +361,7 @@ public final class InstanceTree {
       }
     } else if (instance instanceof LightInstance light) {
       light.node().removeObserver(light);
-    } else if (instance instanceof PlainInstance) {
+    } else if (instance instanceof NonVisualInstance) {
       plainMoved(instance.node());
     }
   }

@@ -35,19 +35,19 @@ public final class PointingSensorDispatcher {
    */
   public record Ray(Vector3dc origin, Vector3dc direction) {}
 
-  private List<PlainInstance> over = List.of();
-  private List<PlainInstance> grabbed = List.of();
+  private List<NonVisualInstance> over = List.of();
+  private List<NonVisualInstance> grabbed = List.of();
   private boolean pressedBefore;
 
   /**
    * Returns the sensors addressed by a pointer over an instance; none if an Anchor is nearer to the
    * instance.
    */
-  public static List<PlainInstance> sensors(Instance hit) {
+  public static List<NonVisualInstance> sensors(Instance hit) {
     for (GroupInstance group = hit.parent(); group != null; group = group.parent()) {
-      List<PlainInstance> found = new ArrayList<>(0);
+      List<NonVisualInstance> found = new ArrayList<>(0);
       for (Instance child : group.children()) {
-        if (child instanceof PlainInstance place
+        if (child instanceof NonVisualInstance place
             && sensor(place).map(s -> s.enabled()).orElse(false)) {
           found.add(place);
         }
@@ -78,7 +78,7 @@ public final class PointingSensorDispatcher {
     return group.node().type().name().equals("Anchor");
   }
 
-  private static Optional<PointingDeviceSensorNode> sensor(PlainInstance place) {
+  private static Optional<PointingDeviceSensorNode> sensor(NonVisualInstance place) {
     return place.node() instanceof PointingDeviceSensorNode sensor
         ? Optional.of(sensor)
         : Optional.empty();
@@ -112,11 +112,11 @@ public final class PointingSensorDispatcher {
    * @param ray the ray of the pointer; empty if it points at nothing
    */
   public void point(Optional<Hit> hit, Optional<Ray> ray, boolean pressed, EventCascade cascade) {
-    List<PlainInstance> now = hit.map(at -> sensors(at.shape())).orElse(List.of());
+    List<NonVisualInstance> now = hit.map(at -> sensors(at.shape())).orElse(List.of());
     boolean goesDown = pressed && !pressedBefore;
     pressedBefore = pressed;
     if (!grabbed.isEmpty()) {
-      for (PlainInstance place : grabbed) {
+      for (NonVisualInstance place : grabbed) {
         tell(place, contains(now, place) ? hit : Optional.empty(), ray, pressed, cascade);
       }
       if (pressed) {
@@ -125,12 +125,12 @@ public final class PointingSensorDispatcher {
       over = grabbed;
       grabbed = List.of();
     }
-    for (PlainInstance place : over) {
+    for (NonVisualInstance place : over) {
       if (!contains(now, place)) {
         tell(place, Optional.empty(), ray, false, cascade);
       }
     }
-    for (PlainInstance place : now) {
+    for (NonVisualInstance place : now) {
       tell(place, hit, ray, goesDown, cascade);
     }
     over = now;
@@ -138,12 +138,12 @@ public final class PointingSensorDispatcher {
   }
 
   /** Returns whether an instance of the same node is in a list. */
-  private static boolean contains(List<PlainInstance> places, PlainInstance wanted) {
+  private static boolean contains(List<NonVisualInstance> places, NonVisualInstance wanted) {
     return places.stream().anyMatch(place -> place.node() == wanted.node());
   }
 
   private static void tell(
-      PlainInstance place,
+      NonVisualInstance place,
       Optional<Hit> hit,
       Optional<Ray> ray,
       boolean pressed,

@@ -14,7 +14,7 @@ import org.selectiverenderer.browser.nodes.shape.GeneratedCubeMapTextureNode;
 import org.selectiverenderer.browser.nodes.sound.SoundSourceNode;
 import org.selectiverenderer.browser.scene.Node;
 import org.selectiverenderer.browser.scene.NodeObserver;
-import org.selectiverenderer.browser.scene.NodeSubgraph;
+import org.selectiverenderer.browser.scene.NodeSubgraphCollector;
 import org.selectiverenderer.browser.scene.ProceduralShape;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.x3d.tessellate.GeoMeshOrigin;
@@ -106,7 +106,7 @@ final class SharedShapeState implements NodeObserver {
       formed = geometry == null ? null : assets.mesh(geometry).orElse(null);
       anchor = geometry == null ? null : GeoMeshOrigin.of(geometry).orElse(null);
     }
-    mesh = LineDistances.of(formed, stroke);
+    mesh = LineTextureCoordinates.of(formed, stroke);
     onScreen = isOnScreen(geometry);
     surface = AppearanceReader.read(shape.node("appearance"), geometry, assets);
     programs = ShaderProgramReader.read(shape.node("appearance"), geometry, assets);
@@ -152,7 +152,7 @@ final class SharedShapeState implements NodeObserver {
   }
 
   private void observe(Node node, Set<Node> set) {
-    for (Node part : NodeSubgraph.of(node)) {
+    for (Node part : NodeSubgraphCollector.of(node)) {
       if (set.add(part)) {
         part.addObserver(this);
         if (part.changes() > 0 && hasAsset(part)) {

@@ -9,15 +9,15 @@ import java.util.function.LongSupplier;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.browser.instance.Texture;
-import org.selectiverenderer.browser.loading.FileContent.Outcome;
+import org.selectiverenderer.browser.loading.LoadedFile.Outcome;
 import org.selectiverenderer.browser.nodes.group.InlineNode;
 import org.selectiverenderer.browser.scene.Scene;
 import org.selectiverenderer.browser.sound.AudioBuffer;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.shader.ShaderSource;
+import org.selectiverenderer.x3d.url.ResolvedUrlContent;
 import org.selectiverenderer.x3d.url.UrlResolver;
-import org.selectiverenderer.x3d.url.UrlSelection;
 
 /**
  * Reads the files that nodes of a running scene name, asynchronously on the loader's threads; the
@@ -86,7 +86,7 @@ final class AsyncResourceLoader {
   /** Makes the result from the files read. */
   @FunctionalInterface
   private interface Making<T> {
-    Optional<T> make(FileContent content, ProblemCollector hears);
+    Optional<T> make(LoadedFile content, ProblemCollector hears);
   }
 
   /** Reads what a node names, as if it were the only node of its file. */
@@ -94,8 +94,8 @@ final class AsyncResourceLoader {
       ParsedNode node, UrlContext origin, Making<T> making) {
     TaskGroup tasks = loader.tasks();
     SceneFileLoader reading = loader.reading(tasks, origin.root());
-    FileContent content =
-        new FileContent(origin.file(), origin.base(), X3dFile.of(node, origin.unitLength()));
+    LoadedFile content =
+        new LoadedFile(origin.file(), origin.base(), X3dFile.of(node, origin.unitLength()));
     tasks.start(() -> reading.follow(content));
     return arrival(tasks, node, hears -> making.make(content, hears), content::work);
   }
@@ -113,14 +113,15 @@ final class AsyncResourceLoader {
         new AtomicReference<>(hears -> Optional.empty());
     tasks.start(
         () -> {
-          UrlSelection choice = UrlSelection.of(anchor, origin.root(), origin.base(), consequence);
-          if (choice instanceof UrlSelection.Found file) {
+          ResolvedUrlContent choice =
+              ResolvedUrlContent.of(anchor, origin.root(), origin.base(), consequence);
+          if (choice instanceof ResolvedUrlContent.Found file) {
             CompletableFuture<Outcome> outcome = reading.file(file.content());
             making.set(hears -> scene(outcome.join(), anchor, origin.root(), consequence, hears));
           } else {
             making.set(
                 hears -> {
-                  hears.add(((UrlSelection.None) choice).problem());
+                  hears.add(((ResolvedUrlContent.None) choice).problem());
                   return Optional.empty();
                 });
           }

@@ -15,10 +15,10 @@ import org.selectiverenderer.browser.movie.MovieReader;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.url.BaseUrl;
-import org.selectiverenderer.x3d.url.ReadErrorMessage;
+import org.selectiverenderer.x3d.url.IoErrorFormatter;
+import org.selectiverenderer.x3d.url.ResolvedUrlContent;
 import org.selectiverenderer.x3d.url.UrlContent;
 import org.selectiverenderer.x3d.url.UrlResolver;
-import org.selectiverenderer.x3d.url.UrlSelection;
 
 /**
  * Loads the images of texture nodes, for one load. A file that several nodes name is read once. All
@@ -68,11 +68,11 @@ final class ImageLoader {
     return switch (texture.type().name()) {
       case "PixelTexture", "PixelTexture3D" -> pixels(texture, problems);
       case "ImageTexture", "ImageCubeMapTexture", "ImageTexture3D", "MovieTexture" -> {
-        UrlSelection choice = UrlSelection.of(texture, root, base, CONSEQUENCE);
-        if (choice instanceof UrlSelection.Found found) {
+        ResolvedUrlContent choice = ResolvedUrlContent.of(texture, root, base, CONSEQUENCE);
+        if (choice instanceof ResolvedUrlContent.Found found) {
           yield file(texture, found.content(), problems);
         }
-        problems.add(((UrlSelection.None) choice).problem());
+        problems.add(((ResolvedUrlContent.None) choice).problem());
         yield Optional.empty();
       }
       default -> Optional.empty();
@@ -149,7 +149,7 @@ final class ImageLoader {
       } catch (IOException e) {
         problems.error(
             texture.location(),
-            "%s %s; %s".formatted(file.name(), ReadErrorMessage.clause(e), CONSEQUENCE));
+            "%s %s; %s".formatted(file.name(), IoErrorFormatter.clause(e), CONSEQUENCE));
         return Optional.empty();
       }
     }
@@ -184,7 +184,7 @@ final class ImageLoader {
           "",
           movie.flaw());
     } catch (IOException e) {
-      return new Decoded(Optional.empty(), ReadErrorMessage.clause(e));
+      return new Decoded(Optional.empty(), IoErrorFormatter.clause(e));
     }
   }
 
@@ -201,7 +201,7 @@ final class ImageLoader {
     try {
       return new Decoded(Optional.of(ImageDecoder.read(file, budget)), "");
     } catch (IOException e) {
-      return new Decoded(Optional.empty(), ReadErrorMessage.clause(e));
+      return new Decoded(Optional.empty(), IoErrorFormatter.clause(e));
     }
   }
 }

@@ -9,7 +9,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
-import org.selectiverenderer.browser.loading.FileContent.Outcome;
+import org.selectiverenderer.browser.loading.LoadedFile.Outcome;
 import org.selectiverenderer.browser.nodes.NodeFactory;
 import org.selectiverenderer.browser.nodes.geospatial.GeoLodNode;
 import org.selectiverenderer.browser.nodes.group.InlineNode;
@@ -24,7 +24,7 @@ import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.field.FieldType;
-import org.selectiverenderer.x3d.geodesy.GeoSystem;
+import org.selectiverenderer.x3d.geodesy.SpatialReferenceSystem;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.script.ScriptProgram;
@@ -50,8 +50,8 @@ final class SceneBuilder {
   private final NodeRegistry store;
   private final UrlResolver root;
   private final int maxNodes;
-  private final List<FileContent> files = new ArrayList<>();
-  private final Set<FileContent> known = Collections.newSetFromMap(new IdentityHashMap<>());
+  private final List<LoadedFile> files = new ArrayList<>();
+  private final Set<LoadedFile> known = Collections.newSetFromMap(new IdentityHashMap<>());
   private int nodes;
   private boolean tooMany;
   private int depth;
@@ -78,7 +78,7 @@ final class SceneBuilder {
   /**
    * @param above the keys of the files that inline this one, outermost first
    */
-  Scene build(FileContent content, List<String> above) {
+  Scene build(LoadedFile content, List<String> above) {
     if (known.add(content)) {
       files.add(content);
     }
@@ -92,13 +92,13 @@ final class SceneBuilder {
 
   /** Builds the scene of one file, with its own DEF names and routes. */
   private final class FileBuilder {
-    private final FileContent content;
+    private final LoadedFile content;
     private final UrlContext origin;
     private final boolean modern;
     private final Scene scene;
     private final Map<ParsedNode, Node> made;
 
-    FileBuilder(FileContent content, List<String> above) {
+    FileBuilder(LoadedFile content, List<String> above) {
       this.content = content;
       X3dFile file = content.file();
       modern = file.version().startsWith("4");
@@ -280,7 +280,7 @@ final class SceneBuilder {
       boolean tessellated =
           node.type().is("X3DGeometricPropertyNode") || node.type().is("X3DGeometryNode");
       if (!tessellated && node.type().field("geoSystem").isPresent()) {
-        GeoSystem.of(node.strings("geoSystem"))
+        SpatialReferenceSystem.of(node.strings("geoSystem"))
             .problem()
             .ifPresent(text -> content.warning(node.location(), node.type().name() + " " + text));
       }
@@ -306,7 +306,7 @@ final class SceneBuilder {
         content.error(inline.location(), failed.sentence() + "; the Inline is left out");
         return;
       }
-      FileContent inner = ((Outcome.Read) outcome).content();
+      LoadedFile inner = ((Outcome.Read) outcome).content();
       String name = inner.file().source();
       if (origin.including().contains(inner.key())) {
         content.error(

@@ -12,7 +12,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.browser.instance.Background;
-import org.selectiverenderer.browser.loading.FileContent.Outcome;
+import org.selectiverenderer.browser.loading.LoadedFile.Outcome;
 import org.selectiverenderer.browser.movie.MovieDecoderPool;
 import org.selectiverenderer.x3d.read.NodeTraversal;
 import org.selectiverenderer.x3d.read.ParsedNode;
@@ -25,10 +25,10 @@ import org.selectiverenderer.x3d.script.ScriptProgram;
 import org.selectiverenderer.x3d.script.ScriptProgramSelection;
 import org.selectiverenderer.x3d.tessellate.Tessellator;
 import org.selectiverenderer.x3d.url.BaseUrl;
-import org.selectiverenderer.x3d.url.ReadErrorMessage;
+import org.selectiverenderer.x3d.url.IoErrorFormatter;
+import org.selectiverenderer.x3d.url.ResolvedUrlContent;
 import org.selectiverenderer.x3d.url.UrlContent;
 import org.selectiverenderer.x3d.url.UrlResolver;
-import org.selectiverenderer.x3d.url.UrlSelection;
 
 /**
  * Reads a file and everything it names in parallel: each file, each geometry and each image is a
@@ -72,29 +72,29 @@ final class SceneFileLoader {
    * @param base the base of its relative urls
    * @param size the size of the stream in bytes if known, else 0
    */
-  FileContent first(String name, InputStream in, long size, String key, BaseUrl base)
+  LoadedFile first(String name, InputStream in, long size, String key, BaseUrl base)
       throws IOException {
     ProblemCollector problems = new ProblemCollector();
     return begin(reader.with(libraries, base).read(name, in, size, problems), key, base, problems);
   }
 
   /** Reads a text like {@link #first}; its nodes are given to another scene. */
-  FileContent parts(String name, String text, String key, BaseUrl base) {
+  LoadedFile parts(String name, String text, String key, BaseUrl base) {
     ProblemCollector problems = new ProblemCollector();
     X3dReader own = reader.with(libraries, base).ofParts();
     return begin(own.read(name, text, problems), key, base, problems);
   }
 
   /** Makes an instance of a prototype, like {@link #first} reads a file. */
-  FileContent instance(
+  LoadedFile instance(
       String name, PrototypeLibrary library, String prototype, String key, BaseUrl base) {
     ProblemCollector problems = new ProblemCollector();
     X3dReader own = reader.with(libraries, base);
     return begin(own.instance(name, library, prototype, problems), key, base, problems);
   }
 
-  private FileContent begin(X3dFile file, String key, BaseUrl base, ProblemCollector problems) {
-    FileContent content = new FileContent(key, base, file);
+  private LoadedFile begin(X3dFile file, String key, BaseUrl base, ProblemCollector problems) {
+    LoadedFile content = new LoadedFile(key, base, file);
     content.problems().addAll(problems.list());
     files.put(key, CompletableFuture.completedFuture(new Outcome.Read(content)));
     follow(content);
@@ -120,19 +120,19 @@ final class SceneFileLoader {
       ProblemCollector problems = new ProblemCollector();
       X3dFile file =
           reader.with(libraries, source.base()).read(source.name(), in, source.size(), problems);
-      FileContent content = new FileContent(source.key(), source.base(), file);
+      LoadedFile content = new LoadedFile(source.key(), source.base(), file);
       content.problems().addAll(problems.list());
       follow(content);
       return new Outcome.Read(content);
     } catch (IOException e) {
-      return new Outcome.Failed(source.name() + " " + ReadErrorMessage.clause(e));
+      return new Outcome.Failed(source.name() + " " + IoErrorFormatter.clause(e));
     }
   }
 
   private record InlineFile(ParsedNode inline, UrlContent content) {}
 
   /** Starts tasks that read the files named in a file and make its meshes. */
-  void follow(FileContent content) {
+  void follow(LoadedFile content) {
     List<InlineFile> inlined = new ArrayList<>();
     List<Runnable> assets = new ArrayList<>();
     NodeTraversal.visit(
@@ -174,17 +174,17 @@ final class SceneFileLoader {
     assets.forEach(tasks::start);
   }
 
-  private void find(ParsedNode inline, FileContent content, Consumer<InlineFile> found) {
-    UrlSelection choice =
-        UrlSelection.of(inline, root, inline.base(content.base()), "the Inline is left out");
-    if (choice instanceof UrlSelection.Found named) {
+  private void find(ParsedNode inline, LoadedFile content, Consumer<InlineFile> found) {
+    ResolvedUrlContent choice =
+        ResolvedUrlContent.of(inline, root, inline.base(content.base()), "the Inline is left out");
+    if (choice instanceof ResolvedUrlContent.Found named) {
       found.accept(new InlineFile(inline, named.content()));
     } else {
-      content.problems().addAll(List.of(((UrlSelection.None) choice).problem()));
+      content.problems().addAll(List.of(((ResolvedUrlContent.None) choice).problem()));
     }
   }
 
-  private static Runnable task(FileContent content, Consumer<ProblemCollector> work) {
+  private static Runnable task(LoadedFile content, Consumer<ProblemCollector> work) {
     return () -> {
       ProblemCollector problems = new ProblemCollector();
       work.accept(problems);
@@ -192,21 +192,21 @@ final class SceneFileLoader {
     };
   }
 
-  private void mesh(ParsedNode geometry, FileContent content, ProblemCollector problems) {
+  private void mesh(ParsedNode geometry, LoadedFile content, ProblemCollector problems) {
     content.meshes().put(geometry, tessellator.tessellate(geometry, problems));
   }
 
-  private void program(ParsedNode script, FileContent content, ProblemCollector problems) {
+  private void program(ParsedNode script, LoadedFile content, ProblemCollector problems) {
     scripts
         .read(script, script.base(content.base()), problems)
         .ifPresent(program -> content.programs().put(script, program));
   }
 
-  private void shader(ParsedNode part, FileContent content, ProblemCollector problems) {
+  private void shader(ParsedNode part, LoadedFile content, ProblemCollector problems) {
     content.shaders().put(part, shaders.read(part, part.base(content.base()), problems));
   }
 
-  private void sound(ParsedNode clip, FileContent content, ProblemCollector problems) {
+  private void sound(ParsedNode clip, LoadedFile content, ProblemCollector problems) {
     sounds
         .read(clip, clip.base(content.base()), problems)
         .ifPresent(recording -> content.sounds().put(clip, recording));
@@ -216,7 +216,7 @@ final class SceneFileLoader {
    * @param owner the node that names the image: the texture itself, or a Background
    */
   private void image(
-      ParsedNode texture, ParsedNode owner, FileContent content, ProblemCollector problems) {
+      ParsedNode texture, ParsedNode owner, LoadedFile content, ProblemCollector problems) {
     content.images().put(texture, images.read(texture, owner.base(content.base()), problems));
   }
 
@@ -252,7 +252,7 @@ final class SceneFileLoader {
       } catch (IOException e) {
         problems.error(
             script.location(),
-            "%s %s; the Script does nothing".formatted(file.name(), ReadErrorMessage.clause(e)));
+            "%s %s; the Script does nothing".formatted(file.name(), IoErrorFormatter.clause(e)));
         return Optional.empty();
       }
     }

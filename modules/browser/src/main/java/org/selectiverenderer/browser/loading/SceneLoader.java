@@ -29,9 +29,9 @@ import org.selectiverenderer.x3d.source.ReadLimits;
 import org.selectiverenderer.x3d.tessellate.Tessellator;
 import org.selectiverenderer.x3d.url.BaseUrl;
 import org.selectiverenderer.x3d.url.ContentAccessPolicy;
+import org.selectiverenderer.x3d.url.ResolvedUrlContent;
 import org.selectiverenderer.x3d.url.UrlContent;
 import org.selectiverenderer.x3d.url.UrlResolver;
-import org.selectiverenderer.x3d.url.UrlSelection;
 
 /**
  * Loads scenes. Until it is closed it owns as many threads as there are processors, named {@code
@@ -201,7 +201,8 @@ public final class SceneLoader implements AutoCloseable {
     Path here = Path.of("");
     UrlResolver.Target target = new UrlResolver(here, access).resolve(url, here);
     if (target instanceof UrlResolver.Target.Refused refused) {
-      throw new IOException("url '%s' %s".formatted(UrlSelection.shown(url), refused.reason()));
+      throw new IOException(
+          "url '%s' %s".formatted(ResolvedUrlContent.shown(url), refused.reason()));
     }
     UrlContent content = ((UrlResolver.Target.Found) target).content();
     try (InputStream in = content.open()) {
@@ -220,7 +221,7 @@ public final class SceneLoader implements AutoCloseable {
       throws IOException {
     UrlResolver root = new UrlResolver(folder, access);
     TaskGroup tasks = tasks();
-    FileContent content = reading(tasks, root).first(name, in, size, key, base);
+    LoadedFile content = reading(tasks, root).first(name, in, size, key, base);
     TaskGroup.await(tasks.end());
     return new LoadedScene(build(content, root, List.of(), hears), this);
   }
@@ -254,9 +255,9 @@ public final class SceneLoader implements AutoCloseable {
   }
 
   private Scene made(
-      Function<SceneFileLoader, FileContent> reading, UrlContext origin, ProblemCollector hears) {
+      Function<SceneFileLoader, LoadedFile> reading, UrlContext origin, ProblemCollector hears) {
     TaskGroup tasks = tasks();
-    FileContent content = reading.apply(reading(tasks, origin.root()));
+    LoadedFile content = reading.apply(reading(tasks, origin.root()));
     TaskGroup.await(tasks.end());
     return build(content, origin.root(), origin.above(), hears);
   }
@@ -266,7 +267,7 @@ public final class SceneLoader implements AutoCloseable {
    *
    * @param above the keys of the files that inline it, outermost first
    */
-  Scene build(FileContent content, UrlResolver root, List<String> above, ProblemCollector hears) {
+  Scene build(LoadedFile content, UrlResolver root, List<String> above, ProblemCollector hears) {
     SceneBuilder builder =
         new SceneBuilder(
             factory, catalogue.get("Group"), catalogue.get("Inline"), store, root, maxNodes);

@@ -12,7 +12,7 @@ import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.shader.ShaderSource;
 import org.selectiverenderer.x3d.shader.ShaderSourceSelection;
 import org.selectiverenderer.x3d.url.BaseUrl;
-import org.selectiverenderer.x3d.url.ReadErrorMessage;
+import org.selectiverenderer.x3d.url.IoErrorFormatter;
 import org.selectiverenderer.x3d.url.UrlContent;
 import org.selectiverenderer.x3d.url.UrlResolver;
 
@@ -105,7 +105,7 @@ final class ShaderLoader {
     } catch (IOException e) {
       problems.error(
           part.location(),
-          "%s %s; %s".formatted(file.name(), ReadErrorMessage.clause(e), CONSEQUENCE));
+          "%s %s; %s".formatted(file.name(), IoErrorFormatter.clause(e), CONSEQUENCE));
       return Optional.empty();
     }
   }

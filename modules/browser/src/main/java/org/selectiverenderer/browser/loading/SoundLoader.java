@@ -10,10 +10,10 @@ import org.selectiverenderer.browser.sound.AudioBuffer;
 import org.selectiverenderer.browser.sound.SoundFileReader;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.url.BaseUrl;
-import org.selectiverenderer.x3d.url.ReadErrorMessage;
+import org.selectiverenderer.x3d.url.IoErrorFormatter;
+import org.selectiverenderer.x3d.url.ResolvedUrlContent;
 import org.selectiverenderer.x3d.url.UrlContent;
 import org.selectiverenderer.x3d.url.UrlResolver;
-import org.selectiverenderer.x3d.url.UrlSelection;
 
 /**
  * Loads the recordings of AudioClips, for one load. A file that several nodes name is read once,
@@ -43,9 +43,9 @@ final class SoundLoader {
    * @param base the base of its relative urls
    */
   Optional<AudioBuffer> read(ParsedNode clip, BaseUrl base, ProblemCollector problems) {
-    UrlSelection choice = UrlSelection.of(clip, root, base, CONSEQUENCE);
-    if (!(choice instanceof UrlSelection.Found found)) {
-      problems.add(((UrlSelection.None) choice).problem());
+    ResolvedUrlContent choice = ResolvedUrlContent.of(clip, root, base, CONSEQUENCE);
+    if (!(choice instanceof ResolvedUrlContent.Found found)) {
+      problems.add(((ResolvedUrlContent.None) choice).problem());
       return Optional.empty();
     }
     UrlContent file = found.content();
@@ -65,7 +65,7 @@ final class SoundLoader {
     try {
       return new Decoded(SoundFileReader.read(file, budget), "");
     } catch (IOException e) {
-      return new Decoded(Optional.empty(), ReadErrorMessage.clause(e));
+      return new Decoded(Optional.empty(), IoErrorFormatter.clause(e));
     }
   }
 }

@@ -13,10 +13,10 @@ import org.selectiverenderer.browser.collision.CollisionWorld;
 import org.selectiverenderer.browser.collision.PlacedMesh;
 import org.selectiverenderer.browser.collision.TriangleObstacleSet;
 import org.selectiverenderer.browser.nodes.group.CollisionNode;
-import org.selectiverenderer.browser.viewer.Heading;
-import org.selectiverenderer.browser.viewer.NavigationFrame;
 import org.selectiverenderer.browser.viewer.Viewer;
 import org.selectiverenderer.browser.viewer.ViewerMotion;
+import org.selectiverenderer.browser.viewer.ViewpointFrame;
+import org.selectiverenderer.browser.viewer.YawPitch;
 
 /**
  * Moves the viewer by the user's input and the navigation type (X3D 4.0, 23.2.2 and 23.4.4).
@@ -45,7 +45,7 @@ public final class NavigationMotion implements ViewerMotion {
   private final Vector3d lastEye = new Vector3d(Double.NaN);
   private final Vector3d pivot = new Vector3d();
   private NavigationParameters navigation = NavigationParameters.WALKING;
-  private NavigationFrame frame = NavigationFrame.WORLD;
+  private ViewpointFrame frame = ViewpointFrame.WORLD;
   private NavigationMode mode = NavigationMode.WALK;
   private boolean collisions = true;
 
@@ -59,14 +59,14 @@ public final class NavigationMotion implements ViewerMotion {
    * Uses the parameters of another NavigationInfo in its initial mode, scaled by a viewpoint's
    * coordinates.
    */
-  public void use(NavigationParameters newNavigation, NavigationFrame newFrame) {
+  public void use(NavigationParameters newNavigation, ViewpointFrame newFrame) {
     navigation = newNavigation;
     frame = newFrame;
     mode(newNavigation.initial());
   }
 
   /** Uses changed parameters of the NavigationInfo or viewpoint and keeps the mode. */
-  public void adapt(NavigationParameters newNavigation, NavigationFrame newFrame) {
+  public void adapt(NavigationParameters newNavigation, ViewpointFrame newFrame) {
     navigation = newNavigation;
     frame = newFrame;
   }
@@ -120,7 +120,7 @@ public final class NavigationMotion implements ViewerMotion {
     }
     Quaterniond toFrame = frame.upright().conjugate(new Quaterniond());
     Vector3d eye = toFrame.transform(viewer.position(), new Vector3d());
-    Heading heading = Heading.of(toFrame.mul(viewer.orientation(), new Quaterniond()));
+    YawPitch heading = YawPitch.of(toFrame.mul(viewer.orientation(), new Quaterniond()));
     heading =
         switch (mode) {
           case EXAMINE, LOOKAT -> orbit(eye, heading, motion, toFrame, dt);
@@ -201,9 +201,9 @@ public final class NavigationMotion implements ViewerMotion {
     return length > most ? way.mul(most / length) : way;
   }
 
-  private Heading walk(Vector3d eye, Heading start, MotionRequest motion, double dt) {
+  private YawPitch walk(Vector3d eye, YawPitch start, MotionRequest motion, double dt) {
     CharacterController.Body body = body();
-    Heading heading = start.turned(motion.lookYaw(), motion.lookPitch());
+    YawPitch heading = start.turned(motion.lookYaw(), motion.lookPitch());
     double speed =
         speed(
             new MotionRequest(motion.forward(), motion.strafe(), 0, 0, 0, 0, motion.speedFactor()));
@@ -218,8 +218,8 @@ public final class NavigationMotion implements ViewerMotion {
     return heading;
   }
 
-  private Heading fly(Vector3d eye, Heading start, MotionRequest motion, double dt) {
-    Heading heading = start.turned(motion.lookYaw(), motion.lookPitch());
+  private YawPitch fly(Vector3d eye, YawPitch start, MotionRequest motion, double dt) {
+    YawPitch heading = start.turned(motion.lookYaw(), motion.lookPitch());
     double speed = speed(motion);
     Vector3d wish = new Vector3d(motion.strafe(), motion.rise(), -motion.forward());
     int parts = parts(speed * wish.length() * dt, dt);
@@ -257,10 +257,10 @@ public final class NavigationMotion implements ViewerMotion {
    * Orbits about the pivot; forward motion approaches it by a share of the distance, so that it is
    * never reached.
    */
-  private Heading orbit(
-      Vector3d eye, Heading start, MotionRequest motion, Quaterniond toFrame, double dt) {
+  private YawPitch orbit(
+      Vector3d eye, YawPitch start, MotionRequest motion, Quaterniond toFrame, double dt) {
     Vector3d about = toFrame.transform(pivot, new Vector3d());
-    Heading heading = start.turned(motion.lookYaw() + motion.turn() * dt, motion.lookPitch());
+    YawPitch heading = start.turned(motion.lookYaw() + motion.turn() * dt, motion.lookPitch());
     Vector3d arm = start.orientation().transformInverse(eye.sub(about, new Vector3d()));
     double speed = speed(motion) / frame.scale();
     arm.mul(Math.exp(-motion.forward() * speed * dt));

@@ -19,7 +19,7 @@ import org.selectiverenderer.browser.nodes.picking.PickSensorNode;
 import org.selectiverenderer.browser.scene.EventCascade;
 import org.selectiverenderer.browser.scene.Node;
 import org.selectiverenderer.browser.scene.NodeObserver;
-import org.selectiverenderer.browser.scene.NodeSubgraph;
+import org.selectiverenderer.browser.scene.NodeSubgraphCollector;
 import org.selectiverenderer.geometry.BoundingBox;
 import org.selectiverenderer.geometry.mesh.Mesh;
 
@@ -88,7 +88,7 @@ final class PickSensorSearch implements NodeObserver {
   private void reshape() {
     observed.forEach(node -> node.removeObserver(this));
     geometry = sensor.geometry();
-    observed = geometry == null ? Set.of() : NodeSubgraph.of(geometry);
+    observed = geometry == null ? Set.of() : NodeSubgraphCollector.of(geometry);
     observed.forEach(node -> node.addObserver(this));
     picker = PickerFactory.of(sensor.with(), geometry, assets);
   }

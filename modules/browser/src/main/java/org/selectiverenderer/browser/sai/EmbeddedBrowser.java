@@ -15,8 +15,8 @@ import org.selectiverenderer.browser.World;
 import org.selectiverenderer.browser.loading.LoadedScene;
 import org.selectiverenderer.browser.loading.SceneLoader;
 import org.selectiverenderer.browser.nodes.group.InlineNode;
-import org.selectiverenderer.browser.scene.ListenerInvoker;
 import org.selectiverenderer.browser.scene.Node;
+import org.selectiverenderer.browser.scene.SafeListenerInvoker;
 import org.selectiverenderer.browser.scene.Scene;
 import org.selectiverenderer.sai.InlineSceneAccess;
 import org.selectiverenderer.sai.ProtoBodyAccess;
@@ -431,7 +431,7 @@ public final class EmbeddedBrowser implements ExternalBrowser, InlineSceneAccess
 
     void tell(BrowserEvent event) {
       for (BrowserListener listener : listeners) {
-        ListenerInvoker.call(
+        SafeListenerInvoker.call(
             world.problems(),
             SourceLocation.of(world.scene().url()),
             "a browser listener",

@@ -4,7 +4,7 @@ import java.util.concurrent.locks.LockSupport;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.browser.World;
 import org.selectiverenderer.browser.loading.SceneLoader;
-import org.selectiverenderer.browser.scene.ListenerInvoker;
+import org.selectiverenderer.browser.scene.SafeListenerInvoker;
 import org.web3d.x3d.sai.ExternalBrowser;
 import org.web3d.x3d.sai.X3DComponent;
 
@@ -35,7 +35,7 @@ final class EmbeddedComponent implements X3DComponent {
     long start = System.nanoTime();
     for (long frame = 0; open; frame++) {
       double now = (System.nanoTime() - start) * 1e-9;
-      ListenerInvoker.call(
+      SafeListenerInvoker.call(
           world.problems(),
           SourceLocation.of(world.scene().url()),
           "a frame",

@@ -27,7 +27,7 @@ import org.web3d.x3d.sai.X3DRoute;
  * The SAI's scene object. Until the scene is shown, changes are done at once, by any thread. From
  * then on changes of nodes and routes go through the world as writes of fields do.
  */
-final class EmbeddedScene extends SceneWithoutPrototypes {
+final class EmbeddedScene extends PrototypelessSceneAdapter {
   private final SaiContext binding;
   private final SceneFactory maker;
   private final Scene scene;

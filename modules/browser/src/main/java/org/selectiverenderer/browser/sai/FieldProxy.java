@@ -6,9 +6,9 @@ import java.lang.reflect.Proxy;
 import java.util.Arrays;
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.browser.scene.ListenerInvoker;
 import org.selectiverenderer.browser.scene.Node;
 import org.selectiverenderer.browser.scene.PrototypeInstance;
+import org.selectiverenderer.browser.scene.SafeListenerInvoker;
 import org.selectiverenderer.browser.scene.SingleFieldListener;
 import org.selectiverenderer.x3d.catalogue.AccessType;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
@@ -214,7 +214,7 @@ final class FieldProxy implements InvocationHandler, SingleFieldListener, FieldM
     X3DFieldEvent event = new X3DFieldEvent(proxy, time, userData);
     for (X3DFieldEventListener listener : all()) {
       if (Arrays.asList(all()).contains(listener)) {
-        ListenerInvoker.call(
+        SafeListenerInvoker.call(
             owner.binding().problems(),
             node.location(),
             "a listener of " + definition.getName(),

@@ -117,7 +117,7 @@ public final class EventCascade {
   /**
    * Calls the listeners of all events sent, until they send no more. They get the present time
    * stamp: events sent between two frames belong to the frame that delivers them. If a listener
-   * ends in an error that {@link ListenerInvoker} lets through, the rest are called in the next
+   * ends in an error that {@link SafeListenerInvoker} lets through, the rest are called in the next
    * run.
    */
   public void run() {
@@ -142,7 +142,7 @@ public final class EventCascade {
   }
 
   private void call(Notification next) {
-    ListenerInvoker.call(
+    SafeListenerInvoker.call(
         problems,
         next.node.location(),
         "a listener of " + next.node.type().fields().get(next.field).name(),

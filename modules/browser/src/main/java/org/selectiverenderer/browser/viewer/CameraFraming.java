@@ -14,7 +14,7 @@ import org.selectiverenderer.geometry.BoundingBox;
  * @param pose upright, aimed at the centre
  * @param extent the extent of an orthographic view from there that contains the box
  */
-public record CameraFraming(Vector3d centre, Pose pose, ViewExtent extent) {
+public record CameraFraming(Vector3d centre, Pose pose, OrthographicExtent extent) {
   /** Factor of the distance, relative to that at which the box just fills the picture. */
   private static final double ROOM = 1.1;
 
@@ -37,7 +37,7 @@ public record CameraFraming(Vector3d centre, Pose pose, ViewExtent extent) {
     return new CameraFraming(
         centre,
         new Pose(eye, orientation, from.fieldOfView()),
-        new ViewExtent(-half.x, -half.y, half.x, half.y));
+        new OrthographicExtent(-half.x, -half.y, half.x, half.y));
   }
 
   /**
@@ -51,8 +51,8 @@ public record CameraFraming(Vector3d centre, Pose pose, ViewExtent extent) {
     }
     Quaterniond before = upright.conjugate(new Quaterniond()).mul(from.orientation());
     double level = Math.hypot(front.x, front.z);
-    double yaw = level > 1e-6 ? Math.atan2(-front.x, -front.z) : Heading.of(before).yaw();
-    Heading heading = new Heading(yaw, Math.atan2(front.y, level));
+    double yaw = level > 1e-6 ? Math.atan2(-front.x, -front.z) : YawPitch.of(before).yaw();
+    YawPitch heading = new YawPitch(yaw, Math.atan2(front.y, level));
     return upright.mul(heading.orientation(), new Quaterniond());
   }
 

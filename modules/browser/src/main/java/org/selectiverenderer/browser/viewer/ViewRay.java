@@ -20,13 +20,13 @@ public record ViewRay(Vector3dc origin, Vector3dc direction) {
    * @param aspect the aspect ratio of the picture, width to height
    */
   public static ViewRay of(Viewer viewer, Vector3dc direction, double aspect) {
-    Optional<ViewExtent> parallel = viewer.extent();
+    Optional<OrthographicExtent> parallel = viewer.extent();
     if (parallel.isEmpty()) {
       return new ViewRay(
           new Vector3d(viewer.position()),
           viewer.orientation().transform(direction, new Vector3d()));
     }
-    ViewExtent shown = parallel.get().filling(aspect);
+    OrthographicExtent shown = parallel.get().filling(aspect);
     // In units of half the smaller side of the picture, from its centre.
     double unit = Math.tan(viewer.fieldOfView() / 2) * -direction.z();
     double half = Math.min(shown.right() - shown.left(), shown.top() - shown.bottom()) / 2;

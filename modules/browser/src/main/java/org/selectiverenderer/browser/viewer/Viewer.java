@@ -16,7 +16,7 @@ public final class Viewer {
   private final Vector3d position = new Vector3d(0, 0, 10);
   private final Quaterniond orientation = new Quaterniond();
   private double fieldOfView = Math.PI / 4;
-  private @Nullable ViewExtent extent;
+  private @Nullable OrthographicExtent extent;
 
   public Vector3dc position() {
     return position;
@@ -33,12 +33,12 @@ public final class Viewer {
   }
 
   /** Returns the extent of an orthographic view; empty for a perspective view. */
-  public Optional<ViewExtent> extent() {
+  public Optional<OrthographicExtent> extent() {
     return Optional.ofNullable(extent);
   }
 
   /** Sets an orthographic view, or a perspective one if empty. */
-  public void extent(Optional<ViewExtent> parallel) {
+  public void extent(Optional<OrthographicExtent> parallel) {
     extent = parallel.orElse(null);
   }
 

@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.browser.viewer.NavigationFrame;
+import org.selectiverenderer.browser.viewer.ViewpointFrame;
 import org.selectiverenderer.geometry.mesh.TestMeshes;
 
 /** Steps, ramps, gravity and what holds a walker up. */
@@ -46,7 +46,7 @@ class NavigationMotionGroundTest extends NavigationMotionTestCase {
     NavigationMotion walker = walker();
     walker.use(
         new NavigationParameters(List.of(NavigationMode.WALK), 0.25, 1.6, 0, 1),
-        NavigationFrame.WORLD);
+        ViewpointFrame.WORLD);
     motion = MotionRequest.ahead(1);
     run(walker, 3, FRAME);
     assertAt(0, 1.6 + 1.5, -3, 0.01);

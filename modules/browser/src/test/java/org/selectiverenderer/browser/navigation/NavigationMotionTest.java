@@ -10,14 +10,14 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.selectiverenderer.browser.viewer.NavigationFrame;
 import org.selectiverenderer.browser.viewer.Viewer;
+import org.selectiverenderer.browser.viewer.ViewpointFrame;
 import org.selectiverenderer.geometry.mesh.TestMeshes;
 
 /** Walking ahead, along walls and through doorways. */
 class NavigationMotionTest extends NavigationMotionTestCase {
   private static Quaterniond walkerUpright(Matrix4d place) {
-    return new Quaterniond(NavigationFrame.of(place).upright());
+    return new Quaterniond(ViewpointFrame.of(place).upright());
   }
 
   @Test
@@ -187,7 +187,7 @@ class NavigationMotionTest extends NavigationMotionTestCase {
     // Up is now -X of the world: the ground is a wall of the world at x = 0.
     world.add(TestMeshes.quad(true, 0, -50, -50, 0, -50, 50, 0, 50, 50, 0, 50, -50));
     NavigationMotion walker = walker();
-    walker.use(SMALL_STEPS, NavigationFrame.of(place));
+    walker.use(SMALL_STEPS, ViewpointFrame.of(place));
     viewer.moveTo(new Vector3d(-5, 0, 0));
     viewer.turnTo(walkerUpright(place));
     motion = MotionRequest.ahead(1);

@@ -6,8 +6,8 @@ import java.util.List;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.BeforeEach;
 import org.selectiverenderer.browser.collision.TestWorld;
-import org.selectiverenderer.browser.viewer.NavigationFrame;
 import org.selectiverenderer.browser.viewer.Viewer;
+import org.selectiverenderer.browser.viewer.ViewpointFrame;
 
 /** A walker 1.6 m tall, 0.25 m wide to either side, who steps over 0.3 m, at 1 m/s. */
 abstract class NavigationMotionTestCase {
@@ -27,7 +27,7 @@ abstract class NavigationMotionTestCase {
 
   NavigationMotion walker() {
     NavigationMotion walker = new NavigationMotion(world.colliders(), dt -> motion);
-    walker.use(SMALL_STEPS, NavigationFrame.WORLD);
+    walker.use(SMALL_STEPS, ViewpointFrame.WORLD);
     return walker;
   }
 

@@ -65,12 +65,11 @@ public final class AtlasBuilder {
   public Atlas make(RadiosityScene scene, int[] groupOf, double[] wished)
       throws RadiosityException {
     int count = scene.bodies().size();
-    @Nullable BodyCharts[] charts = new BodyCharts[count];
+    @Nullable UvCharts[] charts = new UvCharts[count];
     IntStream.range(0, count)
         .parallel()
         .filter(i -> groupOf[i] >= 0)
-        .forEach(
-            i -> charts[i] = BodyCharts.of(new TriangleAdjacency(scene, scene.bodies().get(i))));
+        .forEach(i -> charts[i] = UvCharts.of(new TriangleAdjacency(scene, scene.bodies().get(i))));
     ChartRectangles boxes = new ChartRectangles(charts);
     AtlasPacker planner = new AtlasPacker(boxes, settings.largestPage());
     double[] densities = TexelDensity.of(scene, settings);
@@ -206,7 +205,7 @@ public final class AtlasBuilder {
 
   private static Atlas draw(
       RadiosityScene scene,
-      @Nullable BodyCharts[] charts,
+      @Nullable UvCharts[] charts,
       ChartRectangles boxes,
       List<AtlasPacker.Page> pages) {
     AtlasPage[] maps = new AtlasPage[pages.size()];
@@ -236,7 +235,7 @@ public final class AtlasBuilder {
 
   private static float[] draw(
       Body body,
-      BodyCharts charts,
+      UvCharts charts,
       ChartRectangles boxes,
       int firstBox,
       Rasterizer rasterizer,

@@ -18,7 +18,7 @@ final class ChartRectangles {
   /** Part of a texel by which a chart may be wider than its box and is squeezed into it. */
   private static final double SQUEEZE = 0.05;
 
-  private final @Nullable BodyCharts[] bodies;
+  private final @Nullable UvCharts[] bodies;
   private final int[] first;
   final int[] width;
   final int[] height;
@@ -28,11 +28,11 @@ final class ChartRectangles {
   /**
    * @param bodies the charts of each body; null for bodies without a page
    */
-  ChartRectangles(@Nullable BodyCharts[] bodies) {
+  ChartRectangles(@Nullable UvCharts[] bodies) {
     this.bodies = bodies;
     first = new int[bodies.length + 1];
     for (int i = 0; i < bodies.length; i++) {
-      BodyCharts charts = bodies[i];
+      UvCharts charts = bodies[i];
       first[i + 1] = first[i] + (charts == null ? 0 : charts.charts());
     }
     int count = first[bodies.length];
@@ -56,7 +56,7 @@ final class ChartRectangles {
    * that they take, gutters included.
    */
   long size(int body, double density) {
-    BodyCharts charts = bodies[body];
+    UvCharts charts = bodies[body];
     long sum = 0;
     for (int i = first[body]; i < first[body + 1]; i++) {
       width[i] = texels(charts.width()[i - first[body]], density);
@@ -85,12 +85,12 @@ final class ChartRectangles {
   }
 
   /** Returns the x coordinate of a chart's corner on its page, texels. */
-  double column(int box, BodyCharts charts, int chart, int corner) {
+  double column(int box, UvCharts charts, int chart, int corner) {
     float wide = charts.width()[chart];
     return x[box] + width[box] * (wide > 0 ? charts.flat()[corner] / (double) wide : 0.5);
   }
 
-  double row(int box, BodyCharts charts, int chart, int corner) {
+  double row(int box, UvCharts charts, int chart, int corner) {
     float high = charts.height()[chart];
     return y[box] + height[box] * (high > 0 ? charts.flat()[corner + 1] / (double) high : 0.5);
   }

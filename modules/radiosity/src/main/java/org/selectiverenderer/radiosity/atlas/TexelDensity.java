@@ -76,12 +76,12 @@ final class TexelDensity {
   static Optional<double[]> finer(
       double[] densities,
       double[] wished,
-      @Nullable BodyCharts[] charts,
+      @Nullable UvCharts[] charts,
       ChartRectangles boxes,
       AtlasPacker planner) {
     double[] finer = densities.clone();
     for (int i = 0; i < finer.length; i++) {
-      BodyCharts own = charts[i];
+      UvCharts own = charts[i];
       double density = own == null || wished[i] <= 0 ? 0 : Math.sqrt(wished[i] / own.area());
       if (density > finer[i]
           && density <= FINER * finer[i]

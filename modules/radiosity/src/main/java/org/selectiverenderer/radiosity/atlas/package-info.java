@@ -11,7 +11,7 @@
  *
  * <pre>
  * body -> TriangleAdjacency: neighbours -> ChartGrower, ChartMerger: charts -> Overlaps: cut where they
- *   lie on themselves -> BodyCharts: flat, in the smallest box
+ *   lie on themselves -> UvCharts: flat, in the smallest box
  * Density -> ChartRectangles: whole texels -> AtlasPacker, Skyline: pages -> Rasterizer: AtlasPage
  * </pre>
  *

@@ -9,7 +9,7 @@ import org.selectiverenderer.radiosity.sampling.CosineHemisphereSampler;
 import org.selectiverenderer.radiosity.sampling.SobolPointSet;
 import org.selectiverenderer.radiosity.scene.RadiosityScene;
 import org.selectiverenderer.radiosity.solve.RadiositySolution;
-import org.selectiverenderer.radiosity.texel.LitSideSelection;
+import org.selectiverenderer.radiosity.texel.TwoSidedLightSelector;
 
 /**
  * Gathers irradiance at vertices. A vertex stands for the facets around it: rays start all over
@@ -35,7 +35,7 @@ public final class VertexGatherer {
 
   private final RadiosityScene scene;
   private final RadiositySolution solution;
-  private final LitSideSelection sides;
+  private final TwoSidedLightSelector sides;
   private final RadiosityMesh facets;
   private final RadiosityMesh.Corners corners;
   private final BitSet divided;
@@ -86,7 +86,7 @@ public final class VertexGatherer {
   public VertexGatherer(
       RadiosityScene scene,
       RadiositySolution solution,
-      LitSideSelection sides,
+      TwoSidedLightSelector sides,
       RadiosityMesh facets,
       Effort effort) {
     this.scene = scene;

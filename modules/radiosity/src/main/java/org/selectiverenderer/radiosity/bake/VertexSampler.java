@@ -7,7 +7,7 @@ import org.selectiverenderer.radiosity.mesh.RadiosityMesh;
 import org.selectiverenderer.radiosity.scene.RadiosityScene;
 import org.selectiverenderer.radiosity.solve.DirectLightEstimator;
 import org.selectiverenderer.radiosity.solve.RadiositySolution;
-import org.selectiverenderer.radiosity.texel.LitSideSelection;
+import org.selectiverenderer.radiosity.texel.TwoSidedLightSelector;
 import org.selectiverenderer.radiosity.trace.Ray;
 import org.selectiverenderer.radiosity.trace.SceneTriangles;
 
@@ -37,7 +37,7 @@ final class VertexSampler {
 
   private final RadiosityScene scene;
   private final RadiositySolution solution;
-  private final LitSideSelection sides;
+  private final TwoSidedLightSelector sides;
   private final RadiosityMesh facets;
   private final BitSet divided;
   private final VertexGatherer.Samples samples;
@@ -68,7 +68,7 @@ final class VertexSampler {
   VertexSampler(
       RadiosityScene scene,
       RadiositySolution solution,
-      LitSideSelection sides,
+      TwoSidedLightSelector sides,
       RadiosityMesh facets,
       BitSet divided,
       VertexGatherer.Samples samples) {

@@ -118,8 +118,8 @@ public final class AdaptiveSubdivision {
         .divide(polygons, 2 * minMesh, threshold);
   }
 
-  private ReferenceLightSamples map(Map<Integer, double[]> light) {
-    ReferenceLightSamples map = new ReferenceLightSamples();
+  private FineMeshReference map(Map<Integer, double[]> light) {
+    FineMeshReference map = new FineMeshReference();
     Map<Integer, Integer> next = new HashMap<>();
     for (ConformingTriangleMesh.Tile tile : mesh.tiles()) {
       if (!mesh.flat(tile)) {

@@ -12,7 +12,7 @@ import org.selectiverenderer.geometry.TriangleMath;
 /**
  * Error-driven refinement: the facet with the largest interpolation error is divided next. The
  * error is the squared difference between interpolated corner colours and the samples of a {@link
- * ReferenceLightSamples}, in shares of display white, integrated over the facet's area, times the
+ * FineMeshReference}, in shares of display white, integrated over the facet's area, times the
  * facet's size, since artefacts over a wall are more visible than those along a window's frame.
  */
 final class ErrorDrivenRefinement {
@@ -26,8 +26,8 @@ final class ErrorDrivenRefinement {
   private record Wish(ConformingTriangleMesh.Tile tile, double error, double worst) {}
 
   private final ConformingTriangleMesh mesh;
-  private final ReferenceLightSamples map;
-  private final Map<ConformingTriangleMesh.Tile, List<ReferenceLightSamples.Sample>> samples =
+  private final FineMeshReference map;
+  private final Map<ConformingTriangleMesh.Tile, List<FineMeshReference.Sample>> samples =
       new IdentityHashMap<>();
   private final PriorityQueue<Wish> queue =
       new PriorityQueue<>(
@@ -38,7 +38,7 @@ final class ErrorDrivenRefinement {
    * @param roots the number of each facet in the map, by its number in the mesh
    */
   ErrorDrivenRefinement(
-      ConformingTriangleMesh mesh, ReferenceLightSamples map, Map<Integer, Integer> roots) {
+      ConformingTriangleMesh mesh, FineMeshReference map, Map<Integer, Integer> roots) {
     this.mesh = mesh;
     this.map = map;
     for (ConformingTriangleMesh.Tile tile : mesh.tiles()) {
@@ -87,13 +87,13 @@ final class ErrorDrivenRefinement {
     List<ConformingTriangleMesh.Tile> parents = List.copyOf(mesh.at(edge));
     List<ConformingTriangleMesh.Tile> made = mesh.halve(edge);
     for (int k = 0; k < parents.size(); k++) {
-      List<ReferenceLightSamples.Sample> all = samples.remove(parents.get(k));
+      List<FineMeshReference.Sample> all = samples.remove(parents.get(k));
       ConformingTriangleMesh.Tile one = made.get(2 * k);
       ConformingTriangleMesh.Tile two = made.get(2 * k + 1);
-      Map<Boolean, List<ReferenceLightSamples.Sample>> sides = new HashMap<>();
+      Map<Boolean, List<FineMeshReference.Sample>> sides = new HashMap<>();
       double[] first = new double[3];
       double[] second = new double[3];
-      for (ReferenceLightSamples.Sample sample : all) {
+      for (FineMeshReference.Sample sample : all) {
         weights(one, sample, first);
         weights(two, sample, second);
         boolean inFirst = least(first) >= least(second);
@@ -114,7 +114,7 @@ final class ErrorDrivenRefinement {
     double[] w = new double[3];
     double error = 0;
     double worst = 0;
-    for (ReferenceLightSamples.Sample sample : samples.get(tile)) {
+    for (FineMeshReference.Sample sample : samples.get(tile)) {
       weights(tile, sample, w);
       double off = w[0] * values[0] + w[1] * values[1] + w[2] * values[2] - sample.value();
       error += sample.area() * off * off;
@@ -129,7 +129,7 @@ final class ErrorDrivenRefinement {
 
   /** Computes the barycentric weights of a facet's corners at a point in its plane. */
   private static void weights(
-      ConformingTriangleMesh.Tile tile, ReferenceLightSamples.Sample at, double[] out) {
+      ConformingTriangleMesh.Tile tile, FineMeshReference.Sample at, double[] out) {
     float[] c = tile.facet.corners();
     for (int i = 0; i < 3; i++) {
       int j = 3 * ((i + 1) % 3);

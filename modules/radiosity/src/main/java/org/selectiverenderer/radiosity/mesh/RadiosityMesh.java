@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import org.selectiverenderer.radiosity.scene.Body;
 import org.selectiverenderer.radiosity.scene.RadiosityScene;
-import org.selectiverenderer.radiosity.trace.ObjectVersions;
+import org.selectiverenderer.radiosity.trace.ObjectVersionIndex;
 
 /**
  * The mesh on which light is stored at vertices: all facets and the vertices that they share.
@@ -55,7 +55,7 @@ public record RadiosityMesh(
     for (int i = 0; i < bodies.size(); i++) {
       Body body = bodies.get(i);
       List<Facet> parts = divided.get(i);
-      if (body.version() == ObjectVersions.FIXED) {
+      if (body.version() == ObjectVersionIndex.FIXED) {
         for (int k = 0; k < firstOfBody[i + 1] - firstOfBody[i]; k++) {
           builder.weld(parts == null ? Facet.of(body, k) : parts.get(k));
         }

@@ -34,7 +34,7 @@ public final class LightmapFormat implements LitSceneFormat {
 
   private final LightmappedScene lit;
   private final LightmapImageSet painted;
-  private final HighlightMaterials gloss;
+  private final SpecularMaterials gloss;
   private final HighlightLightWriter lamps;
   private final OutputFileIndex places;
   private final BrightenedImageFiles images = new BrightenedImageFiles();
@@ -55,7 +55,7 @@ public final class LightmapFormat implements LitSceneFormat {
     this.painted = painted;
     this.lamps = lamps;
     gloss =
-        highlights ? HighlightMaterials.of(lit.scene(), painted.use()) : HighlightMaterials.none();
+        highlights ? SpecularMaterials.of(lit.scene(), painted.use()) : SpecularMaterials.none();
     places = OutputFileIndex.of(lit.scene());
   }
 
@@ -129,12 +129,12 @@ public final class LightmapFormat implements LitSceneFormat {
     known.put(kind, name);
     out.open("Appearance").def(name);
     if (gloss.on(number)) {
-      HighlightMaterials.open(out, body);
+      SpecularMaterials.open(out, body);
       picture(into, page, "emissiveTexture");
       out.close();
     } else {
       if (body.transmittance() > 0) {
-        out.empty("UnlitMaterial", "transparency", HighlightMaterials.text(body.transmittance()));
+        out.empty("UnlitMaterial", "transparency", SpecularMaterials.text(body.transmittance()));
       }
       texture(into, number, body, page);
     }
@@ -151,7 +151,7 @@ public final class LightmapFormat implements LitSceneFormat {
         .formatted(
             lit.atlas().layouts().get(number).page(),
             body.transmittance(),
-            gloss.on(number) ? HighlightMaterials.fields(body) : "",
+            gloss.on(number) ? SpecularMaterials.fields(body) : "",
             image);
   }
 

@@ -12,7 +12,7 @@ import org.selectiverenderer.radiosity.bake.DiffuseTexture;
 import org.selectiverenderer.radiosity.bake.LightmappedScene;
 import org.selectiverenderer.radiosity.mesh.Facet;
 import org.selectiverenderer.radiosity.scene.Body;
-import org.selectiverenderer.radiosity.trace.ObjectVersions;
+import org.selectiverenderer.radiosity.trace.ObjectVersionIndex;
 import org.selectiverenderer.radiosity.trace.SceneTriangles;
 import org.selectiverenderer.x3d.write.TupleListBuilder;
 import org.selectiverenderer.x3d.write.X3dWriter;
@@ -158,7 +158,7 @@ final class LightmapShapeWriter {
    * not count degenerate facets.
    */
   private int decimals(Body body, @Nullable List<Facet> divided, int count) {
-    double least = body.version() == ObjectVersions.FIXED ? ROOM : OBJECT;
+    double least = body.version() == ObjectVersionIndex.FIXED ? ROOM : OBJECT;
     int decimals = GeometryNumberFormat.decimals(body.mesh(), least);
     for (int facet = 0; facet < count; facet++) {
       Facet part = divided == null ? null : divided.get(facet);

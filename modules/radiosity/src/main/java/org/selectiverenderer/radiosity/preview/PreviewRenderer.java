@@ -11,7 +11,7 @@ import org.selectiverenderer.radiosity.scene.Body;
 import org.selectiverenderer.radiosity.scene.RadiosityScene;
 import org.selectiverenderer.radiosity.solve.RadiositySolution;
 import org.selectiverenderer.radiosity.texel.IrradianceAtlas;
-import org.selectiverenderer.radiosity.trace.ObjectVersions;
+import org.selectiverenderer.radiosity.trace.ObjectVersionIndex;
 import org.selectiverenderer.radiosity.trace.Ray;
 import org.selectiverenderer.radiosity.trace.SceneTriangles;
 
@@ -44,7 +44,7 @@ public final class PreviewRenderer {
       ray.from(eye, camera.direction(x + 0.5, y + 0.5, WIDTH, HEIGHT, direction));
       ray.length = Double.POSITIVE_INFINITY;
       ray.pass = 0.5;
-      scene.visibility().nearest(ray, ObjectVersions.FIXED);
+      scene.visibility().nearest(ray, ObjectVersionIndex.FIXED);
       triangle[pixel] = ray.triangle;
       u[pixel] = ray.u;
       v[pixel] = ray.v;

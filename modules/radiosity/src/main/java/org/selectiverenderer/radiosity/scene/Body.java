@@ -14,7 +14,7 @@ import org.selectiverenderer.geometry.mesh.Mesh;
  * @param mirrored whether its transform mirrors the mesh, so that the winding of triangles is
  *     swapped
  * @param version the version of an object that it belongs to, or {@link
- *     org.selectiverenderer.radiosity.trace.ObjectVersions#FIXED}
+ *     org.selectiverenderer.radiosity.trace.ObjectVersionIndex#FIXED}
  * @param budget number of the region with a polygon budget that it belongs to, or -1
  * @param firstTriangle number of its first triangle in the scene's triangles
  * @param reflectance r, g, b of each triangle, or of all triangles if there are three numbers only

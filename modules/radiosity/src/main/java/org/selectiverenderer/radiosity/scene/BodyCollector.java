@@ -16,7 +16,7 @@ import org.selectiverenderer.browser.instance.ShapeInstance;
 import org.selectiverenderer.browser.instance.SurfaceMaterial;
 import org.selectiverenderer.browser.nodes.group.SwitchNode;
 import org.selectiverenderer.geometry.mesh.Mesh;
-import org.selectiverenderer.radiosity.trace.ObjectVersions;
+import org.selectiverenderer.radiosity.trace.ObjectVersionIndex;
 
 /**
  * Walks the instance tree and collects every instance of every shape as a body. The children of a
@@ -30,7 +30,7 @@ final class BodyCollector {
   private final double unit;
   private final ProblemCollector problems;
   private final List<Body> bodies = new ArrayList<>();
-  private final ObjectVersions versions = new ObjectVersions();
+  private final ObjectVersionIndex versions = new ObjectVersionIndex();
   private final List<Integer> budgets = new ArrayList<>();
   private final Map<Mesh, float[]> reflectances = new IdentityHashMap<>();
   private int objects;
@@ -42,14 +42,14 @@ final class BodyCollector {
   }
 
   void gather(GroupInstance root) {
-    walk(root, ObjectVersions.FIXED, -1);
+    walk(root, ObjectVersionIndex.FIXED, -1);
   }
 
   List<Body> bodies() {
     return bodies;
   }
 
-  ObjectVersions versions() {
+  ObjectVersionIndex versions() {
     return versions;
   }
 
@@ -69,9 +69,9 @@ final class BodyCollector {
     if (!(instance instanceof GroupInstance group)) {
       return;
     }
-    int region = version == ObjectVersions.FIXED ? budget(group, budget) : -1;
+    int region = version == ObjectVersionIndex.FIXED ? budget(group, budget) : -1;
     boolean choice = isChoice(group);
-    if (!choice || version != ObjectVersions.FIXED) {
+    if (!choice || version != ObjectVersionIndex.FIXED) {
       group.children().forEach(child -> walk(child, version, region));
       return;
     }

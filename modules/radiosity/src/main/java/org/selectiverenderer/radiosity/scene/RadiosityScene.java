@@ -2,7 +2,7 @@ package org.selectiverenderer.radiosity.scene;
 
 import java.util.List;
 import org.selectiverenderer.radiosity.light.LightSource;
-import org.selectiverenderer.radiosity.trace.ObjectVersions;
+import org.selectiverenderer.radiosity.trace.ObjectVersionIndex;
 import org.selectiverenderer.radiosity.trace.SceneIntersector;
 import org.selectiverenderer.radiosity.trace.SceneTriangles;
 
@@ -22,7 +22,7 @@ public record RadiosityScene(
     List<Body> bodies,
     SceneTriangles triangles,
     int[] bodyOf,
-    ObjectVersions versions,
+    ObjectVersionIndex versions,
     SceneIntersector visibility,
     List<LightSource> lamps,
     boolean[] sampled,

@@ -20,14 +20,14 @@ import org.selectiverenderer.radiosity.scene.RadiosityScene;
  */
 public final class RadiositySolver {
   private final RadiosityScene scene;
-  private final FormFactorSamples transport;
+  private final MonteCarloFormFactors transport;
   private final SurfacePatches patches;
   private final float[] rho;
   private final float[] glow;
   private final double[] outsideShare;
   private final int[] inside;
 
-  public RadiositySolver(RadiosityScene scene, FormFactorSamples transport) {
+  public RadiositySolver(RadiosityScene scene, MonteCarloFormFactors transport) {
     this.scene = scene;
     this.transport = transport;
     patches = transport.patches();
@@ -50,8 +50,8 @@ public final class RadiositySolver {
       int outside = 0;
       for (int i = 0; i < transport.rays(patch); i++) {
         int met = transport.seen(patch, i);
-        outside += met == FormFactorSamples.OUTSIDE ? 1 : 0;
-        inside[patch] += met == FormFactorSamples.INSIDE ? 1 : 0;
+        outside += met == MonteCarloFormFactors.OUTSIDE ? 1 : 0;
+        inside[patch] += met == MonteCarloFormFactors.INSIDE ? 1 : 0;
       }
       int valid = transport.rays(patch) - inside[patch];
       outsideShare[patch] = valid == 0 ? 0 : (double) outside / valid;
@@ -74,7 +74,7 @@ public final class RadiositySolver {
     int count = patches.count();
     boolean[] buried = new boolean[count];
     for (int patch = 0; patch < count; patch++) {
-      buried[patch] = inside[patch] > FormFactorSamples.BURIED * transport.rays(patch);
+      buried[patch] = inside[patch] > MonteCarloFormFactors.BURIED * transport.rays(patch);
     }
     float[] before = new float[3 * count];
     SeriesRemainder rest = new SeriesRemainder();

@@ -31,7 +31,7 @@ final class AdaptiveSampling {
   private static final int CHUNK = 256;
 
   private final RecordGatherer gatherer;
-  private final TexelProximityPass nearby;
+  private final TexelOcclusionPass nearby;
   private final float[] direct;
   private final int most;
   private final IrradianceCache records;
@@ -47,7 +47,7 @@ final class AdaptiveSampling {
    */
   AdaptiveSampling(
       RecordGatherer gatherer,
-      TexelProximityPass nearby,
+      TexelOcclusionPass nearby,
       float[] direct,
       int most,
       IrradianceCache records,

@@ -53,7 +53,7 @@ final class IrradianceCachePass {
   private final RadiosityScene scene;
   private final RadiositySolution solution;
   private final TexelIndex texels;
-  private final TexelProximityPass nearby;
+  private final TexelOcclusionPass nearby;
   private final float[] direct;
   private final int most;
   private final RecordGatherer gatherer;
@@ -70,7 +70,7 @@ final class IrradianceCachePass {
       RadiosityScene scene,
       RadiositySolution solution,
       TexelIndex texels,
-      TexelProximityPass nearby,
+      TexelOcclusionPass nearby,
       float[] direct,
       TexelRayCaster.Sets sets,
       double noise) {

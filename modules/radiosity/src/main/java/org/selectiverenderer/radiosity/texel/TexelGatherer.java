@@ -63,7 +63,7 @@ public final class TexelGatherer {
       RadiosityProgress progress,
       @org.jspecify.annotations.Nullable Consumer<IrradianceAtlas> each) {
     TexelIndex texels =
-        new TexelIndex(atlas, choice, LitSideSelection.of(scene, solution, effort.seed()));
+        new TexelIndex(atlas, choice, TwoSidedLightSelector.of(scene, solution, effort.seed()));
     PatchLightLookup patches = new PatchLightLookup(scene, solution, texels);
     DirectLightPass lamps =
         new DirectLightPass(scene, solution, texels, effort.lampRays(), effort.seed());
@@ -74,8 +74,8 @@ public final class TexelGatherer {
       return pages(texels, choice, patches.all(), false, rays, TexelNoiseStatistics.NONE);
     }
     TexelRayCaster.Sets sets = TexelRayCaster.Sets.of(effort.rays(), effort.seed());
-    TexelProximityPass nearby =
-        TexelProximityPass.look(scene, solution, texels, direct, sets, progress);
+    TexelOcclusionPass nearby =
+        TexelOcclusionPass.look(scene, solution, texels, direct, sets, progress);
     rays += nearby.rays();
     if (each != null) {
       float[] rough = direct.clone();

@@ -15,12 +15,12 @@ final class TexelIndex {
   static final int TILE = 8;
 
   private final Atlas atlas;
-  private final LitSideSelection sides;
+  private final TwoSidedLightSelector sides;
   private final int[] first;
   private final int[] firstTile;
   private final boolean[] wanted;
 
-  TexelIndex(Atlas atlas, TexelSelection choice, LitSideSelection sides) {
+  TexelIndex(Atlas atlas, TexelSelection choice, TwoSidedLightSelector sides) {
     this.atlas = atlas;
     this.sides = sides;
     int pages = atlas.pages().size();
@@ -45,7 +45,7 @@ final class TexelIndex {
   }
 
   /** Returns the lit sides of two-sided surfaces. */
-  LitSideSelection sides() {
+  TwoSidedLightSelector sides() {
     return sides;
   }
 

@@ -13,7 +13,7 @@ import org.selectiverenderer.radiosity.parallel.ParallelFor;
 import org.selectiverenderer.radiosity.parallel.RadiosityProgress;
 import org.selectiverenderer.radiosity.scene.Body;
 import org.selectiverenderer.radiosity.scene.RadiosityScene;
-import org.selectiverenderer.radiosity.trace.ObjectVersions;
+import org.selectiverenderer.radiosity.trace.ObjectVersionIndex;
 
 /**
  * Transfers the light of an object's reference version to its other versions. A texel of another
@@ -133,7 +133,7 @@ public final class VersionLightTransfer implements TexelSelection {
   /** Returns for each version the surface of its object's reference version, if that has texels. */
   private static @Nullable ReferenceSurface[] surfaces(
       RadiosityScene scene, BilinearTexelLookup lookup) {
-    ObjectVersions versions = scene.versions();
+    ObjectVersionIndex versions = scene.versions();
     int[] version = scene.triangles().version();
     int[] sizes = new int[versions.count()];
     int objects = IntStream.range(0, versions.count()).map(versions::object).max().orElse(0);
@@ -170,8 +170,8 @@ public final class VersionLightTransfer implements TexelSelection {
     return byVersion;
   }
 
-  private static boolean has(ObjectVersions versions, int version) {
-    return version != ObjectVersions.FIXED && versions.isReference(version);
+  private static boolean has(ObjectVersionIndex versions, int version) {
+    return version != ObjectVersionIndex.FIXED && versions.isReference(version);
   }
 
   private static int pageOf(int[] first, int chunk) {

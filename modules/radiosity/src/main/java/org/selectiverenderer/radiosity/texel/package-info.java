@@ -9,11 +9,11 @@
  * noise than requested get more rays. A wall between two points separates them, however thin it is,
  * as the rays from each tell. The texels of an object's other versions take the light of the
  * closest point of its reference version, so that all versions are lit alike. For two-sided
- * surfaces {@link org.selectiverenderer.radiosity.texel.LitSideSelection} selects the lit side, at
- * vertices too. Out: {@link org.selectiverenderer.radiosity.texel.IrradianceAtlas}. Uses {@code
- * radiosity.atlas}, {@code radiosity.light}, {@code radiosity.sampling}, {@code radiosity.scene},
- * {@code radiosity.solve}, {@code radiosity.trace}, {@code radiosity.parallel}, {@code geometry}
- * and {@code geometry.bvh}.
+ * surfaces {@link org.selectiverenderer.radiosity.texel.TwoSidedLightSelector} selects the lit
+ * side, at vertices too. Out: {@link org.selectiverenderer.radiosity.texel.IrradianceAtlas}. Uses
+ * {@code radiosity.atlas}, {@code radiosity.light}, {@code radiosity.sampling}, {@code
+ * radiosity.scene}, {@code radiosity.solve}, {@code radiosity.trace}, {@code radiosity.parallel},
+ * {@code geometry} and {@code geometry.bvh}.
  */
 @NullMarked
 package org.selectiverenderer.radiosity.texel;

@@ -20,7 +20,7 @@ public final class SceneIntersector {
    */
   private final int[] treeOf;
 
-  public SceneIntersector(SceneTriangles triangles, ObjectVersions versions) {
+  public SceneIntersector(SceneTriangles triangles, ObjectVersionIndex versions) {
     objectOf = IntStream.range(0, versions.count()).map(versions::object).toArray();
     treeOf =
         IntStream.range(0, objectOf.length).map(v -> versions.isReference(v) ? 0 : v).toArray();

@@ -12,7 +12,7 @@ import org.selectiverenderer.geometry.bvh.BvhBuilder;
  * @param twoSided per triangle: whether it is visible from behind, too
  * @param transmittance per triangle: the share of light that passes straight through
  * @param version per triangle: the version of an object that it belongs to, {@link
- *     ObjectVersions#FIXED} for none
+ *     ObjectVersionIndex#FIXED} for none
  */
 public record SceneTriangles(
     float[] corners, boolean[] twoSided, float[] transmittance, int[] version) {

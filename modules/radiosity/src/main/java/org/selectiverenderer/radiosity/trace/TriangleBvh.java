@@ -33,7 +33,7 @@ final class TriangleBvh {
   private static final int SLACK = 8;
 
   private final int[] ids;
-  private final BvhNodePairs pairs;
+  private final CompactBvh pairs;
   private final float[] data;
   private final SceneTriangles triangles;
   private final int[] objectOf;
@@ -47,7 +47,7 @@ final class TriangleBvh {
     this.triangles = triangles;
     this.objectOf = objectOf;
     Bvh tree = triangles.tree(members);
-    pairs = BvhNodePairs.of(tree);
+    pairs = CompactBvh.of(tree);
     touch = members.length == 0 ? 0 : TOUCH * extent(tree.boxes());
     int[] order = tree.order();
     ids = new int[order.length];
@@ -117,7 +117,7 @@ final class TriangleBvh {
     while (true) {
       // Descends to the nearest leaf; the farther child is pushed (Kay and Kajiya 1986).
       while (link >= 0) {
-        int right = link + BvhNodePairs.RIGHT;
+        int right = link + CompactBvh.RIGHT;
         int toLeft =
             latest(
                 (nodes[link + nearX] - nearOx) * ix,
@@ -140,8 +140,8 @@ final class TriangleBvh {
                 (nodes[right + farY] - farOy) * iy,
                 (nodes[right + farZ] - farOz) * iz,
                 most);
-        int leftLink = Float.floatToRawIntBits(nodes[link + BvhNodePairs.LINK]);
-        int rightLink = Float.floatToRawIntBits(nodes[link + BvhNodePairs.LINK + 1]);
+        int leftLink = Float.floatToRawIntBits(nodes[link + CompactBvh.LINK]);
+        int rightLink = Float.floatToRawIntBits(nodes[link + CompactBvh.LINK + 1]);
         if (toLeft <= endLeft + SLACK) {
           if (toRight <= endRight + SLACK) {
             boolean leftFirst = toLeft <= toRight;
@@ -154,10 +154,10 @@ final class TriangleBvh {
         } else if (toRight <= endRight + SLACK) {
           link = rightLink;
         } else {
-          link = BvhNodePairs.LEAF; // One without items.
+          link = CompactBvh.LEAF; // One without items.
         }
       }
-      for (int i = BvhNodePairs.first(link); i < BvhNodePairs.end(link); i++) {
+      for (int i = CompactBvh.first(link); i < CompactBvh.end(link); i++) {
         if (shadow) {
           double passed = through(i, ray, without);
           light *= passed;

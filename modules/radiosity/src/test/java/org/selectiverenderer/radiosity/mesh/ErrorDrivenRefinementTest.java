@@ -49,7 +49,7 @@ class ErrorDrivenRefinementTest {
         }
       }
     }
-    ReferenceLightSamples map = new ReferenceLightSamples();
+    FineMeshReference map = new FineMeshReference();
     for (ConformingTriangleMesh.Tile tile : fine.tiles()) {
       float[] c = tile.facet.corners();
       double[] values = new double[3];

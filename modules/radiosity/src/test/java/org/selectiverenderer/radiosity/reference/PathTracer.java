@@ -2,7 +2,7 @@ package org.selectiverenderer.radiosity.reference;
 
 import java.util.SplittableRandom;
 import org.selectiverenderer.radiosity.scene.RadiosityScene;
-import org.selectiverenderer.radiosity.trace.ObjectVersions;
+import org.selectiverenderer.radiosity.trace.ObjectVersionIndex;
 import org.selectiverenderer.radiosity.trace.Ray;
 
 /**
@@ -123,7 +123,7 @@ final class PathTracer {
     // A glowing surface is not in its own way.
     ray.length = draw.distance - 4 * scene.offset();
     double passed =
-        ray.length > 0 ? scene.visibility().transmittance(ray, ObjectVersions.FIXED) : 1;
+        ray.length > 0 ? scene.visibility().transmittance(ray, ObjectVersionIndex.FIXED) : 1;
     double chance = weights[lamp] / weightSum;
     double density = draw.density > 0 ? chance * draw.density + cosine / Math.PI : chance;
     for (int i = 0; i < 3; i++) {
@@ -136,7 +136,7 @@ final class PathTracer {
     ray.from(start, direction);
     ray.length = Double.POSITIVE_INFINITY;
     ray.pass = pass;
-    scene.visibility().nearest(ray, ObjectVersions.FIXED);
+    scene.visibility().nearest(ray, ObjectVersionIndex.FIXED);
     boolean any = ray.triangle != Ray.NOTHING;
     double density = VectorMath.dot(direction, at.normal) / Math.PI;
     for (int lamp : lights.rectangles()) {

@@ -3,7 +3,7 @@ package org.selectiverenderer.radiosity.reference;
 import java.util.stream.IntStream;
 import org.joml.Vector3d;
 import org.selectiverenderer.radiosity.scene.RadiosityScene;
-import org.selectiverenderer.radiosity.trace.ObjectVersions;
+import org.selectiverenderer.radiosity.trace.ObjectVersionIndex;
 import org.selectiverenderer.radiosity.trace.Ray;
 
 /**
@@ -80,7 +80,7 @@ record PrimaryHits(
     do {
       ray.from(from, direction);
       ray.length = Double.POSITIVE_INFINITY;
-      scene.visibility().nearest(ray, ObjectVersions.FIXED);
+      scene.visibility().nearest(ray, ObjectVersionIndex.FIXED);
       if (ray.triangle != Ray.NOTHING) {
         from.fma(ray.length + STEP * scene.extent(), direction);
       }

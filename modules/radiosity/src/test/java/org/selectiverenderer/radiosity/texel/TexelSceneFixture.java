@@ -6,7 +6,7 @@ import org.selectiverenderer.radiosity.atlas.Atlas;
 import org.selectiverenderer.radiosity.atlas.AtlasPage;
 import org.selectiverenderer.radiosity.parallel.RadiosityProgress;
 import org.selectiverenderer.radiosity.scene.RadiosityScene;
-import org.selectiverenderer.radiosity.solve.FormFactorSamples;
+import org.selectiverenderer.radiosity.solve.MonteCarloFormFactors;
 import org.selectiverenderer.radiosity.solve.RadiositySolution;
 import org.selectiverenderer.radiosity.solve.RadiositySolver;
 import org.selectiverenderer.radiosity.solve.SurfacePatches;
@@ -25,8 +25,8 @@ record TexelSceneFixture(RadiosityScene scene, IrradianceAtlas pages) {
   static TexelSceneFixture of(String body, double density, double patch, RadiosityProgress progress)
       throws Exception {
     RadiosityScene scene = TestScenes.read(body);
-    FormFactorSamples transport =
-        FormFactorSamples.find(
+    MonteCarloFormFactors transport =
+        MonteCarloFormFactors.find(
             scene, new SurfacePatches(scene, patch), 64, 8, 1, RadiosityProgress.NONE);
     RadiositySolution solution =
         new RadiositySolver(scene, transport).solve(40, 99.9, RadiosityProgress.NONE, each -> {});

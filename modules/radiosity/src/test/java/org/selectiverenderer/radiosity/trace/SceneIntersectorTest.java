@@ -35,7 +35,7 @@ class SceneIntersectorTest {
     float[] own = Arrays.copyOfRange(corners, 9 * from, 9 * to);
     return new SceneIntersector(
         new SceneTriangles(own, new boolean[count], new float[count], new int[count]),
-        new ObjectVersions());
+        new ObjectVersionIndex());
   }
 
   private double[] direction(int i) {
@@ -74,7 +74,7 @@ class SceneIntersectorTest {
       met += hidden ? 1 : 0;
       ray.from(from, to);
       ray.length = Double.POSITIVE_INFINITY;
-      assertThat(all.transmittance(ray, ObjectVersions.FIXED)).isEqualTo(hidden ? 0 : 1);
+      assertThat(all.transmittance(ray, ObjectVersionIndex.FIXED)).isEqualTo(hidden ? 0 : 1);
     }
     assertThat(met).isBetween(100, 590);
   }
@@ -82,7 +82,7 @@ class SceneIntersectorTest {
   private static double length(SceneIntersector of, Ray ray, double[] from, double[] to) {
     ray.from(from, to);
     ray.length = Double.POSITIVE_INFINITY;
-    of.nearest(ray, ObjectVersions.FIXED);
+    of.nearest(ray, ObjectVersionIndex.FIXED);
     return ray.length;
   }
 

@@ -14,14 +14,14 @@ import org.selectiverenderer.render.window.SideWindowContent;
 final class OperatorWindow implements SideWindowContent {
   private static final long PAUSE = 100_000_000;
 
-  private final WorldHost host;
+  private final WorldController host;
   private final OperatorPageRenderer canvas = new OperatorPageRenderer();
   private long last = System.nanoTime() - PAUSE;
   private boolean due;
   private @Nullable FrameSize size;
   private @Nullable Screenshot shot;
 
-  OperatorWindow(WorldHost host) {
+  OperatorWindow(WorldController host) {
     this.host = host;
   }
 

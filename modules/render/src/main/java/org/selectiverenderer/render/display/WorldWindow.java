@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.browser.PointerState;
+import org.selectiverenderer.browser.PointingDeviceState;
 import org.selectiverenderer.browser.World;
 import org.selectiverenderer.browser.camera.ViewLayout;
 import org.selectiverenderer.render.FrameStatistics;
@@ -24,7 +24,7 @@ import org.selectiverenderer.x3d.tessellate.TextMesher;
 
 /** Shows a world in windows. Their render thread is the one that steps the world. */
 public final class WorldWindow implements WorldDisplay {
-  private final WorldHost host;
+  private final WorldController host;
   private final WindowSetup stage;
   private final RenderWindow window;
   private final @Nullable OperatorWindow operator;
@@ -32,7 +32,7 @@ public final class WorldWindow implements WorldDisplay {
   private volatile @Nullable GlInfo info;
   private volatile long uploads;
 
-  public WorldWindow(WindowSetup stage, WorldHost host) {
+  public WorldWindow(WindowSetup stage, WorldController host) {
     this.host = host;
     this.stage = stage;
     CrossContextImage right = new CrossContextImage();
@@ -272,7 +272,7 @@ public final class WorldWindow implements WorldDisplay {
         point(world, size, button.x(), button.y());
       } else if (event instanceof InputEvent.FocusLost) {
         pressed = false;
-        world.point(PointerState.AWAY);
+        world.point(PointingDeviceState.AWAY);
       }
     }
 
@@ -282,7 +282,8 @@ public final class WorldWindow implements WorldDisplay {
       double right = (2 * (x + 0.5) - size.width()) / smaller * half;
       double up = (size.height() - 2 * (y + 0.5)) / smaller * half;
       double aspect = size.width() / (double) size.height();
-      world.point(new PointerState(Optional.of(new Vector3d(right, up, -1)), pressed, aspect));
+      world.point(
+          new PointingDeviceState(Optional.of(new Vector3d(right, up, -1)), pressed, aspect));
     }
   }
 }

@@ -8,7 +8,7 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.browser.camera.Camera;
-import org.selectiverenderer.render.mesh.Clusters;
+import org.selectiverenderer.render.mesh.TriangleClusters;
 import org.selectiverenderer.render.occlusion.OcclusionCuller;
 
 /**
@@ -193,7 +193,7 @@ final class Culler {
   }
 
   private void add(DrawItem item) {
-    Clusters clusters = stages.of(item);
+    TriangleClusters clusters = stages.of(item);
     out.begin(item, clusters.indexCount());
     int indexBytes = item.mesh().indexBytes();
     boolean few = clusters.size() < FEWEST_CLUSTERS || item.blended() || item.anywhere();
@@ -228,7 +228,7 @@ final class Culler {
   }
 
   /** Returns whether all clusters face every eye with their front sides. */
-  private boolean fronts(Clusters clusters) {
+  private boolean fronts(TriangleClusters clusters) {
     for (int c = 0; c < clusters.size(); c++) {
       for (Vector3d at : localEyes) {
         if (!clusters.facesTowards(c, at.x, at.y, at.z)) {
@@ -239,7 +239,7 @@ final class Culler {
     return true;
   }
 
-  private boolean seen(Clusters clusters, int cluster, boolean inside, boolean solid) {
+  private boolean seen(TriangleClusters clusters, int cluster, boolean inside, boolean solid) {
     boolean behind = false;
     for (int eye = 0; eye < local.length; eye++) {
       Vector3d at = localEyes[eye];

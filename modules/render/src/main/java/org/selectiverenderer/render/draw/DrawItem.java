@@ -16,7 +16,7 @@ import org.selectiverenderer.render.gpu.ShapeProgram;
 import org.selectiverenderer.render.gpu.ShapeProgramCache;
 import org.selectiverenderer.render.gpu.StrokeStyle;
 import org.selectiverenderer.render.lighting.ShapeLighting;
-import org.selectiverenderer.render.mesh.Clusters;
+import org.selectiverenderer.render.mesh.TriangleClusters;
 
 /**
  * A shape instance with everything on the graphics card that drawing it needs. It is valid as long
@@ -77,7 +77,7 @@ public record DrawItem(
   }
 
   /** Returns the clusters of its triangles at the finest refinement level. */
-  public Clusters clusters() {
+  public TriangleClusters clusters() {
     return part.clusters();
   }
 

@@ -4,8 +4,8 @@ import java.util.List;
 import org.joml.Matrix4dc;
 import org.selectiverenderer.browser.camera.Camera;
 import org.selectiverenderer.render.lighting.CurvatureTolerance;
-import org.selectiverenderer.render.mesh.Clusters;
-import org.selectiverenderer.render.mesh.CoarserLevel;
+import org.selectiverenderer.render.mesh.RefinementLevelRange;
+import org.selectiverenderer.render.mesh.TriangleClusters;
 
 /**
  * Selects the refinement level at which a mesh refined for per-vertex lighting is drawn: the
@@ -29,8 +29,8 @@ final class RefinementLevelSelector {
   }
 
   /** Returns the clusters to draw of an item. */
-  Clusters of(DrawItem item) {
-    List<CoarserLevel> coarser = item.part().coarser();
+  TriangleClusters of(DrawItem item) {
+    List<RefinementLevelRange> coarser = item.part().coarser();
     return coarser.isEmpty() || item.anywhere()
         ? item.clusters()
         : of(
@@ -48,7 +48,8 @@ final class RefinementLevelSelector {
    * @param box the bounding box in the world
    * @param scale the scale from the levels' lengths to the world's
    */
-  Clusters of(Clusters last, List<CoarserLevel> coarser, double[] box, double scale) {
+  TriangleClusters of(
+      TriangleClusters last, List<RefinementLevelRange> coarser, double[] box, double scale) {
     double most = MOST_PIXELS / (pixels(box) * scale);
     for (int i = 0; i < coarser.size(); i++) {
       if (coarser.get(i).undivided() <= most) {

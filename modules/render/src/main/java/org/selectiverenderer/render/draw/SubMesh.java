@@ -5,8 +5,8 @@ import org.joml.Matrix4dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.browser.instance.ShapeInstance;
 import org.selectiverenderer.render.gpu.GpuMesh;
-import org.selectiverenderer.render.mesh.Clusters;
-import org.selectiverenderer.render.mesh.CoarserLevel;
+import org.selectiverenderer.render.mesh.RefinementLevelRange;
+import org.selectiverenderer.render.mesh.TriangleClusters;
 import org.selectiverenderer.render.occlusion.MeshOccluders;
 
 /**
@@ -20,8 +20,8 @@ import org.selectiverenderer.render.occlusion.MeshOccluders;
  */
 record SubMesh(
     GpuMesh mesh,
-    Clusters clusters,
-    List<CoarserLevel> coarser,
+    TriangleClusters clusters,
+    List<RefinementLevelRange> coarser,
     MeshOccluders occluders,
     @Nullable DrawBatch batch,
     @Nullable Matrix4dc merged) {

@@ -3,9 +3,9 @@ package org.selectiverenderer.render.gpu;
 import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL3;
 import java.util.List;
-import org.selectiverenderer.render.mesh.Clusters;
-import org.selectiverenderer.render.mesh.CoarserLevel;
 import org.selectiverenderer.render.mesh.PackedMesh;
+import org.selectiverenderer.render.mesh.RefinementLevelRange;
+import org.selectiverenderer.render.mesh.TriangleClusters;
 import org.selectiverenderer.render.mesh.VertexLayout;
 
 /** A mesh on the graphics card: a vertex array with its vertex and index buffer. */
@@ -16,8 +16,8 @@ public final class GpuMesh {
   private final int indexType;
   private final int indexBytes;
   private final int indexCount;
-  private final Clusters clusters;
-  private final List<CoarserLevel> coarser;
+  private final TriangleClusters clusters;
+  private final List<RefinementLevelRange> coarser;
   private final boolean solid;
 
   public GpuMesh(GL3 gl, PackedMesh mesh) {
@@ -68,12 +68,12 @@ public final class GpuMesh {
     }
   }
 
-  public Clusters clusters() {
+  public TriangleClusters clusters() {
     return clusters;
   }
 
   /** Returns the coarser refinement levels, fewest triangles first. */
-  public List<CoarserLevel> coarser() {
+  public List<RefinementLevelRange> coarser() {
     return coarser;
   }
 

@@ -12,7 +12,7 @@ import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.browser.World;
 import org.selectiverenderer.browser.camera.EyeView;
-import org.selectiverenderer.browser.camera.MirrorSide;
+import org.selectiverenderer.browser.camera.MirroredEye;
 import org.selectiverenderer.browser.camera.WorldSpacePanel;
 import org.selectiverenderer.render.FrameStatistics;
 import org.selectiverenderer.render.context.GlInfo;
@@ -20,8 +20,8 @@ import org.selectiverenderer.render.context.OffscreenFramebuffer;
 import org.selectiverenderer.render.context.Screenshot;
 import org.selectiverenderer.render.display.FadeOverlay;
 import org.selectiverenderer.render.display.WindowSetup;
+import org.selectiverenderer.render.display.WorldController;
 import org.selectiverenderer.render.display.WorldDisplay;
-import org.selectiverenderer.render.display.WorldHost;
 import org.selectiverenderer.render.display.WorldRenderer;
 import org.selectiverenderer.render.graphics2d.Graphics2dRenderer;
 import org.selectiverenderer.render.window.InputEvent;
@@ -34,7 +34,7 @@ public final class HeadsetView implements WorldDisplay {
   /** The time between two polls while the headset shows nothing. */
   private static final long IDLE_NANOS = 20_000_000;
 
-  private final WorldHost host;
+  private final WorldController host;
   private final HeadsetDisplay screen;
   private final WindowSetup stage;
   private final int samples;
@@ -58,7 +58,11 @@ public final class HeadsetView implements WorldDisplay {
    * @param samples per pixel of the eyes' pictures; 0 for no anti-aliasing
    */
   public HeadsetView(
-      WindowSetup stage, WorldHost host, HeadsetDisplay screen, MirrorSide side, int samples) {
+      WindowSetup stage,
+      WorldController host,
+      HeadsetDisplay screen,
+      MirroredEye side,
+      int samples) {
     this.stage = stage;
     this.samples = samples;
     this.host = host;

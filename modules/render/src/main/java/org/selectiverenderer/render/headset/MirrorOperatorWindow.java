@@ -6,7 +6,7 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.render.context.Screenshot;
 import org.selectiverenderer.render.display.OperatorPage;
 import org.selectiverenderer.render.display.OperatorPageRenderer;
-import org.selectiverenderer.render.display.WorldHost;
+import org.selectiverenderer.render.display.WorldController;
 import org.selectiverenderer.render.window.FrameSize;
 import org.selectiverenderer.render.window.SideWindowContent;
 
@@ -36,7 +36,7 @@ final class MirrorOperatorWindow implements SideWindowContent {
   }
 
   /** Makes the next page if it is time for it; on the headset's thread. */
-  void update(WorldHost host) {
+  void update(WorldController host) {
     FrameSize known = size;
     long now = System.nanoTime();
     if (known == null || now - last < PAUSE) {

@@ -6,7 +6,7 @@ import com.jogamp.opengl.GL3;
 import java.nio.ByteBuffer;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.browser.camera.MirrorSide;
+import org.selectiverenderer.browser.camera.MirroredEye;
 import org.selectiverenderer.render.context.OffscreenFramebuffer;
 
 /**
@@ -30,7 +30,7 @@ final class MirrorReadback {
    */
   record Copy(ByteBuffer pixels, int width, int height, long number) {}
 
-  private final MirrorSide side;
+  private final MirroredEye side;
   private final AtomicReference<@Nullable Copy> newest = new AtomicReference<>();
   private @Nullable OffscreenFramebuffer small;
   private int buffer;
@@ -38,7 +38,7 @@ final class MirrorReadback {
   private long last = System.nanoTime() - PAUSE;
   private long number;
 
-  MirrorReadback(MirrorSide side) {
+  MirrorReadback(MirroredEye side) {
     this.side = side;
   }
 
@@ -69,8 +69,8 @@ final class MirrorReadback {
 
   private void take(GL3 gl, OffscreenFramebuffer eyes) {
     int half = eyes.width() / 2;
-    int x = side == MirrorSide.RIGHT ? half : 0;
-    int partWidth = side == MirrorSide.BOTH ? eyes.width() : half;
+    int x = side == MirroredEye.RIGHT ? half : 0;
+    int partWidth = side == MirroredEye.BOTH ? eyes.width() : half;
     int width = Math.min(WIDEST, partWidth);
     int height = Math.max(1, eyes.height() * width / partWidth);
     OffscreenFramebuffer target = target(gl, width, height);

@@ -31,7 +31,7 @@ final class EdgeSplitCriterion {
 
   private static final double NOT_KNOWN = Double.NaN;
 
-  private final RefinedVertices vertices;
+  private final MidpointVertexBuffer vertices;
   private final CurvatureTolerance fineness;
   private final DiffuseLightModel field;
   private final double tolerance;
@@ -52,7 +52,7 @@ final class EdgeSplitCriterion {
    * @param tolerance the invisible error of the light, in 0..1
    */
   EdgeSplitCriterion(
-      RefinedVertices vertices,
+      MidpointVertexBuffer vertices,
       CurvatureTolerance fineness,
       DiffuseLightModel field,
       boolean twoSided,

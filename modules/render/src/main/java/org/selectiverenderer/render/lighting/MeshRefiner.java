@@ -33,7 +33,7 @@ final class MeshRefiner {
   private static final double WORTH = 0.7;
 
   private final Mesh source;
-  private final RefinedVertices vertices;
+  private final MidpointVertexBuffer vertices;
   private final EdgeSplitCriterion test;
   private int[] indices;
   private boolean[] fine;
@@ -57,7 +57,7 @@ final class MeshRefiner {
     }
   }
 
-  private MeshRefiner(Mesh source, RefinedVertices vertices, EdgeSplitCriterion test) {
+  private MeshRefiner(Mesh source, MidpointVertexBuffer vertices, EdgeSplitCriterion test) {
     this.source = source;
     this.vertices = vertices;
     this.test = test;
@@ -102,7 +102,7 @@ final class MeshRefiner {
       DiffuseLightModel field,
       double longest,
       double tolerance) {
-    RefinedVertices vertices = new RefinedVertices(source, normals, world);
+    MidpointVertexBuffer vertices = new MidpointVertexBuffer(source, normals, world);
     EdgeSplitCriterion test =
         new EdgeSplitCriterion(vertices, fineness, field, !source.solid(), longest, tolerance);
     return new MeshRefiner(source, vertices, test).refine();

@@ -26,7 +26,7 @@ final class ClusterBounds {
   /**
    * @param ends the end of each cluster, counted in triangles
    */
-  Clusters of(int[] ends) {
+  TriangleClusters of(int[] ends) {
     int[] first = new int[ends.length + 1];
     float[] spheres = new float[4 * ends.length];
     float[] cones = new float[4 * ends.length];
@@ -35,7 +35,7 @@ final class ClusterBounds {
       sphere(first[c], first[c + 1], spheres, 4 * c);
       cone(first[c], first[c + 1], cones, 4 * c);
     }
-    return new Clusters(first, spheres, cones);
+    return new TriangleClusters(first, spheres, cones);
   }
 
   /**

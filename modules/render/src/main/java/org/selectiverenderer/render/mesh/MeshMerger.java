@@ -31,7 +31,7 @@ public final class MeshMerger {
    * @param clusters the clusters of its finest refinement level
    * @param coarser its coarser levels, fewest triangles first
    */
-  public record Part(Clusters clusters, List<CoarserLevel> coarser) {}
+  public record Part(TriangleClusters clusters, List<RefinementLevelRange> coarser) {}
 
   /**
    * Merges meshes of one primitive, layout and solidity.
@@ -74,9 +74,9 @@ public final class MeshMerger {
     for (int stage = 0; stage < stages; stage++) {
       for (int m = 0; m < bases.length; m++) {
         if (stage < meshes.get(m).coarser().size()) {
-          CoarserLevel part = meshes.get(m).coarser().get(stage);
-          Clusters moved = copy(meshes.get(m), part.clusters(), bases[m], indices);
-          parts.get(m).coarser().add(new CoarserLevel(moved, part.undivided()));
+          RefinementLevelRange part = meshes.get(m).coarser().get(stage);
+          TriangleClusters moved = copy(meshes.get(m), part.clusters(), bases[m], indices);
+          parts.get(m).coarser().add(new RefinementLevelRange(moved, part.undivided()));
         }
       }
     }
@@ -89,14 +89,15 @@ public final class MeshMerger {
             indices.flip(),
             false,
             indexCount,
-            Clusters.whole(indexCount),
+            TriangleClusters.whole(indexCount),
             List.of());
     return new Merged(merged, parts);
   }
 
   /** Appends a range of a mesh's indices, and returns its clusters at their new place. */
-  private static Clusters copy(PackedMesh mesh, Clusters clusters, int base, ByteBuffer out) {
-    Clusters moved = clusters.from(out.position() / 2);
+  private static TriangleClusters copy(
+      PackedMesh mesh, TriangleClusters clusters, int base, ByteBuffer out) {
+    TriangleClusters moved = clusters.from(out.position() / 2);
     int from = clusters.firstIndex()[0];
     for (int i = from; i < from + clusters.indexCount(); i++) {
       out.putShort((short) (base + mesh.indices().getShort(2 * i)));

@@ -34,7 +34,7 @@ public final class MeshPacker {
     Mesh mesh = staged.mesh();
     Ordered last = order(mesh, mesh.indices());
     int[] indices = last.indices();
-    List<CoarserLevel> coarser = List.of();
+    List<RefinementLevelRange> coarser = List.of();
     int[] numbers = new int[mesh.vertexCount()];
     int[] used;
     if (staged.coarser().isEmpty()) {
@@ -43,7 +43,8 @@ public final class MeshPacker {
       coarser = new ArrayList<>();
       for (RefinedMesh.Stage stage : staged.coarser()) {
         Ordered before = order(mesh, stage.indices());
-        coarser.add(new CoarserLevel(before.clusters().from(indices.length), stage.undivided()));
+        coarser.add(
+            new RefinementLevelRange(before.clusters().from(indices.length), stage.undivided()));
         indices = joined(indices, before.indices());
       }
       // The vertices of a level stand together: those of the coarsest level come first.
@@ -64,11 +65,11 @@ public final class MeshPacker {
   }
 
   /** Triangle indices sorted by cluster. */
-  private record Ordered(int[] indices, Clusters clusters) {}
+  private record Ordered(int[] indices, TriangleClusters clusters) {}
 
   private static Ordered order(Mesh mesh, int[] indices) {
     if (mesh.primitive() != Mesh.Primitive.TRIANGLES) {
-      return new Ordered(indices, Clusters.whole(indices.length));
+      return new Ordered(indices, TriangleClusters.whole(indices.length));
     }
     TriangleClusterer.Result order =
         TriangleClusterer.of(mesh.positions(), indices, CLUSTER_TRIANGLES);

@@ -22,8 +22,8 @@ public record PackedMesh(
     ByteBuffer indices,
     boolean wideIndices,
     int indexCount,
-    Clusters clusters,
-    List<CoarserLevel> coarser) {
+    TriangleClusters clusters,
+    List<RefinementLevelRange> coarser) {
 
   /** Bytes per index. */
   public int indexBytes() {

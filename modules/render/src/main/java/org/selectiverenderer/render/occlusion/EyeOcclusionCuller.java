@@ -20,7 +20,7 @@ final class EyeOcclusionCuller {
   private static final double SLIVERS = 1 / 32.0;
 
   private final OcclusionBuffer grid = new OcclusionBuffer();
-  private final NearestDepthBound side = new NearestDepthBound();
+  private final ConservativeDepthBound side = new ConservativeDepthBound();
   private final OccluderClipper clipper = new OccluderClipper();
   private final Matrix4d toEye = new Matrix4d();
   private final Matrix4d inverse = new Matrix4d();

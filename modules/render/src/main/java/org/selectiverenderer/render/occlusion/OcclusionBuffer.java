@@ -187,7 +187,7 @@ final class OcclusionBuffer {
    * Returns whether an object within a rectangle that comes at most as near as {@code side} is
    * hidden. Outside of the view everything is hidden.
    */
-  boolean hides(double minX, double minY, double maxX, double maxY, NearestDepthBound side) {
+  boolean hides(double minX, double minY, double maxX, double maxY, ConservativeDepthBound side) {
     int left = (int) Math.max(0, Math.floor(minX));
     int right = (int) Math.min(COLUMNS - 1, Math.floor(maxX));
     int bottom = (int) Math.max(0, Math.floor(minY));
@@ -207,7 +207,7 @@ final class OcclusionBuffer {
     return true;
   }
 
-  private boolean tileHides(int row, int column, NearestDepthBound side) {
+  private boolean tileHides(int row, int column, ConservativeDepthBound side) {
     double hidden = tiles[row * TILE_COLUMNS + column];
     double half = TILE / 2.0;
     return hidden > side.nearest()
@@ -216,7 +216,7 @@ final class OcclusionBuffer {
             && hidden > side.nearest(column * TILE + half, row * TILE + half, half));
   }
 
-  private boolean hides(int fromRow, int toRow, int from, int to, NearestDepthBound side) {
+  private boolean hides(int fromRow, int toRow, int from, int to, ConservativeDepthBound side) {
     for (int row = fromRow; row < toRow; row++) {
       for (int column = from; column < to; column++) {
         float hidden = hiddenFrom[row * COLUMNS + column];

@@ -13,8 +13,8 @@ import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.render.draw.DrawItem;
 import org.selectiverenderer.render.gpu.GpuMesh;
 import org.selectiverenderer.render.gpu.ShaderProgram;
-import org.selectiverenderer.render.mesh.Clusters;
 import org.selectiverenderer.render.mesh.MeshPacker;
+import org.selectiverenderer.render.mesh.TriangleClusters;
 
 /**
  * Draws boxes over a preview and the mask of selected shapes. Belongs to the thread that owns the
@@ -111,7 +111,7 @@ final class PreviewOverlayRenderer {
       GL3 gl,
       ShaderProgram used,
       GpuMesh mesh,
-      Clusters part,
+      TriangleClusters part,
       Matrix4dc world,
       float[] color,
       Camera camera) {

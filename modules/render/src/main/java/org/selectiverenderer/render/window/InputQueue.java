@@ -73,7 +73,8 @@ final class InputQueue extends WindowAdapter implements KeyListener, MouseListen
 
   @Override
   public void mouseMoved(MouseEvent event) {
-    float scale = event.getSource() instanceof GLWindow window ? NativeWindows.scale(window) : 1;
+    float scale =
+        event.getSource() instanceof GLWindow window ? NewtWindowFactory.scale(window) : 1;
     double dx = inside ? (event.getX() - lastX) / scale : 0;
     double dy = inside ? (event.getY() - lastY) / scale : 0;
     inside = true;

@@ -99,16 +99,16 @@ public final class RenderWindow {
   private void loop() {
     try {
       GLWindow window = openOrExplain();
-      List<OpenSideWindow> open = new ArrayList<>();
+      List<SideWindow> open = new ArrayList<>();
       try {
         for (SideWindowSpec side : sides) {
-          open.add(new OpenSideWindow(side, queue, this::closeAsked));
+          open.add(new SideWindow(side, queue, this::closeAsked));
         }
         frames(window, open);
       } finally {
         stopping = true;
-        open.forEach(OpenSideWindow::close);
-        NativeWindows.close(window);
+        open.forEach(SideWindow::close);
+        NewtWindowFactory.close(window);
       }
     } catch (RuntimeException | Error e) {
       fail(e);
@@ -135,7 +135,7 @@ public final class RenderWindow {
   }
 
   private GLWindow open() {
-    GLCapabilities wanted = NativeWindows.capabilities(options);
+    GLCapabilities wanted = NewtWindowFactory.capabilities(options);
     try {
       return open(wanted);
     } catch (GLException e) {
@@ -149,7 +149,8 @@ public final class RenderWindow {
 
   private GLWindow open(GLCapabilities wanted) {
     fullScreenWanted.set(options.fullScreen());
-    GLWindow window = NativeWindows.open(options, wanted, queue, this::closeAsked, new Drawing());
+    GLWindow window =
+        NewtWindowFactory.open(options, wanted, queue, this::closeAsked, new Drawing());
     window.addKeyListener(
         new KeyAdapter() {
           @Override
@@ -163,18 +164,18 @@ public final class RenderWindow {
     return window;
   }
 
-  private void frames(GLWindow window, List<OpenSideWindow> open) {
+  private void frames(GLWindow window, List<SideWindow> open) {
     PointerConfinement keeper = new PointerConfinement(window);
     while (!closing.get() && failure == null) {
       queue.drain(listener);
-      open.forEach(OpenSideWindow::drain);
+      open.forEach(SideWindow::drain);
       if (!source.step()) {
         return;
       }
       if (window.isFullscreen() != fullScreenWanted.get()) {
         boolean now =
             fullScreenWanted.get()
-                ? NativeWindows.fill(window, options)
+                ? NewtWindowFactory.fill(window, options)
                 : window.setFullscreen(false);
         fullScreenWanted.set(now);
         window.requestFocus(false);
@@ -182,12 +183,12 @@ public final class RenderWindow {
       keeper.keep(source.pointerKept());
       long before = drawn;
       window.display();
-      for (OpenSideWindow side : open) {
+      for (SideWindow side : open) {
         side.draw();
       }
       if (drawn != before) {
-        NativeWindows.swap(window);
-        for (OpenSideWindow side : open) {
+        NewtWindowFactory.swap(window);
+        for (SideWindow side : open) {
           side.swap();
         }
         source.submitted();
@@ -248,7 +249,7 @@ public final class RenderWindow {
     }
 
     private float scale(GLAutoDrawable drawable) {
-      return drawable instanceof GLWindow window ? NativeWindows.scale(window) : 1;
+      return drawable instanceof GLWindow window ? NewtWindowFactory.scale(window) : 1;
     }
 
     @Override

@@ -9,7 +9,7 @@ import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
-import org.selectiverenderer.browser.PointerState;
+import org.selectiverenderer.browser.PointingDeviceState;
 import org.selectiverenderer.browser.World;
 import org.selectiverenderer.browser.loading.SceneLoader;
 import org.selectiverenderer.browser.nodes.NodeFactory;
@@ -162,7 +162,7 @@ final class ConformanceSceneRunner implements AutoCloseable {
     double half = Math.tan(world.viewer().fieldOfView() / 2);
     double right = (2 * Double.parseDouble(words[0]) - 1) * half;
     double up = (1 - 2 * Double.parseDouble(words[1])) * half;
-    world.point(new PointerState(Optional.of(new Vector3d(right, up, -1)), pressed));
+    world.point(new PointingDeviceState(Optional.of(new Vector3d(right, up, -1)), pressed));
   }
 
   private void set(String nodeAndField, String text) {

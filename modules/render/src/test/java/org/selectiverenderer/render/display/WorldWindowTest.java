@@ -34,7 +34,7 @@ class WorldWindowTest {
     return new World(TestScene.of(nodes + "</Switch>").loaded(), new ProblemCollector());
   }
 
-  private static final class Host implements WorldHost {
+  private static final class Host implements WorldController {
     private final World world = versions();
     private final boolean atOnce;
     private final List<Long> uploads = new ArrayList<>();

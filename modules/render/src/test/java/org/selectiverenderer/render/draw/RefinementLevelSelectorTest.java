@@ -6,18 +6,18 @@ import java.util.List;
 import org.joml.Matrix4d;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.browser.camera.Camera;
-import org.selectiverenderer.render.mesh.Clusters;
-import org.selectiverenderer.render.mesh.CoarserLevel;
+import org.selectiverenderer.render.mesh.RefinementLevelRange;
+import org.selectiverenderer.render.mesh.TriangleClusters;
 
 class RefinementLevelSelectorTest {
-  private static final Clusters LAST = clusters(300);
-  private static final Clusters SOME = clusters(100);
-  private static final Clusters FEW = clusters(30);
-  private static final List<CoarserLevel> COARSER =
-      List.of(new CoarserLevel(FEW, 0.2), new CoarserLevel(SOME, 0.1));
+  private static final TriangleClusters LAST = clusters(300);
+  private static final TriangleClusters SOME = clusters(100);
+  private static final TriangleClusters FEW = clusters(30);
+  private static final List<RefinementLevelRange> COARSER =
+      List.of(new RefinementLevelRange(FEW, 0.2), new RefinementLevelRange(SOME, 0.1));
 
-  private static Clusters clusters(int indices) {
-    return new Clusters(new int[] {0, indices}, new float[4], new float[4]);
+  private static TriangleClusters clusters(int indices) {
+    return new TriangleClusters(new int[] {0, indices}, new float[4], new float[4]);
   }
 
   /** A right angle wide in 200 pixels: at a distance of d a unit has 100 / d pixels. */
@@ -31,7 +31,7 @@ class RefinementLevelSelectorTest {
         200);
   }
 
-  private static Clusters seen(double scale, Camera... eyes) {
+  private static TriangleClusters seen(double scale, Camera... eyes) {
     RefinementLevelSelector stages = new RefinementLevelSelector();
     stages.begin(List.of(eyes));
     return stages.of(LAST, COARSER, new double[] {-1, -1, -1, 1, 1, 0}, scale);

@@ -45,7 +45,7 @@ class MeshMergerTest {
 
     MeshMerger.Merged merged = MeshMerger.merge(List.of(ball, ball));
 
-    Clusters second = merged.parts().get(1).clusters();
+    TriangleClusters second = merged.parts().get(1).clusters();
     assertThat(second.size()).isEqualTo(ball.clusters().size()).isGreaterThan(1);
     assertThat(second.spheres()).isEqualTo(ball.clusters().spheres());
     assertThat(second.indexCount()).isEqualTo(ball.indexCount());
@@ -64,7 +64,7 @@ class MeshMergerTest {
     assertThat(merged.mesh().indexCount()).isEqualTo(21);
     assertThat(merged.parts().get(1).coarser()).isEmpty();
     for (int part = 0; part < 3; part += 2) {
-      CoarserLevel coarser = merged.parts().get(part).coarser().get(0);
+      RefinementLevelRange coarser = merged.parts().get(part).coarser().get(0);
       assertThat(coarser.undivided()).isEqualTo(5 + part);
       assertThat(coarser.clusters().firstIndex())
           .containsExactly(15 + 3 * part / 2, 18 + 3 * part / 2);

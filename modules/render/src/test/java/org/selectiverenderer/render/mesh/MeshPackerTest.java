@@ -132,7 +132,7 @@ class MeshPackerTest {
   @Test
   void aClusterFacesAwayOnlyIfEachOfItsTrianglesDoes() {
     PackedMesh packed = MeshPacker.pack(ball(80, 120));
-    Clusters clusters = packed.clusters();
+    TriangleClusters clusters = packed.clusters();
     Random random = new Random(1);
     int culled = 0;
     for (int trial = 0; trial < 200; trial++) {
@@ -152,7 +152,7 @@ class MeshPackerTest {
   @Test
   void aClusterFacesTheEyeOnlyIfEachOfItsTrianglesDoes() {
     PackedMesh packed = MeshPacker.pack(ball(80, 120));
-    Clusters clusters = packed.clusters();
+    TriangleClusters clusters = packed.clusters();
     Random random = new Random(2);
     int facing = 0;
     for (int trial = 0; trial < 200; trial++) {

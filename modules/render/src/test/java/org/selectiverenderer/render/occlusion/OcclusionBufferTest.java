@@ -19,8 +19,8 @@ class OcclusionBufferTest {
     }
   }
 
-  private static NearestDepthBound upTo(double nearest) {
-    NearestDepthBound side = new NearestDepthBound();
+  private static ConservativeDepthBound upTo(double nearest) {
+    ConservativeDepthBound side = new ConservativeDepthBound();
     side.begin(nearest);
     return side;
   }
@@ -98,22 +98,22 @@ class OcclusionBufferTest {
     assertThat(hides(whole, upTo(0.5))).isFalse();
     assertThat(hides(whole, sloping(0.07))).isTrue();
     assertThat(hides(whole, sloping(0.11))).isFalse();
-    NearestDepthBound across = upTo(0.5);
+    ConservativeDepthBound across = upTo(0.5);
     across.face(-0.01, 0, 1.5, 0, 0);
     assertThat(hides(whole, across)).isFalse();
     // Of two faces the one farther away counts.
-    NearestDepthBound both = sloping(0.11);
+    ConservativeDepthBound both = sloping(0.11);
     both.face(0, 0, 0.09, 0, 0);
     assertThat(hides(whole, both)).isTrue();
   }
 
-  private static NearestDepthBound sloping(double atOrigin) {
-    NearestDepthBound side = upTo(5);
+  private static ConservativeDepthBound sloping(double atOrigin) {
+    ConservativeDepthBound side = upTo(5);
     side.face(0.01, 0, atOrigin, MARGIN, MARGIN);
     return side;
   }
 
-  private boolean hides(double[] r, NearestDepthBound side) {
+  private boolean hides(double[] r, ConservativeDepthBound side) {
     return grid.hides(r[0], r[1], r[2], r[3], side);
   }
 

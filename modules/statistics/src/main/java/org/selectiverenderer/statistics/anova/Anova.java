@@ -14,7 +14,7 @@ import java.util.Optional;
  * @param bound the equivalence bound of TOST, in the measure's units
  */
 public record Anova(
-    Design design,
+    FactorialDesign design,
     AnovaOptions options,
     Effect intercept,
     List<Effect> effects,
@@ -33,9 +33,9 @@ public record Anova(
   /**
    * Analyses a design with type III sums of squares.
    *
-   * @throws IllegalArgumentException if the design has an {@link Design#obstacle}
+   * @throws IllegalArgumentException if the design has an {@link FactorialDesign#obstacle}
    */
-  public static Anova of(Design design, AnovaOptions options) {
+  public static Anova of(FactorialDesign design, AnovaOptions options) {
     Optional<String> obstacle = design.obstacle();
     if (obstacle.isPresent()) {
       throw new IllegalArgumentException(obstacle.get());

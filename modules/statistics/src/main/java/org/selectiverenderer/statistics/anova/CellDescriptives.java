@@ -18,7 +18,7 @@ public record CellDescriptives(
   /**
    * Returns for each within level the statistics of each group, then those of all groups together.
    */
-  public static List<CellDescriptives> of(Design design) {
+  public static List<CellDescriptives> of(FactorialDesign design) {
     List<CellDescriptives> all = new ArrayList<>();
     for (int level = 0; level < design.within().levels().size(); level++) {
       for (int group = 0; group < design.between().levels().size(); group++) {
@@ -37,7 +37,7 @@ public record CellDescriptives(
   }
 
   private static CellDescriptives of(
-      List<Subject> subjects, int level, Design design, Optional<String> between) {
+      List<Subject> subjects, int level, FactorialDesign design, Optional<String> between) {
     SummaryStatistics summary = new SummaryStatistics();
     subjects.forEach(subject -> summary.addValue(subject.values().get(level)));
     return new CellDescriptives(

@@ -19,7 +19,7 @@ import org.selectiverenderer.statistics.distribution.TailProbabilities;
  * 2004, 14.6; Searle, Speed and Milliken 1980).
  */
 final class ContrastEstimator {
-  private final Design design;
+  private final FactorialDesign design;
   private final MultivariateLinearModel cells;
   private final AnovaOptions options;
   private final RealMatrix covariance;
@@ -30,7 +30,7 @@ final class ContrastEstimator {
   /** Half the width of a confidence interval, in standard errors. */
   private final double half;
 
-  ContrastEstimator(Design design, MultivariateLinearModel cells, AnovaOptions options) {
+  ContrastEstimator(FactorialDesign design, MultivariateLinearModel cells, AnovaOptions options) {
     this.design = design;
     this.cells = cells;
     this.options = options;

@@ -89,7 +89,8 @@ public record Effect(
     return correctedP(1);
   }
 
-  static Effect of(Term term, Design design, MultivariateLinearModel cells, AnovaOptions options) {
+  static Effect of(
+      Term term, FactorialDesign design, MultivariateLinearModel cells, AnovaOptions options) {
     LinearHypothesis h = LinearHypothesis.of(term, design, cells);
     FTestResult test = FTestResult.of(term, h, cells, options);
     boolean constant = test.constant();

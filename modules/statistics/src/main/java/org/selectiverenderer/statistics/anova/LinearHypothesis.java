@@ -20,7 +20,7 @@ import org.apache.commons.math3.linear.RealMatrix;
  * @param errorDf subjects - groups - covariates
  */
 record LinearHypothesis(RealMatrix effect, RealMatrix error, int effectDf, int errorDf) {
-  static LinearHypothesis of(Term term, Design design, MultivariateLinearModel cells) {
+  static LinearHypothesis of(Term term, FactorialDesign design, MultivariateLinearModel cells) {
     RealMatrix m = OrthonormalContrasts.of(design.withinFactors(), term.within()::contains);
     RealMatrix l = rows(term, design, cells);
     RealMatrix estimate = l.multiply(cells.coefficients()).multiply(m);
@@ -31,7 +31,7 @@ record LinearHypothesis(RealMatrix effect, RealMatrix error, int effectDf, int e
     return new LinearHypothesis(effect, error, l.getRowDimension(), cells.errorDf());
   }
 
-  private static RealMatrix rows(Term term, Design design, MultivariateLinearModel cells) {
+  private static RealMatrix rows(Term term, FactorialDesign design, MultivariateLinearModel cells) {
     int columns = cells.groups() + design.covariates().size();
     if (term.covariate().isPresent()) {
       RealMatrix slope = MatrixUtils.createRealMatrix(1, columns);

@@ -42,7 +42,7 @@ final class MultivariateLinearModel {
     this.leverages = leverages;
   }
 
-  static MultivariateLinearModel of(Design design) {
+  static MultivariateLinearModel of(FactorialDesign design) {
     int[] sizes = sizes(design);
     double[][] y = scores(design);
     double[][] means = groupMeans(design, sizes, y);
@@ -66,7 +66,7 @@ final class MultivariateLinearModel {
    * Returns the model adjusted for the covariates: slopes are estimated from the deviations within
    * groups, and group means are taken at the covariates' means.
    */
-  private MultivariateLinearModel adjusted(Design design) {
+  private MultivariateLinearModel adjusted(FactorialDesign design) {
     int groups = sizes.length;
     double[][] x = covariates(design);
     double[][] xMeans = groupMeans(design, sizes, x);
@@ -94,13 +94,13 @@ final class MultivariateLinearModel {
         sizes, both, all, residuals.subtract(own.multiply(slopes)), drawn);
   }
 
-  private static int[] sizes(Design design) {
+  private static int[] sizes(FactorialDesign design) {
     int[] sizes = new int[design.between().levels().size()];
     design.subjects().forEach(subject -> sizes[subject.group()]++);
     return sizes;
   }
 
-  private static double[][] scores(Design design) {
+  private static double[][] scores(FactorialDesign design) {
     return design.subjects().stream()
         .map(subject -> array(subject.values()))
         .toArray(double[][]::new);
@@ -110,7 +110,7 @@ final class MultivariateLinearModel {
    * Returns the first covariate that is constant within all groups, or a linear combination of the
    * covariates before it.
    */
-  static Optional<String> redundantCovariate(Design design) {
+  static Optional<String> redundantCovariate(FactorialDesign design) {
     if (design.covariates().isEmpty()) {
       return Optional.empty();
     }
@@ -136,7 +136,7 @@ final class MultivariateLinearModel {
   }
 
   /** Returns a row for each subject: the covariates, centred at their means over all subjects. */
-  private static double[][] covariates(Design design) {
+  private static double[][] covariates(FactorialDesign design) {
     double[][] x =
         design.subjects().stream()
             .map(subject -> array(subject.covariates()))
@@ -153,7 +153,7 @@ final class MultivariateLinearModel {
     return x;
   }
 
-  private static double[][] groupMeans(Design design, int[] sizes, double[][] rows) {
+  private static double[][] groupMeans(FactorialDesign design, int[] sizes, double[][] rows) {
     double[][] means = new double[sizes.length][rows[0].length];
     for (int i = 0; i < rows.length; i++) {
       int group = design.subjects().get(i).group();
@@ -165,7 +165,7 @@ final class MultivariateLinearModel {
   }
 
   /** Returns the deviations from the groups' means. */
-  private static double[][] inside(Design design, double[][] rows, double[][] means) {
+  private static double[][] inside(FactorialDesign design, double[][] rows, double[][] means) {
     List<double[]> inside = new ArrayList<>();
     for (int i = 0; i < rows.length; i++) {
       double[] row = rows[i].clone();

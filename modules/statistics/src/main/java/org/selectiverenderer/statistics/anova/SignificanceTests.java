@@ -21,9 +21,9 @@ public record SignificanceTests(List<FTestResult> effects, List<PairwiseComparis
   /**
    * Tests the effects of a design.
    *
-   * @throws IllegalArgumentException if the design has an {@link Design#obstacle}
+   * @throws IllegalArgumentException if the design has an {@link FactorialDesign#obstacle}
    */
-  public static SignificanceTests of(Design design, AnovaOptions options) {
+  public static SignificanceTests of(FactorialDesign design, AnovaOptions options) {
     Optional<String> obstacle = design.obstacle();
     if (obstacle.isPresent()) {
       throw new IllegalArgumentException(obstacle.get());

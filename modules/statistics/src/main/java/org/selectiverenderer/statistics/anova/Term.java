@@ -27,7 +27,7 @@ public record Term(List<Factor> within, List<Factor> between, Optional<String> c
    * Returns all terms of a design except the intercept: for each set of within factors, smaller
    * sets first, the terms with between factors, then those with covariates.
    */
-  static List<Term> of(Design design) {
+  static List<Term> of(FactorialDesign design) {
     List<Term> terms = new ArrayList<>();
     for (List<Factor> within : subsets(design.withinFactors())) {
       for (List<Factor> between : subsets(design.betweenFactors())) {

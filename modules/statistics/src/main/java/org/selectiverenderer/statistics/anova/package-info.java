@@ -2,8 +2,8 @@
  * Analysis of variance with any number of between and within factors and covariates, with effect
  * sizes, marginal means, comparisons and equivalence tests (thesis 6.3.2, Figs 92-98).
  *
- * <p>A {@link org.selectiverenderer.statistics.anova.Design} gives one multivariate linear model: a
- * row of scores for each subject, explained by its group and covariates ({@code
+ * <p>A {@link org.selectiverenderer.statistics.anova.FactorialDesign} gives one multivariate linear
+ * model: a row of scores for each subject, explained by its group and covariates ({@code
  * MultivariateLinearModel}). An effect ({@link org.selectiverenderer.statistics.anova.Term}) is a
  * hypothesis about its coefficients, L B M = 0: L compares groups, M within levels. It has a matrix
  * of sums of squares and cross products of the effect and one of the error ({@code

@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.stat.StatUtils;
 import org.selectiverenderer.statistics.anova.Anova;
-import org.selectiverenderer.statistics.anova.Design;
+import org.selectiverenderer.statistics.anova.FactorialDesign;
 import org.selectiverenderer.statistics.anova.Residuals;
 import org.selectiverenderer.statistics.anova.Subject;
 import org.selectiverenderer.statistics.distribution.TailProbabilities;
@@ -41,7 +41,7 @@ public record AssumptionChecks(
 
   /** Checks the assumptions of an analysis. */
   public static AssumptionChecks of(Anova anova) {
-    Design design = anova.design();
+    FactorialDesign design = anova.design();
     Residuals residuals = anova.residuals();
     boolean groups = design.between().varies();
     boolean repeated = design.within().varies();
@@ -110,7 +110,7 @@ public record AssumptionChecks(
     return outliers;
   }
 
-  private static List<double[]> byGroup(Design design, double[] values) {
+  private static List<double[]> byGroup(FactorialDesign design, double[] values) {
     return IntStream.range(0, design.between().levels().size())
         .mapToObj(
             group ->
@@ -121,7 +121,7 @@ public record AssumptionChecks(
         .toList();
   }
 
-  private static List<double[][]> matrices(Design design, Residuals residuals) {
+  private static List<double[][]> matrices(FactorialDesign design, Residuals residuals) {
     return IntStream.range(0, design.between().levels().size())
         .mapToObj(
             group ->
@@ -132,7 +132,7 @@ public record AssumptionChecks(
         .toList();
   }
 
-  private static double[] averages(Design design) {
+  private static double[] averages(FactorialDesign design) {
     return design.subjects().stream()
         .mapToDouble(
             subject ->

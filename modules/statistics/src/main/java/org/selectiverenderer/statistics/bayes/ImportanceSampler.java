@@ -22,13 +22,16 @@ final class ImportanceSampler {
    */
   private static final double WIDER = 1.2;
 
-  private final TermBlock component;
+  private final NonorthogonalTermBlock component;
   private final List<TermDesignMatrix> terms;
   private final VarianceEstimates scale;
   private final double r;
 
   ImportanceSampler(
-      TermBlock component, List<TermDesignMatrix> terms, VarianceEstimates scale, double r) {
+      NonorthogonalTermBlock component,
+      List<TermDesignMatrix> terms,
+      VarianceEstimates scale,
+      double r) {
     this.component = component;
     this.terms = terms;
     this.scale = scale;

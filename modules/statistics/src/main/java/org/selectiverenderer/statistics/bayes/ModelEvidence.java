@@ -6,9 +6,9 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import org.selectiverenderer.statistics.anova.Design;
 import org.selectiverenderer.statistics.anova.EffectPrior;
 import org.selectiverenderer.statistics.anova.Factor;
+import org.selectiverenderer.statistics.anova.FactorialDesign;
 import org.selectiverenderer.statistics.anova.Term;
 
 /**
@@ -20,17 +20,18 @@ final class ModelEvidence {
 
   private record ModelKey(Set<Term> model, double scale, int batch) {}
 
-  private final List<Stratum> strata = new ArrayList<>();
+  private final List<ErrorStratum> strata = new ArrayList<>();
   private final EffectPrior prior;
   private final int levels;
   private final VarianceEstimates scale;
   private final double dimensions;
   private final double averageDimensions;
   private final boolean sampled;
-  private final Map<TermBlock, Map<NodeKey, QuadratureGrid>> nodes = new IdentityHashMap<>();
+  private final Map<NonorthogonalTermBlock, Map<NodeKey, QuadratureGrid>> nodes =
+      new IdentityHashMap<>();
   private final Map<ModelKey, Double> found = new HashMap<>();
 
-  ModelEvidence(Design design, List<Term> terms, EffectPrior prior) {
+  ModelEvidence(FactorialDesign design, List<Term> terms, EffectPrior prior) {
     this.prior = prior;
     levels = design.within().levels().size();
     List<List<Factor>> withins = new ArrayList<>(List.of(List.of()));
@@ -41,12 +42,12 @@ final class ModelEvidence {
         .forEach(withins::add);
     for (List<Factor> within : withins) {
       strata.add(
-          Stratum.of(
+          ErrorStratum.of(
               design,
               within,
               terms.stream().filter(term -> term.within().equals(within)).toList()));
     }
-    dimensions = strata.stream().mapToInt(Stratum::dimensions).sum();
+    dimensions = strata.stream().mapToInt(ErrorStratum::dimensions).sum();
     averageDimensions = strata.get(0).dimensions();
     scale = scale();
     sampled =
@@ -63,7 +64,7 @@ final class ModelEvidence {
     double rest = 0;
     double all = 0;
     double free = 0;
-    for (Stratum stratum : levels > 1 ? strata.subList(1, strata.size()) : strata) {
+    for (ErrorStratum stratum : levels > 1 ? strata.subList(1, strata.size()) : strata) {
       rest += stratum.rest();
       all += stratum.sum();
       free += stratum.dimensions();
@@ -93,7 +94,7 @@ final class ModelEvidence {
 
   private double integrated(Set<Term> model, double fixed, int batch) {
     List<List<QuadratureGrid>> tables = new ArrayList<>();
-    for (Stratum stratum : strata) {
+    for (ErrorStratum stratum : strata) {
       tables.add(
           stratum.components().stream()
               .map(component -> nodes(stratum, component, model, batch))
@@ -132,7 +133,11 @@ final class ModelEvidence {
   }
 
   private static double log(
-      Stratum stratum, List<QuadratureGrid> tables, double fixed, double variance, double factor) {
+      ErrorStratum stratum,
+      List<QuadratureGrid> tables,
+      double fixed,
+      double variance,
+      double factor) {
     double log = -stratum.rest() / (2 * variance * factor);
     for (QuadratureGrid table : tables) {
       log += table.log(variance, factor, fixed);
@@ -140,7 +145,8 @@ final class ModelEvidence {
     return log;
   }
 
-  private QuadratureGrid nodes(Stratum stratum, TermBlock component, Set<Term> model, int batch) {
+  private QuadratureGrid nodes(
+      ErrorStratum stratum, NonorthogonalTermBlock component, Set<Term> model, int batch) {
     List<TermDesignMatrix> terms =
         component.columns().stream().filter(column -> model.contains(column.term())).toList();
     Set<Term> own = Set.copyOf(terms.stream().map(TermDesignMatrix::term).toList());

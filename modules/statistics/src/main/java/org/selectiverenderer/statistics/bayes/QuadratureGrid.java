@@ -21,13 +21,16 @@ record QuadratureGrid(
   private static final double NEGLIGIBLE = 36;
 
   /** Returns the grid of a model without terms in the component: one point. */
-  static QuadratureGrid none(TermBlock component) {
+  static QuadratureGrid none(NonorthogonalTermBlock component) {
     double[] zero = {0};
     return new QuadratureGrid(0, zero, zero, zero, new double[] {component.sum()});
   }
 
   static QuadratureGrid of(
-      TermBlock component, List<TermDesignMatrix> terms, double[][] logG, double[] logWeights) {
+      NonorthogonalTermBlock component,
+      List<TermDesignMatrix> terms,
+      double[][] logG,
+      double[] logWeights) {
     double[] weights = logWeights.clone();
     double[] inverses = new double[logG.length];
     double[] determinants = new double[logG.length];
@@ -46,7 +49,7 @@ record QuadratureGrid(
 
   /** Returns the grid of all combinations of equally spaced points of log g. */
   static QuadratureGrid grid(
-      TermBlock component,
+      NonorthogonalTermBlock component,
       List<TermDesignMatrix> terms,
       VarianceEstimates scale,
       double leastPrior) {
@@ -110,7 +113,10 @@ record QuadratureGrid(
     private static final double MOST = 27;
 
     static Range of(
-        TermBlock component, TermDesignMatrix term, VarianceEstimates scale, double leastPrior) {
+        NonorthogonalTermBlock component,
+        TermDesignMatrix term,
+        VarianceEstimates scale,
+        double leastPrior) {
       double falls = 1.0 + (double) component.width() * term.matrix().getColumnDimension();
       double low = Math.log(leastPrior * leastPrior / (2 * NEGLIGIBLE) / scale.average());
       double signal = component.sum() / (scale.variance() * term.size());

@@ -15,16 +15,16 @@
  *
  * <p>The evidence is an integral over s² and all g. Orthonormal transformations of the within
  * levels factorise it: given s² and the g of the participants, the average and the contrasts of
- * each set of within factors ({@code Stratum}) are independent, and so are, within each stratum,
- * terms whose columns are orthogonal (all of them where groups are of equal size). Terms that are
- * not orthogonal form a {@code TermBlock}. Its integral over the g of one or two terms is a sum
- * over an equally spaced grid ({@code QuadratureGrid}); for three or more terms, which occur only
- * with two or more factors and groups of unequal size, it is importance sampling with seeded
- * quasi-random points ({@code ImportanceSampler}), in batches that estimate its error. The
- * integrals over s² and the participants' g are nested ({@code ModelEvidence}, {@code
+ * each set of within factors ({@code ErrorStratum}) are independent, and so are, within each
+ * stratum, terms whose columns are orthogonal (all of them where groups are of equal size). Terms
+ * that are not orthogonal form a {@code NonorthogonalTermBlock}. Its integral over the g of one or
+ * two terms is a sum over an equally spaced grid ({@code QuadratureGrid}); for three or more terms,
+ * which occur only with two or more factors and groups of unequal size, it is importance sampling
+ * with seeded quasi-random points ({@code ImportanceSampler}), in batches that estimate its error.
+ * The integrals over s² and the participants' g are nested ({@code ModelEvidence}, {@code
  * LogIntegrator}).
  *
- * <p>In: a {@link org.selectiverenderer.statistics.anova.Design} and options. Out: {@link
+ * <p>In: a {@link org.selectiverenderer.statistics.anova.FactorialDesign} and options. Out: {@link
  * org.selectiverenderer.statistics.bayes.EffectBayesFactors} of each effect. Uses {@code
  * statistics.anova} and Commons Math.
  */

@@ -1,7 +1,7 @@
 package org.selectiverenderer.statistics.data;
 
 import java.util.List;
-import org.selectiverenderer.statistics.anova.Design;
+import org.selectiverenderer.statistics.anova.FactorialDesign;
 
 /**
  * The measurements of a file as a design.
@@ -11,7 +11,7 @@ import org.selectiverenderer.statistics.anova.Design;
  *     Design#obstacle}
  * @param exclusions rows and subjects that the design leaves out
  */
-public record Observations(DataSource source, Design design, List<Exclusion> exclusions) {
+public record Observations(DataSource source, FactorialDesign design, List<Exclusion> exclusions) {
   /** Makes defensive copies, so that the record is immutable. */
   public Observations {
     exclusions = List.copyOf(exclusions);

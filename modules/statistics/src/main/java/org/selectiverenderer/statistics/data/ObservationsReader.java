@@ -17,8 +17,8 @@ import org.selectiverenderer.formats.csv.CsvColumnSpec;
 import org.selectiverenderer.formats.csv.CsvNumberParser;
 import org.selectiverenderer.formats.csv.CsvRow;
 import org.selectiverenderer.formats.csv.CsvTable;
-import org.selectiverenderer.statistics.anova.Design;
 import org.selectiverenderer.statistics.anova.Factor;
+import org.selectiverenderer.statistics.anova.FactorialDesign;
 import org.selectiverenderer.statistics.anova.Subject;
 
 /**
@@ -135,7 +135,8 @@ public final class ObservationsReader {
     columns.within().forEach(name -> single(table, name, levels(name)));
     List<Subject> complete = new ArrayList<>();
     subjects.forEach((id, gathered) -> complete(id, gathered, within, between, complete));
-    Design design = new Design(columns.measure(), within, between, columns.covariates(), complete);
+    FactorialDesign design =
+        new FactorialDesign(columns.measure(), within, between, columns.covariates(), complete);
     return Optional.of(new Observations(source, design, exclusions.list()));
   }
 

@@ -4,8 +4,8 @@
  * org.selectiverenderer.statistics.data.Exclusion} that reports print.
  *
  * <p>In: CSV files. Out: {@link org.selectiverenderer.statistics.data.Responses} and {@link
- * org.selectiverenderer.statistics.anova.Design}. Uses {@code statistics.detection}, {@code
- * statistics.anova}, {@code formats.csv}, {@code base.files} and {@code base.problem}.
+ * org.selectiverenderer.statistics.anova.FactorialDesign}. Uses {@code statistics.detection},
+ * {@code statistics.anova}, {@code formats.csv}, {@code base.files} and {@code base.problem}.
  */
 @NullMarked
 package org.selectiverenderer.statistics.data;

@@ -8,10 +8,10 @@ import org.selectiverenderer.statistics.anova.Anova;
 import org.selectiverenderer.statistics.anova.AnovaOptions;
 import org.selectiverenderer.statistics.anova.CellDescriptives;
 import org.selectiverenderer.statistics.anova.CorrectedDegreesOfFreedom;
-import org.selectiverenderer.statistics.anova.Design;
 import org.selectiverenderer.statistics.anova.Effect;
 import org.selectiverenderer.statistics.anova.EffectSize;
 import org.selectiverenderer.statistics.anova.Factor;
+import org.selectiverenderer.statistics.anova.FactorialDesign;
 import org.selectiverenderer.statistics.anova.MarginalMean;
 import org.selectiverenderer.statistics.anova.MultivariateTest;
 import org.selectiverenderer.statistics.anova.PairwiseComparison;
@@ -87,7 +87,7 @@ final class AnovaJsonWriter {
   }
 
   /** Writes the descriptive statistics of the cells, and those over all groups. */
-  static void descriptives(Design design, ObjectNode json) {
+  static void descriptives(FactorialDesign design, ObjectNode json) {
     ArrayNode cells = json.putArray("descriptives");
     ArrayNode totals = json.putArray("totals");
     for (CellDescriptives found : CellDescriptives.of(design)) {

@@ -12,7 +12,7 @@ import org.selectiverenderer.geometry.font.FontFamily;
 import org.selectiverenderer.geometry.font.FontLibrary;
 import org.selectiverenderer.geometry.font.FontStyle;
 import org.selectiverenderer.statistics.anova.Anova;
-import org.selectiverenderer.statistics.anova.Design;
+import org.selectiverenderer.statistics.anova.FactorialDesign;
 import org.selectiverenderer.statistics.anova.MarginalMean;
 import org.selectiverenderer.statistics.anova.Subject;
 
@@ -68,7 +68,7 @@ final class InteractionPlot {
   /** The drawing of one plot, with its scale. */
   private final class Drawing {
     private final SvgCanvas canvas;
-    private final Design design;
+    private final FactorialDesign design;
     private final List<MarginalMean> means;
     private final int groups;
     private final int levels;

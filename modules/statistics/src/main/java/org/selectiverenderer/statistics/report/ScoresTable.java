@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.selectiverenderer.base.decimal.Pluralizer;
 import org.selectiverenderer.statistics.anova.CellDescriptives;
-import org.selectiverenderer.statistics.anova.Design;
+import org.selectiverenderer.statistics.anova.FactorialDesign;
 import org.selectiverenderer.statistics.detection.DetectionMeasure;
 import org.selectiverenderer.statistics.detection.DetectionScore;
 import org.selectiverenderer.statistics.detection.Response;
@@ -120,7 +120,7 @@ final class ScoresTable {
   }
 
   private static Optional<CellDescriptives> descriptive(
-      Design design, String type, Optional<String> condition) {
+      FactorialDesign design, String type, Optional<String> condition) {
     boolean types = design.within().varies();
     for (CellDescriptives found : CellDescriptives.of(design)) {
       boolean own = !types || found.within().equals(Optional.of(type));

@@ -8,8 +8,8 @@ import java.util.Objects;
 import java.util.Optional;
 import org.selectiverenderer.statistics.anova.Anova;
 import org.selectiverenderer.statistics.anova.AnovaOptions;
-import org.selectiverenderer.statistics.anova.Design;
 import org.selectiverenderer.statistics.anova.Factor;
+import org.selectiverenderer.statistics.anova.FactorialDesign;
 import org.selectiverenderer.statistics.anova.SignificanceTests;
 import org.selectiverenderer.statistics.anova.Subject;
 import org.selectiverenderer.statistics.data.Responses;
@@ -63,7 +63,7 @@ public final class AreaAnalyser {
       ConfidenceThreshold level, DetectionMeasure measure, AnovaOptions options) {
     List<String> notes = new ArrayList<>();
     Map<String, List<Subject>> groups = complete(level, measure, notes);
-    Design design = design(measure, groups, notes);
+    FactorialDesign design = design(measure, groups, notes);
     Optional<String> obstacle = design.obstacle();
     obstacle.ifPresent(reason -> notes.add("Not analysed: " + reason + "."));
     Optional<Anova> anova =
@@ -75,7 +75,7 @@ public final class AreaAnalyser {
   public Optional<SignificanceTests> tests(
       ConfidenceThreshold level, DetectionMeasure measure, AnovaOptions options) {
     List<String> notes = new ArrayList<>();
-    Design design = design(measure, complete(level, measure, notes), notes);
+    FactorialDesign design = design(measure, complete(level, measure, notes), notes);
     return design.obstacle().isPresent()
         ? Optional.empty()
         : Optional.of(SignificanceTests.of(design, options));
@@ -115,7 +115,7 @@ public final class AreaAnalyser {
   }
 
   /** Returns the design of the conditions that have participants, and notes the others. */
-  private Design design(
+  private FactorialDesign design(
       DetectionMeasure measure, Map<String, List<Subject>> groups, List<String> notes) {
     List<String> filled = conditions.stream().filter(groups::containsKey).toList();
     conditions.stream()
@@ -130,7 +130,7 @@ public final class AreaAnalyser {
         subjects.add(new Subject(subject.id(), group, subject.values()));
       }
     }
-    return new Design(
+    return new FactorialDesign(
         measure.key(),
         new Factor(WITHIN, types),
         new Factor(BETWEEN, filled.isEmpty() ? conditions : filled),

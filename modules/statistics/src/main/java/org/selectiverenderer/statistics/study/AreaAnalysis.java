@@ -3,7 +3,7 @@ package org.selectiverenderer.statistics.study;
 import java.util.List;
 import java.util.Optional;
 import org.selectiverenderer.statistics.anova.Anova;
-import org.selectiverenderer.statistics.anova.Design;
+import org.selectiverenderer.statistics.anova.FactorialDesign;
 import org.selectiverenderer.statistics.bayes.BayesianAnova;
 import org.selectiverenderer.statistics.detection.ConfidenceThreshold;
 import org.selectiverenderer.statistics.detection.DetectionMeasure;
@@ -20,7 +20,7 @@ public record AreaAnalysis(
     String area,
     ConfidenceThreshold level,
     DetectionMeasure measure,
-    Design design,
+    FactorialDesign design,
     Optional<Anova> anova,
     Optional<BayesianAnova> evidence,
     List<String> notes) {
@@ -34,7 +34,7 @@ public record AreaAnalysis(
       String area,
       ConfidenceThreshold level,
       DetectionMeasure measure,
-      Design design,
+      FactorialDesign design,
       Optional<Anova> anova,
       List<String> notes) {
     this(area, level, measure, design, anova, anova.map(BayesianAnova::new), notes);

@@ -44,13 +44,13 @@ class AnovaAgreesWithRTest {
     assertThat(differences).isEmpty();
   }
 
-  private static Design design(List<CSVRecord> rows) {
+  private static FactorialDesign design(List<CSVRecord> rows) {
     List<String> groups = rows.stream().map(row -> row.get("group")).distinct().toList();
     List<String> levels = rows.stream().map(row -> row.get("level")).distinct().toList();
     Map<String, List<CSVRecord>> subjects = new LinkedHashMap<>();
     rows.forEach(
         row -> subjects.computeIfAbsent(row.get("subject"), id -> new ArrayList<>()).add(row));
-    return new Design(
+    return new FactorialDesign(
         "value",
         new Factor("level", levels),
         new Factor("group", groups),

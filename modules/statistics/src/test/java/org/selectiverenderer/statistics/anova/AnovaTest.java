@@ -56,8 +56,8 @@ class AnovaTest {
 
   @Test
   void aDifferenceThatIsTheSameForAllHasNoWithinFButABetweenF() {
-    Design design =
-        new Design(
+    FactorialDesign design =
+        new FactorialDesign(
             "y",
             new Factor("level", List.of("a", "b")),
             new Factor("group", List.of("x", "y")),
@@ -82,8 +82,8 @@ class AnovaTest {
 
   @Test
   void moreLevelsThanParticipantsLeaveTheMultivariateTestsOut() {
-    Design design =
-        new Design(
+    FactorialDesign design =
+        new FactorialDesign(
             "y",
             new Factor("level", List.of("a", "b", "c", "d")),
             new Factor("group", List.of("all")),
@@ -105,13 +105,14 @@ class AnovaTest {
     Factor one = new Factor("group", List.of("all"));
     Factor two = new Factor("level", List.of("a", "b"));
     assertThat(
-            new Design("y", two, one, List.of(new Subject("1", 0, List.of(1.0, 2.0)))).obstacle())
+            new FactorialDesign("y", two, one, List.of(new Subject("1", 0, List.of(1.0, 2.0))))
+                .obstacle())
         .contains("1 participant in 1 group leaves no degrees of freedom for the error");
     assertThat(oneWay(new double[][] {{1, 2, 3}}).obstacle())
         .hasValueSatisfying(why -> assertThat(why).contains("nothing to compare"));
     assertThat(oneWay(new double[][] {{1, 2}, {}}).obstacle())
         .contains("there is no participant with complete data in the group g1");
-    Design design = oneWay(new double[][] {{1}, {2}});
+    FactorialDesign design = oneWay(new double[][] {{1}, {2}});
     assertThatThrownBy(() -> Anova.of(design, AnovaOptions.DEFAULT))
         .isInstanceOf(IllegalArgumentException.class);
   }
@@ -119,8 +120,8 @@ class AnovaTest {
   /** With two levels and two groups the interaction is one difference of differences: F = t². */
   @Test
   void theInteractionOfTwoByTwoIsItsOnlyDifferenceOfDifferences() {
-    Design design =
-        new Design(
+    FactorialDesign design =
+        new FactorialDesign(
             "y",
             new Factor("level", List.of("a", "b")),
             new Factor("group", List.of("x", "y")),
@@ -167,7 +168,7 @@ class AnovaTest {
         .isGreaterThan(1.5);
   }
 
-  private static Design oneWay(double[][] groups) {
+  private static FactorialDesign oneWay(double[][] groups) {
     List<Subject> subjects = new ArrayList<>();
     List<String> names = new ArrayList<>();
     for (int group = 0; group < groups.length; group++) {
@@ -176,7 +177,7 @@ class AnovaTest {
         subjects.add(new Subject(group + "-" + subjects.size(), group, List.of(value)));
       }
     }
-    return new Design(
+    return new FactorialDesign(
         "y", new Factor("level", List.of("all")), new Factor("group", names), subjects);
   }
 
@@ -206,8 +207,8 @@ class AnovaTest {
     for (int i = 0; i < large.length; i++) {
       subjects.add(new Subject("s" + i, 0, List.of(small[i], large[i], 1 + small[9 - i])));
     }
-    Design design =
-        new Design(
+    FactorialDesign design =
+        new FactorialDesign(
             "y",
             new Factor("level", List.of("a", "b", "c")),
             new Factor("group", List.of("all")),
@@ -241,7 +242,8 @@ class AnovaTest {
     }
     Factor none = new Factor("level", List.of("all"));
     Factor group = new Factor("group", List.of("x", "y"));
-    Design design = new Design("y", List.of(none), List.of(group), List.of("age"), subjects);
+    FactorialDesign design =
+        new FactorialDesign("y", List.of(none), List.of(group), List.of("age"), subjects);
     assertThat(design.obstacle())
         .contains("the covariate age is redundant: the groups predict it exactly; leave it out");
   }

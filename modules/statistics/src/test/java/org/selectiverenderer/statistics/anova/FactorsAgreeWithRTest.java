@@ -53,7 +53,7 @@ class FactorsAgreeWithRTest {
     assertThat(differences).isEmpty();
   }
 
-  private static Design design(List<CSVRecord> rows) {
+  private static FactorialDesign design(List<CSVRecord> rows) {
     List<Factor> between = factors(rows, "a", "b");
     List<Factor> within = factors(rows, "u", "v");
     boolean covariate = !rows.get(0).get("x").isEmpty();
@@ -74,7 +74,7 @@ class FactorsAgreeWithRTest {
                     index(between, row),
                     Arrays.asList(Objects.requireNonNull(values.get(id))),
                     covariate ? List.of(Double.valueOf(row.get("x"))) : List.of())));
-    return new Design("value", within, between, covariate ? List.of("x") : List.of(), all);
+    return new FactorialDesign("value", within, between, covariate ? List.of("x") : List.of(), all);
   }
 
   private static List<Factor> factors(List<CSVRecord> rows, String... names) {

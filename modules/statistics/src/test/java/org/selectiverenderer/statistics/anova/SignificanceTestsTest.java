@@ -16,7 +16,7 @@ class SignificanceTestsTest {
     int corrected = 0;
     for (int groups = 1; groups <= 3; groups++) {
       for (int levels = 2; levels <= 4; levels++) {
-        Design design = design(groups, levels, 20, random);
+        FactorialDesign design = design(groups, levels, 20, random);
         Anova whole = Anova.of(design, AnovaOptions.DEFAULT);
         SignificanceTests tests = SignificanceTests.of(design, AnovaOptions.DEFAULT);
         assertThat(tests.effects()).hasSameSizeAs(whole.effects());
@@ -41,14 +41,14 @@ class SignificanceTestsTest {
 
   @Test
   void aDesignThatCannotBeAnalysedIsRefused() {
-    Design design = design(3, 2, 3, new Random(1));
+    FactorialDesign design = design(3, 2, 3, new Random(1));
     assertThatThrownBy(() -> SignificanceTests.of(design, AnovaOptions.DEFAULT))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("degrees of freedom");
   }
 
   /** Later levels vary more, so that sphericity is lacking. */
-  private static Design design(int groups, int levels, int subjects, Random random) {
+  private static FactorialDesign design(int groups, int levels, int subjects, Random random) {
     List<Subject> all = new ArrayList<>();
     for (int i = 0; i < subjects; i++) {
       double own = random.nextGaussian();
@@ -58,7 +58,7 @@ class SignificanceTestsTest {
       }
       all.add(new Subject("s" + i, i % groups, values));
     }
-    return new Design("y", factor("level", levels), factor("group", groups), all);
+    return new FactorialDesign("y", factor("level", levels), factor("group", groups), all);
   }
 
   private static Factor factor(String name, int levels) {

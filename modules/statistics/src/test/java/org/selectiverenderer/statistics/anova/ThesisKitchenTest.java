@@ -121,7 +121,7 @@ class ThesisKitchenTest {
       subjects.addAll(subjects(group, own.get(0), own.get(1)));
     }
     return Anova.of(
-        new Design(
+        new FactorialDesign(
             measure, new Factor("object type", LEVELS), new Factor("group", GROUPS), subjects),
         AnovaOptions.DEFAULT);
   }

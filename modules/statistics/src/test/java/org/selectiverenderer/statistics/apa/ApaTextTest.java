@@ -9,8 +9,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.selectiverenderer.statistics.anova.Anova;
 import org.selectiverenderer.statistics.anova.AnovaOptions;
-import org.selectiverenderer.statistics.anova.Design;
 import org.selectiverenderer.statistics.anova.Factor;
+import org.selectiverenderer.statistics.anova.FactorialDesign;
 import org.selectiverenderer.statistics.anova.Subject;
 
 class ApaTextTest {
@@ -83,7 +83,7 @@ class ApaTextTest {
       }
     }
     return Anova.of(
-        new Design(
+        new FactorialDesign(
             "y",
             new Factor("level", List.of("all")),
             new Factor("group", List.of("a", "b")),

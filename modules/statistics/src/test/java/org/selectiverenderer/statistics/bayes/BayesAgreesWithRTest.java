@@ -17,9 +17,9 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.selectiverenderer.statistics.GoldenTable;
 import org.selectiverenderer.statistics.anova.Anova;
 import org.selectiverenderer.statistics.anova.AnovaOptions;
-import org.selectiverenderer.statistics.anova.Design;
 import org.selectiverenderer.statistics.anova.EffectPrior;
 import org.selectiverenderer.statistics.anova.Factor;
+import org.selectiverenderer.statistics.anova.FactorialDesign;
 import org.selectiverenderer.statistics.anova.Subject;
 import org.selectiverenderer.statistics.data.DataSource;
 import org.selectiverenderer.statistics.data.Responses;
@@ -123,8 +123,8 @@ class BayesAgreesWithRTest {
         subjects.add(new Subject("s" + subjects.size(), group, List.of(value)));
       }
     }
-    Design design =
-        new Design(
+    FactorialDesign design =
+        new FactorialDesign(
             "y",
             List.of(new Factor("none", List.of("all"))),
             List.of(new Factor("A", List.of("0", "1")), new Factor("B", List.of("0", "1", "2"))),
@@ -143,7 +143,7 @@ class BayesAgreesWithRTest {
     for (CSVRecord row : GoldenTable.read(BayesAgreesWithRTest.class, "bayes-golden.csv.gz")) {
       if (row.get("set").equals("0")) {
         String[] parts = row.get("effect").replaceAll("[F()]", "").split(";");
-        Design design =
+        FactorialDesign design =
             equalGroups(
                 Double.parseDouble(parts[0]),
                 Integer.parseInt(parts[1]),
@@ -168,7 +168,7 @@ class BayesAgreesWithRTest {
   @ParameterizedTest
   @CsvSource({"0.2, 1.975571", "0.5, 4.546136", "1, 12.34605"})
   void thePriorsWidthIsAnOption(double width, double bf01) {
-    Design design = equalGroups(0.576, 18, 3);
+    FactorialDesign design = equalGroups(0.576, 18, 3);
     EffectPrior prior = EffectPrior.MEDIUM.withFixed(width);
     EffectBayesFactors found =
         new BayesianAnova(Anova.of(design, AnovaOptions.DEFAULT.withPrior(prior)))
@@ -190,8 +190,8 @@ class BayesAgreesWithRTest {
     for (int i = 0; i < groups.length; i++) {
       subjects.add(new Subject("s" + i, groups[i], List.of(Math.sin(3.0 * i) + groups[i] * 0.2)));
     }
-    Design design =
-        new Design(
+    FactorialDesign design =
+        new FactorialDesign(
             "y",
             List.of(new Factor("none", List.of("all"))),
             List.of(new Factor("a", List.of("1", "2")), new Factor("b", List.of("1", "2"))),
@@ -213,8 +213,8 @@ class BayesAgreesWithRTest {
       subjects.add(
           new Subject("s" + i, i % 2, List.of(Math.sin(2.0 * i)), List.of(Math.cos(5.0 * i))));
     }
-    Design design =
-        new Design(
+    FactorialDesign design =
+        new FactorialDesign(
             "y",
             List.of(new Factor("none", List.of("all"))),
             List.of(new Factor("a", List.of("1", "2"))),
@@ -227,14 +227,14 @@ class BayesAgreesWithRTest {
         .allSatisfy(found -> assertThat(found.bf01()).isNaN());
   }
 
-  private static EffectBayesFactors interaction(Design design, long seed) {
+  private static EffectBayesFactors interaction(FactorialDesign design, long seed) {
     EffectPrior prior = new EffectPrior(0.5, 1, seed);
     return new BayesianAnova(Anova.of(design, AnovaOptions.DEFAULT.withPrior(prior)))
         .effects()
         .get(2);
   }
 
-  private static Design equalGroups(double f, int size, int groups) {
+  private static FactorialDesign equalGroups(double f, int size, int groups) {
     List<Subject> subjects = new ArrayList<>();
     double inside = 0;
     double outside = 0;
@@ -253,11 +253,11 @@ class BayesAgreesWithRTest {
         subjects.add(new Subject(group + "-" + i, group, List.of(i + scale * group)));
       }
     }
-    return new Design(
+    return new FactorialDesign(
         "y", new Factor("level", List.of("all")), new Factor("group", names), subjects);
   }
 
-  private static Design design(List<CSVRecord> rows) {
+  private static FactorialDesign design(List<CSVRecord> rows) {
     List<Factor> between = factors(rows, "a", "b");
     List<Factor> within = factors(rows, "u");
     Map<String, List<Double>> values = new LinkedHashMap<>();
@@ -276,7 +276,7 @@ class BayesAgreesWithRTest {
     List<Subject> subjects = new ArrayList<>();
     values.forEach(
         (id, own) -> subjects.add(new Subject(id, Objects.requireNonNull(groups.get(id)), own)));
-    return new Design("value", within, between, List.of(), subjects);
+    return new FactorialDesign("value", within, between, List.of(), subjects);
   }
 
   private static List<Factor> factors(List<CSVRecord> rows, String... names) {

@@ -20,8 +20,8 @@ import org.apache.commons.csv.CSVRecord;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.statistics.anova.AnovaOptions;
-import org.selectiverenderer.statistics.anova.Design;
 import org.selectiverenderer.statistics.anova.Factor;
+import org.selectiverenderer.statistics.anova.FactorialDesign;
 import org.selectiverenderer.statistics.anova.Subject;
 import org.selectiverenderer.statistics.data.DataSource;
 import org.selectiverenderer.statistics.data.Responses;
@@ -172,7 +172,7 @@ class MemoryTablesTest {
         List.of());
   }
 
-  private Design design(String area, List<String> types, String column) {
+  private FactorialDesign design(String area, List<String> types, String column) {
     List<Subject> subjects = new ArrayList<>();
     for (int group = 0; group < CONDITIONS.size(); group++) {
       for (int i = 0; i < GROUP; i++) {
@@ -190,7 +190,7 @@ class MemoryTablesTest {
         subjects.add(new Subject(condition + i, group, values));
       }
     }
-    return new Design(
+    return new FactorialDesign(
         column,
         new Factor(AreaAnalyser.WITHIN, types),
         new Factor(AreaAnalyser.BETWEEN, CONDITIONS),

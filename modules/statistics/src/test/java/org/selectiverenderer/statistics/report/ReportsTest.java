@@ -14,8 +14,8 @@ import org.junit.jupiter.api.Test;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.statistics.anova.Anova;
 import org.selectiverenderer.statistics.anova.AnovaOptions;
-import org.selectiverenderer.statistics.anova.Design;
 import org.selectiverenderer.statistics.anova.Factor;
+import org.selectiverenderer.statistics.anova.FactorialDesign;
 import org.selectiverenderer.statistics.anova.Subject;
 import org.selectiverenderer.statistics.data.DataSource;
 import org.selectiverenderer.statistics.data.ResponsesCsvWriter;
@@ -87,7 +87,7 @@ class ReportsTest {
                 + "d,high,office,cup,consistent,yes,yes,4\n");
     Anova constant =
         Anova.of(
-            new Design(
+            new FactorialDesign(
                 "y",
                 new Factor("type", List.of("a", "b")),
                 new Factor("group", List.of("x", "y")),
@@ -201,7 +201,7 @@ class ReportsTest {
     assertThat(StudyReport.text(study(), MADE)).doesNotContain("p corrected");
   }
 
-  private static Design threeLevels() {
+  private static FactorialDesign threeLevels() {
     double[][] rows = {
       {1.2, 2.1, 2.9},
       {0.8, 1.9, 3.5},
@@ -216,7 +216,7 @@ class ReportsTest {
       subjects.add(
           new Subject("s" + subjects.size(), subjects.size() % 2, List.of(row[0], row[1], row[2])));
     }
-    return new Design(
+    return new FactorialDesign(
         "score",
         new Factor("level", List.of("low", "middle", "high")),
         new Factor("group", List.of("first", "second")),

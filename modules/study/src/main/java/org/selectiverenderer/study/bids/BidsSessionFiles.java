@@ -20,7 +20,7 @@ import org.selectiverenderer.study.dataset.SessionAnswersTable;
 import org.selectiverenderer.study.dataset.TableColumn;
 import org.selectiverenderer.study.headlog.BidsMotionFiles;
 import org.selectiverenderer.study.headlog.HeadLog;
-import org.selectiverenderer.study.session.StudyMaterial;
+import org.selectiverenderer.study.session.LoadedStudy;
 
 /**
  * Adds the files of one session to a dataset: motion data with events, answers to questionnaires,
@@ -30,7 +30,7 @@ final class BidsSessionFiles {
   private static final DateTimeFormatter TIME =
       DateTimeFormatter.ofPattern("yyyy-MM-dd'T'HH:mm:ss.SSS'Z'", Locale.ROOT);
 
-  private final StudyMaterial material;
+  private final LoadedStudy material;
   private final RecordedSession session;
   private final BidsDataset.Origin origin;
   private final BidsFileSet files;
@@ -46,7 +46,7 @@ final class BidsSessionFiles {
               TableColumn.time("acq_time", "when its first sample was taken, UTC")));
 
   BidsSessionFiles(
-      StudyMaterial material,
+      LoadedStudy material,
       RecordedSession session,
       BidsDataset.Origin origin,
       BidsFileSet files,

@@ -88,10 +88,10 @@ public record ParticipantsTable(List<String> columns, List<Map<String, String>> 
     for (TableColumn column :
         List.of(
             TableColumn.text(ID, "the participant, sub- and the id"),
-            ConditionColumns.column("how objects were rendered for the participant"),
+            ConditionColumnFactory.column("how objects were rendered for the participant"),
             TableColumn.whole("place", "the participant's place in the schedule, from 1"),
             TableColumn.category("assigned_by", assigned, "who assigned the condition"),
-            ConditionColumns.column(
+            ConditionColumnFactory.column(
                 "instead_of", "the condition of the schedule that was replaced"),
             TableColumn.text("age", "age band, as the participant chose it in the form"),
             TableColumn.category("simulated", simulated, "who took part"))) {

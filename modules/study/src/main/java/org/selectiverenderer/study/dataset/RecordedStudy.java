@@ -5,8 +5,8 @@ import java.util.ArrayList;
 import java.util.List;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.study.definition.Study;
+import org.selectiverenderer.study.session.LoadedStudy;
 import org.selectiverenderer.study.session.SessionFolder;
-import org.selectiverenderer.study.session.StudyMaterial;
 
 /**
  * A study with all its recorded data.
@@ -14,7 +14,7 @@ import org.selectiverenderer.study.session.StudyMaterial;
  * @param sessions in order of participants, then of session numbers
  */
 public record RecordedStudy(
-    StudyMaterial material, ParticipantsTable participants, List<RecordedSession> sessions) {
+    LoadedStudy material, ParticipantsTable participants, List<RecordedSession> sessions) {
   public RecordedStudy {
     sessions = List.copyOf(sessions);
   }
@@ -29,7 +29,7 @@ public record RecordedStudy(
    * @param problems receives a warning for each damaged part, which is left out
    * @throws IOException if a file cannot be read
    */
-  public static RecordedStudy read(StudyMaterial material, ProblemCollector problems)
+  public static RecordedStudy read(LoadedStudy material, ProblemCollector problems)
       throws IOException {
     List<RecordedSession> sessions = new ArrayList<>();
     for (SessionFolder folder : SessionFolder.all(material.study())) {

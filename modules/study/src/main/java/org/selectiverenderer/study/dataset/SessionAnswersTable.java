@@ -13,7 +13,7 @@ import org.selectiverenderer.study.questionnaire.Question;
 import org.selectiverenderer.study.questionnaire.Questionnaire;
 import org.selectiverenderer.study.questionnaire.StimulusItem;
 import org.selectiverenderer.study.questionnaire.TimedAnswer;
-import org.selectiverenderer.study.session.StudyMaterial;
+import org.selectiverenderer.study.session.LoadedStudy;
 
 /**
  * The table of a session's answers by screen, from its journal: the last answer to each question.
@@ -54,7 +54,7 @@ public final class SessionAnswersTable {
    * @param problems receives each screen that the study no longer has, which is left out
    */
   public static Map<String, List<List<@Nullable Object>>> rows(
-      StudyMaterial material, RecordedSession session, ProblemCollector problems) {
+      LoadedStudy material, RecordedSession session, ProblemCollector problems) {
     Map<String, List<List<@Nullable Object>>> rows = new LinkedHashMap<>();
     session
         .given()

@@ -21,7 +21,7 @@ public final class SessionsTable {
         TableColumn.whole("session", "number of the participant's session, from 1"),
         TableColumn.time("began", "when it began"),
         TableColumn.number("duration", "s", "from the first event to the last, breaks included"),
-        ConditionColumns.column("how objects were rendered"),
+        ConditionColumnFactory.column("how objects were rendered"),
         TableColumn.category("outcome", outcomes, "how it ended"),
         TableColumn.yesNo(
             "simulated", "the program took part, for tests", "a person", "who took part"),

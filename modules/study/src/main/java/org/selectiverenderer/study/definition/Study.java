@@ -48,7 +48,7 @@ public record Study(
     StudyQuestionnaires questionnaires,
     QualityCriteria quality,
     StudyProcedure course,
-    StudyStreams streams,
+    LslSettings streams,
     ContentAccessPolicy access,
     boolean mute) {
 

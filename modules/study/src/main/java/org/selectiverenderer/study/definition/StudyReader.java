@@ -324,19 +324,19 @@ public final class StudyReader {
   private static final class StudyStreamsReader {
     private StudyStreamsReader() {}
 
-    static StudyStreams read(JsonObjectReader study) {
+    static LslSettings read(JsonObjectReader study) {
       return study
           .object("streams", "the streams", StudyStreamsReader::streams)
-          .orElse(StudyStreams.NONE);
+          .orElse(LslSettings.NONE);
     }
 
-    private static StudyStreams streams(JsonObjectReader keys) {
+    private static LslSettings streams(JsonObjectReader keys) {
       for (LocatedJsonValue condition : keys.list("record", false)) {
         if (condition.text().isPresent() && condition.text().get().isBlank()) {
           keys.fault(condition, "a condition such as \"type='EEG'\" is needed, not an empty text");
         }
       }
-      return new StudyStreams(keys.truth("lsl", false), keys.texts("record"));
+      return new LslSettings(keys.truth("lsl", false), keys.texts("record"));
     }
   }
 }

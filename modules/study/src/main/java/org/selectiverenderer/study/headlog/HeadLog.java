@@ -7,7 +7,7 @@ import java.util.List;
  *
  * @param samples in order of time, at least one
  */
-public record HeadLog(HeadLogDescription description, List<HeadSample> samples) {
+public record HeadLog(HeadLogMetadata description, List<HeadSample> samples) {
   public HeadLog {
     samples = List.copyOf(samples);
     if (samples.isEmpty()) {

@@ -68,7 +68,7 @@ public final class HeadLogFiles implements HeadLogWriter.Lines, AutoCloseable {
    */
   public static List<Path> of(Path csv) {
     return Stream.concat(
-            Stream.of(csv, HeadLogDescription.beside(csv)), TrackerLogWriter.beside(csv).stream())
+            Stream.of(csv, HeadLogMetadata.beside(csv)), TrackerLogWriter.beside(csv).stream())
         .toList();
   }
 
@@ -80,7 +80,7 @@ public final class HeadLogFiles implements HeadLogWriter.Lines, AutoCloseable {
    * @throws IOException if a file cannot be written
    */
   public static HeadLogFiles claim(Path csv, boolean replace) throws IOException {
-    Path description = HeadLogDescription.beside(csv);
+    Path description = HeadLogMetadata.beside(csv);
     if (!replace && Files.exists(description)) {
       throw new FileAlreadyExistsException(description.toString());
     }
@@ -103,7 +103,7 @@ public final class HeadLogFiles implements HeadLogWriter.Lines, AutoCloseable {
    *
    * @return takes the lines of the log
    */
-  HeadLogWriter.Lines begin(HeadLogDescription description) throws IOException {
+  HeadLogWriter.Lines begin(HeadLogMetadata description) throws IOException {
     csv.channel().truncate(0);
     json.channel().truncate(0);
     begun = true;
@@ -115,7 +115,7 @@ public final class HeadLogFiles implements HeadLogWriter.Lines, AutoCloseable {
     return this;
   }
 
-  private static List<String> headers(HeadLogDescription description) {
+  private static List<String> headers(HeadLogMetadata description) {
     return HeadLogColumn.of(description.eyes()).stream().map(HeadLogColumn::header).toList();
   }
 

@@ -60,7 +60,7 @@ public final class HeadLogPlot {
     List<DwellTimeline> timelines = timelines();
     double below = timelines.stream().mapToDouble(DwellTimeline::height).sum();
     int height = (int) (MARGIN + plan + MARGIN + below + MARGIN / 2);
-    HeadLogDescription shown = analysis.log().description();
+    HeadLogMetadata shown = analysis.log().description();
     String title =
         "Head log: %s, %s, %s s"
             .formatted(

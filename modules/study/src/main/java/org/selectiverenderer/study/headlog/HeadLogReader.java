@@ -76,23 +76,23 @@ public final class HeadLogReader {
       }
       return Optional.empty();
     }
-    return Optional.of(new HeadLog(reader.description(HeadLogDescription.beside(csv)), samples));
+    return Optional.of(new HeadLog(reader.description(HeadLogMetadata.beside(csv)), samples));
   }
 
-  private HeadLogDescription description(Path json) throws IOException {
+  private HeadLogMetadata description(Path json) throws IOException {
     if (!Files.isRegularFile(json)) {
       problems.warning(
           SourceLocation.of(json.toString()),
           "the head log's description is missing; rooms and areas are unknown");
-      return HeadLogDescription.UNKNOWN;
+      return HeadLogMetadata.UNKNOWN;
     }
     try {
-      return HeadLogDescription.of(JsonTree.parse(Files.readString(json, StandardCharsets.UTF_8)));
+      return HeadLogMetadata.of(JsonTree.parse(Files.readString(json, StandardCharsets.UTF_8)));
     } catch (JsonProcessingException e) {
       problems.warning(
           SourceLocation.of(json.toString()),
           "the head log's description is not valid JSON; rooms and areas are unknown");
-      return HeadLogDescription.UNKNOWN;
+      return HeadLogMetadata.UNKNOWN;
     }
   }
 

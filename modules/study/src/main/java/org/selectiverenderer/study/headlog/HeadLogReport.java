@@ -150,7 +150,7 @@ public final class HeadLogReport {
   /** Returns the analysis as one JSON object: several lines, the last one ended. */
   public static String json(HeadLogAnalysis analysis) {
     ObjectNode root = JsonTree.object();
-    HeadLogDescription shown = analysis.log().description();
+    HeadLogMetadata shown = analysis.log().description();
     root.put("scene", shown.scene()).put("condition", shown.condition());
     root.put("seconds", DecimalRounding.to(3, analysis.seconds()));
     root.put("samples", analysis.log().samples().size() - analysis.unshown().samples());

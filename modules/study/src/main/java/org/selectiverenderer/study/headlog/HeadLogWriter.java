@@ -50,7 +50,7 @@ public final class HeadLogWriter implements AutoCloseable {
    * @throws IOException if they cannot be written
    */
   public static HeadLogWriter open(
-      HeadLogFiles files, HeadLogDescription description, Consumer<Problem> problem)
+      HeadLogFiles files, HeadLogMetadata description, Consumer<Problem> problem)
       throws IOException {
     try {
       return start(

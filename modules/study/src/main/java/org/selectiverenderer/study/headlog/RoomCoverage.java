@@ -30,7 +30,7 @@ record RoomCoverage(String room, double seconds, double seen, List<String> unsee
     List<Vector3d> cells = cells(room.bounds());
     BitSet seen = new BitSet(cells.size());
     double seconds = 0;
-    HeadLogDescription shown = log.description();
+    HeadLogMetadata shown = log.description();
     Vector3d local = new Vector3d();
     Quaterniond turn = new Quaterniond();
     for (int i = 0; i < log.samples().size(); i++) {

@@ -52,7 +52,7 @@ public record CollectedAnswers(
 
   /** Collects the answers. */
   private static final class Gathering {
-    private final StudyMaterial material;
+    private final LoadedStudy material;
     private final PaperAnswers paper;
     private final ProblemCollector problems;
     private final AnswersCsvBuilder tables = new AnswersCsvBuilder();
@@ -60,7 +60,7 @@ public record CollectedAnswers(
     private int participants;
     private int answers;
 
-    Gathering(StudyMaterial material, PaperAnswers paper, ProblemCollector problems) {
+    Gathering(LoadedStudy material, PaperAnswers paper, ProblemCollector problems) {
       this.material = material;
       this.paper = paper;
       this.problems = problems;
@@ -261,7 +261,7 @@ public record CollectedAnswers(
    * @throws IOException if a journal cannot be read
    */
   public static CollectedAnswers of(
-      StudyMaterial material, OptionalInt session, PaperAnswers paper, ProblemCollector problems)
+      LoadedStudy material, OptionalInt session, PaperAnswers paper, ProblemCollector problems)
       throws IOException {
     Gathering gathering = new Gathering(material, paper, problems);
     Set<String> onPaper = paper.participants();

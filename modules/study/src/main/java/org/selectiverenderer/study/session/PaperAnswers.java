@@ -44,8 +44,8 @@ public final class PaperAnswers {
    * @param problems receives every answer that cannot be used
    * @throws IOException if a file cannot be read
    */
-  public static PaperAnswers read(
-      StudyMaterial material, List<Path> files, ProblemCollector problems) throws IOException {
+  public static PaperAnswers read(LoadedStudy material, List<Path> files, ProblemCollector problems)
+      throws IOException {
     PaperAnswers paper = new PaperAnswers();
     for (ParticipantsFile.Assigned assigned : new ParticipantsFile(material.study()).all()) {
       paper.conditions.put(assigned.participant(), assigned.condition());
@@ -65,7 +65,7 @@ public final class PaperAnswers {
     return paper;
   }
 
-  private void add(StudyMaterial material, DataEntryTable table, ProblemCollector problems) {
+  private void add(LoadedStudy material, DataEntryTable table, ProblemCollector problems) {
     Set<Key> others = Set.copyOf(sheets.keySet());
     Set<Key> told = new HashSet<>();
     for (Filled row : table.rows()) {
@@ -94,7 +94,7 @@ public final class PaperAnswers {
    * Returns whether a row belongs to a participant whose condition is known; reports each other
    * participant once.
    */
-  private boolean belongs(StudyMaterial material, Filled row, ProblemCollector problems) {
+  private boolean belongs(LoadedStudy material, Filled row, ProblemCollector problems) {
     String id = row.participant();
     if (refused.contains(id)) {
       return false;

@@ -14,17 +14,17 @@ import org.selectiverenderer.base.problem.SourceLocation;
 
 /** All sessions of one participant, with the choice of the one that counts. */
 final class ParticipantSessions {
-  private final StudyMaterial material;
+  private final LoadedStudy material;
   private final String participant;
   private final Map<SessionFolder, SessionHistory> sessions = new LinkedHashMap<>();
 
-  private ParticipantSessions(StudyMaterial material, String participant) {
+  private ParticipantSessions(LoadedStudy material, String participant) {
     this.material = material;
     this.participant = participant;
   }
 
   /** Returns the sessions of all participants who have a folder or a condition, in order. */
-  static List<ParticipantSessions> all(StudyMaterial material) throws IOException {
+  static List<ParticipantSessions> all(LoadedStudy material) throws IOException {
     Map<String, ParticipantSessions> all = new LinkedHashMap<>();
     for (SessionFolder folder : SessionFolder.all(material.study())) {
       all.computeIfAbsent(folder.participant(), id -> new ParticipantSessions(material, id))
@@ -63,7 +63,7 @@ final class ParticipantSessions {
   }
 
   /** Returns the flags by which the study excludes a session. */
-  List<RaisedFlag> excluding(SessionFolder folder) {
+  List<SessionFlagEvent> excluding(SessionFolder folder) {
     return history(folder).excluding(material.study().quality());
   }
 

@@ -28,7 +28,7 @@ import org.selectiverenderer.tracker.TrackerSpec;
  * thread, except for the journal, which accepts events from any thread.
  */
 public final class Session implements AutoCloseable {
-  private final StudyMaterial material;
+  private final LoadedStudy material;
   private final SessionFolder folder;
   private final SessionOptions options;
   private final SessionLock lock;
@@ -39,7 +39,7 @@ public final class Session implements AutoCloseable {
 
   /** Makes a session that {@link SessionStarter} begins or resumes. */
   Session(
-      StudyMaterial material,
+      LoadedStudy material,
       SessionFolder folder,
       SessionOptions options,
       SessionLock lock,
@@ -73,7 +73,7 @@ public final class Session implements AutoCloseable {
    * @throws IOException if the session was begun before, or a file cannot be written
    */
   public static Session begin(
-      StudyMaterial material,
+      LoadedStudy material,
       String participant,
       int number,
       SessionOptions options,
@@ -89,7 +89,7 @@ public final class Session implements AutoCloseable {
    * @throws IOException if there is no such session, it is complete, or a file cannot be written
    */
   public static Session resume(
-      StudyMaterial material,
+      LoadedStudy material,
       String participant,
       int number,
       SessionOptions options,
@@ -135,7 +135,7 @@ public final class Session implements AutoCloseable {
     return options;
   }
 
-  public StudyMaterial material() {
+  public LoadedStudy material() {
     return material;
   }
 
@@ -340,12 +340,12 @@ public final class Session implements AutoCloseable {
   }
 
   /** Writes the tables of a session's answers into its folder. */
-  private record AnswerTablesWriter(StudyMaterial material, SessionFolder folder) {
+  private record AnswerTablesWriter(LoadedStudy material, SessionFolder folder) {
     /** Writes the tables that have rows. */
     void write(SessionHistory history) throws IOException {
       AnswersCsvBuilder tables = new AnswersCsvBuilder();
       for (SessionStep step : material.steps()) {
-        if (StudyMaterial.asks(step)) {
+        if (LoadedStudy.asks(step)) {
           tables.add(
               by(step, history),
               material.questionnaire(step, folder.participant()),

@@ -55,13 +55,13 @@ final class SessionFlagMessages {
                 why));
   }
 
-  private static Map<SessionFlag, List<String>> byFlag(List<RaisedFlag> flags) {
+  private static Map<SessionFlag, List<String>> byFlag(List<SessionFlagEvent> flags) {
     return flags.stream()
         .collect(
             Collectors.groupingBy(
-                RaisedFlag::flag,
+                SessionFlagEvent::flag,
                 TreeMap::new,
-                Collectors.mapping(RaisedFlag::step, Collectors.toList())));
+                Collectors.mapping(SessionFlagEvent::step, Collectors.toList())));
   }
 
   private static String named(SessionFlag flag, List<String> steps) {

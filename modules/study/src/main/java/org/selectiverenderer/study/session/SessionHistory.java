@@ -34,7 +34,7 @@ public final class SessionHistory {
   private final Map<String, Map<String, TimedAnswer>> answers = new LinkedHashMap<>();
   private final Map<String, String> pages = new HashMap<>();
   private final List<String> headLogs = new ArrayList<>();
-  private final Set<RaisedFlag> flags = new LinkedHashSet<>();
+  private final Set<SessionFlagEvent> flags = new LinkedHashSet<>();
   private final List<String> areaOrder = new ArrayList<>();
   private Optional<Condition> condition = Optional.empty();
   private String checksum = "";
@@ -146,11 +146,11 @@ public final class SessionHistory {
   }
 
   private void raise(SessionFlag flag, String step) {
-    flags.add(new RaisedFlag(flag, step));
+    flags.add(new SessionFlagEvent(flag, step));
   }
 
   /** Returns the flags, each once, in the order in which they were raised. */
-  synchronized List<RaisedFlag> flags() {
+  synchronized List<SessionFlagEvent> flags() {
     return List.copyOf(flags);
   }
 
@@ -162,7 +162,7 @@ public final class SessionHistory {
   }
 
   /** Returns the flags by which a study excludes the session. */
-  List<RaisedFlag> excluding(QualityCriteria quality) {
+  List<SessionFlagEvent> excluding(QualityCriteria quality) {
     return refused()
         ? List.of()
         : flags().stream().filter(raised -> quality.exclude().contains(raised.flag())).toList();

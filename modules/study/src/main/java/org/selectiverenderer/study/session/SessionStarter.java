@@ -21,7 +21,7 @@ import org.selectiverenderer.study.definition.SessionFlag;
  * changes.
  */
 final class SessionStarter {
-  private final StudyMaterial material;
+  private final LoadedStudy material;
   private final SessionFolder folder;
   private final SessionOptions options;
   private final SessionJournal journal;
@@ -39,7 +39,7 @@ final class SessionStarter {
 
   /** As {@link Session#begin}. */
   static Session begin(
-      StudyMaterial material,
+      LoadedStudy material,
       String participant,
       int number,
       SessionOptions options,
@@ -75,7 +75,7 @@ final class SessionStarter {
     began.put("participant", folder.participant());
     began.put("session", folder.number());
     began.put("study", material.study().name());
-    began.put("study_sha256", Checksums.of(material.study().file()));
+    began.put("study_sha256", FileChecksumCalculator.of(material.study().file()));
     began.putAll(options.recorded());
     journal.keep("session-began", began);
     options.flags().forEach(flag -> journal.flag(flag, Map.of()));
@@ -88,7 +88,7 @@ final class SessionStarter {
 
   /** As {@link Session#resume}. */
   static Session resume(
-      StudyMaterial material,
+      LoadedStudy material,
       String participant,
       int number,
       SessionOptions options,
@@ -124,7 +124,7 @@ final class SessionStarter {
       journal.keep("journal-mended", mended.get());
     }
     SessionHistory history = journal.history();
-    String sum = Checksums.of(material.study().file());
+    String sum = FileChecksumCalculator.of(material.study().file());
     Map<String, Object> resumed = new LinkedHashMap<>();
     resumed.put(
         "finished",
@@ -185,7 +185,7 @@ final class SessionStarter {
    * scenes and questionnaires.
    */
   private record SessionSettings(
-      StudyMaterial material, SessionFolder folder, SessionOptions options) {
+      LoadedStudy material, SessionFolder folder, SessionOptions options) {
     static final String FILE = "settings.json";
 
     /** Writes the settings into the session's folder. */
@@ -200,13 +200,13 @@ final class SessionStarter {
     private Map<String, String> checksums() throws IOException {
       Map<String, String> sums = new LinkedHashMap<>();
       if (material.study().scene().isPresent()) {
-        sums.putAll(Checksums.ofScene(material.study().scene().get()));
+        sums.putAll(FileChecksumCalculator.ofScene(material.study().scene().get()));
       }
       if (material.study().practice().isPresent()) {
-        sums.putAll(Checksums.ofScene(material.study().practice().get().scene()));
+        sums.putAll(FileChecksumCalculator.ofScene(material.study().practice().get().scene()));
       }
       for (Map.Entry<String, Path> file : material.study().questionnaires().files().entrySet()) {
-        sums.put(file.getKey(), Checksums.of(file.getValue()));
+        sums.put(file.getKey(), FileChecksumCalculator.of(file.getValue()));
       }
       return sums;
     }

@@ -14,7 +14,7 @@ import org.selectiverenderer.study.questionnaire.Questionnaire;
 import org.selectiverenderer.study.questionnaire.read.ItemListReader;
 import org.selectiverenderer.study.questionnaire.read.QuestionnaireReader;
 import org.selectiverenderer.study.questionnaire.read.StandardScales;
-import org.selectiverenderer.study.session.StudyMaterial.Asked;
+import org.selectiverenderer.study.session.LoadedStudy.Asked;
 
 /**
  * Loads the questionnaires that a study refers to, and reports the faults of all of them at once.

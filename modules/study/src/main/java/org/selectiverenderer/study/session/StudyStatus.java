@@ -48,11 +48,11 @@ public record StudyStatus(String study, int planned, List<Row> sessions, List<Gr
       String condition,
       State state,
       List<String> missing,
-      List<RaisedFlag> flags,
+      List<SessionFlagEvent> flags,
       boolean excluded) {
     /** Describes the flags for people, each once, though several steps may have it. */
     public List<String> notes() {
-      return flags.stream().map(RaisedFlag::note).distinct().toList();
+      return flags.stream().map(SessionFlagEvent::note).distinct().toList();
     }
   }
 
@@ -72,8 +72,7 @@ public record StudyStatus(String study, int planned, List<Row> sessions, List<Gr
    * @param problems receives the damage of journals
    * @throws IOException if a file cannot be read
    */
-  public static StudyStatus of(StudyMaterial material, ProblemCollector problems)
-      throws IOException {
+  public static StudyStatus of(LoadedStudy material, ProblemCollector problems) throws IOException {
     List<Row> rows = new ArrayList<>();
     Set<String> finished = new HashSet<>();
     Set<String> counting = new HashSet<>();
@@ -111,7 +110,7 @@ public record StudyStatus(String study, int planned, List<Row> sessions, List<Gr
         members.stream().filter(member -> participants.contains(member.participant())).count();
   }
 
-  private static Row row(StudyMaterial material, SessionFolder folder, SessionHistory history) {
+  private static Row row(LoadedStudy material, SessionFolder folder, SessionHistory history) {
     return new Row(
         folder.participant(),
         folder.number(),

@@ -10,10 +10,9 @@
  * flags mark sessions whose answers may not count. BIDS files are converted from head logs in the
  * background; the tables of answers are built from the journal at the end.
  *
- * <p>In: a study with its questionnaires ({@link
- * org.selectiverenderer.study.session.StudyMaterial}), and the begin and end of each step, with its
- * answers. Out: {@code sub-ID/ses-NN/} in the study's folder, {@code participants.tsv}, status and
- * collected answers.
+ * <p>In: a study with its questionnaires ({@link org.selectiverenderer.study.session.LoadedStudy}),
+ * and the begin and end of each step, with its answers. Out: {@code sub-ID/ses-NN/} in the study's
+ * folder, {@code participants.tsv}, status and collected answers.
  *
  * <p>Uses {@code study.definition}, {@code study.questionnaire}, {@code study.headlog}, {@code
  * control} for conditions, {@code tracker} for the tracker's SPEC, {@code schema} for the bands of

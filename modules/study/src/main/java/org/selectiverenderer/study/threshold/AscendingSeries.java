@@ -8,13 +8,13 @@ package org.selectiverenderer.study.threshold;
  * be a guess, so the next version must be named too; the threshold is the first of the two.
  */
 final class AscendingSeries implements AdaptiveTrack {
-  private final PolygonLadder ladder;
+  private final StimulusLevels ladder;
   private int rung;
   private boolean named;
   private boolean confirmed;
   private boolean over;
 
-  AscendingSeries(PolygonLadder ladder) {
+  AscendingSeries(StimulusLevels ladder) {
     this.ladder = ladder;
   }
 

@@ -30,11 +30,11 @@ public final class InterleavedTracks {
    * @param ladders the versions of all objects of the study
    */
   public InterleavedTracks(
-      ThresholdStudy study, Map<String, PolygonLadder> ladders, String participant) {
+      ThresholdStudy study, Map<String, StimulusLevels> ladders, String participant) {
     this.study = study;
     this.participant = participant;
     for (ThresholdStudy.Judged judged : study.objects()) {
-      PolygonLadder ladder = ladders.get(judged.object());
+      StimulusLevels ladder = ladders.get(judged.object());
       if (ladder == null) {
         throw new IllegalArgumentException("no versions of " + judged.object());
       }

@@ -15,7 +15,7 @@ public final class SimulatedObserver {
   private static final double SLIPS = 0.02;
 
   private final ThresholdTask task;
-  private final Map<String, PolygonLadder> ladders;
+  private final Map<String, StimulusLevels> ladders;
   private final double share;
   private final Random random;
 
@@ -25,7 +25,7 @@ public final class SimulatedObserver {
    * @param share the threshold of each object, as a share of its polygons
    */
   public SimulatedObserver(
-      ThresholdTask task, Map<String, PolygonLadder> ladders, double share, long seed) {
+      ThresholdTask task, Map<String, StimulusLevels> ladders, double share, long seed) {
     this.task = task;
     this.ladders = Map.copyOf(ladders);
     this.share = share;
@@ -34,7 +34,7 @@ public final class SimulatedObserver {
 
   /** Returns the answer of this observer. */
   public String answer(ThresholdTrial trial) {
-    PolygonLadder ladder = ladders.get(trial.object());
+    StimulusLevels ladder = ladders.get(trial.object());
     if (ladder == null) {
       throw new IllegalArgumentException("no versions of " + trial.object());
     }

@@ -17,7 +17,7 @@ final class Staircase implements AdaptiveTrack {
   private static final int BEYOND = 5;
 
   private final StaircaseRule rule;
-  private final PolygonLadder ladder;
+  private final StimulusLevels ladder;
   private final int hardest;
   private final List<Integer> turns = new ArrayList<>();
   private int rung;
@@ -27,7 +27,7 @@ final class Staircase implements AdaptiveTrack {
   private int beyond;
   private int trials;
 
-  Staircase(StaircaseRule rule, PolygonLadder ladder) {
+  Staircase(StaircaseRule rule, StimulusLevels ladder) {
     this.rule = rule;
     this.ladder = ladder;
     hardest = ladder.original() - 1;

@@ -17,13 +17,13 @@ import org.selectiverenderer.base.problem.ProblemCollector;
  */
 public final class ThresholdSession implements AutoCloseable {
   private final ThresholdStudy study;
-  private final Map<String, PolygonLadder> ladders;
+  private final Map<String, StimulusLevels> ladders;
   private final InterleavedTracks pilot;
   private final TrialLog log;
 
   private ThresholdSession(
       ThresholdStudy study,
-      Map<String, PolygonLadder> ladders,
+      Map<String, StimulusLevels> ladders,
       InterleavedTracks pilot,
       TrialLog log) {
     this.study = study;
@@ -54,7 +54,7 @@ public final class ThresholdSession implements AutoCloseable {
    */
   public static ThresholdSession open(
       ThresholdStudy study,
-      Map<String, PolygonLadder> ladders,
+      Map<String, StimulusLevels> ladders,
       Opening opening,
       ProblemCollector problems)
       throws IOException {
@@ -201,8 +201,8 @@ public final class ThresholdSession implements AutoCloseable {
     log.keep("pilot-finished", Map.of("trials", pilot.trials()));
   }
 
-  private PolygonLadder ladder(String object) {
-    PolygonLadder ladder = ladders.get(object);
+  private StimulusLevels ladder(String object) {
+    StimulusLevels ladder = ladders.get(object);
     if (ladder == null) {
       throw new IllegalArgumentException("no versions of " + object);
     }

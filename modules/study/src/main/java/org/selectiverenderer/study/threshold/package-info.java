@@ -16,7 +16,7 @@
  *
  * <pre>
  *  threshold.json, read by {@code ThresholdStudyReader}: ThresholdStudy
- *  + versions of each object: {@code PolygonLadder}
+ *  + versions of each object: {@code StimulusLevels}
  *  + answers so far in sub-ID/trials.jsonl: TrialLog
  *    --> {@code InterleavedTracks} --next--> ThresholdTrial
  *    --> response by window or SimulatedObserver --> TrialLog

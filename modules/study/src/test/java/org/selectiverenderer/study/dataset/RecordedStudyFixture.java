@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.selectiverenderer.base.problem.ProblemCollector;
-import org.selectiverenderer.study.session.StudyMaterial;
+import org.selectiverenderer.study.session.LoadedStudy;
 
 /**
  * A study's folder as sessions leave it: participant 001 with a finished session in which the
@@ -161,9 +161,9 @@ public final class RecordedStudyFixture {
   }
 
   /** The study in the folder. */
-  public static StudyMaterial material(Path folder) throws IOException {
+  public static LoadedStudy material(Path folder) throws IOException {
     ProblemCollector problems = new ProblemCollector();
-    return StudyMaterial.read(folder.resolve("study.json"), problems)
+    return LoadedStudy.read(folder.resolve("study.json"), problems)
         .orElseThrow(() -> new AssertionError(problems.list()));
   }
 }

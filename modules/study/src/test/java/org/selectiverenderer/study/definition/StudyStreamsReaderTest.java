@@ -27,8 +27,8 @@ class StudyStreamsReaderTest {
 
   @Test
   void whatIsSentAndWhatIsRecordedAreSaidApart() throws IOException {
-    StudyStreams streams = read("{\"record\": [\"type='EEG'\"]}").orElseThrow().streams();
-    assertThat(streams).isEqualTo(new StudyStreams(false, List.of("type='EEG'")));
+    LslSettings streams = read("{\"record\": [\"type='EEG'\"]}").orElseThrow().streams();
+    assertThat(streams).isEqualTo(new LslSettings(false, List.of("type='EEG'")));
     assertThat(streams.wanted()).isTrue();
     assertThat(streams.sending().lsl()).isTrue();
   }

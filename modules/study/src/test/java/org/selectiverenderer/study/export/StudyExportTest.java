@@ -19,8 +19,8 @@ import org.selectiverenderer.formats.json.JsonTree;
 import org.selectiverenderer.study.dataset.RecordedStudy;
 import org.selectiverenderer.study.dataset.RecordedStudyFixture;
 import org.selectiverenderer.study.session.CollectedAnswers;
+import org.selectiverenderer.study.session.LoadedStudy;
 import org.selectiverenderer.study.session.PaperAnswers;
-import org.selectiverenderer.study.session.StudyMaterial;
 import org.selectiverenderer.testing.RequiresProgram;
 
 class StudyExportTest {
@@ -32,7 +32,7 @@ class StudyExportTest {
   void export() throws IOException {
     Path study = Files.createDirectory(folder.resolve("study"));
     RecordedStudyFixture.write(study);
-    StudyMaterial material = RecordedStudyFixture.material(study);
+    LoadedStudy material = RecordedStudyFixture.material(study);
     CollectedAnswers answers =
         CollectedAnswers.of(
             material, OptionalInt.empty(), PaperAnswers.none(), new ProblemCollector());

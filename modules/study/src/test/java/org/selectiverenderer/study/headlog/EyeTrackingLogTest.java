@@ -31,8 +31,8 @@ class EyeTrackingLogTest {
               new SceneMap.Box("Switch_Clock", new double[] {-1, 2, 1, 1, 3, 2})),
           List.of());
 
-  private static HeadLogDescription description(boolean eyes) {
-    return new HeadLogDescription(
+  private static HeadLogMetadata description(boolean eyes) {
+    return new HeadLogMetadata(
         "2026-01-01T00:00:00Z",
         "office.x3d",
         "selective",

@@ -46,7 +46,7 @@ class HeadLogFilesTest {
         Files.writeString(folder.resolve("p01.csv"), "old and longer than a header\n".repeat(9));
     HeadLogFiles.claim(csv, true).close();
     assertThat(csv).content().startsWith("old and longer");
-    HeadLogWriter.open(HeadLogFiles.claim(csv, true), HeadLogDescription.UNKNOWN, problem -> {})
+    HeadLogWriter.open(HeadLogFiles.claim(csv, true), HeadLogMetadata.UNKNOWN, problem -> {})
         .close();
     assertThat(csv)
         .hasContent(

@@ -30,8 +30,8 @@ class HeadLogTest {
               new SceneMap.Box("Switch_Clock", new double[] {-1, 2, 1, 1, 3, 2})),
           List.of(new SceneMap.Box("Inline_Walls", new double[] {-2, 0, -2, 2, 3, 2})));
 
-  private static final HeadLogDescription DESCRIPTION =
-      new HeadLogDescription(
+  private static final HeadLogMetadata DESCRIPTION =
+      new HeadLogMetadata(
           "2026-01-01T00:00:00Z",
           "office.x3d",
           "selective",

@@ -13,7 +13,7 @@ final class LoggingProcess {
   public static void main(String[] args) throws Exception {
     HeadLogWriter writer =
         HeadLogWriter.open(
-            HeadLogFiles.claim(Path.of(args[0]), false), HeadLogDescription.UNKNOWN, problem -> {});
+            HeadLogFiles.claim(Path.of(args[0]), false), HeadLogMetadata.UNKNOWN, problem -> {});
     long begun = System.nanoTime();
     ScheduledExecutorService clock = Executors.newSingleThreadScheduledExecutor();
     clock.scheduleAtFixedRate(() -> add(writer, begun), 0, 4, TimeUnit.MILLISECONDS).get();

@@ -111,7 +111,7 @@ class AreaSequenceTest {
     return AreaSequence.of(study, participant, turn).stream().map(Study.Area::name).toList();
   }
 
-  private StudyMaterial material(String order) throws IOException {
+  private LoadedStudy material(String order) throws IOException {
     Files.writeString(
         folder.resolve("rooms.x3d"),
         "<X3D version='4.0' profile='Immersive'><Scene><Viewpoint DEF='Here'/></Scene></X3D>");
@@ -126,6 +126,6 @@ class AreaSequenceTest {
                        {"name": "attic", "viewpoint": "Here", "seconds": 1}]}
             """
                 .formatted(order));
-    return StudyMaterial.read(file, new ProblemCollector()).orElseThrow();
+    return LoadedStudy.read(file, new ProblemCollector()).orElseThrow();
   }
 }

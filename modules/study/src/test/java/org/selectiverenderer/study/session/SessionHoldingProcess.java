@@ -16,8 +16,7 @@ final class SessionHoldingProcess {
    *     that fails
    */
   public static void main(String[] args) throws IOException {
-    StudyMaterial material =
-        StudyMaterial.read(Path.of(args[0]), new ProblemCollector()).orElseThrow();
+    LoadedStudy material = LoadedStudy.read(Path.of(args[0]), new ProblemCollector()).orElseThrow();
     try (Session session =
         args[2].equals("resume")
             ? Session.resume(

@@ -68,8 +68,8 @@ class StudyQuestionnairesTest {
         """);
   }
 
-  private StudyMaterial material() throws IOException {
-    return StudyMaterial.read(file, new ProblemCollector()).orElseThrow();
+  private LoadedStudy material() throws IOException {
+    return LoadedStudy.read(file, new ProblemCollector()).orElseThrow();
   }
 
   private static void say(Session session, SessionStep step, String id, String value, int ms)
@@ -154,7 +154,7 @@ class StudyQuestionnairesTest {
 
   @Test
   void whatWasTypedInFromPaperIsOfAllKinds() throws IOException {
-    StudyMaterial material = material();
+    LoadedStudy material = material();
     List<org.selectiverenderer.study.questionnaire.Questionnaire> asked =
         material.questionnaires("007");
     assertThat(PaperQuestionnaireHtml.html(asked, material.wording(), "007"))
@@ -200,7 +200,7 @@ class StudyQuestionnairesTest {
 
   @Test
   void aFormOnPaperCountsBesideASessionThatWasEndedBeforeItsForm() throws IOException {
-    StudyMaterial material = material();
+    LoadedStudy material = material();
     try (Session session =
         Session.begin(material, "007", 1, TwoRoomStudyFixture.OPTIONS, new ProblemCollector())) {
       session.began(session.remaining().get(0), false);
@@ -230,9 +230,9 @@ class StudyQuestionnairesTest {
     Files.writeString(
         own, Files.readString(own).replace("\"name\": \"p\"", "\"picture\": \"p.png\""));
     ProblemCollector problems = new ProblemCollector();
-    assertThat(StudyMaterial.read(file, problems)).isEmpty();
+    assertThat(LoadedStudy.read(file, problems)).isEmpty();
     Files.writeString(folder.resolve("p.png"), "GIF89a");
-    assertThat(StudyMaterial.read(file, problems)).isEmpty();
+    assertThat(LoadedStudy.read(file, problems)).isEmpty();
     assertThat(problems.list())
         .extracting(Problem::toString)
         .satisfiesExactly(
@@ -245,7 +245,7 @@ class StudyQuestionnairesTest {
     Files.writeString(
         file, Files.readString(file).replace("\"sus\"", "\"sus\", \"name\": \"own\""));
     ProblemCollector problems = new ProblemCollector();
-    assertThat(StudyMaterial.read(file, problems)).isEmpty();
+    assertThat(LoadedStudy.read(file, problems)).isEmpty();
     assertThat(problems.list())
         .singleElement()
         .asString()
@@ -257,7 +257,7 @@ class StudyQuestionnairesTest {
     Files.writeString(
         file, Files.readString(file).replace("\"sus\"", "\"sus\", \"name\": \"o-wn\""));
     ProblemCollector problems = new ProblemCollector();
-    assertThat(StudyMaterial.read(file, problems)).isEmpty();
+    assertThat(LoadedStudy.read(file, problems)).isEmpty();
     assertThat(problems.list())
         .singleElement()
         .asString()
@@ -299,7 +299,7 @@ class StudyQuestionnairesTest {
       Files.writeString(
           study, Files.readString(study).replaceFirst("(\"language\": \")..", "$1" + language));
       ProblemCollector problems = new ProblemCollector();
-      Optional<StudyMaterial> read = StudyMaterial.read(study, problems);
+      Optional<LoadedStudy> read = LoadedStudy.read(study, problems);
       assertThat(problems.list()).isEmpty();
       List<String> steps = read.orElseThrow().steps().stream().map(SessionStep::id).toList();
       assertThat(steps)

@@ -18,8 +18,8 @@ import org.selectiverenderer.study.threshold.ThresholdEstimate.Kind;
 /** The paths that staircases and series take, and that they find thresholds that are known. */
 class AdaptiveTrackTest {
   /** 10, 20, 40 and so on; the last is the original. */
-  private static final PolygonLadder DOUBLING =
-      new PolygonLadder(List.of(10, 20, 40, 80, 160, 320, 640, 1280));
+  private static final StimulusLevels DOUBLING =
+      new StimulusLevels(List.of(10, 20, 40, 80, 160, 320, 640, 1280));
 
   private static final StaircaseRule TWO_DOWN = new StaircaseRule(2, 8, 2, 200);
 
@@ -48,8 +48,8 @@ class AdaptiveTrackTest {
   }
 
   /** A ladder with so many reduced versions, each 1.2 times the one before. */
-  private static PolygonLadder fine(int rungs) {
-    return new PolygonLadder(
+  private static StimulusLevels fine(int rungs) {
+    return new StimulusLevels(
         IntStream.rangeClosed(0, rungs)
             .map(i -> (int) Math.round(100 * Math.pow(1.2, i)))
             .boxed()
@@ -114,7 +114,7 @@ class AdaptiveTrackTest {
   @CsvSource({"2, 300", "2, 900", "3, 300", "3, 900"})
   void aKnownThresholdIsFound(int down, double threshold) {
     StaircaseRule rule = new StaircaseRule(down, 14, 4, 400);
-    PolygonLadder ladder = fine(24);
+    StimulusLevels ladder = fine(24);
     double slope = 5;
     double told = 2 * rule.target() - 1;
     double target = threshold * Math.pow((1 - told) / told, 1 / slope);
@@ -165,7 +165,7 @@ class AdaptiveTrackTest {
 
   @Test
   void theVersionsOfALadderRiseByEqualFactors() {
-    double[] shares = PolygonLadder.shares(0.01, 4);
+    double[] shares = StimulusLevels.shares(0.01, 4);
 
     assertThat(shares).hasSize(4);
     assertThat(shares[0]).isCloseTo(0.01, within(1e-12));
@@ -175,7 +175,7 @@ class AdaptiveTrackTest {
                 .collect(Collectors.toSet()))
         .hasSize(1);
     assertThat(1 / shares[3]).isCloseTo(shares[1] / shares[0], within(1e-9));
-    assertThatThrownBy(() -> new PolygonLadder(List.of(10, 10, 20)))
+    assertThatThrownBy(() -> new StimulusLevels(List.of(10, 10, 20)))
         .isInstanceOf(IllegalArgumentException.class);
   }
 }

@@ -15,7 +15,7 @@ final class PilotHoldingProcess {
   public static void main(String[] args) throws IOException {
     ThresholdStudy study =
         ThresholdStudyReader.read(Path.of(args[0]), new ProblemCollector()).orElseThrow();
-    Map<String, PolygonLadder> ladders = ThresholdPilotFixture.ladders(study);
+    Map<String, StimulusLevels> ladders = ThresholdPilotFixture.ladders(study);
     try (ThresholdSession session =
         ThresholdSession.open(
             study,

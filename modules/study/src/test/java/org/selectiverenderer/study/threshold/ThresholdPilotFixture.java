@@ -13,8 +13,8 @@ import org.selectiverenderer.base.problem.ProblemCollector;
 
 /** A pilot about five objects without pictures, and participants who are simulated. */
 abstract class ThresholdPilotFixture {
-  static final PolygonLadder LADDER =
-      new PolygonLadder(List.of(20, 30, 44, 65, 95, 140, 205, 300, 440, 640, 940, 1400, 2000));
+  static final StimulusLevels LADDER =
+      new StimulusLevels(List.of(20, 30, 44, 65, 95, 140, 205, 300, 440, 640, 940, 1400, 2000));
 
   @TempDir Path folder;
   final ProblemCollector problems = new ProblemCollector();
@@ -42,8 +42,8 @@ abstract class ThresholdPilotFixture {
     return ThresholdStudyReader.read(file, new ProblemCollector()).orElseThrow();
   }
 
-  static Map<String, PolygonLadder> ladders(ThresholdStudy study) {
-    Map<String, PolygonLadder> ladders = new LinkedHashMap<>();
+  static Map<String, StimulusLevels> ladders(ThresholdStudy study) {
+    Map<String, StimulusLevels> ladders = new LinkedHashMap<>();
     study.objects().forEach(judged -> ladders.put(judged.object(), LADDER));
     return ladders;
   }

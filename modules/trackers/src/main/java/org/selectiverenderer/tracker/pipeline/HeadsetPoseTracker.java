@@ -13,7 +13,7 @@ import org.selectiverenderer.tracker.TrackerSpec;
  * before the frame is stepped.
  */
 public final class HeadsetPoseTracker extends PublishingTracker {
-  private final HealthMeter meter = new HealthMeter();
+  private final TrackerHealthMonitor meter = new TrackerHealthMonitor();
   private final TrackerListener listener;
   private final Supplier<String> words;
   private final PoseSample sample = new PoseSample();

@@ -21,7 +21,7 @@ public final class LiveTracker extends PublishingTracker {
   private static final long RETRY_MS = 100;
 
   private final PoseSource source;
-  private final HealthMeter meter = new HealthMeter();
+  private final TrackerHealthMonitor meter = new TrackerHealthMonitor();
   private final CountDownLatch closing = new CountDownLatch(1);
   private final TrackerProblemReporter episodes;
   private final TrackerListener listener;
@@ -146,7 +146,7 @@ public final class LiveTracker extends PublishingTracker {
   /** Receives the source's records on the tracker's thread. */
   private final class Reading implements PoseSink {
     private final PoseSample sample = new PoseSample();
-    private final RecordFloodDetector flood = new RecordFloodDetector();
+    private final RecordRateGuard flood = new RecordRateGuard();
     private long number;
     private long connectedAt = System.nanoTime();
 

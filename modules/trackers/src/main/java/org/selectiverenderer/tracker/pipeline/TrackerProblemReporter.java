@@ -60,7 +60,7 @@ final class TrackerProblemReporter {
     say(
         Severity.WARNING,
         "more than "
-            + RecordFloodDetector.LIMIT
+            + RecordRateGuard.LIMIT
             + " records arrive per second; all are read and the latest is used");
   }
 

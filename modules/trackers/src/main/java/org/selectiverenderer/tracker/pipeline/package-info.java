@@ -7,7 +7,7 @@
  * org.selectiverenderer.tracker.pipeline.LatestPose}, statistics, and problems, each reported once.
  *
  * <pre>
- *  PoseSource --records--> PoseSink (checks, time stamps) --> filters --> HealthMeter
+ *  PoseSource --records--> PoseSink (checks, time stamps) --> filters --> TrackerHealthMonitor
  *    --> listener, on the tracker's thread
  *    --> {@code LatestPose} --boresight--> read, on any thread
  * </pre>

@@ -2,7 +2,7 @@ package org.selectiverenderer.validation.budget;
 
 import java.util.List;
 import org.selectiverenderer.base.problem.SourceLocation;
-import org.selectiverenderer.polygon.EnrichmentModel;
+import org.selectiverenderer.polygon.EnrichmentPolygonModel;
 import org.selectiverenderer.validation.FileOutlineAdapter;
 import org.selectiverenderer.validation.FindingCollector;
 import org.selectiverenderer.validation.PolygonBudget;
@@ -16,7 +16,7 @@ final class BudgetCheck implements SceneCheck {
   @Override
   public void check(SceneContext view, FindingCollector findings) {
     if (!view.settings().budgets().isEmpty()) {
-      EnrichmentModel model = FileOutlineAdapter.model(view);
+      EnrichmentPolygonModel model = FileOutlineAdapter.model(view);
       for (PolygonBudget budget : view.settings().budgets()) {
         BudgetMatch fit = BudgetMatch.of(budget, model);
         if (fit instanceof BudgetMatch.Match holds) {

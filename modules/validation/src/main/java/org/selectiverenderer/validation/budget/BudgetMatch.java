@@ -5,8 +5,8 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import org.selectiverenderer.polygon.EnrichmentModel;
-import org.selectiverenderer.polygon.EnrichmentModel.State;
+import org.selectiverenderer.polygon.EnrichmentPolygonModel;
+import org.selectiverenderer.polygon.EnrichmentPolygonModel.State;
 import org.selectiverenderer.schema.SchemaNameMatcher;
 import org.selectiverenderer.validation.PolygonBudget;
 
@@ -34,7 +34,7 @@ sealed interface BudgetMatch {
   /** The scene has nothing that the budget names. */
   record NoMatch() implements BudgetMatch {}
 
-  static BudgetMatch of(PolygonBudget budget, EnrichmentModel model) {
+  static BudgetMatch of(PolygonBudget budget, EnrichmentPolygonModel model) {
     String wanted = budget.scope();
     Optional<String> group = wanted.isEmpty() ? Optional.of("") : group(wanted, model);
     if (group.isEmpty()) {
@@ -62,7 +62,7 @@ sealed interface BudgetMatch {
     return states.isEmpty() ? new NoMatch() : new Match(group.get(), states);
   }
 
-  private static Optional<String> group(String name, EnrichmentModel model) {
+  private static Optional<String> group(String name, EnrichmentPolygonModel model) {
     if (model.groups().contains(name)) {
       return Optional.of(name);
     }
@@ -71,13 +71,13 @@ sealed interface BudgetMatch {
     return alike.size() == 1 ? Optional.of(alike.get(0)) : Optional.empty();
   }
 
-  private static Set<String> entered(EnrichmentModel model) {
+  private static Set<String> entered(EnrichmentPolygonModel model) {
     Set<String> entered = new HashSet<>();
     model.areas().forEach(area -> entered.addAll(area.schemas().enter()));
     return entered;
   }
 
-  private static Set<String> schemas(EnrichmentModel model) {
+  private static Set<String> schemas(EnrichmentPolygonModel model) {
     Set<String> schemas = entered(model);
     model.areas().forEach(area -> schemas.addAll(area.schemas().exit()));
     model.objects().forEach(o -> schemas.addAll(o.schemas().choiceBySchema().keySet()));

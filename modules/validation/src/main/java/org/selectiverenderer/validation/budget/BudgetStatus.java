@@ -3,8 +3,8 @@ package org.selectiverenderer.validation.budget;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
-import org.selectiverenderer.polygon.EnrichmentModel;
-import org.selectiverenderer.polygon.EnrichmentModel.State;
+import org.selectiverenderer.polygon.EnrichmentPolygonModel;
+import org.selectiverenderer.polygon.EnrichmentPolygonModel.State;
 import org.selectiverenderer.validation.PolygonBudget;
 
 /**
@@ -18,7 +18,7 @@ public record BudgetStatus(PolygonBudget budget, String group, State worst) {
    * Returns the status; empty where the budget does not apply to the scene or names something
    * misspelt.
    */
-  public static Optional<BudgetStatus> of(PolygonBudget budget, EnrichmentModel model) {
+  public static Optional<BudgetStatus> of(PolygonBudget budget, EnrichmentPolygonModel model) {
     return BudgetMatch.of(budget, model) instanceof BudgetMatch.Match holds
         ? Optional.of(of(budget, holds))
         : Optional.empty();

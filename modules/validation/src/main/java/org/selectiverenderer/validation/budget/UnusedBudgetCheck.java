@@ -3,15 +3,15 @@ package org.selectiverenderer.validation.budget;
 import java.util.ArrayList;
 import java.util.List;
 import org.selectiverenderer.base.problem.SourceLocation;
-import org.selectiverenderer.polygon.EnrichmentModel;
+import org.selectiverenderer.polygon.EnrichmentPolygonModel;
+import org.selectiverenderer.validation.CrossSceneCheck;
 import org.selectiverenderer.validation.FileOutlineAdapter;
 import org.selectiverenderer.validation.FindingCollector;
 import org.selectiverenderer.validation.PolygonBudget;
-import org.selectiverenderer.validation.RunCheck;
 import org.selectiverenderer.validation.SceneContext;
 
 /** Finds budgets that apply to none of the scenes and are therefore never checked. */
-final class UnusedBudgetCheck implements RunCheck {
+final class UnusedBudgetCheck implements CrossSceneCheck {
   @Override
   public void check(List<SceneContext> scenes, Settings settings, FindingCollector findings) {
     List<PolygonBudget> unused = new ArrayList<>(settings.values().budgets());
@@ -19,7 +19,7 @@ final class UnusedBudgetCheck implements RunCheck {
       if (unused.isEmpty()) {
         return;
       }
-      EnrichmentModel model = FileOutlineAdapter.model(scene);
+      EnrichmentPolygonModel model = FileOutlineAdapter.model(scene);
       // A misspelt name is reported in the scene that has the similar name.
       unused.removeIf(budget -> !(BudgetMatch.of(budget, model) instanceof BudgetMatch.NoMatch));
     }

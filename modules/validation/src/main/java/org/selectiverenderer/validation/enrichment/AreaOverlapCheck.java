@@ -3,9 +3,9 @@ package org.selectiverenderer.validation.enrichment;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.selectiverenderer.polygon.EnrichmentModel;
-import org.selectiverenderer.polygon.EnrichmentModel.SensedArea;
-import org.selectiverenderer.polygon.EnrichmentModel.VersionedSwitch;
+import org.selectiverenderer.polygon.EnrichmentPolygonModel;
+import org.selectiverenderer.polygon.EnrichmentPolygonModel.SensedArea;
+import org.selectiverenderer.polygon.EnrichmentPolygonModel.VersionedSwitch;
 import org.selectiverenderer.validation.FindingCollector;
 
 /**
@@ -18,7 +18,7 @@ final class AreaOverlapCheck implements EnrichedSceneCheck {
     scene.model().ifPresent(model -> check(model, findings));
   }
 
-  private static void check(EnrichmentModel model, FindingCollector findings) {
+  private static void check(EnrichmentPolygonModel model, FindingCollector findings) {
     List<SensedArea> areas = model.areas();
     for (int i = 0; i < areas.size(); i++) {
       for (SensedArea other : areas.subList(i + 1, areas.size())) {

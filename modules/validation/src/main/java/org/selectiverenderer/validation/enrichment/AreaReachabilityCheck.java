@@ -6,7 +6,7 @@ import java.util.Optional;
 import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 import org.selectiverenderer.geometry.BoundingBox;
-import org.selectiverenderer.polygon.EnrichmentModel;
+import org.selectiverenderer.polygon.EnrichmentPolygonModel;
 import org.selectiverenderer.polygon.SensorBox;
 import org.selectiverenderer.validation.FindingCollector;
 import org.selectiverenderer.x3d.read.ParsedNode;
@@ -67,7 +67,7 @@ final class AreaReachabilityCheck implements EnrichedSceneCheck {
   }
 
   /** Returns the box in which a viewer can be expected; empty if it cannot be known. */
-  private static Optional<BoundingBox> reach(EnrichedScene scene, EnrichmentModel model) {
+  private static Optional<BoundingBox> reach(EnrichedScene scene, EnrichmentPolygonModel model) {
     boolean moving =
         scene.files().values().stream()
             .flatMap(file -> file.scene().routes().stream())
@@ -83,8 +83,8 @@ final class AreaReachabilityCheck implements EnrichedSceneCheck {
     }
     BoundingBox reach = model.bounds();
     for (ParsedNode node : scene.nodes()) {
-      if (StartPositions.isViewpoint(node)) {
-        for (Vector3d eye : StartPositions.eyes(node, model)) {
+      if (StartPositionFinder.isViewpoint(node)) {
+        for (Vector3d eye : StartPositionFinder.eyes(node, model)) {
           reach = reach.union(BoundingBox.of(eye, eye));
         }
       }

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.polygon.EnrichmentModel;
+import org.selectiverenderer.polygon.EnrichmentPolygonModel;
 import org.selectiverenderer.polygon.metadata.NodeViewMetadata;
 import org.selectiverenderer.schema.SchemaReader;
 import org.selectiverenderer.schema.SensorSchemas;
@@ -30,7 +30,7 @@ record EnrichedScene(
     List<ParsedNode> nodes,
     Map<ParsedNode, SensorSchemas> areas,
     Map<ParsedNode, SwitchSchemas> objects,
-    @Nullable EnrichmentModel counts) {
+    @Nullable EnrichmentPolygonModel counts) {
 
   static EnrichedScene of(SceneContext view) {
     SchemaReader reader = new SchemaReader(problem -> {});
@@ -75,7 +75,7 @@ record EnrichedScene(
   }
 
   /** Returns the enrichment with polygon counts; present if there is an area or an object. */
-  Optional<EnrichmentModel> model() {
+  Optional<EnrichmentPolygonModel> model() {
     return Optional.ofNullable(counts);
   }
 

@@ -7,9 +7,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.joml.Vector3d;
-import org.selectiverenderer.polygon.EnrichmentModel;
-import org.selectiverenderer.polygon.EnrichmentModel.SensedArea;
-import org.selectiverenderer.polygon.EnrichmentModel.VersionedSwitch;
+import org.selectiverenderer.polygon.EnrichmentPolygonModel;
+import org.selectiverenderer.polygon.EnrichmentPolygonModel.SensedArea;
+import org.selectiverenderer.polygon.EnrichmentPolygonModel.VersionedSwitch;
 import org.selectiverenderer.schema.SchemaActivation;
 import org.selectiverenderer.validation.FindingCollector;
 import org.selectiverenderer.x3d.read.ParsedNode;
@@ -24,8 +24,8 @@ final class InitialChoiceCheck implements EnrichedSceneCheck {
 
   @Override
   public void check(EnrichedScene scene, FindingCollector findings) {
-    EnrichmentModel model = scene.model().orElse(null);
-    Vector3d eye = model == null ? null : StartPositions.start(scene, model).orElse(null);
+    EnrichmentPolygonModel model = scene.model().orElse(null);
+    Vector3d eye = model == null ? null : StartPositionFinder.start(scene, model).orElse(null);
     if (model == null || eye == null) {
       return;
     }
@@ -58,7 +58,8 @@ final class InitialChoiceCheck implements EnrichedSceneCheck {
   }
 
   /** Returns the choices that entering the areas around the viewer sets. */
-  private static Map<ParsedNode, Claim> entered(EnrichmentModel model, List<SensedArea> inside) {
+  private static Map<ParsedNode, Claim> entered(
+      EnrichmentPolygonModel model, List<SensedArea> inside) {
     SchemaActivation<ParsedNode, ParsedNode> activation = model.activation();
     Map<ParsedNode, Claim> claims = new HashMap<>();
     for (SensedArea area : inside) {
@@ -76,7 +77,7 @@ final class InitialChoiceCheck implements EnrichedSceneCheck {
   }
 
   /** Returns the choice that leaving the areas sets, if all areas that affect the object agree. */
-  private static Optional<Claim> mainSchema(EnrichmentModel model, VersionedSwitch object) {
+  private static Optional<Claim> mainSchema(EnrichmentPolygonModel model, VersionedSwitch object) {
     Map<String, Integer> choices = object.schemas().choiceBySchema();
     Set<Claim> claims = new HashSet<>();
     for (SensedArea area : model.areas()) {

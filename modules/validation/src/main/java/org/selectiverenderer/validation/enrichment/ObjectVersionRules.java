@@ -5,10 +5,11 @@ import org.selectiverenderer.validation.Rule;
 
 /** Rules about the versions of objects and about when they are shown. */
 final class ObjectVersionRules {
-  private static final String DESK = EnrichmentExamples.choice("low", "Desk");
-  private static final String OFFICE = EnrichmentExamples.choice("high", "Office");
-  private static final String VERSIONS = EnrichmentExamples.DETAILED + EnrichmentExamples.SIMPLE;
-  private static final String GOOD = EnrichmentExamples.desk() + EnrichmentExamples.LAMP;
+  private static final String DESK = RuleExampleFragments.choice("low", "Desk");
+  private static final String OFFICE = RuleExampleFragments.choice("high", "Office");
+  private static final String VERSIONS =
+      RuleExampleFragments.DETAILED + RuleExampleFragments.SIMPLE;
+  private static final String GOOD = RuleExampleFragments.desk() + RuleExampleFragments.LAMP;
 
   private static final String VIEW = "<Viewpoint position='0 0 8'/>\n";
 
@@ -23,9 +24,11 @@ final class ObjectVersionRules {
               with many. So the version with the higher degree must have fewer polygons. The \
               listings of Figs 52 and 78 have it the other way round.""")
           .bad(
-              EnrichmentExamples.desk()
-                  + EnrichmentExamples.lamp(
-                      "1", DESK + OFFICE, EnrichmentExamples.SIMPLE + EnrichmentExamples.DETAILED))
+              RuleExampleFragments.desk()
+                  + RuleExampleFragments.lamp(
+                      "1",
+                      DESK + OFFICE,
+                      RuleExampleFragments.SIMPLE + RuleExampleFragments.DETAILED))
           .good(GOOD)
           .see("thesis 4.2.1");
 
@@ -36,11 +39,11 @@ final class ObjectVersionRules {
                   + "not have fewer polygons: {polygons} and {fewer}")
           .because("A reduced version must have fewer polygons than the original.")
           .bad(
-              EnrichmentExamples.desk()
-                  + EnrichmentExamples.lamp(
+              RuleExampleFragments.desk()
+                  + RuleExampleFragments.lamp(
                       "1",
                       DESK + OFFICE.replace("high", "low"),
-                      EnrichmentExamples.SIMPLE + EnrichmentExamples.DETAILED))
+                      RuleExampleFragments.SIMPLE + RuleExampleFragments.DETAILED))
           .good(GOOD)
           .see("thesis 4.2.1, Fig 67");
 
@@ -55,11 +58,11 @@ final class ObjectVersionRules {
               sides of their bounding boxes may differ by at most 2 % of the object's \
               largest extent.""")
           .bad(
-              EnrichmentExamples.desk()
-                  + EnrichmentExamples.lamp(
+              RuleExampleFragments.desk()
+                  + RuleExampleFragments.lamp(
                       "1",
                       DESK + OFFICE,
-                      EnrichmentExamples.DETAILED + "  <Shape><Box size='2 2 2.2'/></Shape>\n"))
+                      RuleExampleFragments.DETAILED + "  <Shape><Box size='2 2 2.2'/></Shape>\n"))
           .good(GOOD)
           .see("thesis 4.2.1");
 
@@ -75,8 +78,8 @@ final class ObjectVersionRules {
               the choices of these schemas.""")
           .bad(
               VIEW
-                  + EnrichmentExamples.desk()
-                  + EnrichmentExamples.lamp("0", DESK + OFFICE, VERSIONS))
+                  + RuleExampleFragments.desk()
+                  + RuleExampleFragments.lamp("0", DESK + OFFICE, VERSIONS))
           .good(VIEW + GOOD)
           .see("thesis 5.4.3, Fig 80");
 
@@ -90,8 +93,8 @@ final class ObjectVersionRules {
               A viewer in both areas sees the version of the area entered last, so the same \
               place can look different. Give both areas the same choice, or keep the areas \
               apart.""")
-          .bad(overlap(DESK, EnrichmentExamples.choice("high", "Office\" \"Shelf")))
-          .good(overlap(EnrichmentExamples.choice("low", "Desk\" \"Shelf"), OFFICE))
+          .bad(overlap(DESK, RuleExampleFragments.choice("high", "Office\" \"Shelf")))
+          .good(overlap(RuleExampleFragments.choice("low", "Desk\" \"Shelf"), OFFICE))
           .see("thesis 6.2, Fig 89");
 
   static final Rule NEVER_SHOWN =
@@ -102,8 +105,8 @@ final class ObjectVersionRules {
               to which it belongs, unless a later schema of the same area shows another \
               version.""")
           .bad(
-              EnrichmentExamples.desk()
-                  + EnrichmentExamples.LAMP
+              RuleExampleFragments.desk()
+                  + RuleExampleFragments.LAMP
                   + """
                   <Switch DEF='Cup' whichChoice='0'>
                     <Inline url='"cup_v1.x3d"'/>
@@ -127,13 +130,13 @@ final class ObjectVersionRules {
   /** Returns a scene with two overlapping areas. */
   private static String overlap(String first, String second) {
     String shelf =
-        EnrichmentExamples.sensor(
+        RuleExampleFragments.sensor(
                 "2 4 2",
-                EnrichmentExamples.string("enterTimeSchema", "Shelf")
-                    + EnrichmentExamples.EXIT_OFFICE)
+                RuleExampleFragments.string("enterTimeSchema", "Shelf")
+                    + RuleExampleFragments.EXIT_OFFICE)
             .replace("DeskProx", "ShelfProx");
-    return EnrichmentExamples.desk()
+    return RuleExampleFragments.desk()
         + shelf
-        + EnrichmentExamples.lamp("1", first + second, VERSIONS);
+        + RuleExampleFragments.lamp("1", first + second, VERSIONS);
   }
 }

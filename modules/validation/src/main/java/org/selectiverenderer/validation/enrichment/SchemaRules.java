@@ -5,7 +5,7 @@ import org.selectiverenderer.validation.Rule;
 
 /** Rules about the names of schemas and of metadata. */
 final class SchemaRules {
-  private static final String GOOD = EnrichmentExamples.desk() + EnrichmentExamples.LAMP;
+  private static final String GOOD = RuleExampleFragments.desk() + RuleExampleFragments.LAMP;
 
   static final Rule OF_NO_SWITCH =
       Rule.warning("SR405", "no Switch of the scene belongs to the schema {schema}")
@@ -13,7 +13,7 @@ final class SchemaRules {
               """
               Entering the area activates a schema to which no version of any object \
               belongs, so it has no effect. Exit schemas without objects are not reported.""")
-          .bad(EnrichmentExamples.desk())
+          .bad(RuleExampleFragments.desk())
           .good(GOOD)
           .see("thesis 4.3, Figs 48 and 49");
 
@@ -25,12 +25,12 @@ final class SchemaRules {
               all objects of the schema show the right version from the start, as in a room \
               without areas.""")
           .bad(
-              EnrichmentExamples.desk()
-                  + EnrichmentExamples.lamp(
+              RuleExampleFragments.desk()
+                  + RuleExampleFragments.lamp(
                       "1",
-                      EnrichmentExamples.choice("low", "Shelf")
-                          + EnrichmentExamples.choice("high", "Office"),
-                      EnrichmentExamples.DETAILED + EnrichmentExamples.SIMPLE))
+                      RuleExampleFragments.choice("low", "Shelf")
+                          + RuleExampleFragments.choice("high", "Office"),
+                      RuleExampleFragments.DETAILED + RuleExampleFragments.SIMPLE))
           .good(GOOD)
           .see("thesis 5.4.3");
 
@@ -42,8 +42,8 @@ final class SchemaRules {
               Names of schemas are compared letter by letter. Only areas or only objects use \
               this name, and the other side uses a very similar one.""")
           .bad(
-              EnrichmentExamples.desk()
-                  + EnrichmentExamples.LAMP.replace("\"Office\"", "\"Offise\""))
+              RuleExampleFragments.desk()
+                  + RuleExampleFragments.LAMP.replace("\"Office\"", "\"Offise\""))
           .good(GOOD)
           .see("thesis 4.3, Fig 49");
 
@@ -66,7 +66,7 @@ final class SchemaRules {
               scene and its Inlines, in the sets of the choices. Elsewhere they have no effect.""")
           .bad(
               "<Group>\n"
-                  + EnrichmentExamples.set("metadata", EnrichmentExamples.ENTER_DESK).indent(2)
+                  + RuleExampleFragments.set("metadata", RuleExampleFragments.ENTER_DESK).indent(2)
                   + "</Group>")
           .good(GOOD)
           .see("thesis 4.2.2");

@@ -38,7 +38,7 @@ final class SensorMetadataCheck implements EnrichedSceneCheck {
                     at.node(),
                     "name",
                     at.name().strip(),
-                    MisplacementReason.IN_AREA);
+                    MisplacedMetadataMessages.IN_AREA);
               }
             });
     SensorSchemas schemas = NodeViewMetadata.of(sensor).flatMap(reader::sensor).orElse(null);

@@ -14,9 +14,9 @@ final class SensorRules {
               sensor without them, from which no route leads either, has no effect.""")
           .bad(
               "<ProximitySensor DEF='ShelfProx' size='3 2 3'/>\n"
-                  + EnrichmentExamples.desk()
-                  + EnrichmentExamples.LAMP)
-          .good(EnrichmentExamples.desk() + EnrichmentExamples.LAMP)
+                  + RuleExampleFragments.desk()
+                  + RuleExampleFragments.LAMP)
+          .good(RuleExampleFragments.desk() + RuleExampleFragments.LAMP)
           .see("thesis 4.2.2, Fig 42");
 
   static final Rule NOT_ENRICHED =
@@ -26,7 +26,7 @@ final class SensorRules {
               The scene has no schema metadata at all. Its sensors may get theirs later, or \
               serve an application.""")
           .bad("<ProximitySensor DEF='DeskProx' size='3 2 3'/>")
-          .good(EnrichmentExamples.desk() + EnrichmentExamples.LAMP)
+          .good(RuleExampleFragments.desk() + RuleExampleFragments.LAMP)
           .see("thesis 5.4.2, Fig 76");
 
   static final Rule WITHOUT_EXIT =
@@ -39,21 +39,21 @@ final class SensorRules {
               Leaving an area activates its exitTimeSchema, which is the schema of the place around \
               it; without one, what entering has changed stays changed.""")
           .bad(
-              EnrichmentExamples.sensor("3 2 3", EnrichmentExamples.ENTER_DESK)
-                  + EnrichmentExamples.LAMP)
-          .good(EnrichmentExamples.desk() + EnrichmentExamples.LAMP)
+              RuleExampleFragments.sensor("3 2 3", RuleExampleFragments.ENTER_DESK)
+                  + RuleExampleFragments.LAMP)
+          .good(RuleExampleFragments.desk() + RuleExampleFragments.LAMP)
           .see("thesis 4.3, Fig 48");
 
   static final Rule NAMES_NOTHING =
       Rule.warning("SR408", "{field} names no schema; it is ignored")
           .because("Metadata without a value has no effect.")
           .bad(
-              EnrichmentExamples.sensor(
+              RuleExampleFragments.sensor(
                       "3 2 3",
-                      EnrichmentExamples.string("enterTimeSchema", "")
-                          + EnrichmentExamples.EXIT_OFFICE)
-                  + EnrichmentExamples.LAMP)
-          .good(EnrichmentExamples.desk() + EnrichmentExamples.LAMP)
+                      RuleExampleFragments.string("enterTimeSchema", "")
+                          + RuleExampleFragments.EXIT_OFFICE)
+                  + RuleExampleFragments.LAMP)
+          .good(RuleExampleFragments.desk() + RuleExampleFragments.LAMP)
           .see("thesis 4.2.2");
 
   static final Rule NO_VOLUME =
@@ -62,8 +62,8 @@ final class SensorRules {
               """
               A ProximitySensor senses the viewer in a box; where one of its sides is 0, which is \
               the default, or a Transform above it has a scale of 0, it senses nothing.""")
-          .bad(EnrichmentExamples.desk().replace("3 2 3", "3 0 3") + EnrichmentExamples.LAMP)
-          .good(EnrichmentExamples.desk() + EnrichmentExamples.LAMP)
+          .bad(RuleExampleFragments.desk().replace("3 2 3", "3 0 3") + RuleExampleFragments.LAMP)
+          .good(RuleExampleFragments.desk() + RuleExampleFragments.LAMP)
           .see("X3D 4.0, 22.4.1");
 
   static final Rule UNREACHABLE =
@@ -74,10 +74,10 @@ final class SensorRules {
               is, or where one of its viewpoints stands, and the sensor must be enabled.""")
           .bad(
               "<Transform translation='0 900 0'>"
-                  + EnrichmentExamples.desk()
+                  + RuleExampleFragments.desk()
                   + "</Transform>"
-                  + EnrichmentExamples.LAMP)
-          .good(EnrichmentExamples.desk() + EnrichmentExamples.LAMP)
+                  + RuleExampleFragments.LAMP)
+          .good(RuleExampleFragments.desk() + RuleExampleFragments.LAMP)
           .see("X3D 4.0, 22.4.1");
 
   static final List<Rule> ALL =

@@ -86,7 +86,7 @@ final class SwitchMetadataCheck implements EnrichedSceneCheck {
               node,
               "name",
               at.name().strip(),
-              MisplacementReason.inSwitch(at));
+              MisplacedMetadataMessages.inSwitch(at));
     }
   }
 

@@ -5,10 +5,11 @@ import org.selectiverenderer.validation.Rule;
 
 /** Rules about the metadata of versioned objects. */
 final class SwitchRules {
-  private static final String DESK = EnrichmentExamples.choice("low", "Desk");
-  private static final String OFFICE = EnrichmentExamples.choice("high", "Office");
-  private static final String VERSIONS = EnrichmentExamples.DETAILED + EnrichmentExamples.SIMPLE;
-  private static final String GOOD = EnrichmentExamples.desk() + EnrichmentExamples.LAMP;
+  private static final String DESK = RuleExampleFragments.choice("low", "Desk");
+  private static final String OFFICE = RuleExampleFragments.choice("high", "Office");
+  private static final String VERSIONS =
+      RuleExampleFragments.DETAILED + RuleExampleFragments.SIMPLE;
+  private static final String GOOD = RuleExampleFragments.desk() + RuleExampleFragments.LAMP;
 
   static final Rule FEWER_SETS =
       Rule.warning(
@@ -17,7 +18,7 @@ final class SwitchRules {
               """
               MetadataSet i describes child i of the Switch. A child without a set is never \
               shown by a schema. If this is intended, add an empty set.""")
-          .bad(EnrichmentExamples.desk() + EnrichmentExamples.lamp("0", DESK, VERSIONS))
+          .bad(RuleExampleFragments.desk() + RuleExampleFragments.lamp("0", DESK, VERSIONS))
           .good(GOOD)
           .see("thesis 4.3, Fig 49");
 
@@ -28,8 +29,8 @@ final class SwitchRules {
               MetadataSet i describes child i of the Switch. A set beyond the last child \
               describes nothing; showing that child would hide the object.""")
           .bad(
-              EnrichmentExamples.desk()
-                  + EnrichmentExamples.lamp("0", DESK + OFFICE, EnrichmentExamples.DETAILED))
+              RuleExampleFragments.desk()
+                  + RuleExampleFragments.lamp("0", DESK + OFFICE, RuleExampleFragments.DETAILED))
           .good(GOOD)
           .see("thesis 4.3, Fig 49");
 
@@ -42,12 +43,12 @@ final class SwitchRules {
               The metadata of a version says how consistent it is, but schemaBelonginess, which \
               decides when it is shown, names no schema.""")
           .bad(
-              EnrichmentExamples.desk()
-                  + EnrichmentExamples.lamp(
+              RuleExampleFragments.desk()
+                  + RuleExampleFragments.lamp(
                       "1",
                       DESK
-                          + EnrichmentExamples.set(
-                              "value", EnrichmentExamples.string("degreeOfConsistency", "high")),
+                          + RuleExampleFragments.set(
+                              "value", RuleExampleFragments.string("degreeOfConsistency", "high")),
                       VERSIONS))
           .good(GOOD)
           .see("thesis 4.2.2, Fig 43");
@@ -60,8 +61,9 @@ final class SwitchRules {
               A schema can show only one version of an object. The algorithm of the thesis \
               sets the choices one after the other, so the last one remains.""")
           .bad(
-              EnrichmentExamples.desk()
-                  + EnrichmentExamples.lamp("1", DESK + OFFICE.replace("Office", "Desk"), VERSIONS))
+              RuleExampleFragments.desk()
+                  + RuleExampleFragments.lamp(
+                      "1", DESK + OFFICE.replace("Office", "Desk"), VERSIONS))
           .good(GOOD)
           .see("thesis 4.3, Fig 49");
 
@@ -79,7 +81,7 @@ final class SwitchRules {
       Rule.warning(
               "SR412", "degreeOfConsistency must be low, high or a number from 0 to 1, not {value}")
           .because("Any other value is ignored; then consistencyType alone decides.")
-          .bad(EnrichmentExamples.desk() + EnrichmentExamples.LAMP.replace("low", "medium"))
+          .bad(RuleExampleFragments.desk() + RuleExampleFragments.LAMP.replace("low", "medium"))
           .good(GOOD)
           .see("thesis 4.2.2, 7.2");
 
@@ -87,8 +89,8 @@ final class SwitchRules {
       Rule.warning("SR413", "{field} has several values; only the first is used")
           .because("A version has one type and one degree of consistency.")
           .bad(
-              EnrichmentExamples.desk()
-                  + EnrichmentExamples.LAMP.replace("\"low\"", "\"low\" \"high\""))
+              RuleExampleFragments.desk()
+                  + RuleExampleFragments.LAMP.replace("\"low\"", "\"low\" \"high\""))
           .good(GOOD)
           .see("thesis 4.2.2");
 
@@ -98,7 +100,8 @@ final class SwitchRules {
               "whichChoice is {choice}, but the Switch has {children}; nothing is shown until a"
                   + " schema is activated")
           .because("The children are counted from 0. A choice beyond the last child shows nothing.")
-          .bad(EnrichmentExamples.desk() + EnrichmentExamples.lamp("2", DESK + OFFICE, VERSIONS))
+          .bad(
+              RuleExampleFragments.desk() + RuleExampleFragments.lamp("2", DESK + OFFICE, VERSIONS))
           .good(GOOD)
           .see("X3D 4.0, 10.4.3");
 
@@ -117,10 +120,10 @@ final class SwitchRules {
 
   private static String typed(String type) {
     String set =
-        EnrichmentExamples.set(
+        RuleExampleFragments.set(
             "value",
-            EnrichmentExamples.string("consistencyType", type)
-                + EnrichmentExamples.string("schemaBelonginess", "Desk"));
-    return EnrichmentExamples.desk() + EnrichmentExamples.lamp("1", set + OFFICE, VERSIONS);
+            RuleExampleFragments.string("consistencyType", type)
+                + RuleExampleFragments.string("schemaBelonginess", "Desk"));
+    return RuleExampleFragments.desk() + RuleExampleFragments.lamp("1", set + OFFICE, VERSIONS);
   }
 }

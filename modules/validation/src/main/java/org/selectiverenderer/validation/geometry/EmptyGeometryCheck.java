@@ -11,7 +11,7 @@ final class EmptyGeometryCheck implements GeometryNodeCheck {
       return;
     }
     String missing = missing(node);
-    if (!missing.isEmpty() && !VertexData.filledLater(node, findings)) {
+    if (!missing.isEmpty() && !VertexDataAccessor.filledLater(node, findings)) {
       findings.add(GeometryRules.NOTHING, node, node.type().name(), missing);
     }
   }
@@ -19,7 +19,7 @@ final class EmptyGeometryCheck implements GeometryNodeCheck {
   private static String missing(ParsedNode node) {
     if (node.type().field("coord").isPresent()) {
       NodeView points = node.node("coord");
-      if (points == null || VertexData.count(points) == 0) {
+      if (points == null || VertexDataAccessor.count(points) == 0) {
         return "points";
       }
     }

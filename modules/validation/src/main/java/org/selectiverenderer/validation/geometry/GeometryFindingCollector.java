@@ -40,7 +40,7 @@ final class GeometryFindingCollector {
   void addAt(Rule rule, ParsedNode node, String field, Object... words) {
     DocumentElement element = elements().get(node.location());
     DocumentAttribute attribute = element == null ? null : element.attribute(field).orElse(null);
-    NodeView child = VertexData.in(node, field);
+    NodeView child = VertexDataAccessor.in(node, field);
     DocumentElement inside = child == null ? null : elements().get(child.location());
     if (attribute != null) {
       findings.add(rule, attribute, words);

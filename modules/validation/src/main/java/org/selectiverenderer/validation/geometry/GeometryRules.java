@@ -6,7 +6,7 @@ import org.selectiverenderer.validation.FileContext;
 import org.selectiverenderer.validation.FindingCollector;
 import org.selectiverenderer.validation.Rule;
 import org.selectiverenderer.validation.RuleGroup;
-import org.selectiverenderer.validation.SceneNodes;
+import org.selectiverenderer.validation.SceneNodeIterator;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
 /** SR2xx: geometry. */
@@ -131,7 +131,7 @@ public final class GeometryRules {
     @Override
     public void check(FileContext file, FindingCollector findings) {
       GeometryFindingCollector found = new GeometryFindingCollector(file, findings);
-      for (ParsedNode node : SceneNodes.all(file.scene())) {
+      for (ParsedNode node : SceneNodeIterator.all(file.scene())) {
         if (node.type().is("X3DGeometryNode") || node.type().is("X3DGeometricPropertyNode")) {
           parts.forEach(part -> part.check(node, found));
         }

@@ -31,7 +31,7 @@ final class IndexRangeCheck implements GeometryNodeCheck {
   @Override
   public void check(ParsedNode node, GeometryFindingCollector findings) {
     for (Index index : INDICES) {
-      NodeView data = VertexData.in(node, index.data);
+      NodeView data = VertexDataAccessor.in(node, index.data);
       if (data != null && node.type().field(index.field).isPresent()) {
         check(node, index, data, findings);
       }
@@ -48,11 +48,11 @@ final class IndexRangeCheck implements GeometryNodeCheck {
     if (!own && !index.fallback.isEmpty()) {
       field = index.fallback;
     }
-    int count = VertexData.count(data);
+    int count = VertexDataAccessor.count(data);
     int[] indices = node.ints(field);
     for (int value : indices) {
       if (count >= 0 && value >= count) {
-        if (VertexData.filledLater(node, findings)) {
+        if (VertexDataAccessor.filledLater(node, findings)) {
           return;
         }
         findings.addAt(

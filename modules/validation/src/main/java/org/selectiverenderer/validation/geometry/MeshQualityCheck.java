@@ -13,7 +13,7 @@ final class MeshQualityCheck implements GeometryNodeCheck {
 
   @Override
   public void check(ParsedNode node, GeometryFindingCollector findings) {
-    NodeView coordinates = VertexData.in(node, "coord");
+    NodeView coordinates = VertexDataAccessor.in(node, "coord");
     if (coordinates == null || !coordinates.type().name().equals("Coordinate")) {
       return;
     }

@@ -31,8 +31,8 @@ final class ValueCountCheck implements GeometryNodeCheck {
   private static void indexed(ParsedNode node, GeometryFindingCollector findings) {
     int[] faces = node.ints("coordIndex");
     for (String[] property : PROPERTIES) {
-      NodeView data = VertexData.in(node, property[0]);
-      if (data == null || VertexData.count(data) < 0) {
+      NodeView data = VertexDataAccessor.in(node, property[0]);
+      if (data == null || VertexDataAccessor.count(data) < 0) {
         continue;
       }
       int[] own = node.ints(property[1]);
@@ -43,7 +43,7 @@ final class ValueCountCheck implements GeometryNodeCheck {
         int given = perVertex ? length(own) : own.length;
         report(node, property[1], given, "indices", needed, findings);
       } else if (!perVertex) {
-        report(node, property[0], VertexData.count(data), property[3], needed, findings);
+        report(node, property[0], VertexDataAccessor.count(data), property[3], needed, findings);
       }
     }
   }
@@ -56,8 +56,8 @@ final class ValueCountCheck implements GeometryNodeCheck {
     }
     report(node, "height", node.floats("height").length, "heights", x * z, findings);
     for (String[] property : PROPERTIES) {
-      NodeView data = VertexData.in(node, property[0]);
-      int count = data == null ? -1 : VertexData.count(data);
+      NodeView data = VertexDataAccessor.in(node, property[0]);
+      int count = data == null ? -1 : VertexDataAccessor.count(data);
       boolean perVertex = property[2].isEmpty() || node.bool(property[2]);
       if (count >= 0) {
         long needed = perVertex ? x * z : (x - 1) * (z - 1);
@@ -72,7 +72,7 @@ final class ValueCountCheck implements GeometryNodeCheck {
    */
   private static void groups(ParsedNode node, int size, GeometryFindingCollector findings) {
     int points = points(node, findings);
-    if (points > 0 && points % size != 0 && !VertexData.filledLater(node, findings)) {
+    if (points > 0 && points % size != 0 && !VertexDataAccessor.filledLater(node, findings)) {
       long needed = (points / size + 1L) * size;
       findings.addAt(GeometryRules.COUNTS, node, "coord", "coord", points, "points", needed);
     }
@@ -80,7 +80,7 @@ final class ValueCountCheck implements GeometryNodeCheck {
 
   private static void indices(ParsedNode node, int size, GeometryFindingCollector findings) {
     int length = node.ints("index").length;
-    if (length % size != 0 && !VertexData.filledLater(node, findings)) {
+    if (length % size != 0 && !VertexDataAccessor.filledLater(node, findings)) {
       long needed = (length / size + 1L) * size;
       findings.addAt(GeometryRules.COUNTS, node, "index", "index", length, "indices", needed);
     }
@@ -101,10 +101,10 @@ final class ValueCountCheck implements GeometryNodeCheck {
   /** Returns the number of points, which normals and colours must match. */
   private static int points(ParsedNode node, GeometryFindingCollector findings) {
     NodeView coordinates = node.node("coord");
-    int points = coordinates == null ? -1 : VertexData.count(coordinates);
+    int points = coordinates == null ? -1 : VertexDataAccessor.count(coordinates);
     for (String[] property : PROPERTIES) {
-      NodeView data = VertexData.in(node, property[0]);
-      int count = data == null ? -1 : VertexData.count(data);
+      NodeView data = VertexDataAccessor.in(node, property[0]);
+      int count = data == null ? -1 : VertexDataAccessor.count(data);
       if (count >= 0 && (property[2].isEmpty() || IndexRangeCheck.flag(node, property[2]))) {
         report(node, property[0], count, property[3], points, findings);
       }
@@ -136,7 +136,7 @@ final class ValueCountCheck implements GeometryNodeCheck {
       String what,
       long needed,
       GeometryFindingCollector findings) {
-    if (count < needed && !VertexData.filledLater(node, findings)) {
+    if (count < needed && !VertexDataAccessor.filledLater(node, findings)) {
       findings.addAt(GeometryRules.COUNTS, node, field, field, count, what, needed);
     }
   }

@@ -193,7 +193,7 @@ final class NameScopes {
    * Returns the fields that routes to and from a node may name; empty where they cannot be
    * determined.
    */
-  Optional<FieldInterface> fields(DocumentElement node) {
+  Optional<NodeInterface> fields(DocumentElement node) {
     if (node.name().equals("ProtoInstance")) {
       return node.text("name")
           .flatMap(name -> prototype(name.strip(), node))
@@ -202,7 +202,7 @@ final class NameScopes {
     }
     return file.catalogue()
         .find(node.name())
-        .map(type -> FieldInterface.of(type.name(), Optional.of(type), node.children()));
+        .map(type -> NodeInterface.of(type.name(), Optional.of(type), node.children()));
   }
 
   /** Returns whether nodes of a type declare fields of their own, as scripts and shaders do. */

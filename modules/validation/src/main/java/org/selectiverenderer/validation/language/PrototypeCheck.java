@@ -80,14 +80,14 @@ final class PrototypeCheck implements NameScopeCheck {
 
   private static void values(
       DocumentElement instance, PrototypeDeclaration prototype, FindingCollector findings) {
-    FieldInterface fields = prototype.fields();
+    NodeInterface fields = prototype.fields();
     boolean unknown = prototype.external() && fields.own().isEmpty();
     for (DocumentElement child : instance.children()) {
       if (!child.name().equals("fieldValue") || unknown) {
         continue;
       }
       String name = child.text("name").orElse("").strip();
-      FieldInterface.Field field = fields.own().get(name);
+      NodeInterface.Field field = fields.own().get(name);
       if (field == null) {
         SpellingSuggestion suggestion = SpellingSuggestion.of(name, fields.names());
         findings.add(PrototypeRules.UNKNOWN_FIELD, child, prototype.name(), name, suggestion);
@@ -108,7 +108,7 @@ final class PrototypeCheck implements NameScopeCheck {
     }
     if (name.isEmpty()) {
       findings.add(PrototypeRules.FIELD, element, "a field needs a name");
-    } else if (FieldInterface.type(type).isEmpty()) {
+    } else if (NodeInterface.type(type).isEmpty()) {
       SpellingSuggestion suggestion =
           SpellingSuggestion.of(
               type, List.of(FieldType.values()).stream().map(Enum::name).toList());
@@ -117,10 +117,10 @@ final class PrototypeCheck implements NameScopeCheck {
               ? "a field needs a type"
               : "'" + type + "' is not a type of field" + suggestion;
       report(element, "type", fault, findings);
-    } else if (FieldInterface.access(access).isEmpty()) {
+    } else if (NodeInterface.access(access).isEmpty()) {
       report(element, "accessType", accessFault(access.strip()), findings);
     } else {
-      value(element, FieldInterface.type(type).orElseThrow(), findings);
+      value(element, NodeInterface.type(type).orElseThrow(), findings);
     }
   }
 

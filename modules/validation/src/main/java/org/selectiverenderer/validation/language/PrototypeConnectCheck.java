@@ -48,9 +48,9 @@ final class PrototypeConnectCheck implements NameScopeCheck {
       findings.add(PrototypeRules.CONNECT, connect, "connect needs nodeField and protoField");
       return;
     }
-    FieldInterface outer = prototype.fields();
-    FieldInterface inner = scopes.fields(node).orElse(null);
-    FieldInterface.Field declared = outer.own().get(protoField);
+    NodeInterface outer = prototype.fields();
+    NodeInterface inner = scopes.fields(node).orElse(null);
+    NodeInterface.Field declared = outer.own().get(protoField);
     if (declared == null) {
       SpellingSuggestion suggestion = SpellingSuggestion.of(protoField, outer.names());
       findings.add(
@@ -63,7 +63,7 @@ final class PrototypeConnectCheck implements NameScopeCheck {
       return;
     }
     // IS may name an event of an inputOutput field: set_x, x_changed.
-    FieldInterface.Field field =
+    NodeInterface.Field field =
         inner
             .field(nodeField)
             .or(() -> inner.event(nodeField, true))

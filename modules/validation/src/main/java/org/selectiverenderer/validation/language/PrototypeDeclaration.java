@@ -17,7 +17,7 @@ record PrototypeDeclaration(DocumentElement element) {
     return element.text("name").orElse("").strip();
   }
 
-  FieldInterface fields() {
+  NodeInterface fields() {
     List<DocumentElement> fields =
         external()
             ? element.children()
@@ -25,7 +25,7 @@ record PrototypeDeclaration(DocumentElement element) {
                 .filter(child -> child.name().equals("ProtoInterface"))
                 .flatMap(child -> child.children().stream())
                 .toList();
-    return FieldInterface.of(name(), java.util.Optional.empty(), fields);
+    return NodeInterface.of(name(), java.util.Optional.empty(), fields);
   }
 
   /** Returns the elements of the body. */

@@ -32,8 +32,8 @@ final class RouteCheck implements NameScopeCheck {
         return;
       }
     }
-    FieldInterface.Field from = end(element, "from", false, scopes, findings);
-    FieldInterface.Field to = end(element, "to", true, scopes, findings);
+    NodeInterface.Field from = end(element, "from", false, scopes, findings);
+    NodeInterface.Field to = end(element, "to", true, scopes, findings);
     if (from != null && to != null && from.type() != to.type()) {
       findings.add(
           RouteRules.TYPES,
@@ -47,7 +47,7 @@ final class RouteCheck implements NameScopeCheck {
   }
 
   /** Returns the field at an end; null if it does not exist or cannot be determined. */
-  private static FieldInterface.@Nullable Field end(
+  private static NodeInterface.@Nullable Field end(
       DocumentElement route,
       String end,
       boolean input,
@@ -64,11 +64,11 @@ final class RouteCheck implements NameScopeCheck {
       }
       return null;
     }
-    FieldInterface fields = scopes.fields(named).orElse(null);
+    NodeInterface fields = scopes.fields(named).orElse(null);
     if (fields == null) {
       return null;
     }
-    Optional<FieldInterface.Field> found = fields.event(field.text(), input);
+    Optional<NodeInterface.Field> found = fields.event(field.text(), input);
     if (found.isEmpty()) {
       SpellingSuggestion suggestion = SpellingSuggestion.of(field.text(), fields.names());
       findings.add(RouteRules.UNKNOWN_FIELD, field, fields.owner(), field.text(), suggestion);

@@ -9,7 +9,7 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.validation.SourceFile;
-import org.selectiverenderer.x3d.source.SourceLines;
+import org.selectiverenderer.x3d.source.SourceLineReader;
 
 /**
  * Reads the source lines of findings. Files are read again, one at a time and only those with
@@ -28,7 +28,7 @@ final class SourceSnippets {
 
   private final Map<String, SourceFile> files = new HashMap<>();
   private String open = "";
-  private @Nullable SourceLines lines;
+  private @Nullable SourceLineReader lines;
 
   public SourceSnippets(List<SourceFile> files) {
     files.forEach(file -> this.files.put(file.name(), file));
@@ -41,7 +41,7 @@ final class SourceSnippets {
     if (location.line() == 0 || location.column() == 0) {
       return Optional.empty();
     }
-    SourceLines source = lines(location.file());
+    SourceLineReader source = lines(location.file());
     if (source == null) {
       return Optional.empty();
     }
@@ -57,14 +57,14 @@ final class SourceSnippets {
             });
   }
 
-  private @Nullable SourceLines lines(String name) {
+  private @Nullable SourceLineReader lines(String name) {
     if (!name.equals(open)) {
       open = name;
       lines = null;
       SourceFile file = files.get(name);
       if (file != null) {
         try (InputStream in = file.open()) {
-          lines = SourceLines.read(in, file.size());
+          lines = SourceLineReader.read(in, file.size());
         } catch (IOException e) {
           lines = null; // The file is gone: the finding is shown without its line.
         }

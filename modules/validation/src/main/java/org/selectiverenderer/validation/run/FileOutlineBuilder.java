@@ -8,7 +8,7 @@ import java.util.Map;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.validation.FileOutline;
 import org.selectiverenderer.validation.GeometryMeasure;
-import org.selectiverenderer.validation.SceneNodes;
+import org.selectiverenderer.validation.SceneNodeIterator;
 import org.selectiverenderer.validation.SourceFile;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.read.ParsedNode;
@@ -23,7 +23,7 @@ final class FileOutlineBuilder {
   private final GeometryMeasurer measurer = new GeometryMeasurer();
 
   FileOutline outline(SourceFile file, long bytes, XmlDocument document, X3dFile scene) {
-    List<ParsedNode> nodes = SceneNodes.all(scene);
+    List<ParsedNode> nodes = SceneNodeIterator.all(scene);
     Map<ParsedNode, GeometryMeasure> measures = new IdentityHashMap<>();
     for (ParsedNode node : nodes) {
       if (node.type().is("X3DGeometryNode")) {

@@ -19,6 +19,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import java.util.stream.Collectors;
 import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.validation.CrossSceneCheck;
 import org.selectiverenderer.validation.FileCheck;
 import org.selectiverenderer.validation.FileContext;
 import org.selectiverenderer.validation.FileOutline;
@@ -26,7 +27,6 @@ import org.selectiverenderer.validation.Finding;
 import org.selectiverenderer.validation.FindingCollector;
 import org.selectiverenderer.validation.ReportFileNames;
 import org.selectiverenderer.validation.Rule;
-import org.selectiverenderer.validation.RunCheck;
 import org.selectiverenderer.validation.SceneCheck;
 import org.selectiverenderer.validation.SceneContext;
 import org.selectiverenderer.validation.SourceFile;
@@ -38,8 +38,8 @@ import org.selectiverenderer.x3d.read.PrototypeLibraryLoader;
 import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.read.X3dReader;
 import org.selectiverenderer.x3d.source.XmlDocument;
+import org.selectiverenderer.x3d.url.ResolvedUrlContent;
 import org.selectiverenderer.x3d.url.UrlResolver;
-import org.selectiverenderer.x3d.url.UrlSelection;
 
 /**
  * One run of the validator: starts to check each file as soon as a scene refers to it, then checks
@@ -61,7 +61,7 @@ final class ValidationRun {
   private final Executor executor;
   private final FileChecker checker;
   private final List<SceneCheck> sceneChecks;
-  private final List<RunCheck> runChecks;
+  private final List<CrossSceneCheck> runChecks;
   private final Map<String, CompletableFuture<FileCheckResult>> started = new LinkedHashMap<>();
   private final Queue<Pending> pending = new ArrayDeque<>();
 
@@ -122,8 +122,8 @@ final class ValidationRun {
     }
     for (ParsedNode node : outline.nodes()) {
       if (node.type().name().equals("Inline")
-          && UrlSelection.of(node, scene.root, node.base(outline.file().base()), "")
-              instanceof UrlSelection.Found found
+          && ResolvedUrlContent.of(node, scene.root, node.base(outline.file().base()), "")
+              instanceof ResolvedUrlContent.Found found
           && found.content().file().map(java.nio.file.Files::isReadable).orElse(true)) {
         pending.add(
             new Pending(scene, node, start(SourceFile.of(found.content(), base), scene.root)));
@@ -159,8 +159,9 @@ final class ValidationRun {
     }
     FindingCollector ofRun = new FindingCollector(wanted);
     Path file = settings.file();
-    RunCheck.Settings given =
-        new RunCheck.Settings(settings, file == null ? "" : ReportFileNames.relative(file, base));
+    CrossSceneCheck.Settings given =
+        new CrossSceneCheck.Settings(
+            settings, file == null ? "" : ReportFileNames.relative(file, base));
     List<SceneContext> views = scenes.stream().map(scene -> view(scene, parts)).toList();
     runChecks.forEach(check -> check.check(views, given, ofRun));
     all.addAll(ofRun.list());

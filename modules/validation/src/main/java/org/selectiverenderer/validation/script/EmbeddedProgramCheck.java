@@ -6,7 +6,7 @@ import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.validation.FileCheck;
 import org.selectiverenderer.validation.FileContext;
 import org.selectiverenderer.validation.FindingCollector;
-import org.selectiverenderer.validation.SceneNodes;
+import org.selectiverenderer.validation.SceneNodeIterator;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.script.ScriptProgram;
 
@@ -18,7 +18,7 @@ final class EmbeddedProgramCheck implements FileCheck {
   @Override
   public void check(FileContext file, FindingCollector findings) {
     Set<SourceLocation> seen = new HashSet<>();
-    for (ParsedNode node : SceneNodes.all(file.scene())) {
+    for (ParsedNode node : SceneNodeIterator.all(file.scene())) {
       if (node.type().is("X3DScriptNode") && seen.add(node.location())) {
         ScriptProgram.in(node)
             .ifPresent(program -> ScriptProgramInspector.of(node, program, findings));

@@ -13,11 +13,11 @@ import org.selectiverenderer.x3d.catalogue.NodeView;
  * rotated so that up is +Y and north is -Z there.
  */
 public final class GeoCoordinateTransform {
-  private final GeoSystem system;
+  private final SpatialReferenceSystem system;
   private final Vector3d origin = new Vector3d();
   private final Matrix3d turn = new Matrix3d();
 
-  private GeoCoordinateTransform(GeoSystem system) {
+  private GeoCoordinateTransform(SpatialReferenceSystem system) {
     this.system = system;
   }
 
@@ -28,10 +28,10 @@ public final class GeoCoordinateTransform {
    */
   public static GeoCoordinateTransform of(NodeView node) {
     GeoCoordinateTransform frame =
-        new GeoCoordinateTransform(GeoSystem.of(node.strings("geoSystem")));
+        new GeoCoordinateTransform(SpatialReferenceSystem.of(node.strings("geoSystem")));
     NodeView origin = node.node("geoOrigin");
     if (origin != null && origin.type().name().equals("GeoOrigin")) {
-      GeoSystem own = GeoSystem.of(origin.strings("geoSystem"));
+      SpatialReferenceSystem own = SpatialReferenceSystem.of(origin.strings("geoSystem"));
       double[] at = (double[]) origin.value("geoCoords");
       frame.origin.set(own.geocentric(at[0], at[1], at[2]));
       if (origin.bool("rotateYUp")) {
@@ -60,7 +60,7 @@ public final class GeoCoordinateTransform {
   }
 
   /** Returns the spatial reference system of the node's coordinates. */
-  public GeoSystem system() {
+  public SpatialReferenceSystem system() {
     return system;
   }
 

@@ -7,7 +7,7 @@ import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.field.FieldTokenizer;
 import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.source.ElementTreeBuilder;
-import org.selectiverenderer.x3d.source.ValueCleaner;
+import org.selectiverenderer.x3d.source.ValueCommentStripper;
 import org.selectiverenderer.x3d.source.XmlParseException;
 
 /** Parses a scene in the JSON encoding to nested elements. */
@@ -21,7 +21,7 @@ public final class X3dJsonParser implements ElementTreeBuilder.Parser {
 
   /** Flattens arrays of arrays of numbers, which some programs write. */
   @Override
-  public ValueCleaner cleaner() {
+  public ValueCommentStripper cleaner() {
     return (value, length) -> {
       for (int i = 0; i < length; i++) {
         if (value[i] == '[' || value[i] == ']') {

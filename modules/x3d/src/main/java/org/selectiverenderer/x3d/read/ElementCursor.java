@@ -45,7 +45,7 @@ interface ElementCursor {
   @Nullable Object attributeValue(int index, FieldType type);
 
   /** Collects the text directly within the current element with its location. */
-  void collectText(ElementText into);
+  void collectText(ElementTextCollector into);
 
   /** Records the current element with its content for later reading, and leaves the element. */
   DocumentElement record();

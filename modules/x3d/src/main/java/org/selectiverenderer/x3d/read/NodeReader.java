@@ -265,9 +265,9 @@ final class NodeReader {
   private void content(ElementCursor in, NameScope scope, NameScope.Named named) {
     ParsedNode node = named.node();
     FieldDefinition source = node.type().field("sourceCode").orElse(null);
-    ElementText text = null;
+    ElementTextCollector text = null;
     if (source != null) {
-      text = new ElementText();
+      text = new ElementTextCollector();
       in.collectText(text);
     }
     AuthorDefinedFieldReader own =

@@ -8,10 +8,10 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.url.BaseUrl;
-import org.selectiverenderer.x3d.url.ReadErrorMessage;
+import org.selectiverenderer.x3d.url.IoErrorFormatter;
+import org.selectiverenderer.x3d.url.ResolvedUrlContent;
 import org.selectiverenderer.x3d.url.UrlContent;
 import org.selectiverenderer.x3d.url.UrlResolver;
-import org.selectiverenderer.x3d.url.UrlSelection;
 
 /**
  * Loads the prototype libraries to which the files of one scene refer. Each is read once, by the
@@ -52,7 +52,8 @@ public final class PrototypeLibraryLoader implements PrototypeLibraryProvider {
       } else {
         fault = ((UrlResolver.Target.Refused) target).reason();
       }
-      reason = reason.isEmpty() ? "url '%s' %s".formatted(UrlSelection.shown(url), fault) : reason;
+      reason =
+          reason.isEmpty() ? "url '%s' %s".formatted(ResolvedUrlContent.shown(url), fault) : reason;
     }
     return new Answer.None(reason.isEmpty() ? "it has no url" : reason);
   }
@@ -72,7 +73,7 @@ public final class PrototypeLibraryLoader implements PrototypeLibraryProvider {
           new Read(
               null,
               e instanceof FileSystemException
-                  ? ReadErrorMessage.clause(e)
+                  ? IoErrorFormatter.clause(e)
                   : "cannot be read (%s)".formatted(e.getMessage()));
     } finally {
       mine.complete(read);

@@ -116,7 +116,7 @@ final class TreeCursor implements ElementCursor {
   }
 
   @Override
-  public void collectText(ElementText into) {
+  public void collectText(ElementTextCollector into) {
     DocumentElement from = element();
     if (!from.text().isBlank()) {
       into.add(from.text(), from.textLocation(), from.textStart());

@@ -21,7 +21,7 @@ final class XmlCursor implements ElementCursor {
   private final XmlPullParser xml;
   private final ReadContext reading;
   private final boolean cut;
-  private final List<@Nullable ElementText> gathered = new ArrayList<>();
+  private final List<@Nullable ElementTextCollector> gathered = new ArrayList<>();
   private FieldParseErrors flaws = new FieldParseErrors();
   private @Nullable ElementLocation place;
   private boolean broken;
@@ -57,7 +57,7 @@ final class XmlCursor implements ElementCursor {
           return false;
         }
         case XMLStreamConstants.CHARACTERS, XMLStreamConstants.CDATA -> {
-          ElementText into = gathered.get(gathered.size() - 1);
+          ElementTextCollector into = gathered.get(gathered.size() - 1);
           if (into != null) {
             String text = xml.text();
             int start = into.begun() || text.isBlank() ? 0 : xml.textStart();
@@ -135,7 +135,7 @@ final class XmlCursor implements ElementCursor {
   }
 
   @Override
-  public void collectText(ElementText into) {
+  public void collectText(ElementTextCollector into) {
     gathered.set(gathered.size() - 1, into);
   }
 
@@ -156,7 +156,7 @@ final class XmlCursor implements ElementCursor {
       attributes.add(new DocumentAttribute(recorded, i, attributeName(i), attributeText(i)));
     }
     recorded.attributes(attributes);
-    ElementText text = new ElementText();
+    ElementTextCollector text = new ElementTextCollector();
     collectText(text);
     while (next()) {
       if (reading.spend(location()) && reading.enter(location())) {

@@ -4,9 +4,9 @@ import java.util.Optional;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.url.BaseUrl;
+import org.selectiverenderer.x3d.url.ResolvedUrlContent;
 import org.selectiverenderer.x3d.url.UrlContent;
 import org.selectiverenderer.x3d.url.UrlResolver;
-import org.selectiverenderer.x3d.url.UrlSelection;
 
 /**
  * The selected source text of a ShaderPart or ShaderProgram: the text between its tags, or else the
@@ -45,8 +45,8 @@ public sealed interface ShaderSourceSelection {
     if (first.isPresent()) {
       return new Text(new ShaderSource(first.get(), part.textLocation()));
     }
-    UrlSelection file = UrlSelection.of(part, root, base, consequence);
-    if (file instanceof UrlSelection.Found found) {
+    ResolvedUrlContent file = ResolvedUrlContent.of(part, root, base, consequence);
+    if (file instanceof ResolvedUrlContent.Found found) {
       return new File(found.content());
     }
     for (String url : urls) {
@@ -55,6 +55,6 @@ public sealed interface ShaderSourceSelection {
         return new Text(new ShaderSource(text.get(), part.textLocation()));
       }
     }
-    return new None(((UrlSelection.None) file).problem());
+    return new None(((ResolvedUrlContent.None) file).problem());
   }
 }

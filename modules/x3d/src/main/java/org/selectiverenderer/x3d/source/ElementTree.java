@@ -13,7 +13,7 @@ public final class ElementTree {
 
   private final DocumentElement root;
   private final ElementSource source;
-  private final DefIndex names = new DefIndex();
+  private final ElementIndex names = new ElementIndex();
 
   ElementTree(DocumentElement root, ElementSource source) {
     this.root = root;

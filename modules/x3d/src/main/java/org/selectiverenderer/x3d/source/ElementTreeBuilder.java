@@ -39,7 +39,7 @@ public final class ElementTreeBuilder {
       XmlDocument document,
       NodeCatalogue catalogue,
       ReadLimits limits,
-      ValueCleaner cleaner) {
+      ValueCommentStripper cleaner) {
     this.text = preflight.text();
     this.source = new NonXmlSource(preflight.source(), text, cleaner);
     this.document = document;
@@ -224,7 +224,7 @@ public final class ElementTreeBuilder {
   /** A parser of one encoding. */
   public interface Parser {
     /** Returns the cleaner of values in this encoding. */
-    ValueCleaner cleaner();
+    ValueCommentStripper cleaner();
 
     /**
      * Parses the builder's text.

@@ -14,12 +14,12 @@ final class NonXmlSource implements ElementSource {
 
   private final TextSource text;
   private final SourceText characters;
-  private final ValueCleaner cleaner;
+  private final ValueCommentStripper cleaner;
   private int[] places = new int[256];
   private int count;
   private long[] order = {};
 
-  NonXmlSource(TextSource text, SourceText characters, ValueCleaner cleaner) {
+  NonXmlSource(TextSource text, SourceText characters, ValueCommentStripper cleaner) {
     this.text = text;
     this.characters = characters;
     this.cleaner = cleaner;

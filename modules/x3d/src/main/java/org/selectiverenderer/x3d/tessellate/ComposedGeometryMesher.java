@@ -14,7 +14,7 @@ final class ComposedGeometryMesher {
 
   private final TessellationContext job;
   private final CoordinatePoints points;
-  private final TriangleList triangles;
+  private final TriangleListBuilder triangles;
   private final int faceCount;
   private final int[] corners;
 
@@ -25,7 +25,10 @@ final class ComposedGeometryMesher {
    * @param faceCount a number above all face indices of the triangles
    */
   ComposedGeometryMesher(
-      TessellationContext job, CoordinatePoints points, TriangleList triangles, int faceCount) {
+      TessellationContext job,
+      CoordinatePoints points,
+      TriangleListBuilder triangles,
+      int faceCount) {
     this.job = job;
     this.points = points;
     this.triangles = triangles;

@@ -66,7 +66,7 @@ final class ElevationGridTessellator {
     CoordinatePoints points = CoordinatePoints.of(xyz);
     int quads = (columns - 1) * (rows - 1);
     int[] stream = new int[4 * quads];
-    TriangleList triangles = new TriangleList(stream, 2 * quads);
+    TriangleListBuilder triangles = new TriangleListBuilder(stream, 2 * quads);
     FaceValidator check = new FaceValidator(stream, points, 3);
     for (int quad = 0; quad < quads; quad++) {
       int at = 4 * quad;

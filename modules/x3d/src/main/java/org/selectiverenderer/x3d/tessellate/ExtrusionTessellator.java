@@ -67,7 +67,7 @@ final class ExtrusionTessellator {
     int[] stream = new int[4 * quads + (begin ? ring : 0) + (end ? ring : 0)];
     float[] texCoords = new float[2 * stream.length];
     CoordinatePoints points = CoordinatePoints.of(points(begin, end));
-    TriangleList triangles = new TriangleList(stream, 2 * quads + 2 * ring);
+    TriangleListBuilder triangles = new TriangleListBuilder(stream, 2 * quads + 2 * ring);
     PolygonTriangulator splitter = new PolygonTriangulator(points.xyz(), triangles);
     FaceValidator check = new FaceValidator(stream, points, 3);
     sides(stream, texCoords, closesOnItself(points.xyz()));
@@ -99,7 +99,7 @@ final class ExtrusionTessellator {
         job.node().number("creaseAngle"));
   }
 
-  private static int[] cornerIds(TriangleList triangles) {
+  private static int[] cornerIds(TriangleListBuilder triangles) {
     return Arrays.copyOf(triangles.corners(), 3 * triangles.count());
   }
 

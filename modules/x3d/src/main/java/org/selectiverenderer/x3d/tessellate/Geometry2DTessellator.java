@@ -67,8 +67,8 @@ final class Geometry2DTessellator {
   /** Tessellates a TriangleSet2D; clockwise triangles are reversed, since the shape faces +z. */
   static Mesh triangles(TessellationContext job) {
     float[] points = spatial(job.node().floats("vertices"));
-    int[] stream = IndexRanges.identity(points.length / 9 * 3);
-    TriangleList triangles = new TriangleList(stream, stream.length / 3);
+    int[] stream = IndexStreamRanges.identity(points.length / 9 * 3);
+    TriangleListBuilder triangles = new TriangleListBuilder(stream, stream.length / 3);
     CoordinatePoints all = CoordinatePoints.of(points);
     FaceValidator check = new FaceValidator(stream, all, 3);
     for (int i = 0; i < stream.length; i += 3) {
@@ -141,7 +141,8 @@ final class Geometry2DTessellator {
 
   static Mesh points(TessellationContext job) {
     float[] xyz = spatial(job.node().floats("point"));
-    return plain(job, xyz, IndexRanges.identity(xyz.length / 3), 1, Mesh.Primitive.POINTS, "point");
+    return plain(
+        job, xyz, IndexStreamRanges.identity(xyz.length / 3), 1, Mesh.Primitive.POINTS, "point");
   }
 
   /** Returns lines from each point to the next. */

@@ -130,7 +130,7 @@ final class IndexedMeshBuilder {
 
   /** Makes each corner a vertex, to be welded by value only. */
   private int[] keepAll() {
-    int[] indices = IndexRanges.identity(corners.length);
+    int[] indices = IndexStreamRanges.identity(corners.length);
     vertexPoint = corners;
     vertexCorner = indices.clone();
     vertexCount = corners.length;

@@ -19,19 +19,19 @@ final class LineSetTessellator {
   private LineSetTessellator(TessellationContext job, int @Nullable [] stream) {
     this.job = job;
     this.points = CoordinatePoints.of(job);
-    this.stream = stream == null ? IndexRanges.identity(points.count()) : stream;
+    this.stream = stream == null ? IndexStreamRanges.identity(points.count()) : stream;
   }
 
   static Mesh indexedLines(TessellationContext job) {
     LineSetTessellator set = new LineSetTessellator(job, job.node().ints("coordIndex"));
-    set.segments(IndexRanges.separated(set.stream));
+    set.segments(IndexStreamRanges.separated(set.stream));
     boolean perVertex = job.node().bool("colorPerVertex");
     return set.mesh(Mesh.Primitive.LINES, perVertex, job.node().ints("colorIndex"));
   }
 
   static Mesh lines(TessellationContext job) {
     LineSetTessellator set = new LineSetTessellator(job, null);
-    set.segments(IndexRanges.counted(job, "vertexCount", 2, set.points.count()));
+    set.segments(IndexStreamRanges.counted(job, "vertexCount", 2, set.points.count()));
     return set.mesh(Mesh.Primitive.LINES, true, new int[0]);
   }
 
@@ -47,7 +47,7 @@ final class LineSetTessellator {
     return set.mesh(Mesh.Primitive.POINTS, true, new int[0]);
   }
 
-  private void segments(IndexRanges runs) {
+  private void segments(IndexStreamRanges runs) {
     FaceValidator check = new FaceValidator(stream, points, 2);
     for (int run = 0; run < runs.count(); run++) {
       // ranges with too small a vertexCount are empty and have been reported

@@ -19,8 +19,8 @@ public final class MeshFactory {
    */
   public static Mesh faces(float[] points, int[] coordIndex) {
     CoordinatePoints all = CoordinatePoints.of(points);
-    IndexRanges runs = IndexRanges.separated(coordIndex);
-    TriangleList triangles = new TriangleList(coordIndex, coordIndex.length);
+    IndexStreamRanges runs = IndexStreamRanges.separated(coordIndex);
+    TriangleListBuilder triangles = new TriangleListBuilder(coordIndex, coordIndex.length);
     PolygonTriangulator splitter = new PolygonTriangulator(points, triangles);
     FaceValidator check = new FaceValidator(coordIndex, all, 3);
     for (int face = 0; face < runs.count(); face++) {
@@ -59,7 +59,7 @@ public final class MeshFactory {
     float[] xyz = points.compact(positions, 3);
     int[] welded = triangles.clone();
     points.rename(welded);
-    TriangleList list = new TriangleList(welded, welded.length / 3);
+    TriangleListBuilder list = new TriangleListBuilder(welded, welded.length / 3);
     for (int i = 0; i + 2 < welded.length; i += 3) {
       list.add(i, i + 1, i + 2, i / 3);
     }

@@ -18,7 +18,7 @@ final class PolygonTriangulator {
   private static final long WORK = 1 << 22;
 
   private final float[] xyz;
-  private final TriangleList triangles;
+  private final TriangleListBuilder triangles;
   private long work = WORK;
   private int crossing;
 
@@ -28,7 +28,7 @@ final class PolygonTriangulator {
    * @param xyz the points that the list's stream refers to
    * @param triangles receives the triangles, wound as their polygons are
    */
-  PolygonTriangulator(float[] xyz, TriangleList triangles) {
+  PolygonTriangulator(float[] xyz, TriangleListBuilder triangles) {
     this.xyz = xyz;
     this.triangles = triangles;
   }

@@ -116,8 +116,9 @@ public final class Tessellator {
       NodeView node = job.node();
       CoordinatePoints points = CoordinatePoints.of(job);
       int[] stream = node.ints("coordIndex");
-      IndexRanges faces = IndexRanges.separated(stream);
-      TriangleList triangles = new TriangleList(stream, stream.length + 1 - 3 * faces.count());
+      IndexStreamRanges faces = IndexStreamRanges.separated(stream);
+      TriangleListBuilder triangles =
+          new TriangleListBuilder(stream, stream.length + 1 - 3 * faces.count());
       PolygonTriangulator splitter = new PolygonTriangulator(points.xyz(), triangles);
       FaceValidator check = new FaceValidator(stream, points, 3);
       for (int face = 0; face < faces.count(); face++) {

@@ -11,15 +11,15 @@ final class TriangleSetTessellator {
   private final TessellationContext job;
   private final CoordinatePoints points;
   private final int[] stream;
-  private final TriangleList triangles;
+  private final TriangleListBuilder triangles;
   private final FaceValidator check;
   private int faces;
 
   private TriangleSetTessellator(TessellationContext job, boolean indexed) {
     this.job = job;
     this.points = CoordinatePoints.of(job);
-    this.stream = indexed ? job.node().ints("index") : IndexRanges.identity(points.count());
-    this.triangles = new TriangleList(stream, stream.length / 3);
+    this.stream = indexed ? job.node().ints("index") : IndexStreamRanges.identity(points.count());
+    this.triangles = new TriangleListBuilder(stream, stream.length / 3);
     this.check = new FaceValidator(stream, points, 3);
   }
 
@@ -41,22 +41,22 @@ final class TriangleSetTessellator {
 
   static Mesh strips(TessellationContext job) {
     TriangleSetTessellator set = new TriangleSetTessellator(job, false);
-    return set.strips(IndexRanges.counted(job, "stripCount", 3, set.points.count()));
+    return set.strips(IndexStreamRanges.counted(job, "stripCount", 3, set.points.count()));
   }
 
   static Mesh indexedStrips(TessellationContext job) {
     TriangleSetTessellator set = new TriangleSetTessellator(job, true);
-    return set.strips(IndexRanges.separated(set.stream));
+    return set.strips(IndexStreamRanges.separated(set.stream));
   }
 
   static Mesh fans(TessellationContext job) {
     TriangleSetTessellator set = new TriangleSetTessellator(job, false);
-    return set.fans(IndexRanges.counted(job, "fanCount", 3, set.points.count()));
+    return set.fans(IndexStreamRanges.counted(job, "fanCount", 3, set.points.count()));
   }
 
   static Mesh indexedFans(TessellationContext job) {
     TriangleSetTessellator set = new TriangleSetTessellator(job, true);
-    return set.fans(IndexRanges.separated(set.stream));
+    return set.fans(IndexStreamRanges.separated(set.stream));
   }
 
   /** Adds consecutive faces of {@code size} points each. */
@@ -78,7 +78,7 @@ final class TriangleSetTessellator {
     return finish();
   }
 
-  private Mesh strips(IndexRanges runs) {
+  private Mesh strips(IndexStreamRanges runs) {
     for (int run = 0; run < runs.count(); run++) {
       for (int i = runs.from(run); i + 2 < runs.to(run); i++) {
         boolean even = (i - runs.from(run)) % 2 == 0;
@@ -88,7 +88,7 @@ final class TriangleSetTessellator {
     return finish();
   }
 
-  private Mesh fans(IndexRanges runs) {
+  private Mesh fans(IndexStreamRanges runs) {
     for (int run = 0; run < runs.count(); run++) {
       for (int i = runs.from(run) + 1; i + 1 < runs.to(run); i++) {
         add(runs.from(run), i, i + 1);

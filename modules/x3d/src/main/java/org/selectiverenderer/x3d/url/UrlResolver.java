@@ -79,7 +79,7 @@ public final class UrlResolver {
   private final Optional<Path> project;
   private final ContentAccessPolicy access;
   private final List<Path> allowed = new ArrayList<>();
-  private final LetterCaseHints hints = new LetterCaseHints();
+  private final CaseMismatchDetector hints = new CaseMismatchDetector();
 
   /** Creates a resolver for the scene's own files and those of its project only. */
   public UrlResolver(Path sceneFolder) {

@@ -5,7 +5,7 @@ import java.util.regex.Pattern;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.ElementTreeBuilder;
 import org.selectiverenderer.x3d.source.SceneEncoding;
-import org.selectiverenderer.x3d.source.ValueCleaner;
+import org.selectiverenderer.x3d.source.ValueCommentStripper;
 import org.selectiverenderer.x3d.source.XmlParseException;
 
 /** Parses a file: its header line, its head statements, and its scene. */
@@ -29,7 +29,7 @@ public final class VrmlParser implements ElementTreeBuilder.Parser {
   }
 
   @Override
-  public ValueCleaner cleaner() {
+  public ValueCommentStripper cleaner() {
     return ValueParser::clean;
   }
 

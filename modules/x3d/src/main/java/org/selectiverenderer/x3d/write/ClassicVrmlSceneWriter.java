@@ -180,7 +180,7 @@ final class ClassicVrmlSceneWriter {
     } else if (nodes || value == null && !stored(field)) {
       nodes(field.items(), multiple);
     } else {
-      FieldType type = FieldTypes.of(field.text("type"));
+      FieldType type = FieldTypeResolver.of(field.text("type"));
       text.append(' ').append(type == null ? "NULL" : zero(type)).append('\n');
       field.items().forEach(this::item);
     }
@@ -188,7 +188,7 @@ final class ClassicVrmlSceneWriter {
 
   /** Returns whether a field has a type other than nodes. */
   private static boolean stored(Element field) {
-    FieldType type = FieldTypes.of(field.text("type"));
+    FieldType type = FieldTypeResolver.of(field.text("type"));
     return type != null && !type.isNode();
   }
 
@@ -266,7 +266,7 @@ final class ClassicVrmlSceneWriter {
     }
     connected.forEach((field, outer) -> statement(field, "IS", outer));
     if (!element.source().isEmpty()) {
-      String urls = SourceCode.urls(element.type(), element.text("url"), element.source());
+      String urls = InlineCodeConverter.urls(element.type(), element.text("url"), element.source());
       line().append("url [ ").append(urls).append(" ]\n");
     }
     groups.fields().forEach(this::group);
@@ -303,7 +303,7 @@ final class ClassicVrmlSceneWriter {
 
   /** Returns a value in the syntax of VRML. */
   private static String written(Value value) {
-    FieldType type = value.type() == null ? FieldTypes.guess(value.text()) : value.type();
+    FieldType type = value.type() == null ? FieldTypeResolver.guess(value.text()) : value.type();
     String plain = value.text();
     if (type == FieldType.SFString) {
       return string(plain);

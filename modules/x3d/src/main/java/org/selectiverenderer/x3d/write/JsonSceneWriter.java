@@ -257,11 +257,11 @@ final class JsonSceneWriter {
   }
 
   private void value(Value value) {
-    FieldType type = value.type() == null ? FieldTypes.guess(value.text()) : value.type();
+    FieldType type = value.type() == null ? FieldTypeResolver.guess(value.text()) : value.type();
     switch (type.kind()) {
       case STRING -> {
         if (type.multiple()) {
-          List<String> all = SourceCode.strings(value.text());
+          List<String> all = InlineCodeConverter.strings(value.text());
           if (all.isEmpty()) {
             text.append("[]");
           } else {

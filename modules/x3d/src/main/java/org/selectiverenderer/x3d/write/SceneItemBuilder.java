@@ -22,7 +22,7 @@ import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.source.DocumentAttribute;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.SceneEncoding;
-import org.selectiverenderer.x3d.source.X3dStatements;
+import org.selectiverenderer.x3d.source.StatementNames;
 import org.selectiverenderer.x3d.source.XmlDocument;
 import org.selectiverenderer.x3d.write.SceneItem.Element;
 import org.selectiverenderer.x3d.write.SceneItem.Place;
@@ -60,7 +60,7 @@ final class SceneItemBuilder {
     DocumentElement root = document.root().orElse(null);
     if (root != null) {
       items.comments(root.start(), all);
-      items.element(root, null, new PrototypeInterfaces(null)).ifPresent(all::add);
+      items.element(root, null, new PrototypeScope(null)).ifPresent(all::add);
       items.comments(Integer.MAX_VALUE, all);
     }
     return all;
@@ -73,10 +73,10 @@ final class SceneItemBuilder {
   }
 
   private Optional<Element> element(
-      DocumentElement element, @Nullable NodeType parent, PrototypeInterfaces known) {
+      DocumentElement element, @Nullable NodeType parent, PrototypeScope known) {
     String name = element.name();
     NodeType type = catalogue.find(name).orElse(null);
-    if (type == null && !X3dStatements.is(name)) {
+    if (type == null && !StatementNames.is(name)) {
       leftOut(element.location(), "unknown element " + name + "; it and its children are left out");
       skip(element);
       return Optional.empty();
@@ -108,8 +108,7 @@ final class SceneItemBuilder {
       place = new Place("", several, true);
     }
     boolean declares = name.equals("ProtoDeclare") || name.equals("ExternProtoDeclare");
-    PrototypeInterfaces inner =
-        name.equals("ProtoDeclare") ? new PrototypeInterfaces(known) : known;
+    PrototypeScope inner = name.equals("ProtoDeclare") ? new PrototypeScope(known) : known;
     List<Value> values = new ArrayList<>();
     for (DocumentAttribute attribute : element.attributes()) {
       // a field given twice, which VRML's grammar allows, has its last value
@@ -126,7 +125,7 @@ final class SceneItemBuilder {
       known.declare(element);
     }
     boolean code = type != null && type.field("sourceCode").isPresent();
-    String source = code ? SourceCode.of(type, values, element.text()) : "";
+    String source = code ? InlineCodeConverter.of(type, values, element.text()) : "";
     String def = element.def().orElse("");
     String use = element.use().orElse("");
     return Optional.of(new Element(name, type, def, use, place, values, items, source));
@@ -166,7 +165,7 @@ final class SceneItemBuilder {
       DocumentElement element,
       @Nullable NodeType type,
       DocumentAttribute attribute,
-      PrototypeInterfaces known) {
+      PrototypeScope known) {
     String name = attribute.name();
     switch (name) {
       case "DEF", "USE", "containerField", "" -> {
@@ -234,12 +233,12 @@ final class SceneItemBuilder {
 
     /** Returns the type of an attribute; null if unknown. */
     static @Nullable FieldType type(
-        DocumentElement element, String attribute, PrototypeInterfaces known) {
+        DocumentElement element, String attribute, PrototypeScope known) {
       return switch (element.name() + " " + attribute) {
         case "component level" -> FieldType.SFInt32;
         case "unit conversionFactor" -> FieldType.SFDouble;
         case "ExternProtoDeclare url" -> FieldType.MFString;
-        case "field value" -> PrototypeInterfaces.type(element);
+        case "field value" -> PrototypeScope.type(element);
         case "fieldValue value" ->
             element
                 .parent()

@@ -15,7 +15,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.x3d.catalogue.NodeView;
-import org.selectiverenderer.x3d.url.UrlSelection;
+import org.selectiverenderer.x3d.url.ResolvedUrlContent;
 
 /** X3D 4.0, 4.4.5 External prototypes. */
 class ExternPrototypesTest extends AbstractExternPrototypesTest {
@@ -115,9 +115,10 @@ class ExternPrototypesTest extends AbstractExternPrototypesTest {
   }
 
   private Path fileOf(NodeView node) throws IOException {
-    UrlSelection choice = UrlSelection.of(node, root, ((ParsedNode) node).base(here), "");
-    assertThat(choice).isInstanceOf(UrlSelection.Found.class);
-    Path file = ((UrlSelection.Found) choice).content().file().orElseThrow();
+    ResolvedUrlContent choice =
+        ResolvedUrlContent.of(node, root, ((ParsedNode) node).base(here), "");
+    assertThat(choice).isInstanceOf(ResolvedUrlContent.Found.class);
+    Path file = ((ResolvedUrlContent.Found) choice).content().file().orElseThrow();
     return folder.resolve(folder.toRealPath().relativize(file));
   }
 

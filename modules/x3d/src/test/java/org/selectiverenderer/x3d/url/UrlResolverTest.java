@@ -40,9 +40,9 @@ class UrlResolverTest {
             .read("a.x3d", scene.formatted("a/".repeat(60)).getBytes(UTF_8), new ProblemCollector())
             .nodes()
             .get(0);
-    UrlSelection choice =
-        UrlSelection.of(inline, new UrlResolver(folder), folder, "it is left out");
-    assertThat(((UrlSelection.None) choice).problem().message())
+    ResolvedUrlContent choice =
+        ResolvedUrlContent.of(inline, new UrlResolver(folder), folder, "it is left out");
+    assertThat(((ResolvedUrlContent.None) choice).problem().message())
         .isEqualTo("Inline url '" + "a/".repeat(40) + "…' is missing; it is left out");
   }
 

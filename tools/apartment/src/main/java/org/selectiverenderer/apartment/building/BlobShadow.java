@@ -3,7 +3,7 @@ package org.selectiverenderer.apartment.building;
 import java.util.ArrayList;
 import java.util.List;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
-import org.selectiverenderer.modelling.Outline;
+import org.selectiverenderer.modelling.SimplePolygon;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
 /**
@@ -38,7 +38,8 @@ public final class BlobShadow {
     List<String> colours = new ArrayList<>();
     for (int ring = 0; ring < RINGS.length; ring++) {
       double size = RINGS[ring][0];
-      Outline outline = Outline.roundedRectangle(2 * size, 2 * size, 0.3 * size, PER_CORNER - 1);
+      SimplePolygon outline =
+          SimplePolygon.roundedRectangle(2 * size, 2 * size, 0.3 * size, PER_CORNER - 1);
       for (int i = 0; i < outline.size(); i++) {
         points.add(number(outline.x(i)) + " 0 " + number(-outline.y(i)));
         colours.add("0 0 0 " + number(RINGS[ring][1]));

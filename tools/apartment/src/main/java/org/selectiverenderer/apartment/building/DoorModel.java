@@ -2,9 +2,9 @@ package org.selectiverenderer.apartment.building;
 
 import org.selectiverenderer.apartment.plan.Room;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Boxes;
-import org.selectiverenderer.modelling.Outline;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.BoxBuilder;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
+import org.selectiverenderer.modelling.SimplePolygon;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
@@ -20,7 +20,8 @@ record DoorModel(Room room, Opening opening) {
 
   /** Returns the trim around the opening, with a chamfered edge. */
   TriangleMesh trim() {
-    Outline section = Outline.of(0, 0, TRIM, 0, TRIM, 0.012, TRIM - 0.008, 0.02, 0, 0.02);
+    SimplePolygon section =
+        SimplePolygon.of(0, 0, TRIM, 0, TRIM, 0.012, TRIM - 0.008, 0.02, 0, 0.02);
     double l = opening.left();
     double r = opening.right();
     double t = opening.top();
@@ -66,21 +67,22 @@ record DoorModel(Room room, Opening opening) {
     double width = opening.width() - 0.02;
     double height = opening.height() - 0.02;
     TriangleMesh board =
-        Boxes.bevelled(width, height, LEAF, 0.004, 1).move(width / 2, 0.008, LEAF / 2);
+        BoxBuilder.bevelled(width, height, LEAF, 0.004, 1).move(width / 2, 0.008, LEAF / 2);
     TriangleMesh low = panel(width - 0.24, 0.55).move(width / 2, 0.2, LEAF / 2);
     TriangleMesh high = panel(width - 0.24, 1.0).move(width / 2, 0.88, LEAF / 2);
     return TriangleMesh.of(board, low, high);
   }
 
   private static TriangleMesh panel(double width, double height) {
-    return Boxes.bevelled(width, height, LEAF + 0.012, 0.012, 1);
+    return BoxBuilder.bevelled(width, height, LEAF + 0.012, 0.012, 1);
   }
 
   /** Returns a lever on a round plate, from z = 0 outwards, at the end far from the hinges. */
   private TriangleMesh handle() {
     double x = opening.width() - 0.09;
-    TriangleMesh plate = RoundSolids.cylinder(0.025, 0.03, 8).turnX(90);
-    TriangleMesh lever = Boxes.bevelled(0.13, 0.018, 0.014, 0.005, 1).move(-0.055, -0.009, 0.035);
+    TriangleMesh plate = RoundSolidBuilder.cylinder(0.025, 0.03, 8).turnX(90);
+    TriangleMesh lever =
+        BoxBuilder.bevelled(0.13, 0.018, 0.014, 0.005, 1).move(-0.055, -0.009, 0.035);
     return plate.append(lever).move(x, 1.02, 0);
   }
 

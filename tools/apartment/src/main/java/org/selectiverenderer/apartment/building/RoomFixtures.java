@@ -3,13 +3,13 @@ package org.selectiverenderer.apartment.building;
 import org.selectiverenderer.apartment.plan.Room;
 import org.selectiverenderer.apartment.plan.WallSide;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.BoxBuilder;
 import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.Lathe;
 import org.selectiverenderer.modelling.MeshPatterns;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ProfileCurve;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
+import org.selectiverenderer.modelling.SimplePolygon;
 
 /** Fixtures of a room: light switches, radiators, lamps. */
 final class RoomFixtures {
@@ -18,16 +18,16 @@ final class RoomFixtures {
 
   /** Returns a light switch with its rocker tilted, 1.1 m above the floor. */
   static TriangleMesh lightSwitch(Room room, WallSide side, double along) {
-    TriangleMesh plate = Boxes.plain(0.085, 0.085, 0.01).move(0, -0.0425, 0.005);
-    TriangleMesh rocker = Boxes.plain(0.05, 0.055, 0.01).turnX(5).move(0, -0.0275, 0.01);
+    TriangleMesh plate = BoxBuilder.plain(0.085, 0.085, 0.01).move(0, -0.0425, 0.005);
+    TriangleMesh rocker = BoxBuilder.plain(0.05, 0.055, 0.01).turnX(5).move(0, -0.0275, 0.01);
     return side.place(room, plate.append(rocker).move(side.across(along), 1.1, 0));
   }
 
   /** Returns a column radiator under a window. */
   static TriangleMesh radiator(Room room, WallSide side, double along, int columns) {
     double step = 0.06;
-    TriangleMesh column = Boxes.plain(0.05, 0.55, 0.09);
-    TriangleMesh pipe = RoundSolids.cylinder(0.018, step * (columns - 1), 4).turnZ(90);
+    TriangleMesh column = BoxBuilder.plain(0.05, 0.55, 0.09);
+    TriangleMesh pipe = RoundSolidBuilder.cylinder(0.018, step * (columns - 1), 4).turnZ(90);
     double half = step * (columns - 1) / 2;
     TriangleMesh whole =
         TriangleMesh.of(
@@ -39,8 +39,10 @@ final class RoomFixtures {
 
   /** Returns the cord and the canopy of a pendant lamp, from the ceiling down. */
   static TriangleMesh cord(double x, double z, double length) {
-    TriangleMesh canopy = RoundSolids.cone(0.012, 0.055, 0.05, 16).move(0, Room.HEIGHT - 0.05, 0);
-    TriangleMesh cord = RoundSolids.cylinder(0.005, length, 6).move(0, Room.HEIGHT - length, 0);
+    TriangleMesh canopy =
+        RoundSolidBuilder.cone(0.012, 0.055, 0.05, 16).move(0, Room.HEIGHT - 0.05, 0);
+    TriangleMesh cord =
+        RoundSolidBuilder.cylinder(0.005, length, 6).move(0, Room.HEIGHT - length, 0);
     return canopy.append(cord).move(x, 0, z);
   }
 
@@ -52,7 +54,7 @@ final class RoomFixtures {
             .line(0.025, 0);
     ProfileCurve inside =
         ProfileCurve.from(0.022, -0.04).bezier(0.095, -0.05, 0.184, -0.085, 0.196, -0.17, 4);
-    Outline section = outside.then(inside).closed();
+    SimplePolygon section = outside.then(inside).closed();
     return Lathe.ring(section, segments).move(x, Room.HEIGHT - length, z);
   }
 
@@ -64,13 +66,13 @@ final class RoomFixtures {
 
   /** Returns the rim of a flat ceiling lamp. */
   static TriangleMesh panelRim(double x, double z) {
-    Outline outer = Outline.rectangle(1.24, 0.34);
-    Outline inner = Outline.rectangle(1.18, 0.28);
+    SimplePolygon outer = SimplePolygon.rectangle(1.24, 0.34);
+    SimplePolygon inner = SimplePolygon.rectangle(1.18, 0.28);
     return ExtrudedSolid.plain(0.06, outer, inner).turnX(90).move(x, Room.HEIGHT, z);
   }
 
   /** Returns the luminous plate of a flat ceiling lamp. */
   static TriangleMesh panelLight(double x, double z) {
-    return Boxes.plain(1.19, 0.04, 0.29).move(x, Room.HEIGHT - 0.045, z);
+    return BoxBuilder.plain(1.19, 0.04, 0.29).move(x, Room.HEIGHT - 0.045, z);
   }
 }

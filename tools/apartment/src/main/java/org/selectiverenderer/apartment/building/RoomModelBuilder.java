@@ -7,12 +7,12 @@ import java.util.Map;
 import org.selectiverenderer.apartment.plan.Room;
 import org.selectiverenderer.apartment.plan.WallSide;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.BoxBuilder;
 import org.selectiverenderer.modelling.ModelMaterial;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.ParametricSurface;
 import org.selectiverenderer.modelling.Part;
+import org.selectiverenderer.modelling.SimplePolygon;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
@@ -139,15 +139,15 @@ final class RoomModelBuilder {
       TriangleMesh outer = bars(opening.width(), opening.height(), 0.07);
       TriangleMesh left = bars(wing + BAR, opening.height() - BAR, 0.05).move(-wing / 2, 0, 0.02);
       TriangleMesh sill =
-          Boxes.plain(opening.width() + 0.16, 0.03, 0.26)
+          BoxBuilder.plain(opening.width() + 0.16, 0.03, 0.26)
               .move(0, -opening.height() / 2 - 0.03, 0.17);
       return placed(TriangleMesh.of(outer, left, left.mirrorX(), sill));
     }
 
     /** Returns a catch on the mullion. */
     TriangleMesh handle() {
-      TriangleMesh lever = Boxes.plain(0.018, 0.12, 0.02).move(0, -0.1, 0.085);
-      TriangleMesh plate = Boxes.plain(0.03, 0.07, 0.03).move(0, -0.04, 0.06);
+      TriangleMesh lever = BoxBuilder.plain(0.018, 0.12, 0.02).move(0, -0.1, 0.085);
+      TriangleMesh plate = BoxBuilder.plain(0.03, 0.07, 0.03).move(0, -0.04, 0.06);
       return placed(plate.append(lever));
     }
 
@@ -158,8 +158,8 @@ final class RoomModelBuilder {
     }
 
     private static TriangleMesh bars(double width, double height, double depth) {
-      Outline section = Outline.rectangle(BAR, depth);
-      return Sweep.of(section, Spine.of(Outline.rectangle(width - BAR, height - BAR)));
+      SimplePolygon section = SimplePolygon.rectangle(BAR, depth);
+      return Sweep.of(section, Spine.of(SimplePolygon.rectangle(width - BAR, height - BAR)));
     }
 
     /**

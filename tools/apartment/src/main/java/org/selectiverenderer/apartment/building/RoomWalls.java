@@ -7,8 +7,8 @@ import org.selectiverenderer.apartment.plan.Room;
 import org.selectiverenderer.apartment.plan.WallSide;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.ExtrudedSolid;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ProfileCurve;
+import org.selectiverenderer.modelling.SimplePolygon;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
@@ -52,13 +52,13 @@ record RoomWalls(Room room, List<Opening> openings, boolean bare) {
         line.line(right + overRight, 0)
             .line(right + overRight, Room.HEIGHT)
             .line(left - overLeft, Room.HEIGHT);
-    Outline[] windows =
+    SimplePolygon[] windows =
         on(side, false).stream()
             .map(
                 w ->
-                    Outline.rectangle(w.width(), w.height())
+                    SimplePolygon.rectangle(w.width(), w.height())
                         .move((w.left() + w.right()) / 2, w.sill() + w.height() / 2))
-            .toArray(Outline[]::new);
+            .toArray(SimplePolygon[]::new);
     return ExtrudedSolid.plain(thickness, line.closed(), windows).move(0, 0, -thickness);
   }
 
@@ -67,7 +67,7 @@ record RoomWalls(Room room, List<Opening> openings, boolean bare) {
    * in the openings.
    */
   TriangleMesh skirting() {
-    Outline section = Outline.of(0, 0, 0.014, 0, 0.014, 0.06, 0.006, 0.07, 0, 0.07);
+    SimplePolygon section = SimplePolygon.of(0, 0, 0.014, 0, 0.014, 0.06, 0.006, 0.07, 0, 0.07);
     List<TriangleMesh> all = new ArrayList<>();
     for (WallSide side : WallSide.values()) {
       double from = left(side);
@@ -81,7 +81,7 @@ record RoomWalls(Room room, List<Opening> openings, boolean bare) {
   }
 
   /** Returns a board along the wall to the right; the section's x comes out of the wall. */
-  private static TriangleMesh board(Outline section, double from, double to) {
+  private static TriangleMesh board(SimplePolygon section, double from, double to) {
     return Sweep.of(section, Spine.of(from, 0, 0, to, 0, 0));
   }
 

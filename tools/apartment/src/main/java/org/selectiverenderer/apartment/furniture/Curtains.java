@@ -4,12 +4,12 @@ import org.joml.Vector3d;
 import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.DegreeMath;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.BoxBuilder;
 import org.selectiverenderer.modelling.MeshPatterns;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.ParametricSurface;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
 
 /** Two long curtains of linen drawn to the sides of a window, on a rail; their middle is x = 0. */
 final class Curtains {
@@ -31,9 +31,10 @@ final class Curtains {
   static ParametricModel model(String name, double window) {
     double middle = window / 2 + SILL + PANEL / 2;
     double rail = 2 * middle + PANEL + 0.05;
-    TriangleMesh bar = RoundSolids.cylinder(0.011, rail, 6).turnZ(90).move(rail / 2, LENGTH, AWAY);
+    TriangleMesh bar =
+        RoundSolidBuilder.cylinder(0.011, rail, 6).turnZ(90).move(rail / 2, LENGTH, AWAY);
     TriangleMesh bracket =
-        Boxes.plain(0.02, 0.03, AWAY).move(window / 2 + SILL / 2, LENGTH - 0.013, AWAY / 2);
+        BoxBuilder.plain(0.02, 0.03, AWAY).move(window / 2 + SILL / 2, LENGTH - 0.013, AWAY / 2);
     return ParametricModel.of(
         name,
         Part.of("cloth", Materials.LINEN, MeshPatterns.bothSides(panel().move(middle, 0, AWAY)))

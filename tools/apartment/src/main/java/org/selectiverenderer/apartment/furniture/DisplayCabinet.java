@@ -2,16 +2,16 @@ package org.selectiverenderer.apartment.furniture;
 
 import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.BoxBuilder;
 import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.Lathe;
 import org.selectiverenderer.modelling.MeshPatterns;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.ParametricSurface;
 import org.selectiverenderer.modelling.Part;
 import org.selectiverenderer.modelling.ProfileCurve;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
+import org.selectiverenderer.modelling.SimplePolygon;
 
 /** A cabinet, 1.1 m by 1.85 m: china on two shelves behind glass, and a cupboard below. */
 final class DisplayCabinet {
@@ -31,13 +31,15 @@ final class DisplayCabinet {
     double glazed = HEIGHT - MIDDLE - 0.055;
     TriangleMesh frame =
         ExtrudedSolid.plain(
-            0.02, Outline.rectangle(DOOR, glazed), Outline.rectangle(DOOR - 0.11, glazed - 0.11));
+            0.02,
+            SimplePolygon.rectangle(DOOR, glazed),
+            SimplePolygon.rectangle(DOOR - 0.11, glazed - 0.11));
     TriangleMesh pane =
         ParametricSurface.field(DOOR - 0.1, glazed - 0.1, 1, 1, (x, z) -> 0)
             .turnX(90)
             .move(0, 0, 0.008);
-    TriangleMesh door = Boxes.plain(DOOR, MIDDLE - 0.1, 0.02).move(DOOR / 2 + 0.002, 0.085, 0);
-    TriangleMesh knob = RoundSolids.sphere(0.015, 2, 5).turnX(90);
+    TriangleMesh door = BoxBuilder.plain(DOOR, MIDDLE - 0.1, 0.02).move(DOOR / 2 + 0.002, 0.085, 0);
+    TriangleMesh knob = RoundSolidBuilder.sphere(0.015, 2, 5).turnX(90);
     double front = DEPTH / 2;
     double up = MIDDLE + 0.015 + glazed / 2;
     return ParametricModel.of(
@@ -63,12 +65,15 @@ final class DisplayCabinet {
   }
 
   private static TriangleMesh carcass() {
-    TriangleMesh side = Boxes.plain(BOARD, HEIGHT - 0.03, DEPTH).move((WIDTH - BOARD) / 2, 0, 0);
-    TriangleMesh shelf = Boxes.plain(WIDTH - 2 * BOARD, BOARD, DEPTH - 0.01).move(0, 0, -0.005);
-    TriangleMesh top = Boxes.plain(WIDTH + 0.04, 0.03, DEPTH + 0.04).move(0, HEIGHT - 0.03, 0.02);
-    TriangleMesh plinth = Boxes.plain(WIDTH - 0.03, 0.07, 0.02).move(0, 0, DEPTH / 2 - 0.03);
+    TriangleMesh side =
+        BoxBuilder.plain(BOARD, HEIGHT - 0.03, DEPTH).move((WIDTH - BOARD) / 2, 0, 0);
+    TriangleMesh shelf =
+        BoxBuilder.plain(WIDTH - 2 * BOARD, BOARD, DEPTH - 0.01).move(0, 0, -0.005);
+    TriangleMesh top =
+        BoxBuilder.plain(WIDTH + 0.04, 0.03, DEPTH + 0.04).move(0, HEIGHT - 0.03, 0.02);
+    TriangleMesh plinth = BoxBuilder.plain(WIDTH - 0.03, 0.07, 0.02).move(0, 0, DEPTH / 2 - 0.03);
     TriangleMesh back =
-        Boxes.plain(WIDTH - 0.01, HEIGHT - 0.08, 0.01).move(0, 0.06, -DEPTH / 2 + 0.005);
+        BoxBuilder.plain(WIDTH - 0.01, HEIGHT - 0.08, 0.01).move(0, 0.06, -DEPTH / 2 + 0.005);
     return TriangleMesh.of(
         MeshPatterns.bothSides(side),
         MeshPatterns.row(shelf.move(0, MIDDLE, 0), 2, 0, 0.36, 0),

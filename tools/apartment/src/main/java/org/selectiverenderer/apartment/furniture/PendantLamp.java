@@ -6,7 +6,7 @@ import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
 import org.selectiverenderer.modelling.ProfileCurve;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
 
 /** A drum of cream cloth on a cord, 0.6 m from the ceiling to its lower edge. */
 final class PendantLamp {
@@ -24,7 +24,7 @@ final class PendantLamp {
         Part.of(
             "cord",
             Materials.STEEL,
-            RoundSolids.cylinder(0.004, LENGTH - 0.01, 4),
-            RoundSolids.cone(0.055, 0.05, 0.025, 6).move(0, LENGTH - 0.025, 0)));
+            RoundSolidBuilder.cylinder(0.004, LENGTH - 0.01, 4),
+            RoundSolidBuilder.cone(0.055, 0.05, 0.025, 6).move(0, LENGTH - 0.025, 0)));
   }
 }

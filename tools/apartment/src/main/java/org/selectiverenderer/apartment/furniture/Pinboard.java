@@ -2,13 +2,13 @@ package org.selectiverenderer.apartment.furniture;
 
 import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.BoxBuilder;
 import org.selectiverenderer.modelling.ModelColour;
 import org.selectiverenderer.modelling.ModelMaterial;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.ParametricSurface;
 import org.selectiverenderer.modelling.Part;
+import org.selectiverenderer.modelling.SimplePolygon;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
@@ -21,11 +21,11 @@ final class Pinboard {
   private Pinboard() {}
 
   static ParametricModel model() {
-    Outline section = Outline.rectangle(0.018, 0.03).move(0.009, 0);
+    SimplePolygon section = SimplePolygon.rectangle(0.018, 0.03).move(0.009, 0);
     TriangleMesh frame =
-        Sweep.of(section, Spine.of(Outline.rectangle(WIDTH - 0.03, HEIGHT - 0.03)));
+        Sweep.of(section, Spine.of(SimplePolygon.rectangle(WIDTH - 0.03, HEIGHT - 0.03)));
     TriangleMesh cork =
-        Boxes.plain(WIDTH - 0.03, HEIGHT - 0.03, FACE).move(0, -HEIGHT / 2 + 0.015, FACE / 2);
+        BoxBuilder.plain(WIDTH - 0.03, HEIGHT - 0.03, FACE).move(0, -HEIGHT / 2 + 0.015, FACE / 2);
     return ParametricModel.of(
         "pinboard",
         Part.of("frame", Materials.LIGHT_OAK, frame),

@@ -2,9 +2,9 @@ package org.selectiverenderer.apartment.furniture;
 
 import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.ModelMaterial;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
+import org.selectiverenderer.modelling.SimplePolygon;
 
 /** A rug with a border; its pieces lie side by side. */
 final class Rug {
@@ -23,7 +23,7 @@ final class Rug {
       double border,
       ModelMaterial edge,
       ModelMaterial field) {
-    Outline whole = Outline.rectangle(width, depth);
+    SimplePolygon whole = SimplePolygon.rectangle(width, depth);
     return ParametricModel.of(
         name,
         Part.of("border", edge, ExtrudedSolid.plate(THICK, 0, 0, whole, whole.inset(border))),

@@ -2,11 +2,11 @@ package org.selectiverenderer.apartment.furniture;
 
 import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.BoxBuilder;
 import org.selectiverenderer.modelling.MeshPatterns;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
 
 /** A sideboard on slanting legs, 1.8 m by 0.74 m: a door, three drawers, a door. */
 final class Sideboard {
@@ -19,10 +19,10 @@ final class Sideboard {
   private Sideboard() {}
 
   static ParametricModel model() {
-    TriangleMesh body = Boxes.bevelled(WIDTH, HEIGHT - LEG, DEPTH, 0.008, 1).move(0, LEG, 0);
+    TriangleMesh body = BoxBuilder.bevelled(WIDTH, HEIGHT - LEG, DEPTH, 0.008, 1).move(0, LEG, 0);
     TriangleMesh door = front(FRONT, HEIGHT - LEG - 0.06).move(0.585, LEG + 0.03, 0);
     TriangleMesh drawer = front(FRONT, 0.162).move(0, LEG + 0.03, 0);
-    TriangleMesh grip = Boxes.plain(0.14, 0.012, 0.018).move(0, 0, DEPTH / 2 + 0.025);
+    TriangleMesh grip = BoxBuilder.plain(0.14, 0.012, 0.018).move(0, 0, DEPTH / 2 + 0.025);
     TriangleMesh upright = grip.turnZ(90).move(0.345, HEIGHT - 0.2, 0);
     return ParametricModel.of(
         "sideboard",
@@ -47,11 +47,11 @@ final class Sideboard {
    * Returns a leg whose upper end lies in the body and whose lower end is cut level with the floor.
    */
   private static TriangleMesh leg() {
-    return RoundSolids.cone(0.011, 0.02, LEG + 0.01, 4)
+    return RoundSolidBuilder.cone(0.011, 0.02, LEG + 0.01, 4)
         .deform(p -> p.add(0.25 * (LEG - p.y), 0, 0.15 * (LEG - p.y)));
   }
 
   private static TriangleMesh front(double width, double height) {
-    return Boxes.plain(width, height, 0.016).move(0, 0, DEPTH / 2 + 0.008);
+    return BoxBuilder.plain(width, height, 0.016).move(0, 0, DEPTH / 2 + 0.008);
   }
 }

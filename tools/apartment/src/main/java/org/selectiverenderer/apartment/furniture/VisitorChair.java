@@ -2,11 +2,11 @@ package org.selectiverenderer.apartment.furniture;
 
 import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.BoxBuilder;
 import org.selectiverenderer.modelling.MeshPatterns;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
+import org.selectiverenderer.modelling.SimplePolygon;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
@@ -18,9 +18,9 @@ final class VisitorChair {
   private VisitorChair() {}
 
   static ParametricModel model() {
-    TriangleMesh seat = Boxes.bevelled(0.43, 0.05, 0.43, 0.02, 1).move(0, SEAT, 0.02);
+    TriangleMesh seat = BoxBuilder.bevelled(0.43, 0.05, 0.43, 0.02, 1).move(0, SEAT, 0.02);
     TriangleMesh back =
-        Boxes.bevelled(0.43, 0.3, 0.035, 0.015, 1).turnX(-8).move(0, SEAT + 0.1, -0.21);
+        BoxBuilder.bevelled(0.43, 0.3, 0.035, 0.015, 1).turnX(-8).move(0, SEAT + 0.1, -0.21);
     Spine side =
         Spine.of(
             0.225,
@@ -44,14 +44,14 @@ final class VisitorChair {
             0.225,
             SEAT + 0.4,
             -0.255);
-    TriangleMesh rail = Boxes.plain(0.45, 2 * TUBE, 2 * TUBE).move(0, 0, -0.2);
+    TriangleMesh rail = BoxBuilder.plain(0.45, 2 * TUBE, 2 * TUBE).move(0, 0, -0.2);
     return ParametricModel.of(
         "visitorChair",
         Part.of("cushions", Materials.CHARCOAL, seat, back).crease(50),
         Part.of(
             "bars",
             Materials.CHROME,
-            MeshPatterns.bothSides(Sweep.of(Outline.rectangle(0.026, 0.016), side)),
+            MeshPatterns.bothSides(Sweep.of(SimplePolygon.rectangle(0.026, 0.016), side)),
             rail));
   }
 }

@@ -2,15 +2,15 @@ package org.selectiverenderer.apartment.furniture;
 
 import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.BoxBuilder;
 import org.selectiverenderer.modelling.MeshPatterns;
 import org.selectiverenderer.modelling.ModelColour;
 import org.selectiverenderer.modelling.ModelMaterial;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.ParametricSurface;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
+import org.selectiverenderer.modelling.SimplePolygon;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
@@ -23,13 +23,14 @@ final class Whiteboard {
   private Whiteboard() {}
 
   static ParametricModel model() {
-    Outline section = Outline.rectangle(0.02, 0.03).move(0.01, 0);
-    TriangleMesh rim = Sweep.of(section, Spine.of(Outline.rectangle(WIDTH - 0.03, HEIGHT - 0.03)));
-    TriangleMesh tray = Boxes.plain(0.5, 0.012, 0.07).move(0.2, -HEIGHT / 2 - 0.012, 0.035);
+    SimplePolygon section = SimplePolygon.rectangle(0.02, 0.03).move(0.01, 0);
+    TriangleMesh rim =
+        Sweep.of(section, Spine.of(SimplePolygon.rectangle(WIDTH - 0.03, HEIGHT - 0.03)));
+    TriangleMesh tray = BoxBuilder.plain(0.5, 0.012, 0.07).move(0.2, -HEIGHT / 2 - 0.012, 0.035);
     TriangleMesh board =
-        Boxes.plain(WIDTH - 0.03, HEIGHT - 0.03, FACE).move(0, -HEIGHT / 2 + 0.015, FACE / 2);
+        BoxBuilder.plain(WIDTH - 0.03, HEIGHT - 0.03, FACE).move(0, -HEIGHT / 2 + 0.015, FACE / 2);
     TriangleMesh pen =
-        RoundSolids.cylinder(0.008, 0.12, 5).turnZ(90).move(0.2, -HEIGHT / 2 + 0.0065, 0.045);
+        RoundSolidBuilder.cylinder(0.008, 0.12, 5).turnZ(90).move(0.2, -HEIGHT / 2 + 0.0065, 0.045);
     return ParametricModel.of(
         "whiteboard",
         Part.of("rim", Materials.SILVER, rim, tray),

@@ -5,11 +5,11 @@ import org.selectiverenderer.geometry.DegreeMath;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Lathe;
 import org.selectiverenderer.modelling.ModelPlacement;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
 import org.selectiverenderer.modelling.ProfileCurve;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
+import org.selectiverenderer.modelling.SimplePolygon;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
@@ -24,14 +24,17 @@ final class BicycleWheel {
   private BicycleWheel() {}
 
   static ParametricModel model() {
-    Outline rim = Outline.of(0.284, -0.009, 0.299, -0.011, 0.299, 0.011, 0.284, 0.009);
+    SimplePolygon rim = SimplePolygon.of(0.284, -0.009, 0.299, -0.011, 0.299, 0.011, 0.284, 0.009);
     ProfileCurve hub =
         ProfileCurve.of(0, -0.05, 0.008, -0.05, 0.008, -0.034, 0.024, -0.03, 0.012, -0.022);
     ProfileCurve half =
         hub.line(0.012, 0.022).line(0.024, 0.03).line(0.008, 0.034).line(0.008, 0.05);
     return ModelPlacement.centred(
         "bicycleWheel",
-        Part.of("tyre", Materials.SOFT_BLACK, leaning(RoundSolids.torus(RADIUS, 0.017, 32, 6)))
+        Part.of(
+                "tyre",
+                Materials.SOFT_BLACK,
+                leaning(RoundSolidBuilder.torus(RADIUS, 0.017, 32, 6)))
             .crease(70),
         Part.of(
             "rim",

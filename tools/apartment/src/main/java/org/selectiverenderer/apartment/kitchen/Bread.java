@@ -6,10 +6,10 @@ import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.ModelColour;
 import org.selectiverenderer.modelling.ModelMaterial;
 import org.selectiverenderer.modelling.ModelPlacement;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
 import org.selectiverenderer.modelling.ProfileCurve;
+import org.selectiverenderer.modelling.SimplePolygon;
 
 /** A loaf on a chopping board, with two slices cut from it and the knife in front. */
 final class Bread {
@@ -35,7 +35,7 @@ final class Bread {
   }
 
   /** Returns the section of the loaf, standing on y = 0. */
-  private static Outline section() {
+  private static SimplePolygon section() {
     return ProfileCurve.from(0.044, 0)
         .line(0.047, 0.045)
         .spline(2, 0.056, 0.066, 0.046, 0.084, 0.02, 0.093)
@@ -54,18 +54,19 @@ final class Bread {
   }
 
   private static TriangleMesh board() {
-    Outline edge = Outline.roundedRectangle(0.4, 0.25, 0.03, 3);
-    Outline hole = Outline.circle(0.013, 10).move(0.175, 0.09);
+    SimplePolygon edge = SimplePolygon.roundedRectangle(0.4, 0.25, 0.03, 3);
+    SimplePolygon hole = SimplePolygon.circle(0.013, 10).move(0.175, 0.09);
     return ExtrudedSolid.plate(BOARD, 0.004, 1, edge, hole);
   }
 
   private static TriangleMesh blade() {
-    Outline side = Outline.of(0, 0, 0.14, 0.002, 0.172, 0.012, 0.185, 0.024, 0.15, 0.03, 0, 0.03);
+    SimplePolygon side =
+        SimplePolygon.of(0, 0, 0.14, 0.002, 0.172, 0.012, 0.185, 0.024, 0.15, 0.03, 0, 0.03);
     return ExtrudedSolid.plate(0.0016, 0, 0, side).move(-0.06, BOARD + 0.008, 0.098);
   }
 
   private static TriangleMesh handle() {
-    Outline side = Outline.roundedRectangle(0.115, 0.026, 0.01, 2).move(-0.0575, 0.015);
+    SimplePolygon side = SimplePolygon.roundedRectangle(0.115, 0.026, 0.01, 2).move(-0.0575, 0.015);
     return ExtrudedSolid.plate(0.0176, 0.005, 1, side).move(-0.06, BOARD, 0.098);
   }
 }

@@ -3,8 +3,8 @@ package org.selectiverenderer.apartment.kitchen;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.Lathe;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ProfileCurve;
+import org.selectiverenderer.modelling.SimplePolygon;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
@@ -27,18 +27,19 @@ final class CupboardFronts {
    * chamfer in version 2 would be shaded as if the whole front were a cushion.
    */
   static TriangleMesh door(double x0, double y0, double x1, double y1) {
-    Outline edge = Outline.rectangle(x1 - x0 - GAP, y1 - y0 - GAP);
-    Outline opening = edge.inset(FRAME);
+    SimplePolygon edge = SimplePolygon.rectangle(x1 - x0 - GAP, y1 - y0 - GAP);
+    SimplePolygon opening = edge.inset(FRAME);
     TriangleMesh frame = ExtrudedSolid.plain(THICKNESS, edge, opening);
     TriangleMesh panel = ExtrudedSolid.plain(0.012, edge.inset(FRAME - 0.008));
-    TriangleMesh bead = Sweep.of(Outline.circle(0.005, 8), Spine.of(opening)).move(0, 0, 0.013);
+    TriangleMesh bead =
+        Sweep.of(SimplePolygon.circle(0.005, 8), Spine.of(opening)).move(0, 0, 0.013);
     return TriangleMesh.of(frame, panel, bead).move((x0 + x1) / 2, (y0 + y1) / 2, 0);
   }
 
   /** Returns a plain drawer front, which is too low for a frame. */
   static TriangleMesh drawer(double x0, double y0, double x1, double y1) {
     return ExtrudedSolid.bevelled(
-            THICKNESS, 0.004, 3, Outline.rectangle(x1 - x0 - GAP, y1 - y0 - GAP))
+            THICKNESS, 0.004, 3, SimplePolygon.rectangle(x1 - x0 - GAP, y1 - y0 - GAP))
         .move((x0 + x1) / 2, (y0 + y1) / 2, 0);
   }
 
@@ -69,7 +70,7 @@ final class CupboardFronts {
             half,
             0,
             0);
-    return Sweep.of(Outline.superellipse(0.005, 0.0065, 2.5, 10), line).move(x, y, THICKNESS);
+    return Sweep.of(SimplePolygon.superellipse(0.005, 0.0065, 2.5, 10), line).move(x, y, THICKNESS);
   }
 
   static TriangleMesh knob(double x, double y) {

@@ -9,7 +9,7 @@ import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
 import org.selectiverenderer.modelling.ProfileCurve;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
@@ -31,8 +31,8 @@ final class Fruits {
         Part.of(
             "oranges",
             ORANGE,
-            RoundSolids.ellipsoid(0.041, 0.039, 0.041, 13, 20).move(0.062, 0.07, -0.042),
-            RoundSolids.ellipsoid(0.04, 0.038, 0.04, 13, 20).move(-0.004, 0.07, -0.07)),
+            RoundSolidBuilder.ellipsoid(0.041, 0.039, 0.041, 13, 20).move(0.062, 0.07, -0.042),
+            RoundSolidBuilder.ellipsoid(0.04, 0.038, 0.04, 13, 20).move(-0.004, 0.07, -0.07)),
         Part.of(
             "apples",
             APPLE,

@@ -4,10 +4,10 @@ import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Lathe;
 import org.selectiverenderer.modelling.ModelPlacement;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
 import org.selectiverenderer.modelling.ProfileCurve;
+import org.selectiverenderer.modelling.SimplePolygon;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
@@ -34,7 +34,7 @@ final class FryingPan {
 
   private static TriangleMesh bracket() {
     return Sweep.of(
-        Outline.rectangle(0.022, 0.007),
+        SimplePolygon.rectangle(0.022, 0.007),
         Spine.of(0.125, 0.036, 0, 0.15, 0.044, 0, 0.185, 0.056, 0));
   }
 
@@ -43,6 +43,6 @@ final class FryingPan {
         Spine.of(
             0.17, 0.051, 0, 0.19, 0.0575, 0, 0.24, 0.07, 0, 0.3, 0.079, 0, 0.33, 0.081, 0, 0.338,
             0.0812, 0);
-    return Sweep.of(Outline.ellipse(0.014, 0.01, 10), line, t -> 0.85 + 0.6 * t * (1.15 - t));
+    return Sweep.of(SimplePolygon.ellipse(0.014, 0.01, 10), line, t -> 0.85 + 0.6 * t * (1.15 - t));
   }
 }

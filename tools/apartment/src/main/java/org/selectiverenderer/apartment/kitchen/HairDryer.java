@@ -2,15 +2,15 @@ package org.selectiverenderer.apartment.kitchen;
 
 import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.BoxBuilder;
 import org.selectiverenderer.modelling.Lathe;
 import org.selectiverenderer.modelling.ModelColour;
 import org.selectiverenderer.modelling.ModelMaterial;
 import org.selectiverenderer.modelling.ModelPlacement;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
 import org.selectiverenderer.modelling.ProfileCurve;
+import org.selectiverenderer.modelling.SimplePolygon;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
@@ -64,10 +64,11 @@ final class HairDryer {
         Spine.of(
             0.02, 0, 0.02, 0.012, -0.004, 0.07, -0.01, -0.014, 0.12, -0.03, -0.024, 0.155, -0.042,
             -0.03, 0.176, -0.045, -0.031, 0.182);
-    return Sweep.of(Outline.ellipse(0.021, 0.017, 10), line, t -> t > 0.9 ? 0.45 : 1.05 - 0.25 * t);
+    return Sweep.of(
+        SimplePolygon.ellipse(0.021, 0.017, 10), line, t -> t > 0.9 ? 0.45 : 1.05 - 0.25 * t);
   }
 
   private static TriangleMesh button() {
-    return Boxes.plain(0.012, 0.012, 0.03).turnY(-18).move(0, 0.004, 0.095);
+    return BoxBuilder.plain(0.012, 0.012, 0.03).turnY(-18).move(0, 0.004, 0.095);
   }
 }

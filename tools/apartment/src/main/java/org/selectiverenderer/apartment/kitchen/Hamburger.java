@@ -8,12 +8,12 @@ import org.selectiverenderer.modelling.Lathe;
 import org.selectiverenderer.modelling.ModelColour;
 import org.selectiverenderer.modelling.ModelMaterial;
 import org.selectiverenderer.modelling.ModelPlacement;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.ParametricSurface;
 import org.selectiverenderer.modelling.Part;
 import org.selectiverenderer.modelling.ProfileCurve;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
+import org.selectiverenderer.modelling.SimplePolygon;
 
 /** A hamburger with lettuce, tomato, cheese and sesame, 0.12 m wide, on a plate of 0.22 m. */
 final class Hamburger {
@@ -68,7 +68,7 @@ final class Hamburger {
   /** Returns sesame seeds on the crown, arranged like a sunflower's seeds (golden angle). */
   private static TriangleMesh sesame() {
     TriangleMesh seeds = TriangleMesh.EMPTY;
-    TriangleMesh seed = RoundSolids.ellipsoid(0.0016, 0.0009, 0.0026, 5, 6);
+    TriangleMesh seed = RoundSolidBuilder.ellipsoid(0.0016, 0.0009, 0.0026, 5, 6);
     for (int i = 0; i < 48; i++) {
       double radius = 0.05 * Math.sqrt((i + 0.5) / 48);
       double rise = Math.sqrt(1 - square(radius / 0.0585));
@@ -116,12 +116,12 @@ final class Hamburger {
   }
 
   private static TriangleMesh tomato(double x, double z) {
-    return RoundSolids.roundedCylinder(0.037, 0.0065, 0.002, 3, 44).move(x, 0.039, z);
+    return RoundSolidBuilder.roundedCylinder(0.037, 0.0065, 0.002, 3, 44).move(x, 0.039, z);
   }
 
   /** Returns a lettuce leaf whose waves grow towards its edge. */
   private static TriangleMesh lettuce() {
-    Outline round = Outline.circle(1, 140);
+    SimplePolygon round = SimplePolygon.circle(1, 140);
     TriangleMesh leaf =
         ParametricSurface.of(
             139,

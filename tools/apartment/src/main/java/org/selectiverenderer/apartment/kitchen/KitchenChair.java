@@ -6,10 +6,10 @@ import org.selectiverenderer.modelling.MeshPatterns;
 import org.selectiverenderer.modelling.ModelColour;
 import org.selectiverenderer.modelling.ModelMaterial;
 import org.selectiverenderer.modelling.ModelPlacement;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
+import org.selectiverenderer.modelling.SimplePolygon;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
@@ -19,7 +19,7 @@ final class KitchenChair {
   private KitchenChair() {}
 
   static ParametricModel model() {
-    TriangleMesh frontLeg = RoundSolids.cone(0.014, 0.02, 0.44, 8).move(0.18, 0, 0.17);
+    TriangleMesh frontLeg = RoundSolidBuilder.cone(0.014, 0.02, 0.44, 8).move(0.18, 0, 0.17);
     TriangleMesh side = Sweep.tube(Spine.of(0.18, 0.2, 0.17, 0.18, 0.2, -0.185), 0.009, 6);
     return ModelPlacement.centred(
         "kitchenChair",
@@ -35,8 +35,8 @@ final class KitchenChair {
   }
 
   private static TriangleMesh seat() {
-    Outline seenFromAbove =
-        Outline.of(-0.2, -0.2, 0.2, -0.2, 0.18, 0.2, -0.18, 0.2).rounded(0.04, 2);
+    SimplePolygon seenFromAbove =
+        SimplePolygon.of(-0.2, -0.2, 0.2, -0.2, 0.18, 0.2, -0.18, 0.2).rounded(0.04, 2);
     return RoundedSlabs.lying(seenFromAbove, 0.028, 0.01, 2).move(0, 0.434, 0);
   }
 
@@ -54,6 +54,6 @@ final class KitchenChair {
     Spine curve =
         Spine.of(
             -0.175, y, z, -0.09, y, z - 0.022, 0, y, z - 0.029, 0.09, y, z - 0.022, 0.175, y, z);
-    return Sweep.of(Outline.rectangle(0.014, 0.065), curve);
+    return Sweep.of(SimplePolygon.rectangle(0.014, 0.065), curve);
   }
 }

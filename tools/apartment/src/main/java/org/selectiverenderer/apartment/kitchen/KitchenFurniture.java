@@ -10,15 +10,15 @@ import java.util.List;
 import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.apartment.textures.TextureRegistry;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.BoxBuilder;
 import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.ModelColour;
 import org.selectiverenderer.modelling.ModelMaterial;
 import org.selectiverenderer.modelling.ModelPlacement;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
+import org.selectiverenderer.modelling.SimplePolygon;
 import org.selectiverenderer.modelling.TextureMapping;
 
 /**
@@ -55,7 +55,7 @@ final class KitchenFurniture {
     return ModelPlacement.centred(
         "kitchenFurniture",
         Part.of("carcass", ModelMaterial.satin(ModelColour.hex(0xD9D5CA)), carcass()),
-        Part.of("plinth", Materials.SOFT_BLACK, Boxes.plain(3, PLINTH, 0.5).move(0, 0, -0.05)),
+        Part.of("plinth", Materials.SOFT_BLACK, BoxBuilder.plain(3, PLINTH, 0.5).move(0, 0, -0.05)),
         Part.of(
             "fronts", ModelMaterial.satin(ModelColour.hex(0x9FB0A2)), lowerFronts(), upperFronts()),
         Part.of("worktop", Materials.LIGHT_OAK, worktop()),
@@ -67,11 +67,13 @@ final class KitchenFurniture {
   }
 
   private static TriangleMesh carcass() {
-    TriangleMesh lower = Boxes.plain(3, UNDER_TOP - PLINTH - 0.17, 0.56).move(0, PLINTH, -0.02);
-    TriangleMesh rail = Boxes.plain(3, 0.17, 0.04).move(0, UNDER_TOP - 0.17, LOWER_Z - 0.02);
-    TriangleMesh upper = Boxes.plain(1.8, HEIGHT - HANGING, 0.33).move(-0.6, HANGING, -0.135);
-    TriangleMesh right = Boxes.plain(0.6, HEIGHT - HANGING, 0.33).move(1.2, HANGING, -0.135);
-    TriangleMesh sides = Boxes.plain(0.02, UNDER_TOP - PLINTH, 0.56).move(-1.49, PLINTH, -0.02);
+    TriangleMesh lower =
+        BoxBuilder.plain(3, UNDER_TOP - PLINTH - 0.17, 0.56).move(0, PLINTH, -0.02);
+    TriangleMesh rail = BoxBuilder.plain(3, 0.17, 0.04).move(0, UNDER_TOP - 0.17, LOWER_Z - 0.02);
+    TriangleMesh upper = BoxBuilder.plain(1.8, HEIGHT - HANGING, 0.33).move(-0.6, HANGING, -0.135);
+    TriangleMesh right = BoxBuilder.plain(0.6, HEIGHT - HANGING, 0.33).move(1.2, HANGING, -0.135);
+    TriangleMesh sides =
+        BoxBuilder.plain(0.02, UNDER_TOP - PLINTH, 0.56).move(-1.49, PLINTH, -0.02);
     return TriangleMesh.of(lower, rail, upper, right, sides, sides.mirrorX());
   }
 
@@ -102,8 +104,8 @@ final class KitchenFurniture {
   }
 
   private static TriangleMesh worktop() {
-    Outline edge = Outline.rectangle(3.02, 0.6);
-    Outline opening = SinkAndHob.OPENING.move(SINK_X, 0);
+    SimplePolygon edge = SimplePolygon.rectangle(3.02, 0.6);
+    SimplePolygon opening = SinkAndHob.OPENING.move(SINK_X, 0);
     return ExtrudedSolid.plate(TOP - UNDER_TOP, 0.006, 2, edge, opening).move(0, UNDER_TOP, 0);
   }
 
@@ -111,7 +113,7 @@ final class KitchenFurniture {
    * Returns the surface that carries the texture of tiles, between worktop and hanging cupboards.
    */
   private static TriangleMesh tiles() {
-    return Boxes.plain(3, HANGING - TOP, 0.008).move(0, TOP, -0.296);
+    return BoxBuilder.plain(3, HANGING - TOP, 0.008).move(0, TOP, -0.296);
   }
 
   private static TriangleMesh handles() {
@@ -140,7 +142,7 @@ final class KitchenFurniture {
     all.add(SinkAndHob.hood().move(HOB_X, HANGING, -0.3));
     all.add(drawer(UNIT[3], 0.74, UNIT[4], UNDER_TOP).move(0, 0, LOWER_Z));
     all.add(drawer(UNIT[3], PLINTH, UNIT[4], 0.2).move(0, 0, LOWER_Z));
-    TriangleMesh dial = RoundSolids.roundedCylinder(0.02, 0.022, 0.005, 3, 24).turnX(90);
+    TriangleMesh dial = RoundSolidBuilder.roundedCylinder(0.02, 0.022, 0.005, 3, 24).turnX(90);
     for (int i = 0; i < 5; i++) {
       all.add(dial.move(HOB_X - 0.2 + 0.1 * i, 0.8, LOWER_Z + CupboardFronts.THICKNESS));
     }
@@ -150,7 +152,7 @@ final class KitchenFurniture {
   /** Returns the oven's door with a slightly raised window. */
   private static TriangleMesh oven() {
     TriangleMesh window =
-        ExtrudedSolid.bevelled(0.008, 0.004, 2, Outline.roundedRectangle(0.42, 0.3, 0.03, 4));
+        ExtrudedSolid.bevelled(0.008, 0.004, 2, SimplePolygon.roundedRectangle(0.42, 0.3, 0.03, 4));
     return drawer(UNIT[3], 0.2, UNIT[4], 0.74)
         .append(window.move(HOB_X, 0.44, CupboardFronts.THICKNESS - 0.002))
         .move(0, 0, LOWER_Z);

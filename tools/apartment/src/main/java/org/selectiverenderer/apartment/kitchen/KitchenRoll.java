@@ -12,7 +12,7 @@ import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.ParametricSurface;
 import org.selectiverenderer.modelling.Part;
 import org.selectiverenderer.modelling.ProfileCurve;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
 
 /**
  * A roll of paper towels on a wooden stand, 0.31 m high, with the end of the paper hanging loose.
@@ -29,7 +29,7 @@ final class KitchenRoll {
             .line(0.017, 0.294)
             .line(0.014, 0.307)
             .line(0, 0.312);
-    TriangleMesh roll = RoundSolids.pipe(RADIUS, 0.02, 0.24, 22).move(0, 0.018, 0);
+    TriangleMesh roll = RoundSolidBuilder.pipe(RADIUS, 0.02, 0.24, 22).move(0, 0.018, 0);
     return ModelPlacement.centred(
         "kitchenRoll",
         Part.of("stand", Materials.LIGHT_OAK, Lathe.solid(stand, 14)),

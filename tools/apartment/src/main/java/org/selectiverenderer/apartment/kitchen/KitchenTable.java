@@ -2,16 +2,16 @@ package org.selectiverenderer.apartment.kitchen;
 
 import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.BoxBuilder;
 import org.selectiverenderer.modelling.Lathe;
 import org.selectiverenderer.modelling.MeshPatterns;
 import org.selectiverenderer.modelling.ModelColour;
 import org.selectiverenderer.modelling.ModelMaterial;
 import org.selectiverenderer.modelling.ModelPlacement;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
 import org.selectiverenderer.modelling.ProfileCurve;
+import org.selectiverenderer.modelling.SimplePolygon;
 
 /**
  * A farmhouse table for four, 1.4 m wide and 0.75 m high: oak top, painted turned legs, a drawer.
@@ -25,8 +25,8 @@ final class KitchenTable {
   private KitchenTable() {}
 
   static ParametricModel model() {
-    TriangleMesh longApron = Boxes.plain(2 * LEG_X, 0.11, 0.022).move(0, 0.61, 0);
-    TriangleMesh shortApron = Boxes.plain(0.022, 0.11, 2 * LEG_Z).move(0, 0.61, 0);
+    TriangleMesh longApron = BoxBuilder.plain(2 * LEG_X, 0.11, 0.022).move(0, 0.61, 0);
+    TriangleMesh shortApron = BoxBuilder.plain(0.022, 0.11, 2 * LEG_Z).move(0, 0.61, 0);
     return ModelPlacement.centred(
         "kitchenTable",
         Part.of("top", Materials.LIGHT_OAK, top()),
@@ -36,12 +36,12 @@ final class KitchenTable {
             MeshPatterns.corners(leg(), LEG_X, LEG_Z),
             longApron.move(0, 0, LEG_Z).append(longApron.move(0, 0, -LEG_Z)),
             MeshPatterns.bothSides(shortApron.move(LEG_X, 0, 0)),
-            Boxes.bevelled(0.42, 0.08, 0.016, 0.006, 1).move(0, 0.622, LEG_Z + 0.014)),
+            BoxBuilder.bevelled(0.42, 0.08, 0.016, 0.006, 1).move(0, 0.622, LEG_Z + 0.014)),
         Part.of("knob", Materials.DARK_STEEL, knob()));
   }
 
   private static TriangleMesh top() {
-    Outline seenFromAbove = Outline.roundedRectangle(WIDTH, DEPTH, 0.04, 3);
+    SimplePolygon seenFromAbove = SimplePolygon.roundedRectangle(WIDTH, DEPTH, 0.04, 3);
     return RoundedSlabs.lying(seenFromAbove, 0.032, 0.011, 3).move(0, 0.718, 0);
   }
 
@@ -58,7 +58,7 @@ final class KitchenTable {
             .line(0.026, 0.588)
             .line(0.026, 0.6);
     return Lathe.solid(turned, 14)
-        .append(Boxes.bevelled(0.075, 0.125, 0.075, 0.006, 1).move(0, 0.594, 0));
+        .append(BoxBuilder.bevelled(0.075, 0.125, 0.075, 0.006, 1).move(0, 0.594, 0));
   }
 
   private static TriangleMesh knob() {

@@ -3,7 +3,7 @@ package org.selectiverenderer.apartment.kitchen;
 import org.joml.Vector3d;
 import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.BoxBuilder;
 import org.selectiverenderer.modelling.ModelColour;
 import org.selectiverenderer.modelling.ModelMaterial;
 import org.selectiverenderer.modelling.ModelPlacement;
@@ -76,7 +76,7 @@ final class Kite {
     double[] bows = {0.13, 0.05, 30, 0.12, 0.21, 100, -0.12, 0.13, 20, -0.33, 0.16, 70};
     TriangleMesh tail = Sweep.tube(line, 0.004, 4);
     TriangleMesh wing =
-        Boxes.plain(0.05, 0.012, 0.04)
+        BoxBuilder.plain(0.05, 0.012, 0.04)
             .deform(p -> p.set(p.x, p.y, p.z * (0.2 + 32 * Math.abs(p.x + 0.025))))
             .move(0.027, 0, 0);
     for (int i = 0; i < bows.length; i += 3) {

@@ -5,11 +5,11 @@ import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.Lathe;
 import org.selectiverenderer.modelling.ModelPlacement;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
 import org.selectiverenderer.modelling.ProfileCurve;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
+import org.selectiverenderer.modelling.SimplePolygon;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
@@ -32,13 +32,13 @@ final class Mixer {
   }
 
   private static TriangleMesh base() {
-    return ExtrudedSolid.plate(0.034, 0.015, 7, Outline.superellipse(0.175, 0.108, 2.8, 96));
+    return ExtrudedSolid.plate(0.034, 0.015, 7, SimplePolygon.superellipse(0.175, 0.108, 2.8, 96));
   }
 
   /** Returns the column, narrower in the middle than at the foot and below the head. */
   private static TriangleMesh column() {
     return Sweep.of(
-        Outline.superellipse(0.05, 0.045, 2.6, 72),
+        SimplePolygon.superellipse(0.05, 0.045, 2.6, 72),
         Spine.smooth(
             6, -0.108, 0.02, 0, -0.112, 0.08, 0, -0.112, 0.14, 0, -0.105, 0.2, 0, -0.098, 0.265, 0),
         t -> 0.92 + 0.9 * (t - 0.6) * (t - 0.6));
@@ -72,7 +72,8 @@ final class Mixer {
     Spine bow =
         Spine.smooth(
             6, 0, 0.142, 0.09, 0, 0.147, 0.118, 0, 0.125, 0.136, 0, 0.095, 0.122, 0, 0.084, 0.08);
-    return Sweep.of(Outline.superellipse(0.011, 0.004, 2.5, 24), bow).move(BOWL_X + 0.02, 0, 0);
+    return Sweep.of(SimplePolygon.superellipse(0.011, 0.004, 2.5, 24), bow)
+        .move(BOWL_X + 0.02, 0, 0);
   }
 
   /** Returns the whisk: six loops of wire below a short shaft. */
@@ -82,7 +83,8 @@ final class Mixer {
             5, -0.004, 0.182, 0, -0.024, 0.15, 0, -0.044, 0.098, 0, -0.03, 0.064, 0, 0, 0.055, 0,
             0.03, 0.064, 0, 0.044, 0.098, 0, 0.024, 0.15, 0, 0.004, 0.182, 0);
     TriangleMesh wire = Sweep.tube(loop, 0.0013, 8);
-    TriangleMesh whisk = RoundSolids.roundedCylinder(0.009, 0.05, 0.003, 4, 32).move(0, 0.176, 0);
+    TriangleMesh whisk =
+        RoundSolidBuilder.roundedCylinder(0.009, 0.05, 0.003, 4, 32).move(0, 0.176, 0);
     for (int i = 0; i < 6; i++) {
       // Each loop passes a little below the one before.
       whisk = whisk.append(wire.move(0, -0.001 * i, 0).turnY(30 * i));
@@ -111,7 +113,7 @@ final class Mixer {
 
   private static TriangleMesh lever() {
     TriangleMesh rod = Sweep.tube(Spine.of(0, 0, 0, 0, 0, 0.03), 0.0035, 16);
-    TriangleMesh knob = RoundSolids.sphere(0.009, 14, 24).move(0, 0, 0.034);
+    TriangleMesh knob = RoundSolidBuilder.sphere(0.009, 14, 24).move(0, 0, 0.034);
     return rod.append(knob).turnX(8).move(-0.07, 0.262, 0.048);
   }
 }

@@ -6,7 +6,7 @@ import org.joml.Vector3d;
 import org.selectiverenderer.geometry.DegreeMath;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.LoftedSurface;
-import org.selectiverenderer.modelling.Outline;
+import org.selectiverenderer.modelling.SimplePolygon;
 
 /**
  * Builds slabs with rounded edges whose faces are shaded flat: a narrow band between rounding and
@@ -32,7 +32,7 @@ final class RoundedSlabs {
    * @param radius height of the rounding, metres; less than half the thickness
    * @param steps number of segments of the rounding
    */
-  static TriangleMesh lying(Outline outline, double thickness, double radius, int steps) {
+  static TriangleMesh lying(SimplePolygon outline, double thickness, double radius, int steps) {
     List<Vector3d[]> rows = new ArrayList<>();
     rows.add(row(outline.inset(BAND * radius), 0));
     for (int i = 0; i <= steps; i++) {
@@ -46,18 +46,18 @@ final class RoundedSlabs {
   }
 
   /** Returns an upright slab: the outline as seen from the front, its back at z = 0. */
-  static TriangleMesh upright(Outline outline, double thickness, double radius, int steps) {
+  static TriangleMesh upright(SimplePolygon outline, double thickness, double radius, int steps) {
     return lying(outline, thickness, radius, steps).turnX(90);
   }
 
   private static Vector3d[] rounding(
-      Outline outline, double radius, double degrees, double y, int up) {
+      SimplePolygon outline, double radius, double degrees, double y, int up) {
     double inset = REACH * radius * (1 - DegreeMath.sin(degrees));
     return row(outline.inset(inset), y + up * radius * DegreeMath.cos(degrees));
   }
 
   /** Returns the points of an outline laid horizontally at a height. */
-  static Vector3d[] row(Outline outline, double y) {
+  static Vector3d[] row(SimplePolygon outline, double y) {
     Vector3d[] row = new Vector3d[outline.size()];
     for (int i = 0; i < row.length; i++) {
       row[i] = new Vector3d(outline.x(i), y, -outline.y(i));

@@ -9,11 +9,11 @@ import org.selectiverenderer.modelling.Lathe;
 import org.selectiverenderer.modelling.ModelColour;
 import org.selectiverenderer.modelling.ModelMaterial;
 import org.selectiverenderer.modelling.ModelPlacement;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
 import org.selectiverenderer.modelling.ProfileCurve;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
+import org.selectiverenderer.modelling.SimplePolygon;
 
 /**
  * A fluted glass saltcellar, two thirds full, with a knurled steel cap whose lid has seven holes,
@@ -32,7 +32,7 @@ final class Saltcellar {
         Part.of(
             "holes",
             Materials.SOFT_BLACK,
-            RoundSolids.cylinder(0.0125, 0.001, 48).move(0, 0.0892, 0)),
+            RoundSolidBuilder.cylinder(0.0125, 0.001, 48).move(0, 0.0892, 0)),
         Part.of("salt", ModelMaterial.matt(ModelColour.hex(0xF4F2EC)), salt(), grains()),
         Part.of("glass", Materials.GLASS, glass()));
   }
@@ -78,7 +78,7 @@ final class Saltcellar {
       double radius = 0.0155 * Math.sqrt((i + 0.5) / 46);
       double height = 0.0462 - 0.0035 * radius / 0.0155;
       TriangleMesh grain =
-          RoundSolids.superellipsoid(0.0007, 0.0007, 0.0007, 6, 6, 4, 8).turnX(17 * i);
+          RoundSolidBuilder.superellipsoid(0.0007, 0.0007, 0.0007, 6, 6, 4, 8).turnX(17 * i);
       grains = grains.append(grain.move(radius, height, 0).turnY(137.5 * i));
     }
     return grains;
@@ -105,12 +105,12 @@ final class Saltcellar {
 
   /** Returns the lid with seven round through holes. */
   private static TriangleMesh lid() {
-    Outline[] holes = new Outline[7];
+    SimplePolygon[] holes = new SimplePolygon[7];
     for (int i = 0; i < 6; i++) {
-      holes[i] = Outline.circle(0.0013, 20).move(0.0068, 0).turn(60 * i);
+      holes[i] = SimplePolygon.circle(0.0013, 20).move(0.0068, 0).turn(60 * i);
     }
-    holes[6] = Outline.circle(0.0013, 20);
-    return ExtrudedSolid.plate(0.0014, 0.0004, 3, Outline.circle(0.0124, 96), holes)
+    holes[6] = SimplePolygon.circle(0.0013, 20);
+    return ExtrudedSolid.plate(0.0014, 0.0004, 3, SimplePolygon.circle(0.0124, 96), holes)
         .move(0, 0.0902, 0);
   }
 }

@@ -4,11 +4,11 @@ import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Lathe;
 import org.selectiverenderer.modelling.ModelPlacement;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
 import org.selectiverenderer.modelling.ProfileCurve;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
+import org.selectiverenderer.modelling.SimplePolygon;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
@@ -58,9 +58,9 @@ final class Saucepan {
   /** Returns the steel bracket between pan and grip, held by two rivets. */
   private static TriangleMesh bracket() {
     TriangleMesh rivet =
-        RoundSolids.ellipsoid(0.0035, 0.0035, 0.0035, 5, 10).move(0.0995, 0.088, 0);
+        RoundSolidBuilder.ellipsoid(0.0035, 0.0035, 0.0035, 5, 10).move(0.0995, 0.088, 0);
     return Sweep.of(
-            Outline.superellipse(0.013, 0.0045, 4, 16),
+            SimplePolygon.superellipse(0.013, 0.0045, 4, 16),
             Spine.smooth(4, 0.0985, 0.088, 0, 0.113, 0.089, 0, 0.134, 0.096, 0, 0.15, 0.1, 0),
             t -> 1.15 - 0.3 * t)
         .append(rivet.move(0, 0, 0.0075).append(rivet.move(0, 0, -0.0075)));
@@ -69,7 +69,7 @@ final class Saucepan {
   /** Returns the grip, thickest where the hand holds it, round at its end. */
   private static TriangleMesh handle() {
     return Sweep.of(
-        Outline.superellipse(1, 0.72, 3, 20),
+        SimplePolygon.superellipse(1, 0.72, 3, 20),
         Spine.smooth(
             4, 0.136, 0.0963, 0, 0.15, 0.1, 0, 0.2, 0.1125, 0, 0.25, 0.121, 0, 0.29, 0.125, 0,
             0.302, 0.126, 0, 0.306, 0.1262, 0),

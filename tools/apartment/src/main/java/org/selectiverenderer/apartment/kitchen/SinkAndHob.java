@@ -4,13 +4,13 @@ import java.util.ArrayList;
 import java.util.List;
 import org.joml.Vector3d;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.BoxBuilder;
 import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.Lathe;
 import org.selectiverenderer.modelling.LoftedSurface;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ProfileCurve;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
+import org.selectiverenderer.modelling.SimplePolygon;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
@@ -20,7 +20,7 @@ import org.selectiverenderer.modelling.Sweep;
  */
 final class SinkAndHob {
   /** The opening in the worktop. */
-  static final Outline OPENING = Outline.roundedRectangle(0.46, 0.38, 0.06, 6);
+  static final SimplePolygon OPENING = SimplePolygon.roundedRectangle(0.46, 0.38, 0.06, 6);
 
   private SinkAndHob() {}
 
@@ -36,8 +36,8 @@ final class SinkAndHob {
     for (int r = 0; r < rings.length; r += 2) {
       rows.add(RoundedSlabs.row(OPENING.inset(-rings[r]), rings[r + 1]));
     }
-    rows.add(RoundedSlabs.row(Outline.circle(0.035, OPENING.size()), -0.164));
-    rows.add(RoundedSlabs.row(Outline.circle(0.03, OPENING.size()), -0.168));
+    rows.add(RoundedSlabs.row(SimplePolygon.circle(0.035, OPENING.size()), -0.164));
+    rows.add(RoundedSlabs.row(SimplePolygon.circle(0.03, OPENING.size()), -0.168));
     rows.add(new Vector3d[] {new Vector3d(0, -0.168, 0)});
     return LoftedSurface.over(rows, LoftedSurface.Form.PIPE);
   }
@@ -59,13 +59,14 @@ final class SinkAndHob {
 
   /** Returns the hob's black glass with a polished edge. */
   static TriangleMesh hobGlass() {
-    return ExtrudedSolid.plate(0.007, 0.003, 2, Outline.roundedRectangle(0.56, 0.5, 0.015, 3));
+    return ExtrudedSolid.plate(
+        0.007, 0.003, 2, SimplePolygon.roundedRectangle(0.56, 0.5, 0.015, 3));
   }
 
   /** Returns the four cooking zones, as rings on the glass. */
   static TriangleMesh hobRings() {
-    TriangleMesh large = RoundSolids.pipe(0.1, 0.094, 0.001, 36).move(0, 0.0068, 0);
-    TriangleMesh small = RoundSolids.pipe(0.075, 0.069, 0.001, 32).move(0, 0.0068, 0);
+    TriangleMesh large = RoundSolidBuilder.pipe(0.1, 0.094, 0.001, 36).move(0, 0.0068, 0);
+    TriangleMesh small = RoundSolidBuilder.pipe(0.075, 0.069, 0.001, 32).move(0, 0.0068, 0);
     return TriangleMesh.of(
         large.move(-0.14, 0, 0.11),
         small.move(0.15, 0, 0.125),
@@ -76,8 +77,8 @@ final class SinkAndHob {
   /** Returns a flat hood below its chimney, standing on y = 0, its back at z = 0. */
   static TriangleMesh hood() {
     return TriangleMesh.of(
-        Boxes.plain(0.594, 0.06, 0.46).move(0, 0, 0.23),
-        Boxes.plain(0.26, 0.66, 0.25).move(0, 0.06, 0.125),
-        Boxes.bevelled(0.1, 0.022, 0.01, 0.004, 1).move(0, 0.019, 0.461));
+        BoxBuilder.plain(0.594, 0.06, 0.46).move(0, 0, 0.23),
+        BoxBuilder.plain(0.26, 0.66, 0.25).move(0, 0.06, 0.125),
+        BoxBuilder.bevelled(0.1, 0.022, 0.01, 0.004, 1).move(0, 0.019, 0.461));
   }
 }

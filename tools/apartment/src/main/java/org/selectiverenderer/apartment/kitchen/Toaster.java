@@ -2,16 +2,16 @@ package org.selectiverenderer.apartment.kitchen;
 
 import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.BoxBuilder;
 import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.ModelColour;
 import org.selectiverenderer.modelling.ModelMaterial;
 import org.selectiverenderer.modelling.ModelPlacement;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
 import org.selectiverenderer.modelling.ProfileCurve;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
+import org.selectiverenderer.modelling.SimplePolygon;
 
 /** A steel toaster for two slices, both of which look out, with its lever and dial at the right. */
 final class Toaster {
@@ -33,23 +33,24 @@ final class Toaster {
   }
 
   private static TriangleMesh shell() {
-    Outline seenFromAbove = Outline.roundedRectangle(WIDTH, DEPTH, 0.05, 4);
+    SimplePolygon seenFromAbove = SimplePolygon.roundedRectangle(WIDTH, DEPTH, 0.05, 4);
     return RoundedSlabs.lying(seenFromAbove, 0.158, 0.024, 3).move(0, 0.014, 0);
   }
 
   private static TriangleMesh base() {
-    Outline seenFromAbove = Outline.roundedRectangle(WIDTH + 0.004, DEPTH + 0.004, 0.05, 2);
+    SimplePolygon seenFromAbove =
+        SimplePolygon.roundedRectangle(WIDTH + 0.004, DEPTH + 0.004, 0.05, 2);
     return ExtrudedSolid.plate(0.022, 0.006, 1, seenFromAbove);
   }
 
   /** Returns a raised frame around the two openings. */
   private static TriangleMesh slots() {
-    Outline slot = Outline.rectangle(0.176, 0.03).move(-0.012, 0);
+    SimplePolygon slot = SimplePolygon.rectangle(0.176, 0.03).move(-0.012, 0);
     return ExtrudedSolid.plate(
             0.006,
             0.002,
             1,
-            Outline.roundedRectangle(0.212, 0.118, 0.02, 2).move(-0.008, 0),
+            SimplePolygon.roundedRectangle(0.212, 0.118, 0.02, 2).move(-0.008, 0),
             slot.move(0, 0.033),
             slot.move(0, -0.033))
         .move(0, 0.1705, 0);
@@ -57,7 +58,7 @@ final class Toaster {
 
   /** Returns an upright slice of bread, half of it in the slot. */
   private static TriangleMesh toast() {
-    Outline slice =
+    SimplePolygon slice =
         ProfileCurve.from(0.054, 0)
             .line(0.056, 0.055)
             .spline(2, 0.066, 0.076, 0.05, 0.094, 0, 0.098)
@@ -66,13 +67,13 @@ final class Toaster {
   }
 
   private static TriangleMesh lever() {
-    return Boxes.bevelled(0.03, 0.014, 0.034, 0.005, 1)
+    return BoxBuilder.bevelled(0.03, 0.014, 0.034, 0.005, 1)
         .move(WIDTH / 2 + 0.014, 0.112, 0)
-        .append(Boxes.plain(0.004, 0.09, 0.01).move(WIDTH / 2, 0.045, 0));
+        .append(BoxBuilder.plain(0.004, 0.09, 0.01).move(WIDTH / 2, 0.045, 0));
   }
 
   private static TriangleMesh dial() {
-    return RoundSolids.roundedCylinder(0.015, 0.014, 0.004, 1, 12)
+    return RoundSolidBuilder.roundedCylinder(0.015, 0.014, 0.004, 1, 12)
         .turnZ(-90)
         .move(WIDTH / 2, 0.04, 0.042);
   }

@@ -4,16 +4,16 @@ import java.util.ArrayList;
 import java.util.List;
 import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.BoxBuilder;
 import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.MeshPatterns;
 import org.selectiverenderer.modelling.ModelColour;
 import org.selectiverenderer.modelling.ModelMaterial;
 import org.selectiverenderer.modelling.ModelPlacement;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
+import org.selectiverenderer.modelling.SimplePolygon;
 
 /**
  * A shelf unit for a television and books, 2.6 m wide and 1.9 m high: a low board (its top is 0.48
@@ -67,14 +67,15 @@ final class Biblioteca {
   }
 
   private static TriangleMesh board(double width, double height, double depth) {
-    return Boxes.bevelled(width, height, depth, 0.003, 1);
+    return BoxBuilder.bevelled(width, height, depth, 0.003, 1);
   }
 
   private static TriangleMesh backs() {
-    TriangleMesh column = Boxes.plain(COLUMN - BOARD, HEIGHT - TOP_OF_BOARD - BOARD, 0.01);
+    TriangleMesh column = BoxBuilder.plain(COLUMN - BOARD, HEIGHT - TOP_OF_BOARD - BOARD, 0.01);
     double z = 0.015 - DEPTH / 2;
     return MeshPatterns.bothSides(column.move((WIDTH - COLUMN) / 2, TOP_OF_BOARD, z))
-        .append(Boxes.plain(WIDTH - 2 * COLUMN, HEIGHT - BRIDGE - BOARD, 0.01).move(0, BRIDGE, z));
+        .append(
+            BoxBuilder.plain(WIDTH - 2 * COLUMN, HEIGHT - BRIDGE - BOARD, 0.01).move(0, BRIDGE, z));
   }
 
   private static double doorX(int door) {
@@ -84,18 +85,18 @@ final class Biblioteca {
   /** Returns five framed doors, and the box behind them. */
   private static TriangleMesh doors() {
     List<TriangleMesh> all = new ArrayList<>();
-    all.add(Boxes.plain(WIDTH - 2 * BOARD, 0.37, DEPTH - 0.06).move(0, 0.08, -0.02));
+    all.add(BoxBuilder.plain(WIDTH - 2 * BOARD, 0.37, DEPTH - 0.06).move(0, 0.08, -0.02));
     for (int door = 0; door < 5; door++) {
-      Outline frame = Outline.rectangle(0.495, 0.352);
+      SimplePolygon frame = SimplePolygon.rectangle(0.495, 0.352);
       TriangleMesh rails = ExtrudedSolid.plain(0.022, frame, frame.inset(0.055)).move(0, 0.176, 0);
-      TriangleMesh panel = Boxes.plain(0.39, 0.25, 0.012).move(0, 0.051, 0.006);
+      TriangleMesh panel = BoxBuilder.plain(0.39, 0.25, 0.012).move(0, 0.051, 0.006);
       all.add(rails.append(panel).move(doorX(door), 0.09, DEPTH / 2 - 0.04));
     }
     return TriangleMesh.of(all);
   }
 
   private static TriangleMesh knobs() {
-    TriangleMesh knob = RoundSolids.sphere(0.014, 5, 8);
+    TriangleMesh knob = RoundSolidBuilder.sphere(0.014, 5, 8);
     List<TriangleMesh> all = new ArrayList<>();
     for (int door = 0; door < 5; door++) {
       double side = door < 2 ? 0.215 : -0.215;
@@ -123,7 +124,7 @@ final class Biblioteca {
       double thick = 0.034 + 0.007 * (5 * i % 4);
       double high = 0.215 + 0.018 * (7 * i % 5);
       if ((i + which) % 3 == 0) {
-        TriangleMesh book = Boxes.bevelled(thick - 0.002, high, 0.17, 0.006, 1);
+        TriangleMesh book = BoxBuilder.bevelled(thick - 0.002, high, 0.17, 0.006, 1);
         all.add(book.move(at + thick / 2, y, 0.02 + 0.006 * (i % 3)));
       }
       at += thick;

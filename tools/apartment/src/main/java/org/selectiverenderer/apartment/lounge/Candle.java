@@ -9,10 +9,10 @@ import org.selectiverenderer.modelling.Lathe;
 import org.selectiverenderer.modelling.ModelColour;
 import org.selectiverenderer.modelling.ModelMaterial;
 import org.selectiverenderer.modelling.ModelPlacement;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
 import org.selectiverenderer.modelling.ProfileCurve;
+import org.selectiverenderer.modelling.SimplePolygon;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
@@ -99,8 +99,8 @@ final class Candle {
   }
 
   private static TriangleMesh handle() {
-    Spine ring = Spine.of(Outline.circle(0.019, 20).move(0.0855, 0.02));
-    return Sweep.of(Outline.ellipse(0.0028, 0.0028, 8), ring);
+    Spine ring = Spine.of(SimplePolygon.circle(0.019, 20).move(0.0855, 0.02));
+    return Sweep.of(SimplePolygon.ellipse(0.0028, 0.0028, 8), ring);
   }
 
   private static TriangleMesh wick() {

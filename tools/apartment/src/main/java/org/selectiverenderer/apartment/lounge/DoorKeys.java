@@ -6,11 +6,11 @@ import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.ModelColour;
 import org.selectiverenderer.modelling.ModelMaterial;
 import org.selectiverenderer.modelling.ModelPlacement;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
 import org.selectiverenderer.modelling.ProfileCurve;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
+import org.selectiverenderer.modelling.SimplePolygon;
 
 /** Three keys and a leather fob on a ring, lying fanned out. */
 final class DoorKeys {
@@ -32,7 +32,7 @@ final class DoorKeys {
             Part.of(
                 "ring",
                 Materials.STEEL,
-                RoundSolids.torus(RING, 0.0011, 22, 6).turnZ(5).move(0, 0.003, 0)),
+                RoundSolidBuilder.torus(RING, 0.0011, 22, 6).turnZ(5).move(0, 0.003, 0)),
             steel,
             Part.of("brassKey", Materials.PALE_BRASS, onRing(key(0.048), 34, 0.0025)),
             Part.of("fob", leather, onRing(fob(), 160, 0.0012))));
@@ -46,7 +46,7 @@ final class DoorKeys {
   /** Returns a key: a round bow with a hole, and a blade with bits on one side. */
   private static TriangleMesh key(double length) {
     double s = length - 0.02;
-    Outline shape =
+    SimplePolygon shape =
         ProfileCurve.from(0.0155, -0.0028)
             .line(length, -0.0028)
             .line(length + 0.003, 0.0005)
@@ -60,14 +60,14 @@ final class DoorKeys {
             .line(0.0155, 0.0028)
             .arc(0.0055, 0, 328, 18)
             .closed();
-    return ExtrudedSolid.plate(0.0022, 0.0004, 1, shape, Outline.circle(0.0032, 10));
+    return ExtrudedSolid.plate(0.0022, 0.0004, 1, shape, SimplePolygon.circle(0.0032, 10));
   }
 
   private static TriangleMesh fob() {
-    Outline drop =
-        Outline.spline(
+    SimplePolygon drop =
+        SimplePolygon.spline(
             4, -0.008, 0, 0, -0.0075, 0.024, -0.0145, 0.043, -0.011, 0.05, 0, 0.043, 0.011, 0.024,
             0.0145, 0, 0.0075);
-    return ExtrudedSolid.plate(0.0036, 0.0012, 1, drop, Outline.circle(0.003, 10));
+    return ExtrudedSolid.plate(0.0036, 0.0012, 1, drop, SimplePolygon.circle(0.003, 10));
   }
 }

@@ -7,7 +7,7 @@ import org.selectiverenderer.modelling.ModelMaterial;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
 import org.selectiverenderer.modelling.ProfileCurve;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
 
 /** A lamp that stands on the floor, 1.6 m high, with a cloth shade. */
 final class FloorLamp {
@@ -27,7 +27,7 @@ final class FloorLamp {
     return ParametricModel.of(
         "floorLamp",
         Part.of("stand", Materials.PALE_BRASS, Lathe.solid(stand, 10)),
-        Part.of("bulb", bulb, RoundSolids.sphere(0.04, 3, 6).move(0, 1.34, 0)),
+        Part.of("bulb", bulb, RoundSolidBuilder.sphere(0.04, 3, 6).move(0, 1.34, 0)),
         Part.of("shade", cloth, Lathe.surface(shade, 16)));
   }
 }

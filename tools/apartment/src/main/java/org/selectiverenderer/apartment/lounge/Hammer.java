@@ -7,10 +7,10 @@ import org.selectiverenderer.modelling.Lathe;
 import org.selectiverenderer.modelling.ModelColour;
 import org.selectiverenderer.modelling.ModelMaterial;
 import org.selectiverenderer.modelling.ModelPlacement;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
 import org.selectiverenderer.modelling.ProfileCurve;
+import org.selectiverenderer.modelling.SimplePolygon;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
@@ -33,14 +33,14 @@ final class Hammer {
   /** Returns the handle along x, its head end at +x. */
   private static TriangleMesh handle() {
     return Sweep.of(
-        Outline.ellipse(0.013, 0.0095, 8),
+        SimplePolygon.ellipse(0.013, 0.0095, 8),
         Spine.smooth(1, -0.06, 0, 0, 0, 0, 0, 0.08, 0, 0, 0.168, 0, 0),
         t -> 0.85 + 0.15 * t);
   }
 
   private static TriangleMesh grip() {
     return Sweep.of(
-        Outline.ellipse(0.016, 0.0125, 10),
+        SimplePolygon.ellipse(0.016, 0.0125, 10),
         Spine.smooth(1, -0.165, 0, 0, -0.155, 0, 0, -0.11, 0, 0, -0.07, 0, 0, -0.05, 0, 0),
         t -> t == 0 ? 0.8 : t == 0.5 ? 1.05 : 0.93);
   }
@@ -57,12 +57,12 @@ final class Hammer {
   private static TriangleMesh claw() {
     TriangleMesh prong =
         Sweep.of(
-            Outline.rectangle(0.016, 0.0105),
+            SimplePolygon.rectangle(0.016, 0.0105),
             Spine.smooth(
                 2, 0.15, 0, 0, 0.15, 0, -0.028, 0.138, 0.002, -0.055, 0.112, 0.005, -0.078),
             t -> 1 - 0.72 * t);
     TriangleMesh upper = prong.move(0, 0.0056, 0);
-    TriangleMesh eye = ExtrudedSolid.bevelled(0.03, 0.003, 1, Outline.circle(0.0165, 10));
+    TriangleMesh eye = ExtrudedSolid.bevelled(0.03, 0.003, 1, SimplePolygon.circle(0.0165, 10));
     return TriangleMesh.of(upper, upper.scale(1, -1, 1), eye.move(0.15, 0, -0.016));
   }
 }

@@ -5,15 +5,15 @@ import java.util.List;
 import org.joml.Vector3d;
 import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.BoxBuilder;
 import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.Lathe;
 import org.selectiverenderer.modelling.LoftedSurface;
 import org.selectiverenderer.modelling.MeshPatterns;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
 import org.selectiverenderer.modelling.ProfileCurve;
+import org.selectiverenderer.modelling.SimplePolygon;
 
 /** A coffee table of walnut, 1.2 m by 0.7 m and 0.43 m high, with turned legs and a shelf below. */
 final class LoungeTable {
@@ -36,7 +36,7 @@ final class LoungeTable {
 
   /** Returns the table top with a moulded edge: a hollow below, a step, a quarter round above. */
   private static TriangleMesh top() {
-    Outline outline = Outline.roundedRectangle(WIDTH, DEPTH, 0.06, 9);
+    SimplePolygon outline = SimplePolygon.roundedRectangle(WIDTH, DEPTH, 0.06, 9);
     ProfileCurve edge =
         ProfileCurve.from(0.03, TOP - 0.034)
             .arc(0.03, TOP - 0.012, 75, 6)
@@ -46,7 +46,7 @@ final class LoungeTable {
             .arc(0.012, TOP - 0.012, -90, 8);
     List<Vector3d[]> rows = new ArrayList<>();
     for (int i = 0; i < edge.size(); i++) {
-      Outline level = edge.x(i) == 0 ? outline : outline.inset(edge.x(i));
+      SimplePolygon level = edge.x(i) == 0 ? outline : outline.inset(edge.x(i));
       Vector3d[] row = new Vector3d[level.size()];
       for (int k = 0; k < row.length; k++) {
         row[k] = new Vector3d(level.x(k), edge.y(i), -level.y(k));
@@ -57,8 +57,8 @@ final class LoungeTable {
   }
 
   private static TriangleMesh apron() {
-    TriangleMesh side = Boxes.bevelled(2 * LEG_X - 0.05, 0.06, 0.022, 0.004, 2);
-    TriangleMesh end = Boxes.bevelled(0.022, 0.06, 2 * LEG_Z - 0.05, 0.004, 2);
+    TriangleMesh side = BoxBuilder.bevelled(2 * LEG_X - 0.05, 0.06, 0.022, 0.004, 2);
+    TriangleMesh end = BoxBuilder.bevelled(0.022, 0.06, 2 * LEG_Z - 0.05, 0.004, 2);
     double y = TOP - 0.092;
     return TriangleMesh.of(
         side.move(0, y, LEG_Z),
@@ -76,12 +76,13 @@ final class LoungeTable {
             .spline(8, 0.016, 0.09, 0.0265, 0.2, 0.0225, 0.262)
             .spline(3, 0.016, 0.278, 0.022, 0.286, 0.0165, 0.294)
             .spline(3, 0.0245, 0.303, 0.026, 0.31, 0.022, 0.322);
-    TriangleMesh block = Boxes.bevelled(0.05, 0.085, 0.05, 0.004, 3).move(0, 0.314, 0);
+    TriangleMesh block = BoxBuilder.bevelled(0.05, 0.085, 0.05, 0.004, 3).move(0, 0.314, 0);
     return Lathe.solid(turned, 40).append(block);
   }
 
   private static TriangleMesh shelf() {
-    Outline outline = Outline.roundedRectangle(2 * LEG_X + 0.02, 2 * LEG_Z + 0.02, 0.02, 6);
+    SimplePolygon outline =
+        SimplePolygon.roundedRectangle(2 * LEG_X + 0.02, 2 * LEG_Z + 0.02, 0.02, 6);
     TriangleMesh plate = ExtrudedSolid.plate(0.018, 0.008, 5, outline);
     return plate.move(0, 0.115, 0);
   }

@@ -4,7 +4,7 @@ import java.util.function.Predicate;
 import org.joml.Vector3d;
 import org.selectiverenderer.geometry.DegreeMath;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.BoxBuilder;
 import org.selectiverenderer.modelling.ModelColour;
 import org.selectiverenderer.modelling.ModelMaterial;
 import org.selectiverenderer.modelling.ModelPlacement;
@@ -42,7 +42,7 @@ final class Magazine {
     return ModelPlacement.centred(
         ParametricModel.of(
             "magazine",
-            Part.of("cover", red, Boxes.plain(2 * PAGE + 0.004, COVER, 2 * HALF + 0.003)),
+            Part.of("cover", red, BoxBuilder.plain(2 * PAGE + 0.004, COVER, 2 * HALF + 0.003)),
             page("paper", paper, pages, p -> !MagazinePrint.isPicture(p)),
             page("wall", wall, pages, MagazinePrint::isWall),
             page("floor", floor, pages, MagazinePrint::isFloor),

@@ -8,10 +8,10 @@ import org.selectiverenderer.modelling.MeshPatterns;
 import org.selectiverenderer.modelling.ModelColour;
 import org.selectiverenderer.modelling.ModelMaterial;
 import org.selectiverenderer.modelling.ModelPlacement;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
+import org.selectiverenderer.modelling.SimplePolygon;
 import org.selectiverenderer.modelling.TextGeometry;
 
 /** A mobile phone with keys, of the thesis's time, lying on its back, 0.112 m long. */
@@ -44,19 +44,19 @@ final class Mobile {
   }
 
   private static TriangleMesh shell() {
-    Outline outline = Outline.superellipse(0.0235, 0.056, 3.4, 72);
+    SimplePolygon outline = SimplePolygon.superellipse(0.0235, 0.056, 3.4, 72);
     TriangleMesh antenna =
-        RoundSolids.capsule(0.0032, 0.026, 6, 16).turnX(-90).move(0.0145, 0.01, -0.04);
+        RoundSolidBuilder.capsule(0.0032, 0.026, 6, 16).turnX(-90).move(0.0145, 0.01, -0.04);
     return ExtrudedSolid.plate(0.0175, 0.0065, 9, outline).append(antenna);
   }
 
   private static TriangleMesh face() {
-    Outline outline = Outline.superellipse(0.0198, 0.0515, 3.4, 72);
+    SimplePolygon outline = SimplePolygon.superellipse(0.0198, 0.0515, 3.4, 72);
     return ExtrudedSolid.plate(0.0035, 0.0015, 3, outline).move(0, FACE - 0.0035, 0);
   }
 
   private static TriangleMesh screen() {
-    Outline outline = Outline.roundedRectangle(0.031, 0.034, 0.003, 6);
+    SimplePolygon outline = SimplePolygon.roundedRectangle(0.031, 0.034, 0.003, 6);
     return ExtrudedSolid.plate(0.0012, 0.0005, 2, outline).move(0, FACE - 0.0004, -0.0205);
   }
 
@@ -82,13 +82,13 @@ final class Mobile {
 
   /** Returns the navigation key, a rocker in a ring below the screen. */
   private static TriangleMesh navigation() {
-    return RoundSolids.torus(0.0058, 0.0011, 40, 10)
+    return RoundSolidBuilder.torus(0.0058, 0.0011, 40, 10)
         .append(PushButtons.round(0.0036, 0.0012, 0.0036, 5, 32))
         .move(0, FACE, 0.0035);
   }
 
   private static TriangleMesh ear() {
-    TriangleMesh slot = RoundSolids.capsule(0.0006, 0.004, 4, 12).turnX(-90);
+    TriangleMesh slot = RoundSolidBuilder.capsule(0.0006, 0.004, 4, 12).turnX(-90);
     return MeshPatterns.row(slot.move(-0.0048, FACE, -0.0405), 5, 0.0024, 0, 0);
   }
 

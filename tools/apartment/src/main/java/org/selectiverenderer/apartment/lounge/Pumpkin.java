@@ -7,10 +7,10 @@ import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.ModelColour;
 import org.selectiverenderer.modelling.ModelMaterial;
 import org.selectiverenderer.modelling.ModelPlacement;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
+import org.selectiverenderer.modelling.SimplePolygon;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
@@ -27,7 +27,7 @@ final class Pumpkin {
         ModelMaterial.matt(ModelColour.of(1, 0.8, 0.3)).glowing(ModelColour.of(0.95, 0.68, 0.18));
     ModelMaterial stalk = ModelMaterial.matt(ModelColour.of(0.36, 0.4, 0.18));
     TriangleMesh body =
-        RoundSolids.ellipsoid(RADIUS, FLAT * RADIUS, RADIUS, 10, 30).deform(Pumpkin::ribbed);
+        RoundSolidBuilder.ellipsoid(RADIUS, FLAT * RADIUS, RADIUS, 10, 30).deform(Pumpkin::ribbed);
     return ModelPlacement.centred(
         ParametricModel.of(
             "pumpkin",
@@ -46,16 +46,16 @@ final class Pumpkin {
 
   /** Returns the face, drawn flat in millimetres, then projected on the pumpkin. */
   private static TriangleMesh face() {
-    Outline eye = Outline.of(20, 22, 66, 22, 43, 62);
-    Outline nose = Outline.of(-12, -2, 12, -2, 0, 18);
-    Outline mouth =
-        Outline.of(
+    SimplePolygon eye = SimplePolygon.of(20, 22, 66, 22, 43, 62);
+    SimplePolygon nose = SimplePolygon.of(-12, -2, 12, -2, 0, 18);
+    SimplePolygon mouth =
+        SimplePolygon.of(
             -72, -14, -52, -40, -36, -48, -30, -36, -20, -52, 20, -52, 30, -36, 36, -48, 52, -40,
             72, -14, 46, -26, 20, -34, 12, -24, 0, -36, -12, -24, -20, -34, -46, -26);
     return TriangleMesh.of(shape(eye), shape(eye.scale(-1, 1)), shape(nose), shape(mouth));
   }
 
-  private static TriangleMesh shape(Outline millimetres) {
+  private static TriangleMesh shape(SimplePolygon millimetres) {
     return ExtrudedSolid.plain(0.012, millimetres.scale(0.001, 0.001)).deform(Pumpkin::onSkin);
   }
 

@@ -9,10 +9,10 @@ import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.ModelColour;
 import org.selectiverenderer.modelling.ModelMaterial;
 import org.selectiverenderer.modelling.ModelPlacement;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
+import org.selectiverenderer.modelling.SimplePolygon;
 
 /** A remote control, 0.2 m long, with its head away from the viewer. */
 final class RemoteControl {
@@ -43,7 +43,7 @@ final class RemoteControl {
 
   /** Returns the body, a rounded bar with a waist. */
   private static TriangleMesh body() {
-    Outline outline = Outline.superellipse(0.0245, 0.1, 4.5, 108);
+    SimplePolygon outline = SimplePolygon.superellipse(0.0245, 0.1, 4.5, 108);
     return ExtrudedSolid.plate(TOP, 0.0085, 18, outline).deform(RemoteControl::waist);
   }
 
@@ -53,7 +53,8 @@ final class RemoteControl {
   }
 
   private static TriangleMesh window() {
-    return RoundSolids.superellipsoid(0.012, 0.0055, 0.006, 2.5, 3, 20, 40).move(0, 0.011, -0.0955);
+    return RoundSolidBuilder.superellipsoid(0.012, 0.0055, 0.006, 2.5, 3, 20, 40)
+        .move(0, 0.011, -0.0955);
   }
 
   private static TriangleMesh at(double radius, double x, double z) {
@@ -95,7 +96,7 @@ final class RemoteControl {
 
   /** Returns the navigation ring with a key in its middle. */
   private static TriangleMesh ring() {
-    TriangleMesh ring = RoundSolids.torus(0.0105, 0.0028, 80, 24).move(0, TOP, 0);
+    TriangleMesh ring = RoundSolidBuilder.torus(0.0105, 0.0028, 80, 24).move(0, TOP, 0);
     return ring.append(button(0.0055, 0.0055).move(0, TOP, 0)).move(0, 0, 0.038);
   }
 }

@@ -2,16 +2,16 @@ package org.selectiverenderer.apartment.lounge;
 
 import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.BoxBuilder;
 import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.Lathe;
 import org.selectiverenderer.modelling.MeshPatterns;
 import org.selectiverenderer.modelling.ModelPlacement;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
 import org.selectiverenderer.modelling.ProfileCurve;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
+import org.selectiverenderer.modelling.SimplePolygon;
 
 /** A sofa with two seats, rolled arms and loose cushions. The seats are 0.47 m high. */
 final class Sofa {
@@ -30,7 +30,8 @@ final class Sofa {
 
   private static ParametricModel model(String name, double width) {
     double seat = (width - 2 * ARM) / 2;
-    TriangleMesh base = Boxes.bevelled(width - 0.1, 0.2, DEPTH - 0.06, 0.03, 2).move(0, 0.09, 0);
+    TriangleMesh base =
+        BoxBuilder.bevelled(width - 0.1, 0.2, DEPTH - 0.06, 0.03, 2).move(0, 0.09, 0);
     TriangleMesh back = back(width - 2 * ARM + 0.06).move(0, 0.12, -DEPTH / 2);
     TriangleMesh arms = MeshPatterns.bothSides(arm().move(width / 2 - ARM / 2, 0.1, -DEPTH / 2));
     return ModelPlacement.centred(
@@ -44,7 +45,7 @@ final class Sofa {
   }
 
   private static TriangleMesh back(double width) {
-    Outline side = ProfileCurve.of(0, 0, 0.26, 0, 0.26, 0.3, 0.2, 0.7, 0.03, 0.72).closed();
+    SimplePolygon side = ProfileCurve.of(0, 0, 0.26, 0, 0.26, 0.3, 0.2, 0.7, 0.03, 0.72).closed();
     return ExtrudedSolid.bevelled(width, 0.03, 2, side.rounded(0.07, 4))
         .move(0, 0, -width / 2)
         .turnY(-90);
@@ -52,7 +53,7 @@ final class Sofa {
 
   /** Returns an arm: a roll on an upright board, extruded from back to front. */
   private static TriangleMesh arm() {
-    Outline front =
+    SimplePolygon front =
         ProfileCurve.from(-0.085, 0)
             .line(0.075, 0)
             .line(0.08, 0.34)
@@ -63,13 +64,13 @@ final class Sofa {
   }
 
   private static TriangleMesh seatCushion(double width) {
-    return RoundSolids.superellipsoid(width / 2 + 0.004, 0.095, 0.335, 3.2, 7, 18, 36)
+    return RoundSolidBuilder.superellipsoid(width / 2 + 0.004, 0.095, 0.335, 3.2, 7, 18, 36)
         .deform(p -> p.add(0, p.y > 0 ? 0.022 * crown(p.x / width, p.z / 0.67) : 0, 0))
         .move(width / 2, 0.355, 0.105);
   }
 
   private static TriangleMesh backCushion(double width) {
-    return RoundSolids.superellipsoid(width / 2 - 0.002, 0.1, 0.235, 2.7, 5, 18, 36)
+    return RoundSolidBuilder.superellipsoid(width / 2 - 0.002, 0.1, 0.235, 2.7, 5, 18, 36)
         .deform(p -> p.add(0, p.y > 0 ? 0.03 * crown(p.x / width, p.z / 0.47) : 0, 0))
         .turnX(76)
         .move(width / 2, 0.66, -0.15);

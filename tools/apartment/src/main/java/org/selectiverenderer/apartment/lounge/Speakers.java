@@ -2,7 +2,7 @@ package org.selectiverenderer.apartment.lounge;
 
 import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.BoxBuilder;
 import org.selectiverenderer.modelling.Lathe;
 import org.selectiverenderer.modelling.MeshPatterns;
 import org.selectiverenderer.modelling.ModelColour;
@@ -31,7 +31,7 @@ final class Speakers {
     return ModelPlacement.centred(
         ParametricModel.of(
             "speakers",
-            Part.of("boxes", Materials.WALNUT, pair(Boxes.plain(0.2, 0.34, 2 * FRONT))),
+            Part.of("boxes", Materials.WALNUT, pair(BoxBuilder.plain(0.2, 0.34, 2 * FRONT))),
             Part.of("rims", grey, pair(atFront(Lathe.surface(rim, 11), 0.105))).crease(60),
             Part.of("cones", dark, pair(atFront(Lathe.surface(cone, 11), 0.105))).crease(60),
             Part.of("tweeters", grey, pair(atFront(Lathe.surface(dome, 8), 0.258))).crease(60)));

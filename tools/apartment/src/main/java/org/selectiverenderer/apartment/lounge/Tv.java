@@ -3,17 +3,17 @@ package org.selectiverenderer.apartment.lounge;
 import org.joml.Vector3d;
 import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.BoxBuilder;
 import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.MeshPatterns;
 import org.selectiverenderer.modelling.ModelColour;
 import org.selectiverenderer.modelling.ModelMaterial;
 import org.selectiverenderer.modelling.ModelPlacement;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.ParametricSurface;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
+import org.selectiverenderer.modelling.SimplePolygon;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
@@ -44,12 +44,12 @@ final class Tv {
             Part.of(
                 "light",
                 light,
-                RoundSolids.ellipsoid(0.004, 0.004, 0.002, 4, 8).move(0.46, 0.118, 0.03))));
+                RoundSolidBuilder.ellipsoid(0.004, 0.004, 0.002, 4, 8).move(0.46, 0.118, 0.03))));
   }
 
   private static TriangleMesh frame() {
-    Outline outer = Outline.roundedRectangle(WIDTH, HEIGHT, 0.022, 7);
-    Outline window = Outline.rectangle(WIDTH - 0.08, HEIGHT - 0.1).move(0, 0.012);
+    SimplePolygon outer = SimplePolygon.roundedRectangle(WIDTH, HEIGHT, 0.022, 7);
+    SimplePolygon window = SimplePolygon.rectangle(WIDTH - 0.08, HEIGHT - 0.1).move(0, 0.012);
     return ExtrudedSolid.bevelled(0.05, 0.01, 4, outer, window).move(0, MIDDLE, -0.02);
   }
 
@@ -69,7 +69,7 @@ final class Tv {
   private static TriangleMesh trim() {
     Spine line =
         Spine.smooth(8, -0.44, 0.1, 0.03, -0.2, 0.097, 0.03, 0.2, 0.097, 0.03, 0.44, 0.1, 0.03);
-    TriangleMesh mark = Boxes.bevelled(0.05, 0.008, 0.004, 0.001, 2).move(0, 0.108, 0.03);
+    TriangleMesh mark = BoxBuilder.bevelled(0.05, 0.008, 0.004, 0.001, 2).move(0, 0.108, 0.03);
     return TriangleMesh.of(Sweep.tube(line, 0.0022, 6), mark);
   }
 
@@ -79,15 +79,17 @@ final class Tv {
   }
 
   private static TriangleMesh stand() {
-    Outline ellipse = Outline.superellipse(0.28, 0.125, 2.4, 40);
+    SimplePolygon ellipse = SimplePolygon.superellipse(0.28, 0.125, 2.4, 40);
     TriangleMesh base = ExtrudedSolid.plate(0.018, 0.008, 4, ellipse);
-    TriangleMesh neck = Boxes.bevelled(0.16, 0.12, 0.035, 0.012, 3).move(0, 0.012, -0.01);
+    TriangleMesh neck = BoxBuilder.bevelled(0.16, 0.12, 0.035, 0.012, 3).move(0, 0.012, -0.01);
     return base.append(neck);
   }
 
   private static TriangleMesh back() {
-    TriangleMesh hump = Boxes.bevelled(0.8, 0.42, 0.07, 0.03, 3).move(0, MIDDLE - 0.21, -0.035);
-    TriangleMesh rib = Boxes.bevelled(0.018, 0.1, 0.012, 0.004, 1).move(0, MIDDLE + 0.06, -0.07);
+    TriangleMesh hump =
+        BoxBuilder.bevelled(0.8, 0.42, 0.07, 0.03, 3).move(0, MIDDLE - 0.21, -0.035);
+    TriangleMesh rib =
+        BoxBuilder.bevelled(0.018, 0.1, 0.012, 0.004, 1).move(0, MIDDLE + 0.06, -0.07);
     return hump.append(MeshPatterns.row(rib.move(-0.3, 0, 0), 21, 0.03, 0, 0));
   }
 }

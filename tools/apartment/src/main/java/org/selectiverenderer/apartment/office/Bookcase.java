@@ -2,7 +2,7 @@ package org.selectiverenderer.apartment.office;
 
 import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.BoxBuilder;
 import org.selectiverenderer.modelling.MeshPatterns;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
@@ -27,10 +27,11 @@ final class Bookcase {
   private static TriangleMesh walls() {
     double height = BookcaseDimensions.HEIGHT - 0.03;
     TriangleMesh side =
-        Boxes.bevelled(BookcaseDimensions.BOARD, height, BookcaseDimensions.DEPTH - 0.01, 0.005, 2)
+        BoxBuilder.bevelled(
+                BookcaseDimensions.BOARD, height, BookcaseDimensions.DEPTH - 0.01, 0.005, 2)
             .move((BookcaseDimensions.WIDTH - BookcaseDimensions.BOARD) / 2, 0, -0.005);
     TriangleMesh post =
-        Boxes.bevelled(
+        BoxBuilder.bevelled(
                 BookcaseDimensions.BOARD, height - 0.07, BookcaseDimensions.DEPTH - 0.03, 0.005, 1)
             .move(0, 0.07, -0.01);
     return TriangleMesh.of(side, side.mirrorX(), post);
@@ -38,11 +39,12 @@ final class Bookcase {
 
   private static TriangleMesh boards() {
     TriangleMesh top =
-        Boxes.bevelled(BookcaseDimensions.WIDTH, 0.034, BookcaseDimensions.DEPTH, 0.008, 2)
+        BoxBuilder.bevelled(BookcaseDimensions.WIDTH, 0.034, BookcaseDimensions.DEPTH, 0.008, 2)
             .move(0, BookcaseDimensions.HEIGHT - 0.034, 0);
-    TriangleMesh plinth = Boxes.plain(BookcaseDimensions.WIDTH - 0.04, 0.08, 0.03).move(0, 0, 0.11);
+    TriangleMesh plinth =
+        BoxBuilder.plain(BookcaseDimensions.WIDTH - 0.04, 0.08, 0.03).move(0, 0, 0.11);
     TriangleMesh shelf =
-        Boxes.bevelled(
+        BoxBuilder.bevelled(
                 BookcaseDimensions.BAY + 0.004,
                 BookcaseDimensions.BOARD,
                 BookcaseDimensions.DEPTH - 0.03,
@@ -63,7 +65,7 @@ final class Bookcase {
   }
 
   private static TriangleMesh back() {
-    return Boxes.plain(BookcaseDimensions.WIDTH - 0.02, BookcaseDimensions.HEIGHT - 0.04, BACK)
+    return BoxBuilder.plain(BookcaseDimensions.WIDTH - 0.02, BookcaseDimensions.HEIGHT - 0.04, BACK)
         .move(0, 0.02, -BookcaseDimensions.DEPTH / 2 + BACK / 2);
   }
 }

@@ -2,16 +2,16 @@ package org.selectiverenderer.apartment.office;
 
 import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.BoxBuilder;
 import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.Lathe;
 import org.selectiverenderer.modelling.ModelColour;
 import org.selectiverenderer.modelling.ModelMaterial;
 import org.selectiverenderer.modelling.ModelPlacement;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
+import org.selectiverenderer.modelling.SimplePolygon;
 
 /**
  * A stack of three jewel cases, and an open one beside it with the disc in it: 0.31 m wide (thesis
@@ -53,33 +53,36 @@ final class Cd {
   }
 
   private static TriangleMesh stacked(int level, double degrees) {
-    return Boxes.bevelled(0.142, CASE, 0.125, 0.0018, 3)
+    return BoxBuilder.bevelled(0.142, CASE, 0.125, 0.0018, 3)
         .turnY(degrees)
         .move(-0.077, level * CASE, 0);
   }
 
   /** Returns the lower half of a case: a plate with a round hollow for the disc. */
   private static TriangleMesh tray() {
-    TriangleMesh floor = Boxes.plain(0.136, 0.004, 0.119);
+    TriangleMesh floor = BoxBuilder.plain(0.136, 0.004, 0.119);
     TriangleMesh rim =
         ExtrudedSolid.plate(
             0.0078,
             0.0008,
             1,
-            Outline.roundedRectangle(0.142, 0.127, 0.003, 2),
-            Outline.circle(0.0612, 56));
+            SimplePolygon.roundedRectangle(0.142, 0.127, 0.003, 2),
+            SimplePolygon.circle(0.0612, 56));
     return rim.append(floor);
   }
 
   private static TriangleMesh disc() {
-    Outline section = Outline.of(0.018, 0, 0.0594, 0, 0.06, 0.0006, 0.0594, 0.0012, 0.018, 0.0012);
+    SimplePolygon section =
+        SimplePolygon.of(0.018, 0, 0.0594, 0, 0.06, 0.0006, 0.0594, 0.0012, 0.018, 0.0012);
     return Lathe.ring(section, 96);
   }
 
   /** Returns the clear ring of the disc, and the hub that holds it. */
   private static TriangleMesh middle() {
-    Outline ring = Outline.of(0.0075, 0.0001, 0.0182, 0.0001, 0.0182, 0.0011, 0.0075, 0.0011);
-    TriangleMesh hub = RoundSolids.roundedCylinder(0.0068, 0.004, 0.0015, 2, 32).move(0, -0.002, 0);
+    SimplePolygon ring =
+        SimplePolygon.of(0.0075, 0.0001, 0.0182, 0.0001, 0.0182, 0.0011, 0.0075, 0.0011);
+    TriangleMesh hub =
+        RoundSolidBuilder.roundedCylinder(0.0068, 0.004, 0.0015, 2, 32).move(0, -0.002, 0);
     return Lathe.ring(ring, 48).append(hub);
   }
 }

@@ -5,13 +5,13 @@ import java.util.List;
 import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.DegreeMath;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.BoxBuilder;
 import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.Lathe;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
+import org.selectiverenderer.modelling.SimplePolygon;
 import org.selectiverenderer.modelling.TextGeometry;
 
 /**
@@ -25,8 +25,8 @@ final class Clock {
   private Clock() {}
 
   static ParametricModel model() {
-    Outline rim =
-        Outline.of(
+    SimplePolygon rim =
+        SimplePolygon.of(
             0.138, 0, 0.158, 0, 0.16, 0.005, 0.16, 0.022, 0.156, 0.03, 0.148, 0.034, 0.141, 0.03,
             0.138, 0.02);
     return ParametricModel.of(
@@ -36,7 +36,7 @@ final class Clock {
         Part.of(
             "dial",
             Materials.PAPER,
-            MeshOrientation.forward(RoundSolids.cylinder(0.139, DIAL, SEGMENTS))),
+            MeshOrientation.forward(RoundSolidBuilder.cylinder(0.139, DIAL, SEGMENTS))),
         Part.of("numerals", Materials.BLACK, numerals()),
         Part.of("ticks", Materials.BLACK, ticks()),
         Part.of("hands", Materials.BLACK, hand(0.075, 0.007, -305), hand(0.115, 0.005, -60)),
@@ -59,7 +59,7 @@ final class Clock {
     List<TriangleMesh> all = new ArrayList<>();
     for (int hour = 1; hour < 12; hour++) {
       if (hour % 3 != 0) {
-        TriangleMesh tick = Boxes.plain(0.007, 0.024, 0.003).move(0, 0.104, DIAL);
+        TriangleMesh tick = BoxBuilder.plain(0.007, 0.024, 0.003).move(0, 0.104, DIAL);
         all.add(tick.turnZ(-30.0 * hour));
       }
     }
@@ -67,18 +67,19 @@ final class Clock {
   }
 
   private static TriangleMesh hand(double length, double width, double degrees) {
-    Outline shape =
-        Outline.of(-width * 0.6, -0.02, width * 0.6, -0.02, width, 0, 0.002, length, -0.002, length)
+    SimplePolygon shape =
+        SimplePolygon.of(
+                -width * 0.6, -0.02, width * 0.6, -0.02, width, 0, 0.002, length, -0.002, length)
             .turn(degrees);
     return ExtrudedSolid.bevelled(0.003, 0.001, 1, shape).move(0, 0, DIAL + 0.002);
   }
 
   private static TriangleMesh secondHand() {
-    return Boxes.plain(0.0025, 0.15, 0.0015).move(0, -0.035, DIAL + 0.006).turnZ(-200);
+    return BoxBuilder.plain(0.0025, 0.15, 0.0015).move(0, -0.035, DIAL + 0.006).turnZ(-200);
   }
 
   private static TriangleMesh hub() {
-    return MeshOrientation.forward(RoundSolids.roundedCylinder(0.008, 0.008, 0.003, 1, 16))
+    return MeshOrientation.forward(RoundSolidBuilder.roundedCylinder(0.008, 0.008, 0.003, 1, 16))
         .move(0, 0, DIAL);
   }
 }

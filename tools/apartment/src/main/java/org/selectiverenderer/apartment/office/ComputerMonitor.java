@@ -2,12 +2,12 @@ package org.selectiverenderer.apartment.office;
 
 import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.BoxBuilder;
 import org.selectiverenderer.modelling.ExtrudedSolid;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
+import org.selectiverenderer.modelling.SimplePolygon;
 
 /** A flat screen with a desktop and a window on it, 0.52 m wide, for a {@link ComputerSet}. */
 final class ComputerMonitor {
@@ -39,27 +39,28 @@ final class ComputerMonitor {
             0.026,
             0.006,
             5,
-            Outline.roundedRectangle(0.52, 0.32, 0.012, 6),
-            Outline.roundedRectangle(0.482, 0.282, 0.002, 2))
+            SimplePolygon.roundedRectangle(0.52, 0.32, 0.012, 6),
+            SimplePolygon.roundedRectangle(0.482, 0.282, 0.002, 2))
         .move(0, HEIGHT, 0);
   }
 
   private static TriangleMesh back() {
-    return Boxes.bevelled(0.5, 0.3, 0.03, 0.01, 4)
+    return BoxBuilder.bevelled(0.5, 0.3, 0.03, 0.01, 4)
         .move(0, HEIGHT - 0.15, -0.001)
-        .append(Boxes.bevelled(0.2, 0.18, 0.04, 0.014, 5).move(0, HEIGHT - 0.1, -0.03));
+        .append(BoxBuilder.bevelled(0.2, 0.18, 0.04, 0.014, 5).move(0, HEIGHT - 0.1, -0.03));
   }
 
   private static TriangleMesh neck() {
-    return Boxes.bevelled(0.06, 0.2, 0.022, 0.009, 5).move(0, 0.012, -0.04);
+    return BoxBuilder.bevelled(0.06, 0.2, 0.022, 0.009, 5).move(0, 0.012, -0.04);
   }
 
   private static TriangleMesh stand() {
-    return ExtrudedSolid.plate(0.014, 0.006, 5, Outline.ellipse(0.13, 0.09, 80)).move(0, 0, -0.03);
+    return ExtrudedSolid.plate(0.014, 0.006, 5, SimplePolygon.ellipse(0.13, 0.09, 80))
+        .move(0, 0, -0.03);
   }
 
   private static TriangleMesh lamp() {
-    return MeshOrientation.forward(RoundSolids.cylinder(0.0025, 0.001, 16))
+    return MeshOrientation.forward(RoundSolidBuilder.cylinder(0.0025, 0.001, 16))
         .move(0.235, HEIGHT - 0.1505, 0.026);
   }
 

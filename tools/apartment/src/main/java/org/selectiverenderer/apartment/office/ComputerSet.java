@@ -4,9 +4,9 @@ import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.ModelPlacement;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
+import org.selectiverenderer.modelling.SimplePolygon;
 
 /**
  * A desktop computer: tower on the left, screen, keyboard and mouse, 0.9 m wide (thesis Fig 71).
@@ -27,7 +27,7 @@ final class ComputerSet {
   private static ParametricModel mouse() {
     MouseShape shape = new MouseShape(28, 40);
     TriangleMesh mat =
-        ExtrudedSolid.plate(0.003, 0.001, 2, Outline.roundedRectangle(0.2, 0.19, 0.014, 6));
+        ExtrudedSolid.plate(0.003, 0.001, 2, SimplePolygon.roundedRectangle(0.2, 0.19, 0.014, 6));
     TriangleMesh cable =
         shape.cable(8, 10, 0.005, 0.001, 0.1, 0.02, 0, 0.15, 0.035, 0, 0.22, 0.08, 0, 0.32);
     ParametricModel mouse =

@@ -2,7 +2,7 @@ package org.selectiverenderer.apartment.office;
 
 import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.BoxBuilder;
 import org.selectiverenderer.modelling.MeshPatterns;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
@@ -24,7 +24,8 @@ final class Desk {
   static ParametricModel model() {
     return ParametricModel.of(
         "desk",
-        Part.of("top", Materials.OAK, Boxes.bevelled(1.6, TOP, 0.8, 0.008, 2).move(0, UNDER, 0)),
+        Part.of(
+            "top", Materials.OAK, BoxBuilder.bevelled(1.6, TOP, 0.8, 0.008, 2).move(0, UNDER, 0)),
         Part.of("pedestal", Materials.DARK_OAK, pedestal(), panel()),
         Part.of("drawers", Materials.OAK, drawers()),
         Part.of("handles", Materials.CHROME, handles()),
@@ -32,18 +33,18 @@ final class Desk {
   }
 
   private static TriangleMesh pedestal() {
-    return Boxes.plain(0.44, UNDER - 0.04, 0.7)
-        .append(Boxes.plain(0.4, 0.04, 0.62).move(0, -0.04, 0))
+    return BoxBuilder.plain(0.44, UNDER - 0.04, 0.7)
+        .append(BoxBuilder.plain(0.4, 0.04, 0.62).move(0, -0.04, 0))
         .move(-0.54, 0.04, 0);
   }
 
   /** Returns the modesty panel. */
   private static TriangleMesh panel() {
-    return Boxes.plain(1.05, 0.42, 0.02).move(0.2, UNDER - 0.42, -0.3);
+    return BoxBuilder.plain(1.05, 0.42, 0.02).move(0.2, UNDER - 0.42, -0.3);
   }
 
   private static TriangleMesh drawers() {
-    TriangleMesh drawer = Boxes.plain(0.43, 0.21, 0.022);
+    TriangleMesh drawer = BoxBuilder.plain(0.43, 0.21, 0.022);
     return MeshPatterns.row(drawer.move(-0.54, 0.046, 0.357), 3, 0, 0.218, 0);
   }
 
@@ -55,8 +56,8 @@ final class Desk {
   }
 
   private static TriangleMesh legs() {
-    TriangleMesh leg = Boxes.bevelled(0.05, UNDER, 0.05, 0.008, 1).move(0.74, 0, 0.34);
-    TriangleMesh rail = Boxes.plain(0.03, 0.05, 0.64).move(0.74, 0.12, 0);
+    TriangleMesh leg = BoxBuilder.bevelled(0.05, UNDER, 0.05, 0.008, 1).move(0.74, 0, 0.34);
+    TriangleMesh rail = BoxBuilder.plain(0.03, 0.05, 0.64).move(0.74, 0.12, 0);
     return TriangleMesh.of(leg, leg.mirrorZ(), rail);
   }
 }

@@ -10,7 +10,7 @@ import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
 import org.selectiverenderer.modelling.ProfileCurve;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
@@ -29,9 +29,14 @@ final class DeskLamp {
     return ModelPlacement.centred(
         ParametricModel.of(
             "deskLamp",
-            Part.of("base", Materials.RED, RoundSolids.roundedCylinder(0.085, 0.022, 0.009, 5, 96)),
             Part.of(
-                "post", Materials.CHROME, RoundSolids.cylinder(0.009, 0.05, 24).move(0, 0.018, 0)),
+                "base",
+                Materials.RED,
+                RoundSolidBuilder.roundedCylinder(0.085, 0.022, 0.009, 5, 96)),
+            Part.of(
+                "post",
+                Materials.CHROME,
+                RoundSolidBuilder.cylinder(0.009, 0.05, 24).move(0, 0.018, 0)),
             Part.of("arms", Materials.CHROME, arm(FOOT, ELBOW), arm(ELBOW, HEAD)),
             Part.of("springs", Materials.SILVER, springs(FOOT, ELBOW, 0.1, 19)),
             Part.of("joints", Materials.BLACK, joint(FOOT), joint(ELBOW), joint(HEAD)),
@@ -62,12 +67,12 @@ final class DeskLamp {
   }
 
   private static TriangleMesh joint(double[] at) {
-    return MeshOrientation.forward(RoundSolids.roundedCylinder(0.015, 0.036, 0.004, 3, 32))
+    return MeshOrientation.forward(RoundSolidBuilder.roundedCylinder(0.015, 0.036, 0.004, 3, 32))
         .move(at[0], at[1], -0.018);
   }
 
   private static TriangleMesh button() {
-    return RoundSolids.roundedCylinder(0.009, 0.007, 0.003, 3, 32).move(0.02, 0.021, 0.05);
+    return RoundSolidBuilder.roundedCylinder(0.009, 0.007, 0.003, 3, 32).move(0.02, 0.021, 0.05);
   }
 
   /** Moves a mesh, whose axis goes through the origin, to the end of the upper arm. */
@@ -100,7 +105,7 @@ final class DeskLamp {
   }
 
   private static TriangleMesh bulb() {
-    return RoundSolids.ellipsoid(0.026, 0.034, 0.026, 18, 32).move(0, -0.068, 0);
+    return RoundSolidBuilder.ellipsoid(0.026, 0.034, 0.026, 18, 32).move(0, -0.068, 0);
   }
 
   private static TriangleMesh cable() {

@@ -2,15 +2,15 @@ package org.selectiverenderer.apartment.office;
 
 import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.BoxBuilder;
 import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.Lathe;
 import org.selectiverenderer.modelling.ModelPlacement;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
 import org.selectiverenderer.modelling.ProfileCurve;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
+import org.selectiverenderer.modelling.SimplePolygon;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
@@ -64,7 +64,7 @@ final class FireExtinguisher {
         ProfileCurve.of(
             0.023, 0.416, 0.023, 0.424, 0.015, 0.427, 0.015, 0.452, 0.011, 0.452, 0.011, 0.475,
             0.008, 0.478);
-    TriangleMesh outlet = MeshOrientation.sideways(RoundSolids.cylinder(0.008, 0.034, 16));
+    TriangleMesh outlet = MeshOrientation.sideways(RoundSolidBuilder.cylinder(0.008, 0.034, 16));
     return Lathe.solid(profile, 24).append(outlet.mirrorX().move(0, 0.44, 0));
   }
 
@@ -73,7 +73,7 @@ final class FireExtinguisher {
    * valve.
    */
   private static TriangleMesh lever(double degrees) {
-    Outline side =
+    SimplePolygon side =
         ProfileCurve.of(
                 -0.012, 0, 0.05, 0, 0.095, -0.014, 0.097, -0.006, 0.052, 0.009, -0.012, 0.009)
             .closed()
@@ -82,7 +82,7 @@ final class FireExtinguisher {
   }
 
   private static TriangleMesh gauge() {
-    return MeshOrientation.forward(RoundSolids.roundedCylinder(0.013, 0.01, 0.003, 2, 20))
+    return MeshOrientation.forward(RoundSolidBuilder.roundedCylinder(0.013, 0.01, 0.003, 2, 20))
         .move(0, 0.439, 0.012);
   }
 
@@ -104,10 +104,11 @@ final class FireExtinguisher {
   /** Returns the bracket: a plate at the wall, and the strap that holds the bottle to it. */
   private static TriangleMesh bracket() {
     TriangleMesh plate =
-        ExtrudedSolid.bevelled(0.006, 0.002, 2, Outline.roundedRectangle(0.06, 0.32, 0.02, 4))
+        ExtrudedSolid.bevelled(0.006, 0.002, 2, SimplePolygon.roundedRectangle(0.06, 0.32, 0.02, 4))
             .move(0, 0.24, -RADIUS - 0.012);
-    Outline section = Outline.roundedRectangle(0.003, 0.022, 0.0014, 1).move(RADIUS + 0.001, 0);
-    TriangleMesh spacer = Boxes.plain(0.03, 0.03, 0.02).move(0, 0.3, -RADIUS);
+    SimplePolygon section =
+        SimplePolygon.roundedRectangle(0.003, 0.022, 0.0014, 1).move(RADIUS + 0.001, 0);
+    TriangleMesh spacer = BoxBuilder.plain(0.03, 0.03, 0.02).move(0, 0.3, -RADIUS);
     return TriangleMesh.of(plate, spacer, Lathe.ring(section, 36).move(0, 0.315, 0));
   }
 }

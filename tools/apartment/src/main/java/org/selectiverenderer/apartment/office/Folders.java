@@ -2,12 +2,12 @@ package org.selectiverenderer.apartment.office;
 
 import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.BoxBuilder;
 import org.selectiverenderer.modelling.MeshPatterns;
 import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
 
 /** Four lever-arch files that stand beside each other, 0.31 m high; one version. */
 final class Folders {
@@ -18,10 +18,10 @@ final class Folders {
   private Folders() {}
 
   static ParametricModel model() {
-    TriangleMesh file = Boxes.bevelled(WIDTH - 0.002, HEIGHT, DEPTH, 0.003, 1);
+    TriangleMesh file = BoxBuilder.bevelled(WIDTH - 0.002, HEIGHT, DEPTH, 0.003, 1);
     TriangleMesh label = MeshOrientation.flat(0.05, 0.13).move(0, 0.2, DEPTH / 2 + 0.0008);
     TriangleMesh lines = MeshPatterns.row(MeshOrientation.flat(0.036, 0.006), 3, 0, -0.02, 0);
-    TriangleMesh hole = MeshOrientation.forward(RoundSolids.cylinder(0.012, 0.002, 6));
+    TriangleMesh hole = MeshOrientation.forward(RoundSolidBuilder.cylinder(0.012, 0.002, 6));
     return ModelPlacement.centred(
         ParametricModel.of(
             "folders",

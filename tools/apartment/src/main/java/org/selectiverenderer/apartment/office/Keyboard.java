@@ -2,13 +2,13 @@ package org.selectiverenderer.apartment.office;
 
 import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.BoxBuilder;
 import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.MeshPatterns;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
+import org.selectiverenderer.modelling.SimplePolygon;
 
 /** A full keyboard, 0.45 m wide, for a {@link ComputerSet}. */
 final class Keyboard {
@@ -22,9 +22,12 @@ final class Keyboard {
         keys(KeyboardLayout.MAIN).append(keys(KeyboardLayout.RIGHT).move(15 * PITCH, 0, 0));
     TriangleMesh body =
         ExtrudedSolid.plate(
-            0.018, 0.005, 4, Outline.roundedRectangle(WIDTH + 0.022, 6 * PITCH + 0.03, 0.01, 7));
+            0.018,
+            0.005,
+            4,
+            SimplePolygon.roundedRectangle(WIDTH + 0.022, 6 * PITCH + 0.03, 0.01, 7));
     TriangleMesh lamps =
-        MeshPatterns.row(RoundSolids.cylinder(0.002, 0.001, 10), 3, 0.012, 0, 0)
+        MeshPatterns.row(RoundSolidBuilder.cylinder(0.002, 0.001, 10), 3, 0.012, 0, 0)
             .move(WIDTH / 2 - 0.065, 0.018, -2.6 * PITCH);
     ParametricModel flat =
         ParametricModel.of(
@@ -40,6 +43,6 @@ final class Keyboard {
         rows,
         PITCH,
         PITCH,
-        width -> Boxes.bevelled(width - 0.0018, 0.010, PITCH - 0.0018, 0.003, 2));
+        width -> BoxBuilder.bevelled(width - 0.0018, 0.010, PITCH - 0.0018, 0.003, 2));
   }
 }

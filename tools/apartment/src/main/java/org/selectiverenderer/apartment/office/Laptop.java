@@ -2,15 +2,15 @@ package org.selectiverenderer.apartment.office;
 
 import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.BoxBuilder;
 import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.MeshPatterns;
 import org.selectiverenderer.modelling.ModelMaterial;
 import org.selectiverenderer.modelling.ModelPlacement;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
+import org.selectiverenderer.modelling.SimplePolygon;
 
 /** An open portable computer, 0.34 m wide (thesis Fig 71). */
 final class Laptop {
@@ -53,13 +53,13 @@ final class Laptop {
 
   private static TriangleMesh base() {
     return ExtrudedSolid.plate(
-            TOP - 0.002, 0.005, 6, Outline.roundedRectangle(WIDTH, DEPTH, 0.016, 10))
+            TOP - 0.002, 0.005, 6, SimplePolygon.roundedRectangle(WIDTH, DEPTH, 0.016, 10))
         .move(0, 0.002, 0);
   }
 
   private static TriangleMesh keyBed() {
     return ExtrudedSolid.plate(
-            0.0012, 0.0005, 2, Outline.roundedRectangle(15 * PITCH + 0.006, 0.11, 0.004, 5))
+            0.0012, 0.0005, 2, SimplePolygon.roundedRectangle(15 * PITCH + 0.006, 0.11, 0.004, 5))
         .move(0, TOP - 0.0008, -0.034);
   }
 
@@ -69,17 +69,18 @@ final class Laptop {
             KeyboardLayout.MAIN,
             PITCH,
             depth,
-            width -> Boxes.bevelled(width - 0.0028, 0.0036, depth - 0.0026, 0.0018, 5))
+            width -> BoxBuilder.bevelled(width - 0.0028, 0.0036, depth - 0.0026, 0.0018, 5))
         .move(-7.5 * PITCH, TOP - 0.0002, -0.034 - 3 * depth);
   }
 
   private static TriangleMesh touchPad() {
-    return ExtrudedSolid.plate(0.001, 0.0004, 3, Outline.roundedRectangle(0.09, 0.06, 0.005, 8))
+    return ExtrudedSolid.plate(
+            0.001, 0.0004, 3, SimplePolygon.roundedRectangle(0.09, 0.06, 0.005, 8))
         .move(0, TOP - 0.0004, 0.066);
   }
 
   private static TriangleMesh hinge(double x) {
-    return MeshOrientation.sideways(RoundSolids.roundedCylinder(0.006, 0.05, 0.0015, 4, 48))
+    return MeshOrientation.sideways(RoundSolidBuilder.roundedCylinder(0.006, 0.05, 0.0015, 4, 48))
         .move(x - 0.025, TOP + 0.001, -DEPTH / 2 + 0.002);
   }
 
@@ -90,7 +91,7 @@ final class Laptop {
 
   private static TriangleMesh lid() {
     return ExtrudedSolid.bevelled(
-            0.007, 0.0033, 6, Outline.roundedRectangle(WIDTH, 0.214, 0.014, 10))
+            0.007, 0.0033, 6, SimplePolygon.roundedRectangle(WIDTH, 0.214, 0.014, 10))
         .move(0, 0.109, -0.004);
   }
 
@@ -99,8 +100,8 @@ final class Laptop {
             0.0022,
             0.0008,
             3,
-            Outline.roundedRectangle(WIDTH - 0.008, 0.206, 0.011, 8),
-            Outline.roundedRectangle(0.3, 0.176, 0.001, 2))
+            SimplePolygon.roundedRectangle(WIDTH - 0.008, 0.206, 0.011, 8),
+            SimplePolygon.roundedRectangle(0.3, 0.176, 0.001, 2))
         .move(0, 0.109, 0.0022);
   }
 
@@ -114,6 +115,6 @@ final class Laptop {
 
   private static TriangleMesh feet() {
     return MeshPatterns.corners(
-        RoundSolids.roundedCylinder(0.008, 0.004, 0.0015, 3, 32), 0.145, 0.095);
+        RoundSolidBuilder.roundedCylinder(0.008, 0.004, 0.0015, 3, 32), 0.145, 0.095);
   }
 }

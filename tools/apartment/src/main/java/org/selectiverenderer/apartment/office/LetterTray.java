@@ -2,7 +2,7 @@ package org.selectiverenderer.apartment.office;
 
 import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.BoxBuilder;
 import org.selectiverenderer.modelling.MeshPatterns;
 import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.ParametricModel;
@@ -17,7 +17,7 @@ final class LetterTray {
   private LetterTray() {}
 
   static ParametricModel model() {
-    TriangleMesh paper = Boxes.plain(0.21, 0.012, 0.297).move(0, 0.003, 0);
+    TriangleMesh paper = BoxBuilder.plain(0.21, 0.012, 0.297).move(0, 0.003, 0);
     return ModelPlacement.centred(
         ParametricModel.of(
             "letterTray",
@@ -29,19 +29,19 @@ final class LetterTray {
   }
 
   private static TriangleMesh tray() {
-    TriangleMesh side = Boxes.plain(0.004, 0.045, DEPTH).move(WIDTH / 2 - 0.002, 0, 0);
-    TriangleMesh back = Boxes.plain(WIDTH - 0.008, 0.045, 0.004).move(0, 0, 0.002 - DEPTH / 2);
-    TriangleMesh floor = Boxes.plain(WIDTH - 0.008, 0.003, DEPTH - 0.004).move(0, 0, 0.002);
+    TriangleMesh side = BoxBuilder.plain(0.004, 0.045, DEPTH).move(WIDTH / 2 - 0.002, 0, 0);
+    TriangleMesh back = BoxBuilder.plain(WIDTH - 0.008, 0.045, 0.004).move(0, 0, 0.002 - DEPTH / 2);
+    TriangleMesh floor = BoxBuilder.plain(WIDTH - 0.008, 0.003, DEPTH - 0.004).move(0, 0, 0.002);
     return TriangleMesh.of(side, side.mirrorX(), back, floor);
   }
 
   private static TriangleMesh posts() {
     return MeshPatterns.corners(
-        Boxes.plain(0.008, STEP + 0.01, 0.012), WIDTH / 2, DEPTH / 2 - 0.03);
+        BoxBuilder.plain(0.008, STEP + 0.01, 0.012), WIDTH / 2, DEPTH / 2 - 0.03);
   }
 
   private static TriangleMesh letter() {
-    return Boxes.plain(0.18, 0.002, 0.11).turnY(-7).move(0.01, STEP + 0.015, 0.05);
+    return BoxBuilder.plain(0.18, 0.002, 0.11).turnY(-7).move(0.01, STEP + 0.015, 0.05);
   }
 
   private static TriangleMesh stamp() {

@@ -3,14 +3,14 @@ package org.selectiverenderer.apartment.office;
 import java.util.function.DoubleFunction;
 import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.BoxBuilder;
 import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.ModelColour;
 import org.selectiverenderer.modelling.ModelMaterial;
 import org.selectiverenderer.modelling.ModelPlacement;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
+import org.selectiverenderer.modelling.SimplePolygon;
 
 /**
  * A square wooden box with pencils, pens and a pair of scissors, 0.21 m high in all (thesis Fig
@@ -30,12 +30,12 @@ final class LibraryPencilHolder {
             0.105,
             0.002,
             2,
-            Outline.roundedRectangle(0.09, 0.09, 0.012, 4),
-            Outline.roundedRectangle(0.078, 0.078, 0.006, 4));
+            SimplePolygon.roundedRectangle(0.09, 0.09, 0.012, 4),
+            SimplePolygon.roundedRectangle(0.078, 0.078, 0.006, 4));
     return ModelPlacement.centred(
         ParametricModel.of(
             "libraryPencilHolder",
-            Part.of("box", Materials.DARK_OAK, walls, Boxes.plain(0.082, 0.006, 0.082)),
+            Part.of("box", Materials.DARK_OAK, walls, BoxBuilder.plain(0.082, 0.006, 0.082)),
             each("pencils", Materials.GREEN, WritingTools::pencil).crease(20),
             each(
                 "wood",
@@ -57,7 +57,7 @@ final class LibraryPencilHolder {
   }
 
   private static TriangleMesh blades() {
-    return Boxes.plain(0.014, 0.13, 0.003).move(0, 0.007, 0);
+    return BoxBuilder.plain(0.014, 0.13, 0.003).move(0, 0.007, 0);
   }
 
   private static Part each(String name, ModelMaterial look, DoubleFunction<TriangleMesh> piece) {

@@ -3,8 +3,8 @@ package org.selectiverenderer.apartment.office;
 import java.util.Arrays;
 import org.selectiverenderer.geometry.DegreeMath;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Outline;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
+import org.selectiverenderer.modelling.SimplePolygon;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
@@ -38,7 +38,8 @@ record MouseShape(int rings, int segments) {
 
   private TriangleMesh body() {
     TriangleMesh egg =
-        RoundSolids.superellipsoid(HALF_WIDTH, HALF_LENGTH, HEIGHT, ALONG, AROUND, rings, segments);
+        RoundSolidBuilder.superellipsoid(
+            HALF_WIDTH, HALF_LENGTH, HEIGHT, ALONG, AROUND, rings, segments);
     return MeshOrientation.forward(egg)
         .deform(p -> p.mul(waist(p.z), p.y < 0 ? SOLE : slope(p.z), 1))
         .move(0, SOLE * HEIGHT, 0);
@@ -69,12 +70,12 @@ record MouseShape(int rings, int segments) {
       along[3 * i + 1] = top(z) - 0.002;
       along[3 * i + 2] = z;
     }
-    return Sweep.of(Outline.rectangle(0.0018, 0.0052), Spine.of(along));
+    return Sweep.of(SimplePolygon.rectangle(0.0018, 0.0052), Spine.of(along));
   }
 
   TriangleMesh wheel(int steps, int around) {
     double z = 0.03;
-    return MeshOrientation.sideways(RoundSolids.torus(0.0075, 0.0036, steps, around))
+    return MeshOrientation.sideways(RoundSolidBuilder.torus(0.0075, 0.0036, steps, around))
         .move(0, top(z) - 0.005, z);
   }
 

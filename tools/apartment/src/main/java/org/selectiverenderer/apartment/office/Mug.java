@@ -5,11 +5,11 @@ import org.selectiverenderer.modelling.Lathe;
 import org.selectiverenderer.modelling.ModelColour;
 import org.selectiverenderer.modelling.ModelMaterial;
 import org.selectiverenderer.modelling.ModelPlacement;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
 import org.selectiverenderer.modelling.ProfileCurve;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
+import org.selectiverenderer.modelling.SimplePolygon;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
@@ -41,7 +41,7 @@ final class Mug {
             Part.of(
                 "coffee",
                 coffee,
-                RoundSolids.cylinder(0.0368, 0.004, SEGMENTS).move(0, 0.074, 0))));
+                RoundSolidBuilder.cylinder(0.0368, 0.004, SEGMENTS).move(0, 0.074, 0))));
   }
 
   private static TriangleMesh handle() {
@@ -49,6 +49,6 @@ final class Mug {
         Spine.smooth(
             7, 0.039, 0.08, 0, 0.055, 0.083, 0, 0.07, 0.071, 0, 0.07, 0.048, 0, 0.056, 0.026, 0,
             0.039, 0.02, 0);
-    return Sweep.of(Outline.ellipse(0.0065, 0.0042, 18), ear);
+    return Sweep.of(SimplePolygon.ellipse(0.0065, 0.0042, 18), ear);
   }
 }

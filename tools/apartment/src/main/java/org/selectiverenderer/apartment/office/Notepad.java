@@ -2,7 +2,7 @@ package org.selectiverenderer.apartment.office;
 
 import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.BoxBuilder;
 import org.selectiverenderer.modelling.MeshPatterns;
 import org.selectiverenderer.modelling.ModelColour;
 import org.selectiverenderer.modelling.ModelMaterial;
@@ -25,11 +25,11 @@ final class Notepad {
             Part.of(
                 "paper",
                 ModelMaterial.matt(ModelColour.of(0.95, 0.9, 0.66)),
-                Boxes.plain(0.15, THICK, 0.2)),
+                BoxBuilder.plain(0.15, THICK, 0.2)),
             Part.of(
                 "binding",
                 Materials.DARK_OAK,
-                Boxes.plain(0.151, THICK + 0.001, 0.016).move(0, 0, -0.1)),
+                BoxBuilder.plain(0.151, THICK + 0.001, 0.016).move(0, 0, -0.1)),
             Part.of("writing", Materials.BLUE, MeshPatterns.row(line, 7, 0, 0, 0.016)),
             Part.of("pencil", Materials.RED, lying(WritingTools.pencil(0.13))).crease(20),
             Part.of(

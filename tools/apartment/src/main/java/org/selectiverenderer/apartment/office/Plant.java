@@ -13,7 +13,7 @@ import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.ParametricSurface;
 import org.selectiverenderer.modelling.Part;
 import org.selectiverenderer.modelling.ProfileCurve;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
@@ -67,7 +67,7 @@ final class Plant {
   }
 
   private static TriangleMesh soil() {
-    return RoundSolids.roundedCylinder(0.138, 0.05, 0.02, 2, 40).move(0, 0.205, 0);
+    return RoundSolidBuilder.roundedCylinder(0.138, 0.05, 0.02, 2, 40).move(0, 0.205, 0);
   }
 
   private static TriangleMesh cane(double[] head) {

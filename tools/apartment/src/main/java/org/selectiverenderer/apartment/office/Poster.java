@@ -3,14 +3,14 @@ package org.selectiverenderer.apartment.office;
 import java.util.Arrays;
 import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.BoxBuilder;
 import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.ModelColour;
 import org.selectiverenderer.modelling.ModelMaterial;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
 import org.selectiverenderer.modelling.ProfileCurve;
+import org.selectiverenderer.modelling.SimplePolygon;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
@@ -23,12 +23,14 @@ final class Poster {
   private Poster() {}
 
   static ParametricModel model() {
-    Outline section = Outline.of(0, -0.012, 0.02, -0.012, 0.024, -0.004, 0.016, 0.012, 0, 0.012);
-    TriangleMesh frame = Sweep.of(section, Spine.of(Outline.rectangle(0.876, 0.596)));
+    SimplePolygon section =
+        SimplePolygon.of(0, -0.012, 0.02, -0.012, 0.024, -0.004, 0.016, 0.012, 0, 0.012);
+    TriangleMesh frame = Sweep.of(section, Spine.of(SimplePolygon.rectangle(0.876, 0.596)));
     return ParametricModel.of(
         "poster",
         Part.of("frame", Materials.BLACK, frame),
-        Part.of("back", Materials.DARK_OAK, Boxes.plain(0.87, 0.59, 0.008).move(0, -0.295, 0.004)),
+        Part.of(
+            "back", Materials.DARK_OAK, BoxBuilder.plain(0.87, 0.59, 0.008).move(0, -0.295, 0.004)),
         Part.of("mount", Materials.PAPER, layer(0.86, 0.58, 0, 1)),
         Part.of(
             "sky", ModelMaterial.matt(ModelColour.of(0.93, 0.72, 0.46)), layer(0.7, 0.42, 0, 2)),
@@ -47,7 +49,7 @@ final class Poster {
   }
 
   private static TriangleMesh sun() {
-    return ExtrudedSolid.face(Outline.circle(0.045, 14)).move(0.1, 0.075, 0.0111);
+    return ExtrudedSolid.face(SimplePolygon.circle(0.045, 14)).move(0.1, 0.075, 0.0111);
   }
 
   /** Returns a range of hills given by heights at equal distances. */
@@ -60,7 +62,7 @@ final class Poster {
     }
     ProfileCurve ridge = ProfileCurve.from(more[0], more[1]);
     ridge = ridge.spline(2, Arrays.copyOfRange(more, 2, more.length));
-    Outline shape = ridge.line(0.35, -0.21).line(-0.35, -0.21).closed();
+    SimplePolygon shape = ridge.line(0.35, -0.21).line(-0.35, -0.21).closed();
     TriangleMesh mesh = ExtrudedSolid.face(shape).move(0, 0, 0.008 + 0.0008 * layer);
     return Part.of(name + "Hills", ModelMaterial.matt(ModelColour.of(red, green, blue)), mesh);
   }

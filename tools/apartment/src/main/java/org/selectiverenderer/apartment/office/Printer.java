@@ -2,15 +2,15 @@ package org.selectiverenderer.apartment.office;
 
 import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.BoxBuilder;
 import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.MeshPatterns;
 import org.selectiverenderer.modelling.ModelPlacement;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.ParametricSurface;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
+import org.selectiverenderer.modelling.SimplePolygon;
 import org.selectiverenderer.modelling.TextGeometry;
 
 /**
@@ -49,45 +49,47 @@ final class Printer {
             0.235,
             0.01,
             7,
-            Outline.roundedRectangle(WIDTH, LID, 0.022, 10),
-            Outline.roundedRectangle(0.27, 0.052, 0.012, 8).move(0, -0.025))
+            SimplePolygon.roundedRectangle(WIDTH, LID, 0.022, 10),
+            SimplePolygon.roundedRectangle(0.27, 0.052, 0.012, 8).move(0, -0.025))
         .move(0, LID / 2, FRONT - 0.235);
   }
 
   private static TriangleMesh lid() {
-    return ExtrudedSolid.plate(0.026, 0.009, 6, Outline.roundedRectangle(0.392, 0.16, 0.02, 10))
+    return ExtrudedSolid.plate(
+            0.026, 0.009, 6, SimplePolygon.roundedRectangle(0.392, 0.16, 0.02, 10))
         .move(0, LID - 0.004, FRONT - 0.115);
   }
 
   /** Returns the feeder that holds the stack of paper. */
   private static TriangleMesh feeder() {
-    return Boxes.bevelled(0.27, 0.15, 0.008, 0.003, 4).turnX(-10).move(0, LID - 0.02, -0.109);
+    return BoxBuilder.bevelled(0.27, 0.15, 0.008, 0.003, 4).turnX(-10).move(0, LID - 0.02, -0.109);
   }
 
   private static TriangleMesh inside() {
-    return Boxes.plain(0.29, 0.075, 0.01).move(0, 0.012, FRONT - 0.06);
+    return BoxBuilder.plain(0.29, 0.075, 0.01).move(0, 0.012, FRONT - 0.06);
   }
 
   private static TriangleMesh rollers() {
     TriangleMesh roller =
-        MeshOrientation.sideways(RoundSolids.roundedCylinder(0.009, 0.03, 0.003, 3, 32));
+        MeshOrientation.sideways(RoundSolidBuilder.roundedCylinder(0.009, 0.03, 0.003, 3, 32));
     return MeshPatterns.row(roller.move(-0.115, 0.06, FRONT - 0.035), 4, 0.068, 0, 0);
   }
 
   private static TriangleMesh vents() {
-    TriangleMesh slot = Boxes.bevelled(0.003, 0.05, 0.005, 0.0014, 3);
+    TriangleMesh slot = BoxBuilder.bevelled(0.003, 0.05, 0.005, 0.0014, 3);
     return MeshPatterns.row(slot.move(WIDTH / 2, 0.05, -0.1), 10, 0, 0, 0.013);
   }
 
   private static TriangleMesh tray() {
-    return ExtrudedSolid.plate(0.006, 0.0025, 4, Outline.roundedRectangle(0.25, 0.11, 0.016, 10))
+    return ExtrudedSolid.plate(
+            0.006, 0.0025, 4, SimplePolygon.roundedRectangle(0.25, 0.11, 0.016, 10))
         .turnX(-4)
         .move(0, 0.022, FRONT + 0.006);
   }
 
   /** Returns the paper: blank sheets behind, a page in front. */
   private static TriangleMesh paper() {
-    TriangleMesh stack = Boxes.plain(0.21, 0.2, 0.006).turnX(-10).move(0, LID - 0.02, -0.1);
+    TriangleMesh stack = BoxBuilder.plain(0.21, 0.2, 0.006).turnX(-10).move(0, LID - 0.02, -0.1);
     TriangleMesh page =
         ParametricSurface.thicken(
             ParametricSurface.field(
@@ -105,12 +107,13 @@ final class Printer {
 
   /** Returns the control panel, which stands out on the right above the output slot. */
   private static TriangleMesh panel() {
-    return ExtrudedSolid.bevelled(0.012, 0.004, 6, Outline.roundedRectangle(0.35, 0.038, 0.01, 10))
+    return ExtrudedSolid.bevelled(
+            0.012, 0.004, 6, SimplePolygon.roundedRectangle(0.35, 0.038, 0.01, 10))
         .move(0, LID - 0.03, FRONT - 0.006);
   }
 
   private static TriangleMesh button(double radius) {
-    return MeshOrientation.forward(RoundSolids.roundedCylinder(radius, 0.005, 0.002, 3, 28))
+    return MeshOrientation.forward(RoundSolidBuilder.roundedCylinder(radius, 0.005, 0.002, 3, 28))
         .move(-0.012, LID - 0.03, FRONT + 0.004);
   }
 
@@ -121,7 +124,8 @@ final class Printer {
   }
 
   private static TriangleMesh display() {
-    return ExtrudedSolid.bevelled(0.003, 0.001, 3, Outline.roundedRectangle(0.075, 0.024, 0.003, 6))
+    return ExtrudedSolid.bevelled(
+            0.003, 0.001, 3, SimplePolygon.roundedRectangle(0.075, 0.024, 0.003, 6))
         .move(-0.055, LID - 0.03, FRONT + 0.0045);
   }
 

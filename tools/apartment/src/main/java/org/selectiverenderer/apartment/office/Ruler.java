@@ -7,9 +7,9 @@ import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.ModelColour;
 import org.selectiverenderer.modelling.ModelMaterial;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
+import org.selectiverenderer.modelling.SimplePolygon;
 import org.selectiverenderer.modelling.TextGeometry;
 
 /**
@@ -22,8 +22,9 @@ final class Ruler {
   private Ruler() {}
 
   static ParametricModel model() {
-    Outline section =
-        Outline.of(0, 0, 0.034, 0, 0.034, 0.0012, 0.024, THICK, 0.001, THICK, 0, THICK - 0.001);
+    SimplePolygon section =
+        SimplePolygon.of(
+            0, 0, 0.034, 0, 0.034, 0.0012, 0.024, THICK, 0.001, THICK, 0, THICK - 0.001);
     TriangleMesh body = ExtrudedSolid.plain(0.316, section).turnY(90);
     ModelMaterial wood = ModelMaterial.satin(ModelColour.of(0.86, 0.66, 0.3));
     return ParametricModel.of(

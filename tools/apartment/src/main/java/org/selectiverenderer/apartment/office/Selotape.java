@@ -7,11 +7,11 @@ import org.selectiverenderer.modelling.Lathe;
 import org.selectiverenderer.modelling.ModelColour;
 import org.selectiverenderer.modelling.ModelMaterial;
 import org.selectiverenderer.modelling.ModelPlacement;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
 import org.selectiverenderer.modelling.ProfileCurve;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
+import org.selectiverenderer.modelling.SimplePolygon;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
@@ -41,7 +41,7 @@ final class Selotape {
   }
 
   private static TriangleMesh cheek() {
-    Outline side =
+    SimplePolygon side =
         ProfileCurve.from(-0.072, 0)
             .line(0.066, 0)
             .bezier(0.074, 0, 0.077, 0.004, 0.078, 0.012, 8)
@@ -57,7 +57,7 @@ final class Selotape {
 
   /** Returns the part that joins the cheeks below the roll and carries the blade. */
   private static TriangleMesh saddle() {
-    Outline side =
+    SimplePolygon side =
         ProfileCurve.from(-0.07, 0.0005)
             .line(0.07, 0.0005)
             .line(0.0765, 0.03)
@@ -70,14 +70,16 @@ final class Selotape {
   }
 
   private static TriangleMesh sole() {
-    return ExtrudedSolid.plate(0.004, 0.001, 2, Outline.roundedRectangle(0.14, 0.048, 0.008, 8))
+    return ExtrudedSolid.plate(
+            0.004, 0.001, 2, SimplePolygon.roundedRectangle(0.14, 0.048, 0.008, 8))
         .move(0, -0.002, 0);
   }
 
   private static TriangleMesh roll(
       double inner, double outer, double width, double edge, int steps) {
-    Outline section =
-        Outline.roundedRectangle(outer - inner, width, edge, steps).move((inner + outer) / 2, 0);
+    SimplePolygon section =
+        SimplePolygon.roundedRectangle(outer - inner, width, edge, steps)
+            .move((inner + outer) / 2, 0);
     return MeshOrientation.forward(Lathe.ring(section, SEGMENTS)).move(AXLE_X, AXLE_Y, 0);
   }
 
@@ -96,7 +98,7 @@ final class Selotape {
   }
 
   private static TriangleMesh cap() {
-    return MeshOrientation.forward(RoundSolids.roundedCylinder(0.009, 0.004, 0.002, 4, 64))
+    return MeshOrientation.forward(RoundSolidBuilder.roundedCylinder(0.009, 0.004, 0.002, 4, 64))
         .move(AXLE_X, AXLE_Y, 0.0255);
   }
 
@@ -104,7 +106,7 @@ final class Selotape {
   private static TriangleMesh strip() {
     ProfileCurve path =
         ProfileCurve.from(-0.018, 0.0805).bezier(0.01, 0.074, 0.05, 0.058, 0.087, 0.0495, 24);
-    return Sweep.of(Outline.rectangle(0.0185, 0.0005), Spine.of(path));
+    return Sweep.of(SimplePolygon.rectangle(0.0185, 0.0005), Spine.of(path));
   }
 
   private static TriangleMesh blade() {

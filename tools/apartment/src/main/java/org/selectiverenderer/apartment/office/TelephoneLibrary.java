@@ -6,14 +6,14 @@ import org.joml.Vector3d;
 import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.DegreeMath;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.BoxBuilder;
 import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.MeshPatterns;
 import org.selectiverenderer.modelling.ModelPlacement;
-import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
+import org.selectiverenderer.modelling.SimplePolygon;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 import org.selectiverenderer.modelling.TextGeometry;
@@ -46,8 +46,8 @@ final class TelephoneLibrary {
 
   /** Returns the body, a wedge that slopes down to the front. */
   private static TriangleMesh body() {
-    Outline side =
-        Outline.of(-0.095, 0.003, 0.098, 0.003, 0.098, 0.0213, -0.075, 0.062, -0.095, 0.056)
+    SimplePolygon side =
+        SimplePolygon.of(-0.095, 0.003, 0.098, 0.003, 0.098, 0.0213, -0.075, 0.062, -0.095, 0.056)
             .rounded(0.009, 8);
     return MeshOrientation.across(ExtrudedSolid.bevelled(0.2, 0.006, 6, side), 0.2);
   }
@@ -59,7 +59,7 @@ final class TelephoneLibrary {
 
   /** Returns the cradle of one end of the handset. */
   private static TriangleMesh cradle(double z) {
-    return onFace(Boxes.bevelled(0.052, 0.012, 0.05, 0.004, 5), -0.068, z);
+    return onFace(BoxBuilder.bevelled(0.052, 0.012, 0.05, 0.004, 5), -0.068, z);
   }
 
   private static TriangleMesh handset() {
@@ -67,10 +67,11 @@ final class TelephoneLibrary {
         Spine.smooth(
             8, 0, 0.03, -0.094, 0, 0.038, -0.07, 0, 0.046, -0.035, 0, 0.048, 0, 0, 0.046, 0.035, 0,
             0.038, 0.07, 0, 0.03, 0.094);
-    Outline section = Outline.superellipse(0.021, 0.0105, 2.8, 32);
+    SimplePolygon section = SimplePolygon.superellipse(0.021, 0.0105, 2.8, 32);
     TriangleMesh grip =
         Sweep.of(section, arch, t -> 0.8 + 0.8 * Math.abs(t - 0.5) * Math.abs(t - 0.5));
-    TriangleMesh cup = RoundSolids.roundedCylinder(0.0245, 0.027, 0.008, 6, 40).move(0, 0.009, 0);
+    TriangleMesh cup =
+        RoundSolidBuilder.roundedCylinder(0.0245, 0.027, 0.008, 6, 40).move(0, 0.009, 0);
     return onFace(
         TriangleMesh.of(grip, cup.move(0, 0, -0.072), cup.move(0, 0, 0.072)), -0.068, -0.004);
   }
@@ -101,7 +102,7 @@ final class TelephoneLibrary {
   /** Returns rows and columns of keys about a point of the face. */
   private static TriangleMesh grid(
       int rows, int columns, double dx, double dz, double x, double z) {
-    TriangleMesh key = Boxes.bevelled(dx - 0.006, KEY_TOP, 0.0105, 0.0025, 3);
+    TriangleMesh key = BoxBuilder.bevelled(dx - 0.006, KEY_TOP, 0.0105, 0.0025, 3);
     TriangleMesh row = MeshPatterns.row(key, columns, dx, 0, 0).move(-dx * (columns - 1) / 2, 0, 0);
     return onFace(MeshPatterns.row(row, rows, 0, 0, dz), x, z);
   }
@@ -123,8 +124,8 @@ final class TelephoneLibrary {
             0.005,
             0.002,
             5,
-            Outline.roundedRectangle(0.096, 0.034, 0.006, 8),
-            Outline.roundedRectangle(0.082, 0.022, 0.002, 4)),
+            SimplePolygon.roundedRectangle(0.096, 0.034, 0.006, 8),
+            SimplePolygon.roundedRectangle(0.082, 0.022, 0.002, 4)),
         0.04,
         -0.054);
   }
@@ -135,6 +136,6 @@ final class TelephoneLibrary {
 
   private static TriangleMesh feet() {
     return MeshPatterns.corners(
-        RoundSolids.roundedCylinder(0.008, 0.005, 0.0015, 2, 20), 0.08, 0.08);
+        RoundSolidBuilder.roundedCylinder(0.008, 0.005, 0.0015, 2, 20), 0.08, 0.08);
   }
 }

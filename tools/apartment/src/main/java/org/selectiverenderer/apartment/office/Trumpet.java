@@ -8,7 +8,7 @@ import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
 import org.selectiverenderer.modelling.ProfileCurve;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
@@ -74,7 +74,7 @@ final class Trumpet {
 
   /** Returns three cylinders that lie from left to right above each other. */
   private static TriangleMesh valves(double radius, double from, double length) {
-    TriangleMesh valve = MeshOrientation.sideways(RoundSolids.cylinder(radius, length, 8));
+    TriangleMesh valve = MeshOrientation.sideways(RoundSolidBuilder.cylinder(radius, length, 8));
     return MeshPatterns.row(valve.move(from, 0.215, 0), 3, 0, 0.036, 0);
   }
 

@@ -3,7 +3,7 @@ package org.selectiverenderer.apartment.office;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Lathe;
 import org.selectiverenderer.modelling.ProfileCurve;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
@@ -15,17 +15,17 @@ final class WritingTools {
 
   /** Returns the painted body of a pencil, 24 triangles. */
   static TriangleMesh pencil(double length) {
-    return RoundSolids.cylinder(RADIUS, length, 6);
+    return RoundSolidBuilder.cylinder(RADIUS, length, 6);
   }
 
   /** Returns the sharpened wood on top of the body, 24 triangles. */
   static TriangleMesh sharpenedWood(double length) {
-    return RoundSolids.cone(RADIUS, 0.0014, 0.016, 6).move(0, length, 0);
+    return RoundSolidBuilder.cone(RADIUS, 0.0014, 0.016, 6).move(0, length, 0);
   }
 
   /** Returns the lead on top of the wood, 12 triangles. */
   static TriangleMesh lead(double length) {
-    return RoundSolids.cone(0.0014, 0, 0.005, 6).move(0, length + 0.016, 0);
+    return RoundSolidBuilder.cone(0.0014, 0, 0.005, 6).move(0, length + 0.016, 0);
   }
 
   /** Returns a ball-point pen with cap, {@code 12 segments} triangles. */

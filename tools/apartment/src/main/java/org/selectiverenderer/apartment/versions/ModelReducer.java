@@ -37,7 +37,7 @@ final class ModelReducer {
       // A closed surface has an even count: reduce to one triangle more than asked for, then remove
       // one.
       SimplificationTarget more = new SimplificationTarget.Exactly(polygons + 1);
-      parts = UndersideOpener.open(simplifier.simplify(model.meshes(), more).parts());
+      parts = BottomFaceRemover.open(simplifier.simplify(model.meshes(), more).parts());
     }
     if (count(parts) != polygons) {
       throw new IllegalArgumentException(

@@ -13,26 +13,28 @@ import org.selectiverenderer.apartment.plan.RoomPosition.Floor;
 import org.selectiverenderer.apartment.plan.RoomPosition.Hung;
 import org.selectiverenderer.apartment.plan.RoomPosition.On;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.BoxBuilder;
 import org.selectiverenderer.modelling.ModelColour;
 import org.selectiverenderer.modelling.ModelMaterial;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.ParametricSurface;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
 
 class PlacementResolverTest {
   private static final TriangleMesh FLOOR =
       TriangleMesh.of(
           ParametricSurface.field(40, 10, 1, 1, (x, z) -> 0),
-          Boxes.plain(2, 0.01, 2).move(5, 0, 0));
+          BoxBuilder.plain(2, 0.01, 2).move(5, 0, 0));
 
   private final Map<String, ParametricModel> models =
       Map.of(
-          "table", model(Boxes.plain(2, 0.1, 1).move(0, 0.7, 0), Boxes.plain(0.1, 0.7, 0.1)),
-          "box", model(Boxes.plain(0.2, 0.2, 0.4)),
-          "shelf", model(Boxes.plain(1, 0.02, 0.3).move(0, 0.5, 0), Boxes.plain(1, 0.02, 0.3)),
-          "ball", model(RoundSolids.sphere(0.1, 16, 16)));
+          "table",
+              model(BoxBuilder.plain(2, 0.1, 1).move(0, 0.7, 0), BoxBuilder.plain(0.1, 0.7, 0.1)),
+          "box", model(BoxBuilder.plain(0.2, 0.2, 0.4)),
+          "shelf",
+              model(BoxBuilder.plain(1, 0.02, 0.3).move(0, 0.5, 0), BoxBuilder.plain(1, 0.02, 0.3)),
+          "ball", model(RoundSolidBuilder.sphere(0.1, 16, 16)));
 
   @Test
   void whatStandsOnTheFloorTouchesIt() {

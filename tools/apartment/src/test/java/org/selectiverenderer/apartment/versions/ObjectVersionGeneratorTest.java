@@ -5,12 +5,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.BoxBuilder;
 import org.selectiverenderer.modelling.ModelColour;
 import org.selectiverenderer.modelling.ModelMaterial;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.RoundSolids;
+import org.selectiverenderer.modelling.RoundSolidBuilder;
 
 class ObjectVersionGeneratorTest {
   private static final ModelMaterial GREY = ModelMaterial.matt(ModelColour.grey(0.5));
@@ -19,8 +19,8 @@ class ObjectVersionGeneratorTest {
   private final ParametricModel lamp =
       ParametricModel.of(
           "deskLamp",
-          Part.of("foot", GREY, Boxes.bevelled(0.2, 0.05, 0.2, 0.01, 4)),
-          Part.of("bulb", GREY, RoundSolids.sphere(0.1, 24, 32).move(0, 0.3, 0)));
+          Part.of("foot", GREY, BoxBuilder.bevelled(0.2, 0.05, 0.2, 0.01, 4)),
+          Part.of("bulb", GREY, RoundSolidBuilder.sphere(0.1, 24, 32).move(0, 0.3, 0)));
 
   @Test
   void versionOneIsTheRecipeWithMissingPolygonsAdded() {

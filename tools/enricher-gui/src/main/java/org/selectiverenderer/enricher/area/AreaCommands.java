@@ -18,7 +18,7 @@ public final class AreaCommands {
   private static final Set<String> NO_OBJECTS = Set.of("ProximitySensor", "X3D", "Scene");
 
   private final EnricherSession session;
-  private final SceneQueries probe;
+  private final AsyncSceneQueries probe;
   private final NamePrompt question;
   private final NodeCommands nodes;
 
@@ -26,7 +26,7 @@ public final class AreaCommands {
    * @param probe answers queries of the running scene
    * @param question asks for names
    */
-  public AreaCommands(EnricherSession session, SceneQueries probe, NamePrompt question) {
+  public AreaCommands(EnricherSession session, AsyncSceneQueries probe, NamePrompt question) {
     this.session = session;
     this.probe = probe;
     this.question = question;
@@ -37,7 +37,7 @@ public final class AreaCommands {
     return nodes;
   }
 
-  public SceneQueries probe() {
+  public AsyncSceneQueries probe() {
     return probe;
   }
 

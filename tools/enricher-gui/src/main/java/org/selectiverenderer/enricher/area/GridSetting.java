@@ -1,7 +1,7 @@
 package org.selectiverenderer.enricher.area;
 
 import java.util.List;
-import org.selectiverenderer.authoring.area.GridSnap;
+import org.selectiverenderer.authoring.area.SnapGrid;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.enricher.settings.EnricherSettings;
 import org.selectiverenderer.enricher.text.Texts;
@@ -20,13 +20,13 @@ public final class GridSetting {
   }
 
   /** The present grid. */
-  public GridSnap step() {
+  public SnapGrid step() {
     String word = settings.word("area.grid", "");
     return STEPS.stream()
         .filter(step -> DecimalFormatter.rounded(step, 2).equals(word))
         .findFirst()
-        .map(GridSnap::new)
-        .orElse(new GridSnap(USUAL));
+        .map(SnapGrid::new)
+        .orElse(new SnapGrid(USUAL));
   }
 
   /** Sets another step, in metres. */

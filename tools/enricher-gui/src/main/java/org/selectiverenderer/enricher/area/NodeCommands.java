@@ -7,8 +7,8 @@ import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.authoring.area.AreaBox;
 import org.selectiverenderer.authoring.area.AreaEdits;
+import org.selectiverenderer.authoring.area.AreaInstance;
 import org.selectiverenderer.authoring.area.AreaLocator;
-import org.selectiverenderer.authoring.area.PlacedArea;
 import org.selectiverenderer.authoring.enrichment.EnrichedSwitch;
 import org.selectiverenderer.authoring.nodes.NodeEdits;
 import org.selectiverenderer.authoring.switches.SwitchEdits;
@@ -53,7 +53,7 @@ public final class NodeCommands {
   }
 
   /** The area that an element is; empty if it is none or its position in the scene is unknown. */
-  public Optional<PlacedArea> area(DocumentElement element) {
+  public Optional<AreaInstance> area(DocumentElement element) {
     return element.attached()
         ? session
             .enrichment()
@@ -133,7 +133,7 @@ public final class NodeCommands {
    */
   public void copy(DocumentElement node, Object origin) {
     String name = free(node.def().orElse(node.name()));
-    Optional<PlacedArea> area = area(node);
+    Optional<AreaInstance> area = area(node);
     if (area.isPresent()) {
       Vector3d aside = new Vector3d(area.get().box().size().x() * BESIDE, 0, 0);
       perform(() -> areas.copy(area.get(), name, aside), name, origin);
@@ -143,7 +143,7 @@ public final class NodeCommands {
   }
 
   /** Puts a shifted copy of an area into the scene and selects it. */
-  public void copy(PlacedArea area, Vector3d shift, Object origin) {
+  public void copy(AreaInstance area, Vector3d shift, Object origin) {
     String name = free(area.name());
     perform(() -> areas.copy(area, name, shift), name, origin);
   }

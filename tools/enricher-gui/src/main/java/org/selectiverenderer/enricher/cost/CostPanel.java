@@ -27,7 +27,7 @@ import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
 import org.selectiverenderer.enricher.text.Texts;
-import org.selectiverenderer.polygon.StateBreakdown;
+import org.selectiverenderer.polygon.PolygonContributions;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
@@ -289,7 +289,7 @@ public final class CostPanel extends JPanel {
     if (row >= 0) {
       chosen = Optional.of(states.row(row));
     }
-    Optional<StateBreakdown> shares = chosen.flatMap(CostRow::shares);
+    Optional<PolygonContributions> shares = chosen.flatMap(CostRow::shares);
     following = true;
     objects.show(shares);
     following = false;
@@ -299,7 +299,7 @@ public final class CostPanel extends JPanel {
   }
 
   /** Describes the polygons that the list of objects leaves out. */
-  private static String rest(StateBreakdown shares) {
+  private static String rest(PolygonContributions shares) {
     return shares.objects().isEmpty()
         ? Texts.of("cost.plain")
         : Texts.of("cost.fixed", DecimalFormatter.grouped(shares.fixed()));

@@ -5,11 +5,11 @@ import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
-import org.selectiverenderer.polygon.EnrichmentModel;
+import org.selectiverenderer.polygon.EnrichmentPolygonModel;
 import org.selectiverenderer.polygon.IncrementalSceneCounter.CountResult;
+import org.selectiverenderer.polygon.PolygonContributions;
 import org.selectiverenderer.polygon.SceneStatistics;
 import org.selectiverenderer.polygon.SceneStatistics.ScopeCount;
-import org.selectiverenderer.polygon.StateBreakdown;
 import org.selectiverenderer.validation.PolygonBudget;
 import org.selectiverenderer.validation.budget.BudgetStatus;
 import org.selectiverenderer.validation.settings.BudgetSettingsEditor;
@@ -34,7 +34,7 @@ record CostRow(
     Optional<PolygonBudget> limit,
     Optional<BudgetStatus> status,
     boolean limitable,
-    Optional<StateBreakdown> shares) {
+    Optional<PolygonContributions> shares) {
   /** The kind of state. */
   enum Kind {
     /** All objects at their most detailed. */
@@ -74,30 +74,31 @@ record CostRow(
     return List.copyOf(making.rows);
   }
 
-  private record Making(EnrichmentModel model, List<PolygonBudget> left, List<CostRow> rows) {
-    Making(EnrichmentModel model, List<PolygonBudget> budgets) {
+  private record Making(
+      EnrichmentPolygonModel model, List<PolygonBudget> left, List<CostRow> rows) {
+    Making(EnrichmentPolygonModel model, List<PolygonBudget> budgets) {
       this(model, budgets, new ArrayList<>());
     }
 
-    void scope(ScopeCount count, List<StateBreakdown> states) {
+    void scope(ScopeCount count, List<PolygonContributions> states) {
       String scope = count.scope().equals(SceneStatistics.WHOLE_SCENE) ? "" : count.scope();
-      Optional<StateBreakdown> none = Optional.empty();
+      Optional<PolygonContributions> none = Optional.empty();
       if (count.high() > 0) {
         add(scope, Kind.ALL, List.of(), count.high(), 100, none);
       }
-      for (StateBreakdown state : states) {
+      for (PolygonContributions state : states) {
         Kind kind = state == states.get(0) ? Kind.LOADED : Kind.STATE;
         add(scope, kind, state.schemas(), state.polygons(), state.percent(), Optional.of(state));
       }
       worst(scope, count.high(), states);
     }
 
-    private void worst(String scope, long high, List<StateBreakdown> states) {
+    private void worst(String scope, long high, List<PolygonContributions> states) {
       model.states(scope).stream()
-          .max(Comparator.comparingLong(EnrichmentModel.State::polygons))
+          .max(Comparator.comparingLong(EnrichmentPolygonModel.State::polygons))
           .ifPresent(
               worst -> {
-                Optional<StateBreakdown> shares =
+                Optional<PolygonContributions> shares =
                     states.stream().filter(state -> state.polygons() == worst.polygons()).findAny();
                 double percent = high == 0 ? 0 : 100.0 * worst.polygons() / high;
                 add(scope, Kind.WORST, List.of(), worst.polygons(), percent, shares);
@@ -110,7 +111,7 @@ record CostRow(
         List<String> schemas,
         long polygons,
         double percent,
-        Optional<StateBreakdown> shares) {
+        Optional<PolygonContributions> shares) {
       PolygonBudget wanted = new PolygonBudget(scope, schemas, 0);
       boolean limitable =
           kind != Kind.ALL

@@ -7,8 +7,8 @@ import java.util.stream.Collectors;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.enricher.table.RowTableModel;
 import org.selectiverenderer.enricher.text.Texts;
-import org.selectiverenderer.polygon.StateBreakdown;
-import org.selectiverenderer.polygon.StateBreakdown.ObjectShare;
+import org.selectiverenderer.polygon.PolygonContributions;
+import org.selectiverenderer.polygon.PolygonContributions.ObjectShare;
 
 /** The table model of the polygons that each object contributes to a state, the largest first. */
 final class ObjectsTableModel extends RowTableModel<ObjectShare> {
@@ -30,10 +30,10 @@ final class ObjectsTableModel extends RowTableModel<ObjectShare> {
         Texts.of("cost.versions"));
   }
 
-  void show(Optional<StateBreakdown> shares) {
-    all = shares.map(StateBreakdown::polygons).orElse(0L);
+  void show(Optional<PolygonContributions> shares) {
+    all = shares.map(PolygonContributions::polygons).orElse(0L);
     List<ObjectShare> sorted =
-        shares.map(StateBreakdown::objects).orElse(List.of()).stream()
+        shares.map(PolygonContributions::objects).orElse(List.of()).stream()
             .sorted(Comparator.comparingLong(ObjectShare::polygons).reversed())
             .toList();
     update(sorted);

@@ -14,8 +14,8 @@ import net.miginfocom.swing.MigLayout;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.selectiverenderer.authoring.area.AreaBox;
+import org.selectiverenderer.authoring.area.AreaInstance;
 import org.selectiverenderer.authoring.area.AreaLocator;
-import org.selectiverenderer.authoring.area.PlacedArea;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.enricher.area.NodeCommands;
 import org.selectiverenderer.enricher.session.EnricherSession;
@@ -126,7 +126,7 @@ final class AreaBoxEditor {
     if (input instanceof ParseResult.Wrong<Double> wrong) {
       return Optional.of(wrong.why());
     }
-    Optional<PlacedArea> area = nodes.area(element);
+    Optional<AreaInstance> area = nodes.area(element);
     if (area.isEmpty()) {
       return Optional.empty();
     }
@@ -148,7 +148,7 @@ final class AreaBoxEditor {
 
   /** Shows the present box, its coordinate frame and the related areas. */
   void follow() {
-    Optional<PlacedArea> area = nodes.area(element);
+    Optional<AreaInstance> area = nodes.area(element);
     say(frame, area.map(AreaBoxEditor::about).orElseGet(this::unknown));
     say(relations, area.map(this::relations).orElse(""));
   }
@@ -165,7 +165,7 @@ final class AreaBoxEditor {
     return Texts.of("area.box.unknown", element.parent().map(String::valueOf).orElse(""));
   }
 
-  private static String about(PlacedArea area) {
+  private static String about(AreaInstance area) {
     List<String> lines = new ArrayList<>();
     lines.add(Texts.of("area.box.metres"));
     if (!area.frame().transforms().isEmpty()) {
@@ -179,8 +179,8 @@ final class AreaBoxEditor {
     return String.join(". ", lines) + ".";
   }
 
-  private String relations(PlacedArea area) {
-    List<PlacedArea> all = AreaLocator.of(session.enrichment());
+  private String relations(AreaInstance area) {
+    List<AreaInstance> all = AreaLocator.of(session.enrichment());
     List<String> lines = new ArrayList<>();
     AreaLocator.parts(area, all).forEach(part -> lines.add(Texts.of("area.part", part.name())));
     List<AreaLocator.Overlap> overlaps = AreaLocator.overlaps(area, all);

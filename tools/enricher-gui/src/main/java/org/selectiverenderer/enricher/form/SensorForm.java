@@ -33,7 +33,7 @@ final class SensorForm implements Form {
     this.session = session;
     this.node = node;
     NodeCommands nodes = new NodeCommands(session);
-    NameRow name = new NameRow(session, nodes, node.element());
+    NameFieldRow name = new NameFieldRow(session, nodes, node.element());
     box = new AreaBoxEditor(session, nodes, node.element());
     placed = nodes.area(node.element()).isPresent();
     this.nodes = nodes;

@@ -29,7 +29,7 @@ final class SwitchForm implements Form {
   private final VersionImageRenderer pictures;
   private final DocumentElement element;
   private final int size;
-  private final NameRow name;
+  private final NameFieldRow name;
   private final SwitchControls tools;
   private final List<ChoiceForm> choices = new ArrayList<>();
   private final JPanel panel =
@@ -50,7 +50,7 @@ final class SwitchForm implements Form {
     this.element = node.element();
     this.size = node.choices().size();
     NodeCommands nodes = new NodeCommands(session);
-    name = new NameRow(session, nodes, element);
+    name = new NameFieldRow(session, nodes, element);
     tools = new SwitchControls(session, nodes, node);
     name.add("area.switch.unwrap", "area.switch.unwrap.tip", "Unwrap", event -> tools.unwrap());
     panel.add(name.component(), "wmin 0");

@@ -6,7 +6,7 @@ import javax.swing.JPopupMenu;
 import javax.swing.KeyStroke;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.authoring.area.PlacedArea;
+import org.selectiverenderer.authoring.area.AreaInstance;
 import org.selectiverenderer.enricher.area.AreaCommands;
 import org.selectiverenderer.enricher.area.NamePrompt;
 import org.selectiverenderer.enricher.text.MnemonicText;
@@ -15,12 +15,12 @@ import org.selectiverenderer.geometry.BoundingBox;
 
 /** The commands for the selected area in the plan, for its context menu and keys. */
 final class PlanMenu {
-  private final PlanView view;
+  private final FloorPlanCanvas view;
   private final AreaCommands commands;
   private final NamePrompt question;
-  private @Nullable PlacedArea copied;
+  private @Nullable AreaInstance copied;
 
-  PlanMenu(PlanView view, AreaCommands commands, NamePrompt question) {
+  PlanMenu(FloorPlanCanvas view, AreaCommands commands, NamePrompt question) {
     this.view = view;
     this.commands = commands;
     this.question = question;
@@ -43,12 +43,12 @@ final class PlanMenu {
    * part.
    */
   void paste() {
-    PlacedArea from = copied;
+    AreaInstance from = copied;
     if (from == null || !from.element().attached()) {
       return;
     }
     BoundingBox seen = view.scale().seen(view.getVisibleRect());
-    BoundingBox box = PlanView.bounds(from);
+    BoundingBox box = FloorPlanCanvas.bounds(from);
     Vector3d shift = new Vector3d(box.width() * 0.25, 0, box.depth() * 0.25);
     if (seen.apart(new BoundingBox(box.minX(), 0, box.minZ(), box.maxX(), 0, box.maxZ()))) {
       shift.set(
@@ -60,7 +60,7 @@ final class PlanMenu {
   }
 
   void show(int x, int y) {
-    Optional<PlacedArea> selected = view.selected();
+    Optional<AreaInstance> selected = view.selected();
     JPopupMenu menu = new JPopupMenu();
     if (selected.isPresent()) {
       menu.add(item("area.rename", "F2", this::rename));

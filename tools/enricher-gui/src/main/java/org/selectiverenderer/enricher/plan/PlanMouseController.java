@@ -13,7 +13,7 @@ import javax.swing.SwingUtilities;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.authoring.area.AreaBox;
-import org.selectiverenderer.authoring.area.PlacedArea;
+import org.selectiverenderer.authoring.area.AreaInstance;
 import org.selectiverenderer.enricher.area.AreaCommands;
 import org.selectiverenderer.enricher.area.FloorPlanImage;
 import org.selectiverenderer.enricher.area.GridSetting;
@@ -34,7 +34,7 @@ final class PlanMouseController extends MouseAdapter {
 
   private static final double NEARER_PER_NOTCH = 1.15;
 
-  private final PlanView view;
+  private final FloorPlanCanvas view;
   private final EnricherSession session;
   private final AreaCommands commands;
   private final NodeCommands nodes;
@@ -47,11 +47,11 @@ final class PlanMouseController extends MouseAdapter {
   private boolean shifting;
   private boolean dragged;
   private boolean ended;
-  private @Nullable PlacedArea area;
+  private @Nullable AreaInstance area;
   private @Nullable PlanDrag drag;
 
   PlanMouseController(
-      PlanView view,
+      FloorPlanCanvas view,
       EnricherSession session,
       AreaCommands commands,
       GridSetting grid,
@@ -89,22 +89,22 @@ final class PlanMouseController extends MouseAdapter {
         && session.document().fault().isEmpty();
   }
 
-  private Optional<PlacedArea> at(double x, double y) {
+  private Optional<AreaInstance> at(double x, double y) {
     return view.hitOrder().stream()
-        .filter(each -> view.scale().rectangle(PlanView.bounds(each)).contains(x, y))
+        .filter(each -> view.scale().rectangle(FloorPlanCanvas.bounds(each)).contains(x, y))
         .findFirst();
   }
 
   /** Returns the resize handle of the selected area at a pixel, as its sides on X and Z. */
   private Optional<int[]> grip(double x, double y) {
-    Optional<PlacedArea> selected = view.selected().filter(each -> !each.frame().turned());
+    Optional<AreaInstance> selected = view.selected().filter(each -> !each.frame().turned());
     if (selected.isEmpty()) {
       return Optional.empty();
     }
-    Rectangle2D place = view.scale().rectangle(PlanView.bounds(selected.get()));
+    Rectangle2D place = view.scale().rectangle(FloorPlanCanvas.bounds(selected.get()));
     for (int sideX = -1; sideX <= 1; sideX++) {
       for (int sideZ = -1; sideZ <= 1; sideZ++) {
-        Rectangle2D grip = PlanView.grip(place, sideX, sideZ);
+        Rectangle2D grip = FloorPlanCanvas.grip(place, sideX, sideZ);
         grip.setFrame(grip.getX() - 2, grip.getY() - 2, grip.getWidth() + 4, grip.getHeight() + 4);
         if ((sideX != 0 || sideZ != 0) && grip.contains(x, y)) {
           return Optional.of(new int[] {sideX, sideZ});
@@ -157,13 +157,13 @@ final class PlanMouseController extends MouseAdapter {
     Optional<int[]> grip = grip(pressX, pressY);
     if (grip.isPresent()) {
       area = view.selected().orElseThrow();
-      drag = new PlanDrag(PlanView.bounds(area), grip.get()[0], grip.get()[1], x, z);
+      drag = new PlanDrag(FloorPlanCanvas.bounds(area), grip.get()[0], grip.get()[1], x, z);
     } else {
       at(pressX, pressY)
           .ifPresent(
               hit -> {
                 area = hit;
-                drag = new PlanDrag(PlanView.bounds(hit), 0, 0, x, z);
+                drag = new PlanDrag(FloorPlanCanvas.bounds(hit), 0, 0, x, z);
                 session.select(hit.element(), view);
               });
     }
@@ -231,7 +231,7 @@ final class PlanMouseController extends MouseAdapter {
   @Override
   public void mouseReleased(MouseEvent event) {
     Optional<BoundingBox> done = view.drawing();
-    PlacedArea changed = area;
+    AreaInstance changed = area;
     PlanDrag of = drag;
     boolean still = !dragged;
     cancel();
@@ -254,7 +254,7 @@ final class PlanMouseController extends MouseAdapter {
   }
 
   /** Returns the box after a drag; a rotated area is only moved. */
-  private static AreaBox placed(PlacedArea area, PlanDrag drag, BoundingBox now) {
+  private static AreaBox placed(AreaInstance area, PlanDrag drag, BoundingBox now) {
     Vector3d shift =
         new Vector3d(now.minX() - drag.start().minX(), 0, now.minZ() - drag.start().minZ());
     return area.frame().turned() || drag.sideX() == 0 && drag.sideZ() == 0

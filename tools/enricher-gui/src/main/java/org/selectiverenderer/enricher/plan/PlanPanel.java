@@ -20,8 +20,8 @@ import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
 import org.joml.Vector3d;
 import org.selectiverenderer.authoring.DocumentListener;
+import org.selectiverenderer.authoring.area.AreaInstance;
 import org.selectiverenderer.authoring.area.AreaLocator;
-import org.selectiverenderer.authoring.area.PlacedArea;
 import org.selectiverenderer.enricher.area.AreaCommands;
 import org.selectiverenderer.enricher.area.FloorPlanImage;
 import org.selectiverenderer.enricher.area.GridSetting;
@@ -47,13 +47,13 @@ public final class PlanPanel extends JPanel {
   private final transient PlanMenu menu;
   private final transient SelectionListener onSelection = (element, origin) -> repaint();
   private final transient DocumentListener onChange = change -> changed();
-  private final PlanView view;
+  private final FloorPlanCanvas view;
   private final JComboBox<String> step = new JComboBox<>();
   private final JSpinner cut = new JSpinner(new SpinnerNumberModel(0.0, null, null, 0.1));
   private final JLabel hint = new JLabel(Texts.of("area.plan.hint"));
   private final Timer later = new Timer(PAUSE, event -> refresh());
   private transient Optional<Double> height = Optional.empty();
-  private transient List<PlacedArea> areas = List.of();
+  private transient List<AreaInstance> areas = List.of();
   private transient long read = -1;
   private boolean filling;
 
@@ -67,7 +67,7 @@ public final class PlanPanel extends JPanel {
     this.session = session;
     this.commands = commands;
     this.grid = grid;
-    view = new PlanView(this::areas, session::selection);
+    view = new FloorPlanCanvas(this::areas, session::selection);
     menu = new PlanMenu(view, commands, question);
     hands = new PlanMouseController(view, session, commands, grid, menu);
     later.setRepeats(false);
@@ -187,7 +187,7 @@ public final class PlanPanel extends JPanel {
 
   /** Selects another area, by steps in document order. */
   private void next(int by) {
-    List<PlacedArea> all = areas();
+    List<AreaInstance> all = areas();
     if (!all.isEmpty()) {
       int now = view.selected().map(all::indexOf).orElse(by > 0 ? -1 : 0);
       session.select(all.get(Math.floorMod(now + by, all.size())).element(), this);
@@ -214,7 +214,7 @@ public final class PlanPanel extends JPanel {
     view.grid(grid.step().step());
   }
 
-  private List<PlacedArea> areas() {
+  private List<AreaInstance> areas() {
     if (read != session.document().revision()) {
       read = session.document().revision();
       areas = AreaLocator.of(session.enrichment());

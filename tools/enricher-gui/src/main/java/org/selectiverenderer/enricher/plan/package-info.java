@@ -7,7 +7,7 @@
  * when it is shown and the document has changed; areas are read from the document, so that they
  * always match the text. {@code PlanTransform} transforms between world X and Z and the screen,
  * {@code PlanMouseController.WallSnapper} snaps edges to walls, {@code PlanMouseController} handles
- * the mouse, {@code PlanView} paints.
+ * the mouse, {@code FloorPlanCanvas} paints.
  *
  * <p>In: the document's areas, a picture of the scene, the author's mouse and keys. Out: edits by
  * {@code enricher.area}. Uses {@code enricher.component}, {@code enricher.area}, {@code

@@ -8,8 +8,8 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.joml.Vector4d;
 import org.selectiverenderer.authoring.area.AreaBox;
-import org.selectiverenderer.authoring.area.GridSnap;
-import org.selectiverenderer.authoring.area.PlacedArea;
+import org.selectiverenderer.authoring.area.AreaInstance;
+import org.selectiverenderer.authoring.area.SnapGrid;
 import org.selectiverenderer.browser.camera.Camera;
 
 /**
@@ -23,7 +23,7 @@ import org.selectiverenderer.browser.camera.Camera;
  * @param x pixel x at which the drag began
  * @param y pixel y at which the drag began
  */
-record AreaHandleDrag(PlacedArea area, int handle, Camera camera, double x, double y) {
+record AreaHandleDrag(AreaInstance area, int handle, Camera camera, double x, double y) {
   static final int MIDDLE = 6;
   static final int HANDLES = 7;
 
@@ -44,7 +44,7 @@ record AreaHandleDrag(PlacedArea area, int handle, Camera camera, double x, doub
   }
 
   /** The world position of a handle of an area. */
-  static Vector3d place(PlacedArea area, int handle) {
+  static Vector3d place(AreaInstance area, int handle) {
     Vector3d at = new Vector3d(area.box().centre());
     if (handle != MIDDLE) {
       int axis = handle / 2;
@@ -67,11 +67,11 @@ record AreaHandleDrag(PlacedArea area, int handle, Camera camera, double x, doub
   }
 
   /** Returns the box for a pointer position. */
-  AreaBox at(double nowX, double nowY, GridSnap grid) {
+  AreaBox at(double nowX, double nowY, SnapGrid grid) {
     return handle == MIDDLE ? moved(nowX, nowY, grid) : resized(nowX, nowY, grid);
   }
 
-  private AreaBox resized(double nowX, double nowY, GridSnap grid) {
+  private AreaBox resized(double nowX, double nowY, SnapGrid grid) {
     Vector3d direction = area.frame().direction(axis());
     Vector3d face = place(area, handle);
     double pulled = along(face, direction, nowX, nowY) - along(face, direction, x, y);
@@ -99,7 +99,7 @@ record AreaHandleDrag(PlacedArea area, int handle, Camera camera, double x, doub
     return (between.dot(direction) - both * between.dot(sight)) / across;
   }
 
-  private AreaBox moved(double nowX, double nowY, GridSnap grid) {
+  private AreaBox moved(double nowX, double nowY, SnapGrid grid) {
     Vector3d eye = new Vector3d();
     Vector3d sight = sight(x, y, eye);
     Vector3d normal = new Vector3d(0, 1, 0);

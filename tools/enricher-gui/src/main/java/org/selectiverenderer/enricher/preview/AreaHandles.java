@@ -18,8 +18,8 @@ import org.joml.Vector2d;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.authoring.area.AreaBox;
-import org.selectiverenderer.authoring.area.GridSnap;
-import org.selectiverenderer.authoring.area.PlacedArea;
+import org.selectiverenderer.authoring.area.AreaInstance;
+import org.selectiverenderer.authoring.area.SnapGrid;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.enricher.area.NodeCommands;
 import org.selectiverenderer.enricher.session.EnricherSession;
@@ -41,7 +41,7 @@ final class AreaHandles extends MouseAdapter {
   private final PreviewCanvas view;
   private final EnricherSession session;
   private final NodeCommands nodes;
-  private final Supplier<GridSnap> grid;
+  private final Supplier<SnapGrid> grid;
   private final LiveBox live;
   private boolean shown = true;
   private int hot = -1;
@@ -54,10 +54,10 @@ final class AreaHandles extends MouseAdapter {
   /** Shows a changed box in the running scene. */
   @FunctionalInterface
   interface LiveBox {
-    void show(PlacedArea area, AreaBox box);
+    void show(AreaInstance area, AreaBox box);
   }
 
-  AreaHandles(PreviewCanvas view, EnricherSession session, Supplier<GridSnap> grid, LiveBox live) {
+  AreaHandles(PreviewCanvas view, EnricherSession session, Supplier<SnapGrid> grid, LiveBox live) {
     this.view = view;
     this.session = session;
     this.nodes = new NodeCommands(session);
@@ -85,7 +85,7 @@ final class AreaHandles extends MouseAdapter {
     view.repaint();
   }
 
-  private Optional<PlacedArea> area() {
+  private Optional<AreaInstance> area() {
     boolean looking =
         view.frame().filter(frame -> !frame.walking()).isPresent()
             && session.document().locked().isEmpty();
@@ -93,7 +93,7 @@ final class AreaHandles extends MouseAdapter {
   }
 
   /** Returns the nearest handle at a position of the view; -1 for none. */
-  private int at(PlacedArea area, PreviewFrame frame, double x, double y) {
+  private int at(AreaInstance area, PreviewFrame frame, double x, double y) {
     double scale = view.scale();
     int found = -1;
     double nearest = REACH;
@@ -120,7 +120,7 @@ final class AreaHandles extends MouseAdapter {
   }
 
   private int handle(MouseEvent event) {
-    Optional<PlacedArea> area = area();
+    Optional<AreaInstance> area = area();
     return area.isPresent() && x(event) >= 0
         ? at(area.get(), view.frame().orElseThrow(), x(event), event.getY())
         : -1;
@@ -137,7 +137,7 @@ final class AreaHandles extends MouseAdapter {
     hot = handle(event);
     if (hot >= 0 && SwingUtilities.isLeftMouseButton(event)) {
       view.requestFocusInWindow();
-      PlacedArea area = area().orElseThrow();
+      AreaInstance area = area().orElseThrow();
       double scale = view.scale();
       drag =
           new AreaHandleDrag(
@@ -157,7 +157,7 @@ final class AreaHandles extends MouseAdapter {
       event.consume();
     } else if (drag != null) {
       double scale = view.scale();
-      GridSnap step = event.isAltDown() ? GridSnap.NONE : grid.get();
+      SnapGrid step = event.isAltDown() ? SnapGrid.NONE : grid.get();
       dragged = drag.at(x(event) * scale, event.getY() * scale, step);
       live.show(drag.area(), dragged);
       event.consume();
@@ -196,16 +196,16 @@ final class AreaHandles extends MouseAdapter {
   }
 
   private void paint(Graphics2D g, PreviewFrame frame) {
-    Optional<PlacedArea> selected = area();
+    Optional<AreaInstance> selected = area();
     if (selected.isEmpty()) {
       return;
     }
     g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-    PlacedArea area = selected.get();
-    PlacedArea now =
+    AreaInstance area = selected.get();
+    AreaInstance now =
         drag == null
             ? area
-            : new PlacedArea(
+            : new AreaInstance(
                 area.element(),
                 area.name(),
                 area.schemas(),
@@ -242,7 +242,7 @@ final class AreaHandles extends MouseAdapter {
     g.draw(shape);
   }
 
-  private static String says(AreaHandleDrag drag, PlacedArea now) {
+  private static String says(AreaHandleDrag drag, AreaInstance now) {
     if (drag.handle() == AreaHandleDrag.MIDDLE) {
       Vector3d by = now.box().centre().sub(drag.area().box().centre(), new Vector3d());
       return Texts.of("area.handle.moved", metres(by.x), metres(by.y), metres(by.z));

@@ -8,7 +8,7 @@ import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 import org.selectiverenderer.browser.instance.ShapeInstance;
 import org.selectiverenderer.browser.instance.SurfaceMaterial;
-import org.selectiverenderer.browser.instance.VisibleBounds;
+import org.selectiverenderer.browser.instance.VisibleBoundsCalculator;
 import org.selectiverenderer.enricher.area.FloorPlanImage;
 import org.selectiverenderer.geometry.BoundingBox;
 import org.selectiverenderer.geometry.mesh.Mesh;
@@ -56,7 +56,7 @@ final class FloorPlanRenderer {
    */
   static Optional<FloorPlanImage> of(Collection<ShapeInstance> shapes, double cut) {
     Optional<BoundingBox> extent =
-        VisibleBounds.of(shapes).filter(all -> all.width() > 0 && all.depth() > 0);
+        VisibleBoundsCalculator.of(shapes).filter(all -> all.width() > 0 && all.depth() > 0);
     return extent.map(all -> new FloorPlanRenderer(all, cut).draw(shapes));
   }
 

@@ -3,7 +3,7 @@ package org.selectiverenderer.enricher.preview;
 import java.util.List;
 import java.util.Optional;
 import org.joml.Vector3d;
-import org.selectiverenderer.browser.PointerState;
+import org.selectiverenderer.browser.PointingDeviceState;
 import org.selectiverenderer.browser.collision.RayCaster;
 import org.selectiverenderer.browser.viewer.Pose;
 
@@ -78,7 +78,7 @@ final class PreviewCameraController {
       scene
           .world()
           .point(
-              new PointerState(
+              new PointingDeviceState(
                   Optional.of(direction(scene, x, y)), false, (double) width / height));
     }
   }

@@ -18,7 +18,7 @@ import org.selectiverenderer.browser.instance.ShapeInstance;
 import org.selectiverenderer.browser.nodes.group.InlineNode;
 import org.selectiverenderer.browser.nodes.group.SwitchNode;
 import org.selectiverenderer.browser.scene.Node;
-import org.selectiverenderer.browser.scene.NodeSubgraph;
+import org.selectiverenderer.browser.scene.NodeSubgraphCollector;
 import org.selectiverenderer.enricher.preview.ScenePatch.Place;
 
 /**
@@ -90,7 +90,7 @@ final class PreviewNodeIndex {
    */
   Map<Place, Node> at(Set<Place> places) {
     Map<Place, Node> found = new HashMap<>();
-    for (Node node : NodeSubgraph.of(world.scene().root())) {
+    for (Node node : NodeSubgraphCollector.of(world.scene().root())) {
       Place at = place(node);
       if (places.contains(at)) {
         found.putIfAbsent(at, node);
@@ -105,7 +105,7 @@ final class PreviewNodeIndex {
       return;
     }
     Map<Node, Place> now = new HashMap<>();
-    for (Node node : NodeSubgraph.of(world.scene().root())) {
+    for (Node node : NodeSubgraphCollector.of(world.scene().root())) {
       Place before = place(node);
       now.put(node, places.getOrDefault(before, before));
     }

@@ -15,10 +15,10 @@ import javax.swing.SwingUtilities;
 import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.authoring.area.AreaBox;
-import org.selectiverenderer.authoring.area.GridSnap;
-import org.selectiverenderer.authoring.area.PlacedArea;
+import org.selectiverenderer.authoring.area.AreaInstance;
+import org.selectiverenderer.authoring.area.SnapGrid;
 import org.selectiverenderer.browser.viewer.Pose;
-import org.selectiverenderer.enricher.area.SceneQueries;
+import org.selectiverenderer.enricher.area.AsyncSceneQueries;
 import org.selectiverenderer.enricher.compare.CompareMode;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
@@ -41,12 +41,12 @@ public final class PreviewPanel extends JPanel {
   private final transient PreviewUpdater feed;
   private final transient SelectionListener onSelection = (element, origin) -> tellSelection();
   private final transient AtomicReference<@Nullable PreviewFrame> arrived = new AtomicReference<>();
-  private final transient SceneQueries probe;
+  private final transient AsyncSceneQueries probe;
   private final transient PickHandler clicks;
   private final PreviewCanvas view = new PreviewCanvas();
   private final PreviewStatusBar foot = new PreviewStatusBar();
   private final PreviewToolBar bar;
-  private transient Supplier<GridSnap> grid = () -> GridSnap.NONE;
+  private transient Supplier<SnapGrid> grid = () -> SnapGrid.NONE;
   private transient Consumer<PreviewFrame> onFrame = frame -> {};
   private boolean disposed;
 
@@ -142,7 +142,7 @@ public final class PreviewPanel extends JPanel {
   }
 
   /** Shows an area's box in the running scene while a handle is dragged. */
-  private void showBox(PlacedArea area, AreaBox box) {
+  private void showBox(AreaInstance area, AreaBox box) {
     List<SourceAnchor> sensor = anchors.of(area.element());
     float[] centre = area.frame().ownCentre(box);
     float[] size = area.frame().ownSize(box);
@@ -160,12 +160,12 @@ public final class PreviewPanel extends JPanel {
   }
 
   /** The queries of the running scene. */
-  public SceneQueries probe() {
+  public AsyncSceneQueries probe() {
     return probe;
   }
 
   /** Sets the grid that the handles of areas snap to. */
-  public void grid(Supplier<GridSnap> setting) {
+  public void grid(Supplier<SnapGrid> setting) {
     grid = setting;
   }
 

@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.browser.World;
 import org.selectiverenderer.browser.collision.RayCaster;
 import org.selectiverenderer.browser.instance.ShapeInstance;
-import org.selectiverenderer.browser.instance.VisibleBounds;
+import org.selectiverenderer.browser.instance.VisibleBoundsCalculator;
 import org.selectiverenderer.browser.navigation.KeyboardMouseControls;
 import org.selectiverenderer.browser.nodes.group.SwitchNode;
 import org.selectiverenderer.browser.nodes.sensor.ProximitySensorNode;
@@ -20,7 +20,7 @@ import org.selectiverenderer.browser.scene.Node;
 import org.selectiverenderer.browser.viewer.Pose;
 import org.selectiverenderer.control.SelectiveController;
 import org.selectiverenderer.geometry.BoundingBox;
-import org.selectiverenderer.walkthrough.UserNavigation;
+import org.selectiverenderer.walkthrough.NavigationController;
 
 /**
  * A running scene of one loaded state of the document, which is either looked at under simulated
@@ -44,7 +44,7 @@ final class PreviewScene implements AutoCloseable {
   private @Nullable SwitchNode versioned;
   private int version = -1;
   private @Nullable SelectiveController controller;
-  private @Nullable UserNavigation walking;
+  private @Nullable NavigationController walking;
   private double time;
   private long counted = -1;
   private long revision;
@@ -156,7 +156,7 @@ final class PreviewScene implements AutoCloseable {
     asIf.reset();
     look(Pose.of(world.viewer()));
     world.bindables().bound("Viewpoint").ifPresent(world.views()::goTo);
-    walking = new UserNavigation(world, controls);
+    walking = new NavigationController(world, controls);
     controller =
         new SelectiveController(
             browser, SelectiveController.Settings.SELECTIVE, event -> {}, problem -> {});
@@ -173,7 +173,7 @@ final class PreviewScene implements AutoCloseable {
     }
   }
 
-  Optional<UserNavigation> walking() {
+  Optional<NavigationController> walking() {
     return Optional.ofNullable(walking);
   }
 
@@ -246,12 +246,12 @@ final class PreviewScene implements AutoCloseable {
 
   /** The bounding box of a node's shown shapes, or of a sensor's boxes. */
   Optional<BoundingBox> bounds(Node node) {
-    return areas.bounds(node).or(() -> VisibleBounds.of(nodes.shapes(node)));
+    return areas.bounds(node).or(() -> VisibleBoundsCalculator.of(nodes.shapes(node)));
   }
 
   /** The bounding box of all shown shapes, or of all shapes if none is shown. */
   Optional<BoundingBox> bounds() {
-    return VisibleBounds.of(world.instances().shapes());
+    return VisibleBoundsCalculator.of(world.instances().shapes());
   }
 
   /** The viewer's pose. */

@@ -5,13 +5,13 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import javax.swing.SwingUtilities;
+import org.selectiverenderer.enricher.area.AsyncSceneQueries;
 import org.selectiverenderer.enricher.area.FloorPlanImage;
-import org.selectiverenderer.enricher.area.SceneQueries;
 import org.selectiverenderer.geometry.BoundingBox;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** Answers scene queries from the preview's scene, on the preview's thread. */
-final class PreviewSceneQueries implements SceneQueries {
+final class PreviewSceneQueries implements AsyncSceneQueries {
   private final PreviewThread thread;
   private final Function<DocumentElement, List<SourceAnchor>> anchors;
 

@@ -11,7 +11,7 @@ import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.browser.instance.Background;
-import org.selectiverenderer.browser.instance.VisibleBounds;
+import org.selectiverenderer.browser.instance.VisibleBoundsCalculator;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.render.AntiAliasing;
 import org.selectiverenderer.render.context.GlUnavailableException;
@@ -208,7 +208,7 @@ public final class VersionImageRenderer implements AutoCloseable {
   private VersionImage take(ScenePreviewRenderer view, LoadedPreview model, VersionImageSpec look) {
     var world = model.world();
     orbit.face(look.yaw(), look.pitch());
-    VisibleBounds.of(world.instances().shapes()).ifPresent(orbit::frame);
+    VisibleBoundsCalculator.of(world.instances().shapes()).ifPresent(orbit::frame);
     world.step(0, (viewer, now, dt) -> orbit.pose().applyTo(viewer));
     PreviewImage picture =
         view.draw(

@@ -1,7 +1,7 @@
 package org.selectiverenderer.enricher.ratings;
 
 import java.util.Optional;
-import org.selectiverenderer.authoring.ratings.ObjectMatching.Match;
+import org.selectiverenderer.authoring.ratings.ObjectNameMatcher.Match;
 import org.selectiverenderer.enricher.table.RowTableModel;
 import org.selectiverenderer.enricher.text.Texts;
 

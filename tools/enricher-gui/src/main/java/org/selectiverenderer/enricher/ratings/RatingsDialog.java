@@ -193,7 +193,7 @@ public final class RatingsDialog extends JDialog {
             .anyMatch(
                 m ->
                     m.how()
-                        == org.selectiverenderer.authoring.ratings.ObjectMatching.How.PROPOSED));
+                        == org.selectiverenderer.authoring.ratings.ObjectNameMatcher.How.PROPOSED));
   }
 
   private void apply() {

@@ -9,8 +9,8 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.enrichment.DocumentEnrichment;
 import org.selectiverenderer.authoring.enrichment.EnrichedSwitch;
-import org.selectiverenderer.authoring.ratings.ObjectMatching;
-import org.selectiverenderer.authoring.ratings.ObjectMatching.Match;
+import org.selectiverenderer.authoring.ratings.ObjectNameMatcher;
+import org.selectiverenderer.authoring.ratings.ObjectNameMatcher.Match;
 import org.selectiverenderer.authoring.ratings.RatingPlan;
 import org.selectiverenderer.authoring.ratings.Ratings;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
@@ -31,7 +31,7 @@ final class RatingsImportModel {
   private List<Problem> problems = List.of();
   private String name = "";
   private @Nullable Ratings ratings;
-  private @Nullable ObjectMatching matching;
+  private @Nullable ObjectNameMatcher matching;
   private @Nullable RatingPlan plan;
   private boolean unratedFollow = true;
 
@@ -57,7 +57,7 @@ final class RatingsImportModel {
     matching =
         ratings == null
             ? null
-            : new ObjectMatching(ratings.means().keySet(), enrichment.switches());
+            : new ObjectNameMatcher(ratings.means().keySet(), enrichment.switches());
     work();
   }
 
@@ -69,7 +69,7 @@ final class RatingsImportModel {
 
   /** Assigns a Switch to an object of the table; empty for none. */
   void match(String object, Optional<String> switchName) {
-    ObjectMatching current = matching;
+    ObjectNameMatcher current = matching;
     if (current != null) {
       switchName.ifPresentOrElse(
           name -> current.choose(object, name), () -> current.leaveOut(object));
@@ -79,10 +79,10 @@ final class RatingsImportModel {
 
   /** Accepts all proposed Switches, whose names are only similar. */
   void acceptProposals() {
-    ObjectMatching current = matching;
+    ObjectNameMatcher current = matching;
     if (current != null) {
       current.matches().stream()
-          .filter(match -> match.how() == ObjectMatching.How.PROPOSED)
+          .filter(match -> match.how() == ObjectNameMatcher.How.PROPOSED)
           .forEach(match -> current.choose(match.object(), match.switchName().orElseThrow()));
       work();
     }
@@ -153,7 +153,8 @@ final class RatingsImportModel {
     if (plan == null) {
       return name.isEmpty() ? Texts.of("ratings.choose") : Texts.of("ratings.notused");
     }
-    long proposed = matches().stream().filter(m -> m.how() == ObjectMatching.How.PROPOSED).count();
+    long proposed =
+        matches().stream().filter(m -> m.how() == ObjectNameMatcher.How.PROPOSED).count();
     return Texts.of(
         "ratings.summary",
         DecimalFormatter.grouped(plan.rows().size()),

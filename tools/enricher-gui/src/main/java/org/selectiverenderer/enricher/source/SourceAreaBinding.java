@@ -24,7 +24,7 @@ final class SourceAreaBinding {
   private final EnricherSession session;
   private final RSyntaxTextArea area;
   private final List<Runnable> listeners = new ArrayList<>();
-  private SourcePage page = new SourcePage(0, 0, false);
+  private VisibleSourceRange page = new VisibleSourceRange(0, 0, false);
   private NormalizedText text = NormalizedText.of("");
   private boolean following;
 
@@ -42,7 +42,7 @@ final class SourceAreaBinding {
     return session.document();
   }
 
-  SourcePage shown() {
+  VisibleSourceRange shown() {
     return page;
   }
 
@@ -71,10 +71,10 @@ final class SourceAreaBinding {
   /** Shows the part of the text around an offset, with nothing selected. */
   void turn(int offset) {
     flush();
-    load(SourcePage.around(document().text(), offset));
+    load(VisibleSourceRange.around(document().text(), offset));
   }
 
-  private void load(SourcePage next) {
+  private void load(VisibleSourceRange next) {
     quietly(
         () -> {
           page = next;
@@ -138,14 +138,14 @@ final class SourceAreaBinding {
     }
     int length = document().text().length();
     if (inside && to <= length) {
-      update(new SourcePage(from, to, page.plain()));
+      update(new VisibleSourceRange(from, to, page.plain()));
     } else {
-      load(SourcePage.around(document().text(), Math.min(page.from(), length)));
+      load(VisibleSourceRange.around(document().text(), Math.min(page.from(), length)));
     }
   }
 
   /** Replaces only what differs, so that caret and scroll position stay. */
-  private void update(SourcePage next) {
+  private void update(VisibleSourceRange next) {
     quietly(
         () -> {
           page = next;
@@ -177,7 +177,7 @@ final class SourceAreaBinding {
   /** Scrolls to a range and selects it, as far as it is in the shown part. */
   void select(int from, int to) {
     flush();
-    if (!holds(from) || !holds(Math.min(to, from + SourcePage.PAGE / 2))) {
+    if (!holds(from) || !holds(Math.min(to, from + VisibleSourceRange.PAGE / 2))) {
       turn(from);
     }
     quietly(

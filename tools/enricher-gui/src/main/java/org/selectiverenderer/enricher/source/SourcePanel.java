@@ -348,8 +348,8 @@ public final class SourcePanel {
       earlier.setName("earlierPart");
       later.setName("laterPart");
       earlier.addActionListener(
-          event -> page.turn(Math.max(0, page.shown().from() - SourcePage.PAGE / 2)));
-      later.addActionListener(event -> page.turn(page.shown().to() + SourcePage.PAGE / 4));
+          event -> page.turn(Math.max(0, page.shown().from() - VisibleSourceRange.PAGE / 2)));
+      later.addActionListener(event -> page.turn(page.shown().to() + VisibleSourceRange.PAGE / 4));
       panel.add(earlier);
       panel.add(later);
       panel.add(words, "growx, wmin 0");
@@ -363,7 +363,7 @@ public final class SourcePanel {
      * Shows the position of a part in a text of some length; hides the bar if the part is the whole
      * text.
      */
-    void show(SourcePage page, int all) {
+    void show(VisibleSourceRange page, int all) {
       panel.setVisible(page.length() < all);
       words.setText(Texts.of("source.part", number(page.from()), number(page.to()), number(all)));
     }

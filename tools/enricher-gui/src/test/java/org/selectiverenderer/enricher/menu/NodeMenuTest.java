@@ -18,9 +18,9 @@ import javax.swing.JPopupMenu;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.enricher.area.AreaCommands;
+import org.selectiverenderer.enricher.area.AsyncSceneQueries;
 import org.selectiverenderer.enricher.area.FloorPlanImage;
 import org.selectiverenderer.enricher.area.NamePrompt;
-import org.selectiverenderer.enricher.area.SceneQueries;
 import org.selectiverenderer.enricher.robot.TestSessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.geometry.BoundingBox;
@@ -109,7 +109,7 @@ class NodeMenuTest {
     open();
     edt(
         () -> {
-          SceneQueries probe = new NoScene();
+          AsyncSceneQueries probe = new NoScene();
           NamePrompt question = (title, proposal, complaint) -> Optional.of(proposal);
           menu.add(new AreaCommands(session, probe, question).commands(() -> {}));
         });
@@ -149,7 +149,7 @@ class NodeMenuTest {
   }
 
   /** Where no preview runs. */
-  private static final class NoScene implements SceneQueries {
+  private static final class NoScene implements AsyncSceneQueries {
     final List<String> asked = new ArrayList<>();
 
     @Override

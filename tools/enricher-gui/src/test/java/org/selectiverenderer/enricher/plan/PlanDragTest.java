@@ -5,13 +5,13 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.awt.image.BufferedImage;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.authoring.area.GridSnap;
+import org.selectiverenderer.authoring.area.SnapGrid;
 import org.selectiverenderer.enricher.area.FloorPlanImage;
 import org.selectiverenderer.geometry.BoundingBox;
 
 class PlanDragTest {
   private static final BoundingBox START = new BoundingBox(1, 0, 1, 3, 2.5, 2);
-  private static final PlanDrag.Snapping GRID = (axis, value) -> new GridSnap(0.5).nearest(value);
+  private static final PlanDrag.Snapping GRID = (axis, value) -> new SnapGrid(0.5).nearest(value);
 
   @Test
   void aGripMovesItsEdgesToTheGridAndNoFurtherThanTheOthers() {

@@ -19,10 +19,10 @@ import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.authoring.area.AreaLocator;
 import org.selectiverenderer.enricher.EventThread;
 import org.selectiverenderer.enricher.area.AreaCommands;
+import org.selectiverenderer.enricher.area.AsyncSceneQueries;
 import org.selectiverenderer.enricher.area.FloorPlanImage;
 import org.selectiverenderer.enricher.area.GridSetting;
 import org.selectiverenderer.enricher.area.NamePrompt;
-import org.selectiverenderer.enricher.area.SceneQueries;
 import org.selectiverenderer.enricher.robot.TestSessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.settings.EnricherSettings;
@@ -39,7 +39,7 @@ class PlanPanelTest {
   @TempDir Path folder;
 
   /** A room 8 m wide with a ceiling at 3 m. */
-  private static final class Room implements SceneQueries {
+  private static final class Room implements AsyncSceneQueries {
     @Override
     public void around(DocumentElement element, Consumer<Optional<BoundingBox>> answer) {
       answer.accept(Optional.empty());
@@ -65,7 +65,7 @@ class PlanPanelTest {
 
   private EnricherSession session;
   private PlanPanel panel;
-  private PlanView view;
+  private FloorPlanCanvas view;
 
   /** What is drawn while a name is asked for. */
   private final List<Optional<BoundingBox>> whileAsked = new ArrayList<>();
@@ -91,7 +91,7 @@ class PlanPanelTest {
           panel.setSize(800, 700);
           panel.doLayout();
           for (Component each : panel.getComponents()) {
-            if (each instanceof PlanView found) {
+            if (each instanceof FloorPlanCanvas found) {
               view = found;
             }
           }

@@ -12,9 +12,9 @@ import org.joml.Vector3dc;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.authoring.area.AreaBox;
+import org.selectiverenderer.authoring.area.AreaInstance;
 import org.selectiverenderer.authoring.area.AreaLocator;
-import org.selectiverenderer.authoring.area.GridSnap;
-import org.selectiverenderer.authoring.area.PlacedArea;
+import org.selectiverenderer.authoring.area.SnapGrid;
 import org.selectiverenderer.browser.camera.Camera;
 import org.selectiverenderer.enricher.robot.TestSessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
@@ -25,7 +25,7 @@ class AreaHandleDragTest {
 
   @TempDir Path folder;
 
-  private PlacedArea area(String nodes) throws IOException {
+  private AreaInstance area(String nodes) throws IOException {
     EnricherSession session = TestSessions.with(folder, nodes);
     return AreaLocator.of(session.enrichment()).get(0);
   }
@@ -47,11 +47,11 @@ class AreaHandleDragTest {
 
   /** Drags a handle to where a place of the scene is seen. */
   private static AreaBox dragged(
-      PlacedArea area, int handle, Vector3d to, Camera camera, double step) {
+      AreaInstance area, int handle, Vector3d to, Camera camera, double step) {
     Vector2d from = pixel(AreaHandleDrag.place(area, handle), camera);
     Vector2d now = pixel(to, camera);
     return new AreaHandleDrag(area, handle, camera, from.x, from.y)
-        .at(now.x, now.y, new GridSnap(step));
+        .at(now.x, now.y, new SnapGrid(step));
   }
 
   private static void near(Vector3dc is, double x, double y, double z) {
@@ -60,7 +60,7 @@ class AreaHandleDragTest {
 
   @Test
   void aFaceFollowsThePointerAlongItsDirectionAndTheOppositeOneStays() throws IOException {
-    PlacedArea area = area("<ProximitySensor DEF='A' size='2 2 2'/>\n");
+    AreaInstance area = area("<ProximitySensor DEF='A' size='2 2 2'/>\n");
     Camera camera = camera(5, 4, 8);
     AreaBox wider = dragged(area, 1, new Vector3d(2.23, 0, 0), camera, 0);
     near(wider.size(), 3.23, 2, 2);
@@ -76,7 +76,7 @@ class AreaHandleDragTest {
 
   @Test
   void theMiddleMovesOverTheGroundFromAboveAndUpAndDownFromTheSide() throws IOException {
-    PlacedArea area = area("<ProximitySensor DEF='A' size='2 2 2'/>\n");
+    AreaInstance area = area("<ProximitySensor DEF='A' size='2 2 2'/>\n");
     AreaBox over =
         dragged(area, AreaHandleDrag.MIDDLE, new Vector3d(1.02, 0, 0.47), camera(3, 6, 6), 0.5);
     near(over.centre(), 1, 0, 0.5);
@@ -87,7 +87,7 @@ class AreaHandleDragTest {
 
   @Test
   void aTurnedAreaGrowsAlongItsOwnSide() throws IOException {
-    PlacedArea area =
+    AreaInstance area =
         area(
             "<Transform rotation='0 1 0 0.5' scale='2 2 2'>"
                 + "<ProximitySensor DEF='A' size='1 1 1'/></Transform>\n");

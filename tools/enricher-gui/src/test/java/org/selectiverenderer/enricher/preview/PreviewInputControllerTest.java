@@ -12,7 +12,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import org.joml.Vector2d;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.authoring.area.GridSnap;
+import org.selectiverenderer.authoring.area.SnapGrid;
 import org.selectiverenderer.enricher.EventThread;
 import org.selectiverenderer.enricher.area.NodeCommands;
 import org.selectiverenderer.enricher.compare.CompareMode;
@@ -167,7 +167,7 @@ class PreviewInputControllerTest extends PreviewFixture {
     try (PreviewWindowDriver window = open()) {
       EventThread.edt(
           () -> {
-            window.panel.grid(() -> new GridSnap(0.5));
+            window.panel.grid(() -> new SnapGrid(0.5));
             window.session.select(
                 window.session.enrichment().sensorsByName().get("Desk").element(), this);
           });

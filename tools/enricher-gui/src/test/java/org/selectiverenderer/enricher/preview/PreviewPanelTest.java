@@ -17,8 +17,8 @@ import java.util.stream.Collectors;
 import javax.swing.KeyStroke;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.enricher.EventThread;
+import org.selectiverenderer.enricher.area.AsyncSceneQueries;
 import org.selectiverenderer.enricher.area.FloorPlanImage;
-import org.selectiverenderer.enricher.area.SceneQueries;
 import org.selectiverenderer.geometry.BoundingBox;
 import org.selectiverenderer.testing.ShowsWindows;
 import org.selectiverenderer.testing.robot.AccessibleNameCheck;
@@ -173,7 +173,7 @@ class PreviewPanelTest extends PreviewFixture {
             """);
     try (PreviewWindowDriver window = new PreviewWindowDriver(scene)) {
       window.awaitPicture();
-      SceneQueries probe = window.panel.probe();
+      AsyncSceneQueries probe = window.panel.probe();
       BoundingBox room = answer(probe::room);
       assertThat(room.minX()).isCloseTo(-3, within(1e-3));
       assertThat(room.maxZ()).isCloseTo(2, within(1e-3));

@@ -19,7 +19,7 @@ import org.selectiverenderer.authoring.DocumentSnapshot;
 import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.browser.nodes.group.SwitchNode;
 import org.selectiverenderer.browser.scene.Node;
-import org.selectiverenderer.browser.scene.NodeSubgraph;
+import org.selectiverenderer.browser.scene.NodeSubgraphCollector;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.field.FieldType;
@@ -189,7 +189,7 @@ class ScenePatchTest {
   private static String told(PreviewScene scene) {
     StringBuilder text =
         new StringBuilder(new TreeSet<>(scene.world().scene().named().keySet()) + "\n");
-    for (Node node : NodeSubgraph.of(scene.world().scene().root())) {
+    for (Node node : NodeSubgraphCollector.of(scene.world().scene().root())) {
       text.append(scene.nodes().anchor(node)).append(fields(node)).append('\n');
     }
     return text.toString();

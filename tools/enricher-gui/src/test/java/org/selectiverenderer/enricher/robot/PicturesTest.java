@@ -19,7 +19,7 @@ import javax.swing.JTable;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.selectiverenderer.authoring.ratings.ObjectMatching;
+import org.selectiverenderer.authoring.ratings.ObjectNameMatcher;
 import org.selectiverenderer.authoring.ratings.RatingPlan;
 import org.selectiverenderer.authoring.ratings.Ratings;
 import org.selectiverenderer.base.problem.ProblemCollector;
@@ -154,7 +154,7 @@ class PicturesTest {
     EnricherSession session = TestSessions.open(scene);
     byte[] table = Files.readString(RATINGS).getBytes(StandardCharsets.UTF_8);
     Ratings ratings = Ratings.read("ratings.csv", table, new ProblemCollector()).orElseThrow();
-    var matching = new ObjectMatching(ratings.means().keySet(), session.enrichment().switches());
+    var matching = new ObjectNameMatcher(ratings.means().keySet(), session.enrichment().switches());
     session.perform(
         RatingPlan.of(session.enrichment(), ratings, matching, true).edit("Import ratings"));
     DiffDialog dialog = GuiRobot.onEdt(() -> new DiffDialog(null, session));

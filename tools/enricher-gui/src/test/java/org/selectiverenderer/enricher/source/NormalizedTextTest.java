@@ -24,18 +24,20 @@ class NormalizedTextTest {
 
   @Test
   void aSmallTextIsOnePageAndABigOneIsAPageAroundThePlace() {
-    assertThat(SourcePage.around("<a/>\n", 3)).isEqualTo(new SourcePage(0, 5, false));
+    assertThat(VisibleSourceRange.around("<a/>\n", 3))
+        .isEqualTo(new VisibleSourceRange(0, 5, false));
     String big = ("x".repeat(99) + "\n").repeat(40_000);
-    SourcePage page = SourcePage.around(big, 2_000_000);
+    VisibleSourceRange page = VisibleSourceRange.around(big, 2_000_000);
     assertThat(page.holds(2_000_000)).isTrue();
-    assertThat(page.length()).isEqualTo(SourcePage.PAGE);
+    assertThat(page.length()).isEqualTo(VisibleSourceRange.PAGE);
     assertThat(page.from() % 100).isZero();
     assertThat(page.plain()).isFalse();
   }
 
   @Test
   void aLineOfMillionsOfNumbersIsAPlainPage() {
-    SourcePage page = SourcePage.around("<a b='" + "1 ".repeat(2_000_000) + "'/>", 1_000_000);
+    VisibleSourceRange page =
+        VisibleSourceRange.around("<a b='" + "1 ".repeat(2_000_000) + "'/>", 1_000_000);
     assertThat(page.plain()).isTrue();
     assertThat(page.holds(1_000_000)).isTrue();
   }

@@ -7,7 +7,7 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.browser.nodes.group.GroupingNode;
 import org.selectiverenderer.x3d.catalogue.NodeType;
-import org.selectiverenderer.x3d.tessellate.GroupingNodes;
+import org.selectiverenderer.x3d.tessellate.GroupingNodeChildren;
 
 /**
  * GeoLocation and GeoTransform (X3D 4.0, 25.3.7, 25.3.11): grouping nodes that place their children
@@ -23,7 +23,7 @@ final class GeoGroupNode extends GroupingNode {
 
   @Override
   public Optional<Matrix4d> placement() {
-    return GroupingNodes.placement(this);
+    return GroupingNodeChildren.placement(this);
   }
 
   @Override

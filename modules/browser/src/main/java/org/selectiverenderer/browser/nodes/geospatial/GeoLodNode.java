@@ -8,7 +8,7 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.browser.nodes.group.GroupingNode;
 import org.selectiverenderer.browser.nodes.group.InlineNode;
-import org.selectiverenderer.browser.nodes.group.ViewerDependent;
+import org.selectiverenderer.browser.nodes.group.ViewerDependentNode;
 import org.selectiverenderer.browser.scene.EventCascade;
 import org.selectiverenderer.browser.scene.Node;
 import org.selectiverenderer.x3d.catalogue.NodeType;
@@ -19,7 +19,7 @@ import org.selectiverenderer.x3d.geodesy.GeoCoordinateTransform;
  * read in the background when they are first needed; for this, the loader gives the node an Inline
  * for each of its urls. Files that have been read stay loaded.
  */
-public final class GeoLodNode extends GroupingNode implements ViewerDependent {
+public final class GeoLodNode extends GroupingNode implements ViewerDependentNode {
   private final int rootNode;
   private final int center;
   private final int range;

@@ -13,7 +13,7 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
  * Billboard: turns its children's +Z axis towards the viewer, about an axis or freely (X3D 4.0,
  * 23.4.1).
  */
-public final class BillboardNode extends GroupingNode implements ViewerDependent {
+public final class BillboardNode extends GroupingNode implements ViewerDependentNode {
   private final int axisOfRotation;
   private final Matrix4d placement = new Matrix4d();
 

@@ -7,7 +7,7 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.browser.scene.Node;
 import org.selectiverenderer.x3d.catalogue.NodeType;
-import org.selectiverenderer.x3d.tessellate.GroupingNodes;
+import org.selectiverenderer.x3d.tessellate.GroupingNodeChildren;
 
 /**
  * CollidableShape and CollidableOffset: place the shape or the collidable that they hold (X3D 4.0,
@@ -33,7 +33,7 @@ public final class CollidableNode extends GroupingNode {
 
   @Override
   public Optional<Matrix4d> placement() {
-    return GroupingNodes.placement(this);
+    return GroupingNodeChildren.placement(this);
   }
 
   @Override

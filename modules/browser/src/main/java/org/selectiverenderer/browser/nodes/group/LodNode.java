@@ -7,7 +7,7 @@ import org.selectiverenderer.browser.scene.EventCascade;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /** LOD: shows one of its children by the viewer's distance (X3D 4.0, 23.4.3). */
-public final class LodNode extends GroupingNode implements ViewerDependent {
+public final class LodNode extends GroupingNode implements ViewerDependentNode {
   private final int levelChanged;
   private final int center;
   private final int range;

@@ -13,7 +13,7 @@ import org.selectiverenderer.browser.nodes.group.TransformNode;
 import org.selectiverenderer.browser.scene.Node;
 import org.selectiverenderer.browser.scene.NodeObserver;
 import org.selectiverenderer.x3d.catalogue.NodeType;
-import org.selectiverenderer.x3d.tessellate.GroupingNodes;
+import org.selectiverenderer.x3d.tessellate.GroupingNodeChildren;
 
 /**
  * HAnimHumanoid (X3D 4.0, 26.3.2): a skeleton of joints and a skin that follows them. The skin is
@@ -30,8 +30,8 @@ public final class HAnimHumanoidNode extends TransformNode implements Deformer {
   private final NodeObserver watch = this::watched;
   private final Set<Node> observed = Collections.newSetFromMap(new IdentityHashMap<>());
   private @Nullable Skeleton joints;
-  private @Nullable RestPoseValues points;
-  private @Nullable RestPoseValues normals;
+  private @Nullable RestPose points;
+  private @Nullable RestPose normals;
 
   public HAnimHumanoidNode(NodeType type, @Nullable String name, SourceLocation location) {
     super(type, name, location);
@@ -48,7 +48,7 @@ public final class HAnimHumanoidNode extends TransformNode implements Deformer {
   @Override
   @SuppressWarnings("unchecked")
   public List<Node> children() {
-    return (List<Node>) GroupingNodes.of(this);
+    return (List<Node>) GroupingNodeChildren.of(this);
   }
 
   @Override
@@ -112,8 +112,8 @@ public final class HAnimHumanoidNode extends TransformNode implements Deformer {
     }
   }
 
-  private @Nullable RestPoseValues rest(
-      @Nullable Node node, String kind, String field, @Nullable RestPoseValues before) {
+  private @Nullable RestPose rest(
+      @Nullable Node node, String kind, String field, @Nullable RestPose before) {
     if (node == null || !node.type().name().equals(kind)) {
       return null;
     }
@@ -121,7 +121,7 @@ public final class HAnimHumanoidNode extends TransformNode implements Deformer {
       return before;
     }
     joints = null; // Forces observation of the new nodes, too.
-    return new RestPoseValues(node, field);
+    return new RestPose(node, field);
   }
 
   private void observe(Skeleton known) {

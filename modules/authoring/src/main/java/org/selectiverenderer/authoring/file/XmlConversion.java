@@ -1,0 +1,81 @@
+package org.selectiverenderer.authoring.file;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.read.X3dReader;
+import org.selectiverenderer.x3d.source.DocumentError;
+import org.selectiverenderer.x3d.source.SceneEncoding;
+import org.selectiverenderer.x3d.source.SourceLineReader;
+import org.selectiverenderer.x3d.source.XmlDocument;
+import org.selectiverenderer.x3d.write.SceneFormat;
+
+/**
+ * A scene in another encoding than X3D XML. Only XML documents can be edited without changing any
+ * other byte, so such a scene is first converted to XML, with its comments.
+ */
+public final class XmlConversion {
+  private final Path file;
+  private final SceneEncoding encoding;
+
+  private XmlConversion(Path file, SceneEncoding encoding) {
+    this.file = file;
+    this.encoding = encoding;
+  }
+
+  /**
+   * Detects the encoding of a file from its first characters.
+   *
+   * @return empty for XML, and for a file that is not a scene
+   * @throws IOException if it cannot be read
+   */
+  public static Optional<XmlConversion> of(Path file) throws IOException {
+    if (!Files.isRegularFile(file)) {
+      return Optional.empty(); // Opening it reports why it cannot be read.
+    }
+    try (InputStream in = Files.newInputStream(file)) {
+      return SceneEncoding.of(SourceLineReader.read(in, Files.size(file)).head())
+          .filter(found -> found != SceneEncoding.XML)
+          .map(found -> new XmlConversion(file, found));
+    }
+  }
+
+  /** Returns the encoding's name for users. */
+  public String encoding() {
+    return encoding.title();
+  }
+
+  /** Returns the default file of its conversion, in the same folder. */
+  public Path beside() {
+    String name = String.valueOf(file.getFileName());
+    int dot = name.indexOf('.', 1);
+    return file.resolveSibling((dot < 0 ? name : name.substring(0, dot)) + ".x3d");
+  }
+
+  /**
+   * Converts the scene to X3D XML.
+   *
+   * @param problems receives problems about parts that are left out
+   * @return empty if the scene is broken, which is reported, because nothing may be lost silently
+   * @throws IOException if it cannot be read
+   */
+  public Optional<String> xml(NodeCatalogue catalogue, ProblemCollector problems)
+      throws IOException {
+    XmlDocument document;
+    try (InputStream in = Files.newInputStream(file)) {
+      document = new X3dReader(catalogue).document(file.toString(), in, Files.size(file));
+    }
+    for (DocumentError fault : document.faults()) {
+      if (fault.kind() != DocumentError.Kind.ENCODING) {
+        problems.error(fault.location(), fault.message() + "; the scene is not converted");
+      }
+    }
+    return document.broken()
+        ? Optional.empty()
+        : Optional.of(SceneFormat.XML.text(document, catalogue, problems));
+  }
+}

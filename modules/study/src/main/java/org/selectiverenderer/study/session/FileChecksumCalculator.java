@@ -1,0 +1,66 @@
+package org.selectiverenderer.study.session;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.selectiverenderer.base.files.Sha256;
+
+/** Computes SHA-256 checksums of files, and of a scene with all files that it refers to. */
+public final class FileChecksumCalculator {
+  private static final Pattern NAMED =
+      Pattern.compile(
+          "[\"']([^\"'<>]+\\.(?:x3d|x3dz|png|jpe?g|gif))[\"']", Pattern.CASE_INSENSITIVE);
+
+  private FileChecksumCalculator() {}
+
+  /** Returns the checksum of a file, in hexadecimal. */
+  static String of(Path file) throws IOException {
+    return Sha256.of(Files.readAllBytes(file));
+  }
+
+  /**
+   * Returns the checksums of a scene and, transitively, of all existing files that it refers to, by
+   * relative path.
+   */
+  public static Map<String, String> ofScene(Path scene) throws IOException {
+    Map<String, String> sums = new TreeMap<>();
+    Deque<Path> left = new ArrayDeque<>();
+    left.add(scene.toAbsolutePath().normalize());
+    while (!left.isEmpty()) {
+      Path file = left.remove();
+      String name =
+          scene.toAbsolutePath().getParent().relativize(file).toString().replace('\\', '/');
+      if (sums.containsKey(name)) {
+        continue;
+      }
+      byte[] bytes = Files.readAllBytes(file);
+      sums.put(name, Sha256.of(bytes));
+      if (name.endsWith(".x3d")) {
+        Matcher found = NAMED.matcher(new String(bytes, StandardCharsets.ISO_8859_1));
+        while (found.find()) {
+          named(file, found.group(1), left);
+        }
+      }
+    }
+    return sums;
+  }
+
+  private static void named(Path from, String name, Deque<Path> left) {
+    try {
+      Path file = from.resolveSibling(name).normalize();
+      if (Files.isRegularFile(file)) {
+        left.add(file);
+      }
+    } catch (InvalidPathException e) {
+      return; // A URL, from which nothing is read.
+    }
+  }
+}

@@ -1,0 +1,181 @@
+package org.selectiverenderer.study.session;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.study.definition.Study;
+import org.selectiverenderer.study.definition.StudyQuestionnaires.Moment;
+import org.selectiverenderer.study.definition.StudyReader;
+import org.selectiverenderer.study.questionnaire.ParticipantMessages;
+import org.selectiverenderer.study.questionnaire.Questionnaire;
+
+/**
+ * A study with its questionnaires and messages, loaded and checked.
+ *
+ * @param form consent and questions about the person; the questionnaire of the step {@code form}
+ * @param asked all other questionnaires, in the study's order
+ */
+public record LoadedStudy(
+    Study study, Questionnaire form, List<Asked> asked, ParticipantMessages wording) {
+
+  /** A questionnaire with the moment at which it is asked. */
+  public record Asked(Questionnaire questionnaire, Moment moment) {
+    SessionStep.Questions step() {
+      return new SessionStep.Questions(questionnaire.name(), questionnaire.area());
+    }
+  }
+
+  public LoadedStudy {
+    asked = List.copyOf(asked);
+  }
+
+  /**
+   * Reads a study file and the files that it refers to.
+   *
+   * @return empty if there are faults, which are then in {@code problems}
+   * @throws IOException if a file cannot be read
+   */
+  public static Optional<LoadedStudy> read(Path file, ProblemCollector problems)
+      throws IOException {
+    Optional<Study> study = StudyReader.read(file, problems);
+    if (study.isEmpty()) {
+      return Optional.empty();
+    }
+    Optional<ParticipantMessages> wording =
+        ParticipantMessages.of(study.get().language(), study.get().folder(), problems);
+    if (wording.isEmpty()) {
+      return Optional.empty();
+    }
+    StudyQuestionnaireLoader all =
+        new StudyQuestionnaireLoader(study.get(), wording.get(), problems);
+    Optional<Questionnaire> form = all.form();
+    Optional<List<Asked>> asked = all.asked();
+    if (form.isEmpty() || asked.isEmpty()) {
+      return Optional.empty();
+    }
+    LoadedStudy material = new LoadedStudy(study.get(), form.get(), asked.get(), wording.get());
+    material.tellDesk(problems);
+    return material.distinct(problems) ? Optional.of(material) : Optional.empty();
+  }
+
+  /** Returns whether the questions of a step are answered inside the headset. */
+  public boolean insideHeadset(SessionStep step) {
+    return study.display().worn().asked()
+        && scenery().isPresent()
+        && asked.stream().anyMatch(each -> each.step().equals(step));
+  }
+
+  /**
+   * Returns the scene that is shown behind questions inside the headset: that of the practice, else
+   * that of the study.
+   */
+  public Optional<Path> scenery() {
+    return study.practice().map(Study.Practice::scene).or(study::scene);
+  }
+
+  /** Warns if the study wants questions inside the headset but has no scene to show them in. */
+  private void tellDesk(ProblemCollector problems) {
+    if (study.display().worn().asked() && scenery().isEmpty()) {
+      problems.warning(
+          SourceLocation.of(study.file().toString()),
+          "questions in the headset need the study's \"scene\" or \"practice\" as background, and"
+              + " there is neither; all questions are asked at the desk");
+    }
+  }
+
+  /** Checks that the ids of the steps, and their BIDS labels, are unique. */
+  private boolean distinct(ProblemCollector problems) {
+    Map<String, String> ids = new HashMap<>();
+    for (SessionStep step : steps()) {
+      String other = ids.put(SessionFolder.label(step.id()), step.id());
+      if (other != null) {
+        problems.error(
+            SourceLocation.of(study.file().toString()),
+            (other.equals(step.id())
+                    ? "two steps of a session would have the id %s; give one of the questionnaires"
+                        + " another \"name\". The study is not used"
+                    : "the steps %s and %s would have the same file names, which contain letters and"
+                        + " digits only; give one of the questionnaires another \"name\". The study"
+                        + " is not used")
+                .formatted(other, step.id()));
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Returns the steps of a session, with the areas in the order of the study file. */
+  public List<SessionStep> steps() {
+    return steps(study.areas());
+  }
+
+  /**
+   * Returns the steps of a session, in order.
+   *
+   * @param areas all areas of the study, in the order in which they are shown
+   */
+  List<SessionStep> steps(List<Study.Area> areas) {
+    List<SessionStep> steps = new ArrayList<>();
+    steps.add(new SessionStep.Form());
+    steps.addAll(asked(Moment.BEGIN));
+    study.practice().ifPresent(practice -> steps.add(new SessionStep.Practice(practice)));
+    steps.addAll(asked(Moment.AFTER_PRACTICE));
+    List<SessionStep.Questions> after = new ArrayList<>(asked(Moment.AFTER_AREA));
+    for (Study.Area area : areas) {
+      steps.add(new SessionStep.Exposure(area));
+      List<SessionStep.Questions> now =
+          after.stream().filter(step -> step.area().equals(area.name())).toList();
+      steps.addAll(now);
+      after.removeAll(now);
+    }
+    steps.addAll(after); // Questionnaires about parts of areas, which have no exposure.
+    steps.addAll(asked(Moment.END));
+    return List.copyOf(steps);
+  }
+
+  private List<SessionStep.Questions> asked(Moment moment) {
+    return asked.stream().filter(each -> each.moment() == moment).map(Asked::step).toList();
+  }
+
+  /** Returns the questionnaire of a step in a participant's order of questions. */
+  public Questionnaire questionnaire(SessionStep step, String participant) {
+    if (step instanceof SessionStep.Form) {
+      return form;
+    }
+    return asked.stream()
+        .filter(each -> each.step().equals(step))
+        .findFirst()
+        .map(each -> each.questionnaire().ordered(study.seed(), participant))
+        .orElseThrow(() -> new IllegalArgumentException("no questions in " + step.id()));
+  }
+
+  /**
+   * Returns the questionnaire of a step by the step's id; empty if the study has no such step, or
+   * it has no questionnaire.
+   */
+  public Optional<Questionnaire> questionnaire(String step, String participant) {
+    return steps().stream()
+        .filter(one -> asks(one) && one.id().equals(step))
+        .findFirst()
+        .map(one -> questionnaire(one, participant));
+  }
+
+  /** Returns all questionnaires of a participant, in order, without the form. */
+  public List<Questionnaire> questionnaires(String participant) {
+    return steps().stream()
+        .filter(SessionStep.Questions.class::isInstance)
+        .map(step -> questionnaire(step, participant))
+        .toList();
+  }
+
+  /** Returns whether a step has a questionnaire: the form, and questions. */
+  static boolean asks(SessionStep step) {
+    return step instanceof SessionStep.Form || step instanceof SessionStep.Questions;
+  }
+}

@@ -1,0 +1,34 @@
+package org.selectiverenderer.x3d.source;
+
+import java.util.Set;
+
+/** The names of the X3D elements that are statements, not nodes. */
+public final class StatementNames {
+  private static final Set<String> NAMES =
+      Set.of(
+          "X3D",
+          "head",
+          "component",
+          "meta",
+          "unit",
+          "Scene",
+          "ROUTE",
+          "IMPORT",
+          "EXPORT",
+          "IS",
+          "connect",
+          "ProtoDeclare",
+          "ProtoInterface",
+          "ProtoBody",
+          "ExternProtoDeclare",
+          "ProtoInstance",
+          "field",
+          "fieldValue");
+
+  private StatementNames() {}
+
+  /** Returns whether an element is a statement. */
+  public static boolean is(String element) {
+    return NAMES.contains(element);
+  }
+}
