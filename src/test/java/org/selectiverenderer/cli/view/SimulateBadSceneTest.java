@@ -235,8 +235,8 @@ class SimulateBadSceneTest {
     assertThat(result.messages().get(0))
         .startsWith("scene.x3d:4:")
         .endsWith(
-            "the entity &e39; cannot be expanded: entities refer to each other more than 16 deep"
-                + "; the part before it is kept");
+            "the entity &e39; cannot be expanded: the entity &e8; stands for more than 65536"
+                + " characters; the part before it is kept");
     assertThat(result.polygons()).isEqualTo(12);
     assertThat(result.status()).isEqualTo(1);
     assertThat(
