@@ -177,10 +177,6 @@ class ArchitectureTest {
   static final ArchRule serialPortsAreOpenedInOnePlace = onlyIn("tracker.serial", "com.fazecast..");
 
   @ArchTest
-  static final ArchRule tablesAreReadAndWrittenInOnePlace =
-      onlyIn("formats.csv", "org.apache.commons.csv..");
-
-  @ArchTest
   static final ArchRule displaysAndLightNeedNoRenderer =
       noClasses()
           .that()

@@ -8,8 +8,11 @@
  * fonts or a display. Uses {@code geometry.font}, {@code formats.image} and {@code base.decimal};
  * no AWT, no GL.
  *
- * <p>JFreeChart is not used: it needs AWT fonts, which a server may lack, and its SVG companion is
- * under the GPL, which a jar under the MIT licence cannot carry.
+ * <p>Charts are drawn by the program's own code, because tests compare SVG files byte by byte with
+ * those in the repository: a library's coordinates, element order and number formats change with
+ * its version, and measured text with the fonts of the machine. JFreeChart is not used: it needs
+ * AWT fonts, which a server may lack, and its SVG companion is under the GPL, which a jar under the
+ * MIT licence cannot carry.
  */
 @NullMarked
 package org.selectiverenderer.chart;

@@ -47,6 +47,17 @@ class UnifiedDiffTest {
     assertThat(diff("", "1\n")).isEqualTo("--- a\n+++ b\n@@ -0,0 +1 @@\n+1\n");
   }
 
+  /** Myers' algorithm would take seconds and much memory: each line differs. */
+  @Test
+  void aLongTextIndentedAnewIsComparedWithoutQuadraticWork() {
+    List<String> before = new ArrayList<>();
+    for (int i = 0; i < 200_000; i++) {
+      before.add("<Shape DEF='S" + i + "'/>\n");
+    }
+    List<String> after = before.stream().map(line -> "  " + line).toList();
+    assertThat(PatienceDiff.of(before, after)).hasSize(200_000).containsOnly(-1);
+  }
+
   @Test
   void applyingTheDifferenceGivesTheOtherText() {
     Random random = new Random(7);

@@ -1,20 +1,12 @@
 package org.selectiverenderer.formats.csv;
 
-import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.util.Arrays;
 import java.util.List;
-import java.util.stream.Collectors;
-import org.apache.commons.csv.CSVFormat;
 
 /**
  * Writes a CSV table: commas between the cells, quotation marks around those that need them (RFC
  * 4180), and LF after every row on every platform. Not thread-safe.
  */
 public final class CsvWriter {
-  private static final CSVFormat FORMAT =
-      CSVFormat.RFC4180.builder().setRecordSeparator("\n").get();
-
   private final StringBuilder text = new StringBuilder();
   private final boolean bare;
 
@@ -37,16 +29,13 @@ public final class CsvWriter {
 
   /** Adds a row; the caller formats fractional numbers as text. */
   public CsvWriter row(Object... cells) {
-    if (bare) {
-      text.append(Arrays.stream(cells).map(CsvWriter::quoted).collect(Collectors.joining(",")));
-      text.append('\n');
-      return this;
+    for (int i = 0; i < cells.length; i++) {
+      String cell = cells[i].toString();
+      boolean quoted = mustBeQuoted(cell) || !bare && mayBeMisread(cell, i == 0);
+      text.append(i == 0 ? "" : ",");
+      text.append(quoted ? '"' + cell.replace("\"", "\"\"") + '"' : cell);
     }
-    try {
-      FORMAT.printRecord(text, cells);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e); // a StringBuilder does not fail
-    }
+    text.append('\n');
     return this;
   }
 
@@ -60,10 +49,16 @@ public final class CsvWriter {
     return bare().row(cells).toString();
   }
 
-  private static String quoted(Object value) {
-    String cell = value.toString();
-    boolean plain = cell.chars().noneMatch(c -> c == ',' || c == '"' || c == '\n' || c == '\r');
-    return plain ? cell : '"' + cell.replace("\"", "\"\"") + '"';
+  private static boolean mustBeQuoted(String cell) {
+    return cell.chars().anyMatch(c -> c == ',' || c == '"' || c == '\n' || c == '\r');
+  }
+
+  /**
+   * Returns whether a reader may trim a cell, take it for a comment, or, where it is empty and the
+   * first, skip its row as an empty line.
+   */
+  private static boolean mayBeMisread(String cell, boolean first) {
+    return cell.isEmpty() ? first : cell.charAt(0) <= '#' || cell.charAt(cell.length() - 1) <= ' ';
   }
 
   /** Returns all rows, each with its line end. */

@@ -2,10 +2,33 @@ package org.selectiverenderer.formats.csv;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
 import java.util.List;
+import java.util.Random;
+import org.apache.commons.csv.CSVFormat;
 import org.junit.jupiter.api.Test;
 
 class CsvWriterTest {
+  @Test
+  void rowsAreWrittenAsCommonsCsvWritesThem() throws IOException {
+    CSVFormat format = CSVFormat.RFC4180.builder().setRecordSeparator("\n").get();
+    String letters = "ab \"\",;#!$\t\n\r\u00a0\u00e4\u0000";
+    Random random = new Random(1);
+    for (int i = 0; i < 50_000; i++) {
+      Object[] cells = new Object[1 + random.nextInt(3)];
+      for (int c = 0; c < cells.length; c++) {
+        StringBuilder cell = new StringBuilder();
+        for (int length = random.nextInt(5); length > 0; length--) {
+          cell.append(letters.charAt(random.nextInt(letters.length())));
+        }
+        cells[c] = random.nextInt(9) == 0 ? -i : cell.toString();
+      }
+      StringBuilder expected = new StringBuilder();
+      format.printRecord(expected, cells);
+      assertThat(new CsvWriter().row(cells)).hasToString(expected.toString());
+    }
+  }
+
   @Test
   void cellsAreQuotedWhereTheyMustBe() {
     assertThat(new CsvWriter().row("a", "b c", "d;e", 1).row("x,y", "say \"z\"", "", "\n"))
