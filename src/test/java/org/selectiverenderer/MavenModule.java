@@ -33,6 +33,9 @@ record MavenModule(String name, Path folder, Set<String> uses) {
     Matcher module = MODULE.matcher(Files.readString(Path.of("pom.xml")));
     while (module.find()) {
       Path folder = Path.of(module.group(1));
+      if (folder.startsWith("packaging")) {
+        continue; // It gathers what others build.
+      }
       folders.put(artifact(pom(folder)), folder);
     }
     List<MavenModule> modules = new ArrayList<>();

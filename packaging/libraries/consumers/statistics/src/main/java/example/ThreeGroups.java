@@ -35,7 +35,8 @@ public final class ThreeGroups {
             new Subject("P7", 2, List.of(5.0)),
             new Subject("P8", 2, List.of(6.0)),
             new Subject("P9", 2, List.of(7.0)));
-    Anova anova = Anova.of(new Design("d'", once, condition, subjects), AnovaOptions.DEFAULT);
+    Anova anova =
+        Anova.of(new FactorialDesign("d'", once, condition, subjects), AnovaOptions.DEFAULT);
     for (Effect effect : anova.effects()) {
       System.out.printf(
           Locale.ROOT,
