@@ -10,7 +10,7 @@ import java.nio.file.Path;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.study.questionnaire.AnswerTable;
+import org.selectiverenderer.study.questionnaire.AnswerTableKind;
 
 /**
  * docs/study-keys.md, and the second half of docs/formats.md, are written from the schemas and
@@ -32,7 +32,7 @@ class KeyPagesTest {
   @Test
   void theFormatsAreThoseThatTheProgramWrites() throws IOException {
     String tables =
-        Stream.of(AnswerTable.values())
+        Stream.of(AnswerTableKind.values())
             .map(table -> "| `%s` | %s |\n".formatted(table.file(), columns(table)))
             .collect(Collectors.joining());
     hold(
@@ -45,7 +45,7 @@ class KeyPagesTest {
             + keys("doctor/report/doctor.schema.json", "doctor"));
   }
 
-  private static String columns(AnswerTable table) {
+  private static String columns(AnswerTableKind table) {
     return Stream.of(table.header().strip().split(","))
         .map(column -> "`" + column + "`")
         .collect(Collectors.joining(", "));

@@ -1,7 +1,7 @@
 package org.selectiverenderer.app.settings;
 
 import java.util.Optional;
-import org.selectiverenderer.apparatus.MouseMapping;
+import org.selectiverenderer.apparatus.MouseButtonMapping;
 
 /**
  * The settings of the viewer's motion.
@@ -12,7 +12,7 @@ import org.selectiverenderer.apparatus.MouseMapping;
  * @param collisions whether collision detection is on at first
  */
 public record MotionSettings(
-    MouseMapping mouse,
+    MouseButtonMapping mouse,
     Optional<PathPlaybackSettings> path,
     Optional<String> viewpoint,
     boolean collisions) {
@@ -20,7 +20,7 @@ public record MotionSettings(
    * Creates the settings of a motion from the first viewpoint of the scene with collision
    * detection.
    */
-  public MotionSettings(MouseMapping mouse, Optional<PathPlaybackSettings> path) {
+  public MotionSettings(MouseButtonMapping mouse, Optional<PathPlaybackSettings> path) {
     this(mouse, path, Optional.empty(), true);
   }
 
@@ -30,12 +30,12 @@ public record MotionSettings(
   }
 
   /** Creates the settings of a motion that the user controls. */
-  public static MotionSettings walking(MouseMapping mouse) {
+  public static MotionSettings walking(MouseButtonMapping mouse) {
     return new MotionSettings(mouse, Optional.empty());
   }
 
   /** Creates the settings of a motion along a path. */
   public static MotionSettings following(PathPlaybackSettings path) {
-    return new MotionSettings(MouseMapping.WALK, Optional.of(path));
+    return new MotionSettings(MouseButtonMapping.WALK, Optional.of(path));
   }
 }

@@ -3,7 +3,7 @@ package org.selectiverenderer.app.settings;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.selectiverenderer.apparatus.MouseMapping;
+import org.selectiverenderer.apparatus.MouseButtonMapping;
 import org.selectiverenderer.control.SelectiveController;
 import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 
@@ -30,7 +30,7 @@ public record RunSettings(
   public RunSettings(Path scene, SelectiveController.Settings rendering) {
     this(
         new SceneSettings(scene, rendering, ContentAccessPolicy.none(), false),
-        MotionSettings.walking(MouseMapping.WALK),
+        MotionSettings.walking(MouseButtonMapping.WALK),
         DisplaySettings.WINDOW,
         TrackerSettings.NONE,
         Optional.empty(),

@@ -6,7 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import org.selectiverenderer.authoring.AttributeValueParser;
+import org.selectiverenderer.authoring.MFStringParser;
 import org.selectiverenderer.authoring.file.BrokenRelativeUrls;
 import org.selectiverenderer.base.files.FileTransaction;
 import org.selectiverenderer.base.problem.ProblemCollector;
@@ -110,7 +110,7 @@ public final class ConvertCommand extends CliCommand {
     if (folder != null) {
       UrlResolver root = new UrlResolver(folder, named);
       for (DocumentElement element : document.elements()) {
-        for (String url : AttributeValueParser.strings(element.text("url").orElse(""))) {
+        for (String url : MFStringParser.strings(element.text("url").orElse(""))) {
           root.note(url, BaseUrl.folder(folder));
         }
       }

@@ -24,7 +24,7 @@ import org.selectiverenderer.app.settings.RunSettings;
 import org.selectiverenderer.app.settings.TrackerSettings;
 import org.selectiverenderer.app.stream.LslStreams;
 import org.selectiverenderer.apparatus.DisplayMode;
-import org.selectiverenderer.apparatus.MouseMapping;
+import org.selectiverenderer.apparatus.MouseButtonMapping;
 import org.selectiverenderer.base.platform.ParentProcessWatcher;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.browser.viewer.CameraPath;
@@ -194,7 +194,7 @@ public final class RunCommand extends CliCommand {
 
   private MotionSettings motion(Optional<CameraPath> walked, boolean session) {
     return new MotionSettings(
-        MouseMapping.valueOf(mouse.name().toUpperCase(Locale.ROOT)),
+        MouseButtonMapping.valueOf(mouse.name().toUpperCase(Locale.ROOT)),
         walked.map(
             path ->
                 session
@@ -214,7 +214,7 @@ public final class RunCommand extends CliCommand {
   }
 
   private void checkPath(CameraPath walked, TrackerSpec tracker, boolean session) {
-    FrameLimits.check(walked, PathPlaybackSettings.RATE);
+    FrameCountCheck.check(walked, PathPlaybackSettings.RATE);
     if (session && path != null) {
       throw CommandException.usage(
           "--path cannot be combined with a replayed head log, which has positions of "

@@ -92,7 +92,7 @@ public final class SimulateCommand extends CliCommand {
     if (walked.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
-    FrameLimits.check(walked.get(), rate);
+    FrameCountCheck.check(walked.get(), rate);
     allowed = access.access();
     ExitStatus status = simulate(scenes.files(), walked.get());
     return pathProblems.any() ? ExitStatus.PROBLEMS : status;

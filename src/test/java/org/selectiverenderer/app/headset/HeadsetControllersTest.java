@@ -9,7 +9,7 @@ import java.util.Set;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.apparatus.MouseMapping;
+import org.selectiverenderer.apparatus.MouseButtonMapping;
 import org.selectiverenderer.browser.navigation.KeyboardMouseControls;
 import org.selectiverenderer.browser.navigation.MotionRequest;
 import org.selectiverenderer.openxr.ControllerAction;
@@ -17,7 +17,7 @@ import org.selectiverenderer.openxr.XrInputState;
 import org.selectiverenderer.openxr.XrPose;
 
 class HeadsetControllersTest {
-  private final KeyboardMouseControls controls = new KeyboardMouseControls(MouseMapping.WALK);
+  private final KeyboardMouseControls controls = new KeyboardMouseControls(MouseButtonMapping.WALK);
 
   private static XrInputState sticks(double forward, double right, double turn, double more) {
     return new XrInputState(forward, right, turn, more, Set.of(), Optional.empty());

@@ -26,7 +26,7 @@ import org.selectiverenderer.app.run.SceneRunner;
 import org.selectiverenderer.app.settings.MotionSettings;
 import org.selectiverenderer.app.settings.PathPlaybackSettings;
 import org.selectiverenderer.app.settings.RunSettings;
-import org.selectiverenderer.apparatus.MouseMapping;
+import org.selectiverenderer.apparatus.MouseButtonMapping;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.browser.viewer.CameraPathReader;
@@ -77,7 +77,7 @@ class LslStreamsTest {
         new RunSettings(scene, SelectiveController.Settings.SELECTIVE)
             .with(
                 new MotionSettings(
-                    MouseMapping.OFF,
+                    MouseButtonMapping.OFF,
                     CameraPathReader.read(walked, new ProblemCollector())
                         .map(path -> PathPlaybackSettings.at(10, path))));
     SceneRunner.simulated(settings, new Listener(streams));

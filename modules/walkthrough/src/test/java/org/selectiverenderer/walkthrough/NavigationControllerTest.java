@@ -14,7 +14,7 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.apparatus.MouseMapping;
+import org.selectiverenderer.apparatus.MouseButtonMapping;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.browser.PointingDeviceState;
 import org.selectiverenderer.browser.World;
@@ -51,7 +51,7 @@ class NavigationControllerTest {
                 Path.of("no-such-folder")),
             new ProblemCollector());
     world.epoch(0);
-    controls = new KeyboardMouseControls(MouseMapping.WALK);
+    controls = new KeyboardMouseControls(MouseButtonMapping.WALK);
     walking = new NavigationController(world, controls);
     step(0);
   }

@@ -3,8 +3,8 @@ package org.selectiverenderer.authoring.enrichment;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.selectiverenderer.authoring.AttributeValueParser;
 import org.selectiverenderer.authoring.ElementFinding;
+import org.selectiverenderer.authoring.MFStringParser;
 import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.authoring.enrichment.EnrichedSwitch.ChoiceNode;
 import org.selectiverenderer.base.problem.Problem;
@@ -69,7 +69,7 @@ final class EnrichedNodeReader {
     }
     DocumentElement named =
         child.use().flatMap(use -> document.tree().flatMap(tree -> tree.named(use))).orElse(child);
-    List<String> urls = AttributeValueParser.strings(document.attribute(named, "url").orElse(""));
+    List<String> urls = MFStringParser.strings(document.attribute(named, "url").orElse(""));
     return urls.isEmpty() ? "" : urls.get(0);
   }
 

@@ -2,9 +2,9 @@ package org.selectiverenderer.authoring.enrichment;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.selectiverenderer.authoring.AttributeValueParser;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.EditRejectedException;
+import org.selectiverenderer.authoring.MFStringParser;
 import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.schema.SchemaField;
 import org.selectiverenderer.schema.SensorSchemas;
@@ -126,8 +126,7 @@ public final class EnrichmentEdits {
     if (!names) {
       return;
     }
-    List<String> values =
-        AttributeValueParser.strings(document.attribute(element, "value").orElse(""));
+    List<String> values = MFStringParser.strings(document.attribute(element, "value").orElse(""));
     if (values.stream().anyMatch(value -> value.strip().equals(from))) {
       List<String> renamed =
           values.stream().map(value -> value.strip().equals(from) ? to : value).distinct().toList();

@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import org.selectiverenderer.authoring.AttributeValueParser;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.EditRejectedException;
+import org.selectiverenderer.authoring.MFStringParser;
 import org.selectiverenderer.schema.ConsistencyDegree;
 import org.selectiverenderer.schema.ConsistencyType;
 import org.selectiverenderer.schema.SensorSchemas;
@@ -140,7 +140,7 @@ public final class MetadataClipboardFormat {
             lines.stream()
                 .filter(line -> line.startsWith(word + TAB))
                 .findFirst()
-                .map(line -> AttributeValueParser.strings(line.substring(word.length() + 1)))
+                .map(line -> MFStringParser.strings(line.substring(word.length() + 1)))
                 .orElseThrow(MetadataClipboardFormat::incomplete));
       }
       return new Copied(List.of(), Optional.of(new SensorSchemas(schemas.get(0), schemas.get(1))));
@@ -155,7 +155,7 @@ public final class MetadataClipboardFormat {
           new ChoiceMetadata(
               ConsistencyType.of(fields.get(0)),
               ConsistencyDegree.of(fields.get(1)),
-              AttributeValueParser.strings(fields.get(2))));
+              MFStringParser.strings(fields.get(2))));
     }
     return new Copied(values, Optional.empty());
   }

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.authoring.AttributeValueParser;
+import org.selectiverenderer.authoring.MFStringParser;
 import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.schema.MetadataNode;
 import org.selectiverenderer.x3d.source.DocumentElement;
@@ -94,7 +94,7 @@ final class MetadataElement implements MetadataNode {
     }
     String value = attribute("value").orElse("");
     return meant.name().equals("MetadataString")
-        ? AttributeValueParser.strings(value)
+        ? MFStringParser.strings(value)
         : List.of(value.strip().split("[\\s,]+"));
   }
 

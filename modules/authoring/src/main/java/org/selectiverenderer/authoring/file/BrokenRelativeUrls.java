@@ -7,7 +7,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
-import org.selectiverenderer.authoring.AttributeValueParser;
+import org.selectiverenderer.authoring.MFStringParser;
 import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
@@ -54,7 +54,7 @@ public final class BrokenRelativeUrls {
     }
     return elements.stream()
         .filter(element -> WITH_URL.contains(element.name()))
-        .map(element -> AttributeValueParser.strings(element.text("url").orElse("")))
+        .map(element -> MFStringParser.strings(element.text("url").orElse("")))
         .distinct()
         .filter(urls -> urls.stream().noneMatch(url -> found(to, url)))
         .flatMap(urls -> urls.stream().filter(url -> found(from, url)).limit(1))

@@ -5,8 +5,8 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import org.selectiverenderer.authoring.AttributeValueParser;
 import org.selectiverenderer.authoring.DocumentSnapshot;
+import org.selectiverenderer.authoring.MFStringParser;
 import org.selectiverenderer.authoring.SourceFormatter;
 import org.selectiverenderer.authoring.UniqueNameGenerator;
 import org.selectiverenderer.x3d.source.DocumentElement;
@@ -96,7 +96,7 @@ final class VersionSwitchEdit {
           layout.replace(
               inline, List.of(VersionSwitchWriter.inline(name, url, layout.quote(inline)))));
     }
-    List<String> all = new ArrayList<>(AttributeValueParser.strings(inline.text("url").orElse("")));
+    List<String> all = new ArrayList<>(MFStringParser.strings(inline.text("url").orElse("")));
     if (all.isEmpty()) {
       all.add(url);
     } else {

@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.selectiverenderer.apparatus.MouseButton;
-import org.selectiverenderer.apparatus.MouseMapping;
+import org.selectiverenderer.apparatus.MouseButtonMapping;
 
 /**
  * Converts keys and mouse to motion.
@@ -16,10 +16,10 @@ import org.selectiverenderer.apparatus.MouseMapping;
  * <ul>
  *   <li>Up/Down or W/S: forward and backward. Left/Right: turn. A/D: sideways. E/Q: up and down
  *       when flying. Shift: faster.
- *   <li>A mouse button of the {@link MouseMapping} that is held still for {@value #HOLD} s walks
- *       until it is released; moving the mouse meanwhile steers. If the mouse moves before that,
- *       dragging only turns the view, so that the user can look without walking and a click does
- *       not cause a step. Dragging with the middle button always only turns the view.
+ *   <li>A mouse button of the {@link MouseButtonMapping} that is held still for {@value #HOLD} s
+ *       walks until it is released; moving the mouse meanwhile steers. If the mouse moves before
+ *       that, dragging only turns the view, so that the user can look without walking and a click
+ *       does not cause a step. Dragging with the middle button always only turns the view.
  *   <li>A click with the left button moves the viewer to the shape under the pointer, if the
  *       navigation type allows it ({@link NavigationCommand#LOOK_AT}).
  *   <li>Wheel: changes the speed permanently, by a quarter per notch.
@@ -61,7 +61,7 @@ public final class KeyboardMouseControls implements MotionSource {
     }
   }
 
-  private final MouseMapping mapping;
+  private final MouseButtonMapping mapping;
   private final Set<NavigationKey> keys = EnumSet.noneOf(NavigationKey.class);
   private final Map<MouseButton, Press> presses = new EnumMap<>(MouseButton.class);
   private final List<NavigationCommand> commands = new ArrayList<>();
@@ -73,7 +73,7 @@ public final class KeyboardMouseControls implements MotionSource {
   private double stickRight;
   private double stickTurn;
 
-  public KeyboardMouseControls(MouseMapping mapping) {
+  public KeyboardMouseControls(MouseButtonMapping mapping) {
     this.mapping = mapping;
   }
 
@@ -116,7 +116,7 @@ public final class KeyboardMouseControls implements MotionSource {
   }
 
   public void buttonDown(MouseButton button) {
-    if (mapping != MouseMapping.OFF) {
+    if (mapping != MouseButtonMapping.OFF) {
       presses.putIfAbsent(button, new Press());
     }
   }
@@ -154,7 +154,7 @@ public final class KeyboardMouseControls implements MotionSource {
    * @param notches the number of notches; positive, away from the user, for faster
    */
   public void wheel(double notches) {
-    if (mapping != MouseMapping.OFF) {
+    if (mapping != MouseButtonMapping.OFF) {
       speedFactor = Math.max(1 / MOST, Math.min(MOST, speedFactor * Math.pow(NOTCH, notches)));
     }
   }

@@ -5,11 +5,11 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.apparatus.MouseButton;
-import org.selectiverenderer.apparatus.MouseMapping;
+import org.selectiverenderer.apparatus.MouseButtonMapping;
 
 class KeyboardMouseControlsTest {
   private static final double FRAME = 1.0 / 60;
-  private final KeyboardMouseControls controls = new KeyboardMouseControls(MouseMapping.WALK);
+  private final KeyboardMouseControls controls = new KeyboardMouseControls(MouseButtonMapping.WALK);
 
   private static MotionRequest hold(KeyboardMouseControls controls, double seconds) {
     MotionRequest motion = MotionRequest.NONE;
@@ -26,17 +26,17 @@ class KeyboardMouseControlsTest {
 
   @Test
   void theButtonsWalkAsTheMappingSays() {
-    assertThat(walksBy(MouseMapping.WALK, MouseButton.LEFT)).isEqualTo(1);
-    assertThat(walksBy(MouseMapping.WALK, MouseButton.RIGHT)).isEqualTo(-1);
-    assertThat(walksBy(MouseMapping.EXPERIMENT, MouseButton.LEFT)).isEqualTo(-1);
-    assertThat(walksBy(MouseMapping.EXPERIMENT, MouseButton.RIGHT)).isEqualTo(1);
+    assertThat(walksBy(MouseButtonMapping.WALK, MouseButton.LEFT)).isEqualTo(1);
+    assertThat(walksBy(MouseButtonMapping.WALK, MouseButton.RIGHT)).isEqualTo(-1);
+    assertThat(walksBy(MouseButtonMapping.EXPERIMENT, MouseButton.LEFT)).isEqualTo(-1);
+    assertThat(walksBy(MouseButtonMapping.EXPERIMENT, MouseButton.RIGHT)).isEqualTo(1);
     for (MouseButton button : MouseButton.values()) {
-      assertThat(walksBy(MouseMapping.OFF, button)).isZero();
+      assertThat(walksBy(MouseButtonMapping.OFF, button)).isZero();
     }
-    assertThat(walksBy(MouseMapping.WALK, MouseButton.MIDDLE)).isZero();
+    assertThat(walksBy(MouseButtonMapping.WALK, MouseButton.MIDDLE)).isZero();
   }
 
-  private static double walksBy(MouseMapping mapping, MouseButton button) {
+  private static double walksBy(MouseButtonMapping mapping, MouseButton button) {
     KeyboardMouseControls controls = new KeyboardMouseControls(mapping);
     controls.buttonDown(button);
     return hold(controls, 0.3).forward();
@@ -119,7 +119,7 @@ class KeyboardMouseControlsTest {
   void theMouseWithoutAButtonAndTheMouseThatIsOffTurnNothing() {
     controls.drag(100, 0);
     assertThat(controls.next(FRAME).lookYaw()).isZero();
-    KeyboardMouseControls off = new KeyboardMouseControls(MouseMapping.OFF);
+    KeyboardMouseControls off = new KeyboardMouseControls(MouseButtonMapping.OFF);
     off.buttonDown(MouseButton.MIDDLE);
     off.drag(100, 0);
     off.wheel(3);

@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.selectiverenderer.apparatus.DisplayMode;
-import org.selectiverenderer.apparatus.MouseMapping;
+import org.selectiverenderer.apparatus.MouseButtonMapping;
 import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.tracker.TrackerSpec;
 import org.selectiverenderer.x3d.url.ContentAccessPolicy;
@@ -43,7 +43,7 @@ public record Study(
     double fade,
     Display display,
     TrackerSpec tracker,
-    MouseMapping mouse,
+    MouseButtonMapping mouse,
     String language,
     StudyQuestionnaires questionnaires,
     QualityCriteria quality,

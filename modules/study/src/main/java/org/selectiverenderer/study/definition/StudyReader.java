@@ -14,7 +14,7 @@ import java.util.Set;
 import org.selectiverenderer.apparatus.DisplayMode;
 import org.selectiverenderer.apparatus.DisplayProfileLoader;
 import org.selectiverenderer.apparatus.EyeGeometry;
-import org.selectiverenderer.apparatus.MouseMapping;
+import org.selectiverenderer.apparatus.MouseButtonMapping;
 import org.selectiverenderer.base.decimal.Pluralizer;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.formats.json.JsonObjectReader;
@@ -108,9 +108,9 @@ public final class StudyReader {
             tracker(keys),
             keys.choice(
                 "mouse",
-                List.of(MouseMapping.values()),
+                List.of(MouseButtonMapping.values()),
                 mapping -> mapping.name().toLowerCase(Locale.ROOT),
-                MouseMapping.EXPERIMENT),
+                MouseButtonMapping.EXPERIMENT),
             keys.text("language", false).orElse("en"),
             new StudyQuestionnairesReader(this::file)
                 .read(keys, !areas.isEmpty(), keys.has("practice")),

@@ -16,7 +16,7 @@ public final class AnswersCsvBuilder {
   private static final String SCORES =
       CsvWriter.line("participant", "session", "condition", "questionnaire", "score", "value");
 
-  private final Map<AnswerTable, StringBuilder> rows = new EnumMap<>(AnswerTable.class);
+  private final Map<AnswerTableKind, StringBuilder> rows = new EnumMap<>(AnswerTableKind.class);
   private final StringBuilder scores = new StringBuilder();
 
   /** Adds the answers to a questionnaire, whose questions are in the participant's order. */
@@ -53,12 +53,12 @@ public final class AnswersCsvBuilder {
   }
 
   /** Returns whether a table has rows. */
-  public boolean has(AnswerTable table) {
+  public boolean has(AnswerTableKind table) {
     return rows.containsKey(table);
   }
 
   /** Returns a table with its header. */
-  public String text(AnswerTable table) {
+  public String text(AnswerTableKind table) {
     return table.header() + rows.getOrDefault(table, new StringBuilder());
   }
 

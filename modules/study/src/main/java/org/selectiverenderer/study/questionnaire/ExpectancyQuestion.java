@@ -39,8 +39,8 @@ public record ExpectancyQuestion(StimulusItem item) implements QuestionKind {
   }
 
   @Override
-  public AnswerTable table() {
-    return AnswerTable.RATINGS;
+  public AnswerTableKind table() {
+    return AnswerTableKind.RATINGS;
   }
 
   @Override

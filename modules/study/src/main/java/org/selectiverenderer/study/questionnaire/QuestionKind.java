@@ -63,8 +63,8 @@ public sealed interface QuestionKind
   }
 
   /** Returns the table for the answers. */
-  default AnswerTable table() {
-    return AnswerTable.ANSWERS;
+  default AnswerTableKind table() {
+    return AnswerTableKind.ANSWERS;
   }
 
   /** Returns the cells of a row of that table. */

@@ -49,8 +49,8 @@ record RecognitionQuestion(StimulusItem item) implements QuestionKind {
   }
 
   @Override
-  public AnswerTable table() {
-    return AnswerTable.RESPONSES;
+  public AnswerTableKind table() {
+    return AnswerTableKind.RESPONSES;
   }
 
   @Override

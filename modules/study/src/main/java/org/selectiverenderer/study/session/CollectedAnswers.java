@@ -16,7 +16,7 @@ import org.selectiverenderer.formats.csv.CsvWriter;
 import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.schema.RatingBand;
 import org.selectiverenderer.study.questionnaire.Answer;
-import org.selectiverenderer.study.questionnaire.AnswerTable;
+import org.selectiverenderer.study.questionnaire.AnswerTableKind;
 import org.selectiverenderer.study.questionnaire.AnswersCsvBuilder;
 import org.selectiverenderer.study.questionnaire.ExpectancyQuestion;
 import org.selectiverenderer.study.questionnaire.Question;
@@ -281,9 +281,9 @@ public record CollectedAnswers(
     }
     onPaper.forEach(gathering::onPaper);
     return new CollectedAnswers(
-        gathering.tables.text(AnswerTable.RESPONSES),
-        gathering.tables.text(AnswerTable.RATINGS),
-        gathering.tables.text(AnswerTable.ANSWERS),
+        gathering.tables.text(AnswerTableKind.RESPONSES),
+        gathering.tables.text(AnswerTableKind.RATINGS),
+        gathering.tables.text(AnswerTableKind.ANSWERS),
         gathering.tables.scores(),
         bands(gathering.all),
         gathering.participants,

@@ -14,7 +14,7 @@ import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.study.definition.SessionFlag;
 import org.selectiverenderer.study.definition.Study;
 import org.selectiverenderer.study.questionnaire.Answer;
-import org.selectiverenderer.study.questionnaire.AnswerTable;
+import org.selectiverenderer.study.questionnaire.AnswerTableKind;
 import org.selectiverenderer.study.questionnaire.AnswersCsvBuilder;
 import org.selectiverenderer.study.questionnaire.Question;
 import org.selectiverenderer.study.questionnaire.Questionnaire;
@@ -352,7 +352,7 @@ public final class Session implements AutoCloseable {
               history.given(step));
         }
       }
-      for (AnswerTable table : AnswerTable.values()) {
+      for (AnswerTableKind table : AnswerTableKind.values()) {
         if (tables.has(table)) {
           folder.writeOnce(table.file(), tables.text(table));
         }

@@ -3,7 +3,7 @@ package org.selectiverenderer.enricher.preview;
 import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.apparatus.MouseMapping;
+import org.selectiverenderer.apparatus.MouseButtonMapping;
 import org.selectiverenderer.browser.camera.Camera;
 import org.selectiverenderer.browser.navigation.KeyboardMouseControls;
 import org.selectiverenderer.browser.navigation.NavigationCommand;
@@ -23,7 +23,7 @@ final class PreviewController implements AutoCloseable {
   private final PreviewRenderer painter;
   private final int motionSamples = AntiAliasing.forMotion();
   private final PreviewCameraController eye = new PreviewCameraController();
-  private final KeyboardMouseControls controls = new KeyboardMouseControls(MouseMapping.WALK);
+  private final KeyboardMouseControls controls = new KeyboardMouseControls(MouseButtonMapping.WALK);
   private @Nullable PreviewScene scene;
   private int whole;
   private int width;

@@ -2,7 +2,7 @@ package org.selectiverenderer.enricher.run;
 
 import java.nio.file.Path;
 import java.util.Optional;
-import org.selectiverenderer.authoring.AttributeValueParser;
+import org.selectiverenderer.authoring.MFStringParser;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
@@ -34,8 +34,7 @@ public final class InlineFileResolver {
     UrlResolver root = new UrlResolver(folder, session.access());
     String reason = Texts.of("run.nourl");
     for (String url :
-        AttributeValueParser.strings(
-            session.document().attribute(inline.get(), "url").orElse(""))) {
+        MFStringParser.strings(session.document().attribute(inline.get(), "url").orElse(""))) {
       UrlResolver.Target target = root.resolve(url, folder);
       if (target instanceof UrlResolver.Target.Found found && found.content().file().isPresent()) {
         return new Answer(found.content().file(), "");

@@ -30,8 +30,8 @@ public final class HAnimHumanoidNode extends TransformNode implements Deformer {
   private final NodeObserver watch = this::watched;
   private final Set<Node> observed = Collections.newSetFromMap(new IdentityHashMap<>());
   private @Nullable Skeleton joints;
-  private @Nullable RestPose points;
-  private @Nullable RestPose normals;
+  private @Nullable RestPoseVertices points;
+  private @Nullable RestPoseVertices normals;
 
   public HAnimHumanoidNode(NodeType type, @Nullable String name, SourceLocation location) {
     super(type, name, location);
@@ -112,8 +112,8 @@ public final class HAnimHumanoidNode extends TransformNode implements Deformer {
     }
   }
 
-  private @Nullable RestPose rest(
-      @Nullable Node node, String kind, String field, @Nullable RestPose before) {
+  private @Nullable RestPoseVertices rest(
+      @Nullable Node node, String kind, String field, @Nullable RestPoseVertices before) {
     if (node == null || !node.type().name().equals(kind)) {
       return null;
     }
@@ -121,7 +121,7 @@ public final class HAnimHumanoidNode extends TransformNode implements Deformer {
       return before;
     }
     joints = null; // Forces observation of the new nodes, too.
-    return new RestPose(node, field);
+    return new RestPoseVertices(node, field);
   }
 
   private void observe(Skeleton known) {

@@ -21,7 +21,7 @@ public final class HAnimSegmentNode extends GroupingNode implements Deformer {
   private final int coord;
   private final NodeObserver watch = this::watched;
   private final Set<Node> watched = Collections.newSetFromMap(new IdentityHashMap<>());
-  private @Nullable RestPose points;
+  private @Nullable RestPoseVertices points;
 
   public HAnimSegmentNode(NodeType type, @Nullable String name, SourceLocation location) {
     super(type, name, location);
@@ -54,7 +54,7 @@ public final class HAnimSegmentNode extends GroupingNode implements Deformer {
       return;
     }
     if (points == null || points.node() != held) {
-      points = new RestPose(held, "point");
+      points = new RestPoseVertices(held, "point");
     }
     follow(all);
     if (watched.add(held)) {

@@ -7,7 +7,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.selectiverenderer.formats.csv.CsvWriter;
 import org.selectiverenderer.study.questionnaire.AnswerField;
-import org.selectiverenderer.study.questionnaire.AnswerTable;
+import org.selectiverenderer.study.questionnaire.AnswerTableKind;
 import org.selectiverenderer.study.questionnaire.AnswersCsvBuilder;
 import org.selectiverenderer.study.questionnaire.ParticipantMessages;
 import org.selectiverenderer.study.questionnaire.Question;
@@ -46,14 +46,14 @@ public final class DataEntryTemplate {
       ParticipantMessages wording,
       String participant,
       String condition) {
-    Set<AnswerTable> tables =
+    Set<AnswerTableKind> tables =
         questionnaires.stream()
             .flatMap(each -> each.questions().stream())
             .map(question -> question.kind().table())
             .collect(Collectors.toSet());
-    Optional<AnswerTable> only =
+    Optional<AnswerTableKind> only =
         tables.stream()
-            .filter(table -> table != AnswerTable.ANSWERS && tables.size() == 1)
+            .filter(table -> table != AnswerTableKind.ANSWERS && tables.size() == 1)
             .findFirst();
     if (only.isPresent()) {
       AnswersCsvBuilder empty = new AnswersCsvBuilder();

@@ -5,8 +5,8 @@ import org.selectiverenderer.browser.viewer.CameraPath;
 import org.selectiverenderer.command.output.CommandException;
 
 /** Rejects paths and frame rates with an implausible number of frames. */
-final class FrameLimits {
-  private FrameLimits() {}
+final class FrameCountCheck {
+  private FrameCountCheck() {}
 
   static void check(CameraPath path, double rate) {
     try {

@@ -8,7 +8,7 @@ import org.selectiverenderer.browser.scene.Node;
  * The rest-pose points or normals of a node, whose field holds the deformed ones. A value that
  * another sender writes to the field becomes the new rest pose.
  */
-final class RestPose {
+final class RestPoseVertices {
   private final Node node;
   private final int field;
   private float[] rest = {};
@@ -18,7 +18,7 @@ final class RestPose {
    * @param node a Coordinate or Normal
    * @param field the field with the points or vectors
    */
-  RestPose(Node node, String field) {
+  RestPoseVertices(Node node, String field) {
     this.node = node;
     this.field = node.type().indexOf(field);
   }

@@ -5,8 +5,8 @@ import org.selectiverenderer.x3d.field.FieldParser;
 import org.selectiverenderer.x3d.field.FieldType;
 
 /** Parses values of XML attributes. */
-public final class AttributeValueParser {
-  private AttributeValueParser() {}
+public final class MFStringParser {
+  private MFStringParser() {}
 
   /** Returns the strings of an MFString, as tolerantly as the scene reader. */
   public static List<String> strings(String value) {

@@ -5,7 +5,7 @@ import org.selectiverenderer.formats.csv.CsvWriter;
 import org.selectiverenderer.statistics.data.ResponsesCsvWriter;
 
 /** The tables of answers: each is a file of a session, and of the collected study. */
-public enum AnswerTable {
+public enum AnswerTableKind {
   /** Answers to recognition lists, in the form that {@code experiment analyse} reads. */
   RESPONSES("responses.csv", ResponsesCsvWriter.of(List.of()).strip() + ",response_ms,place\n"),
   /** Ratings of expectancy, in the form that {@code enrich --ratings} reads. */
@@ -28,7 +28,7 @@ public enum AnswerTable {
   private final String file;
   private final String header;
 
-  AnswerTable(String file, String header) {
+  AnswerTableKind(String file, String header) {
     this.file = file;
     this.header = header;
   }

@@ -1,7 +1,7 @@
 package org.selectiverenderer.apparatus;
 
 /** The walking direction of each mouse button. */
-public enum MouseMapping {
+public enum MouseButtonMapping {
   /** Left forward, right backward (thesis 4.3). */
   WALK(1, -1),
   /** Right forward, left backward (thesis 6.1.1). */
@@ -12,7 +12,7 @@ public enum MouseMapping {
   private final int left;
   private final int right;
 
-  MouseMapping(int left, int right) {
+  MouseButtonMapping(int left, int right) {
     this.left = left;
     this.right = right;
   }
