@@ -9,8 +9,9 @@
  *
  * <p>To add a command: a file with a class that extends {@link
  * org.selectiverenderer.command.CliCommand} in {@code cli.view}, {@code cli.author} or {@code
- * cli.experiment}, and a line in {@link org.selectiverenderer.cli.CommandCatalogue} or {@link
- * org.selectiverenderer.cli.experiment.ExperimentCommand}.
+ * cli.experiment}, and a line in {@link org.selectiverenderer.cli.DesktopCommandProvider} or {@link
+ * org.selectiverenderer.cli.experiment.ExperimentCommand}. A module that a distribution may leave
+ * out has a {@link org.selectiverenderer.command.CommandProvider} of its own.
  */
 @NullMarked
 package org.selectiverenderer.cli;

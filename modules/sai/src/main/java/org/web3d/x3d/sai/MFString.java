@@ -14,7 +14,7 @@ public interface MFString extends MField {
   /** The value at an index from 0. */
   String get1Value(int index) throws ArrayIndexOutOfBoundsException;
 
-  /** Puts a value in at an index from 0; what was there and behind moves back by one. */
+  /** Inserts a value at an index from 0 and shifts the later values by one. */
   void insertValue(int index, String value) throws ArrayIndexOutOfBoundsException;
 
   /** Takes the value at an index from 0 away; what is behind moves forward by one. */

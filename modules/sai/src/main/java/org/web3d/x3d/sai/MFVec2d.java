@@ -25,7 +25,7 @@ public interface MFVec2d extends MField {
   /** Puts the tuple at an index from 0 into the array. */
   void get1Value(int index, double[] value) throws ArrayIndexOutOfBoundsException;
 
-  /** Puts a tuple in at an index from 0; what was there and behind moves back by one. */
+  /** Inserts a tuple at an index from 0 and shifts the later values by one. */
   void insertValue(int index, double[] value) throws ArrayIndexOutOfBoundsException;
 
   /** Takes the tuple at an index from 0 away; what is behind moves forward by one. */

@@ -15,8 +15,8 @@
  * folder, {@code participants.tsv}, status and collected answers.
  *
  * <p>Uses {@code study.definition}, {@code study.questionnaire}, {@code study.headlog}, {@code
- * control} for conditions, {@code tracker} for the tracker's SPEC, {@code schema} for the bands of
- * ratings, and {@code base}. No GL, no AWT.
+ * schema} for conditions and the bands of ratings, {@code tracker} for the tracker's SPEC, and
+ * {@code base}. No GL, no AWT.
  */
 @NullMarked
 package org.selectiverenderer.study.session;

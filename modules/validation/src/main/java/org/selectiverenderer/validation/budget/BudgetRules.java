@@ -4,7 +4,7 @@ import java.util.List;
 import org.selectiverenderer.validation.Rule;
 import org.selectiverenderer.validation.RuleGroup;
 
-/** SR5xx: polygon budgets. */
+/** Declares the rules SR500 to SR599, about polygon budgets. */
 public final class BudgetRules {
   static final Rule OVER_BUDGET =
       Rule.error(

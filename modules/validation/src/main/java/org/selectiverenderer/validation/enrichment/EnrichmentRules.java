@@ -9,7 +9,7 @@ import org.selectiverenderer.validation.RuleGroup;
 import org.selectiverenderer.validation.SceneCheck;
 import org.selectiverenderer.validation.SceneContext;
 
-/** SR4xx: enrichment with memory schemata. */
+/** Declares the rules SR400 to SR499, about enrichment with memory schemata. */
 public final class EnrichmentRules {
   private EnrichmentRules() {}
 

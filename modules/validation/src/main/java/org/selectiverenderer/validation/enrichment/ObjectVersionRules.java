@@ -3,7 +3,7 @@ package org.selectiverenderer.validation.enrichment;
 import java.util.List;
 import org.selectiverenderer.validation.Rule;
 
-/** Rules about the versions of objects and about when they are shown. */
+/** Declares the rules about the versions of objects and about when they are shown. */
 final class ObjectVersionRules {
   private static final String DESK = RuleExampleFragments.choice("low", "Desk");
   private static final String OFFICE = RuleExampleFragments.choice("high", "Office");

@@ -3,7 +3,7 @@ package org.selectiverenderer.validation.enrichment;
 import java.util.List;
 import org.selectiverenderer.validation.Rule;
 
-/** Rules about the names of schemas and of metadata. */
+/** Declares the rules about the names of schemas and of metadata. */
 final class SchemaRules {
   private static final String GOOD = RuleExampleFragments.desk() + RuleExampleFragments.LAMP;
 

@@ -3,7 +3,7 @@ package org.selectiverenderer.validation.enrichment;
 import java.util.List;
 import org.selectiverenderer.validation.Rule;
 
-/** Rules about areas. */
+/** Declares the rules about areas. */
 final class SensorRules {
   static final Rule WITHOUT_SCHEMAS =
       Rule.warning(

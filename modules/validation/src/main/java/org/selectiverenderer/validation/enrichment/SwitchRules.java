@@ -3,7 +3,7 @@ package org.selectiverenderer.validation.enrichment;
 import java.util.List;
 import org.selectiverenderer.validation.Rule;
 
-/** Rules about the metadata of versioned objects. */
+/** Declares the rules about the metadata of versioned objects. */
 final class SwitchRules {
   private static final String DESK = RuleExampleFragments.choice("low", "Desk");
   private static final String OFFICE = RuleExampleFragments.choice("high", "Office");

@@ -4,7 +4,7 @@ import java.util.List;
 import org.selectiverenderer.validation.Rule;
 import org.selectiverenderer.validation.RuleGroup;
 
-/** SR3xx: the files that a scene names. */
+/** Declares the rules SR300 to SR399, about the files that a scene names. */
 public final class FileRules {
   private static final String GOOD = "<Inline url='\"inlineNodes/desk.x3d\"'/>";
 

@@ -9,7 +9,7 @@ import org.selectiverenderer.validation.RuleGroup;
 import org.selectiverenderer.validation.SceneNodeIterator;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
-/** SR2xx: geometry. */
+/** Declares the rules SR200 to SR299, about geometry. */
 public final class GeometryRules {
   private static final String GOOD = triangle("0 1 2 -1", "0 0 0, 1 0 0, 0 1 0");
 

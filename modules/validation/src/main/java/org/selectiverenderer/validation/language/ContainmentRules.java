@@ -3,7 +3,10 @@ package org.selectiverenderer.validation.language;
 import java.util.List;
 import org.selectiverenderer.validation.Rule;
 
-/** SR11x: containment, that is, which nodes and statements may contain which. */
+/**
+ * Declares the rules SR110 to SR119, about containment, that is, which nodes and statements may
+ * contain which.
+ */
 final class ContainmentRules {
   static final Rule MISPLACED_NODE =
       Rule.error("SR111", "a {child} is not allowed in a {parent}")

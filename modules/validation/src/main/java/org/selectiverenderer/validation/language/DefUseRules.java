@@ -3,7 +3,7 @@ package org.selectiverenderer.validation.language;
 import java.util.List;
 import org.selectiverenderer.validation.Rule;
 
-/** SR13x: DEF, USE, IMPORT and EXPORT. */
+/** Declares the rules SR130 to SR139, about DEF, USE, IMPORT and EXPORT. */
 final class DefUseRules {
   static final Rule UNKNOWN =
       Rule.error("SR131", "no node above has the name {name}{suggestion}")

@@ -3,7 +3,7 @@ package org.selectiverenderer.validation.language;
 import java.util.List;
 import org.selectiverenderer.validation.Rule;
 
-/** SR10x: elements, attributes and their values. */
+/** Declares the rules SR100 to SR109, about elements, attributes and their values. */
 final class FieldRules {
   static final Rule UNKNOWN_ELEMENT =
       Rule.error("SR101", "X3D 4.0 has no element {element}{suggestion}")

@@ -3,7 +3,7 @@ package org.selectiverenderer.validation.language;
 import java.util.List;
 import org.selectiverenderer.validation.Rule;
 
-/** SR12x: version, profile, components and the head. */
+/** Declares the rules SR120 to SR129, about version, profile, components and the head. */
 final class HeadRules {
   private static final String HEAD = "<?xml version='1.0' encoding='UTF-8'?>\n";
 

@@ -9,7 +9,7 @@ import org.selectiverenderer.validation.Rule;
 import org.selectiverenderer.validation.RuleGroup;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** SR1xx: the X3D language. */
+/** Declares the rules SR100 to SR199, about the X3D language. */
 public final class LanguageRules {
   private LanguageRules() {}
 

@@ -3,7 +3,7 @@ package org.selectiverenderer.validation.language;
 import java.util.List;
 import org.selectiverenderer.validation.Rule;
 
-/** SR15x: prototypes. */
+/** Declares the rules SR150 to SR159, about prototypes. */
 final class PrototypeRules {
   private static final String GOOD =
       """

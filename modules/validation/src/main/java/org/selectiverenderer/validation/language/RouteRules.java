@@ -3,7 +3,7 @@ package org.selectiverenderer.validation.language;
 import java.util.List;
 import org.selectiverenderer.validation.Rule;
 
-/** SR14x: routes. */
+/** Declares the rules SR140 to SR149, about routes. */
 final class RouteRules {
   private static final String SENSOR = "<TimeSensor DEF='Clock'/>\n<Transform DEF='Door'/>\n";
 

@@ -3,7 +3,7 @@ package org.selectiverenderer.validation.language;
 import java.util.List;
 import org.selectiverenderer.validation.Rule;
 
-/** SR16x: sequences of numbers, such as keys and ranges. */
+/** Declares the rules SR160 to SR169, about sequences of numbers, such as keys and ranges. */
 final class SequenceRules {
   static final Rule KEY_COUNT =
       Rule.warning("SR161", "{field} has {count} values, but {needed} for {keys} keys")

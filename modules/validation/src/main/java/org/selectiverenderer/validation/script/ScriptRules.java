@@ -4,7 +4,7 @@ import java.util.List;
 import org.selectiverenderer.validation.Rule;
 import org.selectiverenderer.validation.RuleGroup;
 
-/** SR6xx: Scripts. */
+/** Declares the rules SR600 to SR699, about Scripts. */
 public final class ScriptRules {
   private static final String GOOD =
       """

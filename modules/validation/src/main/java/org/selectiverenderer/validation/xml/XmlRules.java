@@ -4,7 +4,7 @@ import java.util.List;
 import org.selectiverenderer.validation.Rule;
 import org.selectiverenderer.validation.RuleGroup;
 
-/** SR0xx: the file and its XML. */
+/** Declares the rules SR000 to SR099, about the file and its XML. */
 public final class XmlRules {
   static final Rule NOT_WELL_FORMED =
       Rule.error("SR001", "{fault}")

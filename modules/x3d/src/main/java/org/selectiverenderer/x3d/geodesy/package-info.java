@@ -4,8 +4,8 @@
  *
  * <p>In: coordinates as geospatial nodes give them, in the order of their {@code geoSystem}. Out:
  * metres in double precision, geocentric or, with a GeoOrigin, relative to it. Meshes are stored in
- * floats relative to a local origin ({@code x3d.tessellate.GeoAnchor}), since geocentric floats
- * would be too coarse and make the picture jitter.
+ * floats relative to a local origin, since geocentric floats would be too coarse and make the
+ * picture jitter.
  *
  * <p>Uses {@code x3d.catalogue} and JOML.
  */
