@@ -13,7 +13,7 @@ import java.util.zip.ZipOutputStream;
 
 /**
  * Copies the application's jar without the native parts of other platforms, and lays JOGL's beside
- * it as the program would at its first start, since a package's folder cannot be written then:
+ * it, from where the program loads them while they have the bytes of those in the jar:
  *
  * <pre>java packaging/SlimJar.java target/selective-renderer.jar FOLDER PLATFORM SECONDS</pre>
  *
@@ -94,8 +94,5 @@ public final class SlimJar {
       }
     }
     Files.setLastModifiedTime(jar, time);
-    // As JoglNativeLibraries reads it: of which jar the folder was made, whatever time an installer gives
-    // it.
-    Files.writeString(natives.resolve("complete"), Files.size(jar) + " packaged");
   }
 }

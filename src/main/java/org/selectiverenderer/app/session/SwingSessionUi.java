@@ -9,6 +9,7 @@ import org.selectiverenderer.app.window.MonitorBounds;
 import org.selectiverenderer.app.window.QuestionnaireWindow;
 import org.selectiverenderer.app.window.SessionEndWatcher;
 import org.selectiverenderer.app.window.ThanksWindow;
+import org.selectiverenderer.base.natives.FlatLafLibrary;
 import org.selectiverenderer.render.window.Monitor;
 import org.selectiverenderer.study.questionnaire.ParticipantMessages;
 import org.selectiverenderer.study.questionnaire.Question;
@@ -30,6 +31,7 @@ public final class SwingSessionUi implements SessionUi {
     this.wording = wording;
     desk = place(stage.monitor());
     reading = place(stage.reading());
+    FlatLafLibrary.use(SwingSessionUi.class);
     FlatLightLaf.setup();
   }
 

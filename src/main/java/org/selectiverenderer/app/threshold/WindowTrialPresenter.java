@@ -12,6 +12,7 @@ import org.selectiverenderer.app.window.MonitorBounds;
 import org.selectiverenderer.app.window.ThanksWindow;
 import org.selectiverenderer.app.window.TrialPage;
 import org.selectiverenderer.app.window.TrialWindow;
+import org.selectiverenderer.base.natives.FlatLafLibrary;
 import org.selectiverenderer.study.questionnaire.ParticipantMessages;
 import org.selectiverenderer.study.threshold.ThresholdSession;
 import org.selectiverenderer.study.threshold.ThresholdStudy;
@@ -44,6 +45,7 @@ public final class WindowTrialPresenter implements TrialPresenter {
           "%s: pictures of %d pixels do not fit on this screen; \"picture\" can be %d at most here"
               .formatted(study.file(), study.picture(), most));
     }
+    FlatLafLibrary.use(WindowTrialPresenter.class);
     FlatLightLaf.setup();
     window = TrialWindow.open(wording, wording.of(words + ".title"));
   }

@@ -51,13 +51,27 @@ public final class ProbeProcess {
 
   /** Runs a probe and returns its results; a failure is the last one. */
   List<Diagnosis> run(Probe probe) throws InterruptedException {
-    Path folder = Path.of(System.getProperty("java.io.tmpdir", "."));
-    String crashes = "selective-renderer-doctor-" + probe.name() + "-";
+    try {
+      // Java writes its log of a crash through a link that others may have put at its name.
+      Path crashes = Files.createTempDirectory("selective-renderer-doctor-" + probe.name() + "-");
+      try {
+        return run(probe, crashes.resolve("crash.log"));
+      } finally {
+        if (Files.notExists(crashes.resolve("crash.log"))) {
+          Files.deleteIfExists(crashes);
+        }
+      }
+    } catch (IOException e) {
+      return List.of(Doctor.failed(probe, "no folder can be made: " + e.getMessage(), ""));
+    }
+  }
+
+  private List<Diagnosis> run(Probe probe, Path log) throws InterruptedException {
     List<String> flags =
         List.of(
             ParentProcessWatcher.flag(),
             "-XX:-CreateCoredumpOnCrash",
-            "-XX:ErrorFile=" + folder.resolve(crashes + "%p.log"));
+            "-XX:ErrorFile=" + log.toString().replace("%", "%%"));
     Process process;
     try {
       process =
@@ -82,7 +96,6 @@ public final class ProbeProcess {
     if (!ended) {
       lines.add(Doctor.late(probe));
     } else if (process.exitValue() != 0) {
-      Path log = folder.resolve(crashes + process.pid() + ".log");
       lines.add(dead(probe, process.exitValue(), output, log));
     } else if (lines.isEmpty()) {
       lines.add(Doctor.failed(probe, "no answer" + output.reason(), ""));

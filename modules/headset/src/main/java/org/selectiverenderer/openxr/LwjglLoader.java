@@ -13,12 +13,14 @@ import org.lwjgl.openxr.XR10;
 import org.lwjgl.openxr.XrExtensionProperties;
 import org.lwjgl.openxr.XrInstanceCreateInfo;
 import org.lwjgl.system.MemoryStack;
+import org.selectiverenderer.base.natives.LwjglLibraries;
 
 /** The OpenXR loader that LWJGL contains. Memory of a call is freed within the call. */
 final class LwjglLoader implements XrLoader {
   private static final String NAME = "Selective Renderer";
 
   LwjglLoader() {
+    LwjglLibraries.use(LwjglLoader.class, LwjglLibraries.Part.OPENXR);
     OpenXrLogSuppressor.silence();
   }
 

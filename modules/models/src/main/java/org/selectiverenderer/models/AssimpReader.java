@@ -25,6 +25,7 @@ import org.lwjgl.assimp.AIMesh;
 import org.lwjgl.assimp.AIScene;
 import org.lwjgl.assimp.AIVector3D;
 import org.selectiverenderer.base.decimal.Pluralizer;
+import org.selectiverenderer.base.natives.LwjglLibraries;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.geometry.mesh.Mesh;
@@ -59,6 +60,7 @@ final class AssimpReader {
    * @throws IOException if it cannot be read
    */
   Optional<Model> read(Path file) throws IOException {
+    LwjglLibraries.use(AssimpReader.class, LwjglLibraries.Part.ASSIMP);
     AIScene scene = aiImportFile(file.toAbsolutePath().toString(), STEPS);
     if (scene == null) {
       new ModelFileDiagnostics(file, problems).report();

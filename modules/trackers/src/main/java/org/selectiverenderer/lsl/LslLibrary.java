@@ -5,9 +5,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.lwjgl.system.APIUtil;
 import org.lwjgl.system.SharedLibrary;
+import org.selectiverenderer.base.natives.LwjglLibraries;
 
 /** The liblsl that the user has installed. Once loaded, it stays loaded until the program ends. */
 public final class LslLibrary {
@@ -49,7 +52,9 @@ public final class LslLibrary {
               + RELEASES);
     }
     return load(
-        names(System.getProperty("os.name").toLowerCase(Locale.ROOT)),
+        places(
+            System.getProperty("os.name").toLowerCase(Locale.ROOT),
+            Objects.requireNonNullElse(System.getenv("PATH"), "")),
         "liblsl, the library of the Lab Streaming Layer, is not installed or cannot be loaded;"
             + " install it from "
             + RELEASES
@@ -57,12 +62,22 @@ public final class LslLibrary {
             + VARIABLE);
   }
 
-  private static List<String> names(String system) {
+  /**
+   * Returns where the library is looked for, in this order. Windows and macOS look for a bare name
+   * in the current directory too, which may hold files of others: there only whole paths are given.
+   *
+   * @param system name of the operating system in lower case
+   * @param path the environment variable {@code PATH}, in which Windows finds libraries
+   */
+  static List<String> places(String system, String path) {
     if (system.startsWith("windows")) {
-      return List.of("lsl.dll", "liblsl64.dll");
+      return Stream.of(path.split(";"))
+          .filter(folder -> folder.matches("[A-Za-z]:[\\\\/].*"))
+          .flatMap(folder -> Stream.of("lsl.dll", "liblsl64.dll").map(name -> folder + "\\" + name))
+          .toList();
     }
     return system.startsWith("mac")
-        ? List.of("liblsl.dylib", "/opt/homebrew/lib/liblsl.dylib", "/usr/local/lib/liblsl.dylib")
+        ? List.of("/opt/homebrew/lib/liblsl.dylib", "/usr/local/lib/liblsl.dylib")
         : List.of("liblsl.so", "liblsl.so.2", "/usr/local/lib/liblsl.so");
   }
 
@@ -70,6 +85,7 @@ public final class LslLibrary {
    * @param missing message of the exception if none of them can be loaded
    */
   private static LslLibrary load(List<String> names, String missing) throws IOException {
+    LwjglLibraries.use(LslLibrary.class); // Its libffi makes the calls.
     UnsatisfiedLinkError reason = new UnsatisfiedLinkError();
     for (String name : names) {
       try {

@@ -3,6 +3,7 @@ package org.selectiverenderer.models.simplify;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.selectiverenderer.base.natives.LwjglLibraries;
 import org.selectiverenderer.geometry.mesh.Mesh;
 
 /**
@@ -34,6 +35,7 @@ public final class Simplifier {
    *     or a number not finite, or the target is not less than what the model has
    */
   public SimplificationResult simplify(List<Mesh> parts, SimplificationTarget goal) {
+    LwjglLibraries.use(Simplifier.class, LwjglLibraries.Part.MESHOPTIMIZER);
     MergedMesh joined = MergedMesh.of(parts);
     MergedMesh original =
         joined.welded(ReductionSearch.scale(joined.extent())).compact().asOriginal();

@@ -2,112 +2,63 @@ package org.selectiverenderer.render.context;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
+import com.jogamp.common.os.NativeLibrary;
+import com.jogamp.common.os.Platform;
+import com.jogamp.opengl.GLProfile;
 import java.nio.file.Path;
-import java.nio.file.attribute.FileTime;
-import java.time.Instant;
-import java.util.Map;
-import java.util.jar.JarEntry;
-import java.util.jar.JarOutputStream;
+import java.util.Collection;
+import java.util.List;
+import java.util.Objects;
+import java.util.jar.JarFile;
+import java.util.stream.Stream;
+import java.util.zip.ZipEntry;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.EnumSource.Mode;
+import org.selectiverenderer.base.files.ProgramLocation;
+import org.selectiverenderer.base.natives.NativePlatform;
 
 class JoglNativeLibrariesTest {
-  @TempDir private Path folder;
-
-  @Test
-  void theLibrariesOfThePlatformLieBesideTheJar() throws Exception {
-    Path jar =
-        jar(
-            Map.of(
-                "natives/linux-amd64/libone.so", "one",
-                "natives/windows-amd64/one.dll", "other",
-                "a/Class.class", "class"));
-    Path made = JoglNativeLibraries.folder(jar, "linux-amd64").orElseThrow();
-    assertThat(made).isEqualTo(folder.resolve("natives/linux-amd64"));
-    assertThat(made.resolve("libone.so")).hasContent("one");
-    assertThat(made.resolve("one.dll")).doesNotExist();
+  /** Else JOGL would load one that nobody has compared, or miss one. */
+  @ParameterizedTest
+  @EnumSource(mode = Mode.EXCLUDE, names = "WINDOWS_ARM64")
+  void allThatItsJarsHaveForAPlatformAreNamed(NativePlatform platform) throws Exception {
+    List<String> named = JoglNativeLibraries.resources(platform);
+    String folder = named.get(0).substring(0, named.get(0).lastIndexOf('/') + 1);
+    assertThat(Stream.concat(inJars(Platform.class, folder), inJars(GLProfile.class, folder)))
+        .containsExactlyInAnyOrderElementsOf(named);
   }
 
-  @Test
-  void anotherJarReplacesThem() throws Exception {
-    Path old = jar(Map.of("natives/linux-amd64/libone.so", "one"));
-    Path made = JoglNativeLibraries.folder(old, "linux-amd64").orElseThrow();
-    Path jar = jar(Map.of("natives/linux-amd64/libone.so", "newer"));
-    Files.setLastModifiedTime(jar, FileTime.from(Instant.parse("2020-01-01T00:00:00Z")));
-    assertThat(JoglNativeLibraries.folder(jar, "linux-amd64")).contains(made);
-    assertThat(made.resolve("libone.so")).hasContent("newer");
-  }
-
-  @Test
-  void whatIsCompleteIsNotWrittenAgain() throws Exception {
-    Path jar = jar(Map.of("natives/linux-amd64/libone.so", "one"));
-    Path library =
-        JoglNativeLibraries.folder(jar, "linux-amd64").orElseThrow().resolve("libone.so");
-    Files.writeString(library, "loaded by others");
-    JoglNativeLibraries.folder(jar, "linux-amd64");
-    assertThat(library).hasContent("loaded by others");
-  }
-
-  /** Its installer may give the jar any time. */
-  @Test
-  void whatAPackageBringsWithTheJarIsNotWrittenAgain() throws Exception {
-    Path jar = jar(Map.of("natives/linux-amd64/libone.so", "one"));
-    Path brought = Files.createDirectories(folder.resolve("natives/linux-amd64"));
-    Files.writeString(brought.resolve("libone.so"), "the package's");
-    Files.writeString(brought.resolve("complete"), Files.size(jar) + " packaged");
-    assertThat(JoglNativeLibraries.folder(jar, "linux-amd64")).contains(brought);
-    assertThat(brought.resolve("libone.so")).hasContent("the package's");
-
-    Path newer = jar(Map.of("natives/linux-amd64/libone.so", "one of a newer version"));
-    assertThat(JoglNativeLibraries.folder(newer, "linux-amd64")).contains(brought);
-    assertThat(brought.resolve("libone.so")).hasContent("one of a newer version");
-  }
-
-  @Test
-  void aFolderThatWasLeftHalfWayIsCompleted() throws Exception {
-    Path jar = jar(Map.of("natives/linux-amd64/libone.so", "one"));
-    Path half = Files.createDirectories(folder.resolve("natives/linux-amd64"));
-    Files.writeString(half.resolve("libone.so"), "o");
-    JoglNativeLibraries.folder(jar, "linux-amd64");
-    assertThat(half.resolve("libone.so")).hasContent("one");
-  }
-
-  @Test
-  void aJarWithoutThemLeavesNothing() throws Exception {
-    Path jar = jar(Map.of("a/Class.class", "class"));
-    assertThat(JoglNativeLibraries.folder(jar, "linux-amd64")).isEmpty();
-    assertThat(folder.resolve("natives")).doesNotExist();
-    assertThat(JoglNativeLibraries.folder(folder.resolve("missing.jar"), "linux-amd64")).isEmpty();
-  }
-
-  @Test
-  void aFolderThatCannotBeMadeIsNoFailure() throws Exception {
-    Path jar = jar(Map.of("natives/linux-amd64/libone.so", "one"));
-    Files.writeString(folder.resolve("natives"), "in the way");
-    assertThat(JoglNativeLibraries.folder(jar, "linux-amd64")).isEmpty();
-  }
-
-  @Test
-  void platformsAreNamedAsTheJarNamesThem() {
-    assertThat(JoglNativeLibraries.platform("Linux", "amd64")).contains("linux-amd64");
-    assertThat(JoglNativeLibraries.platform("Linux", "aarch64")).contains("linux-aarch64");
-    assertThat(JoglNativeLibraries.platform("Windows 11", "amd64")).contains("windows-amd64");
-    assertThat(JoglNativeLibraries.platform("Mac OS X", "aarch64")).contains("macosx-universal");
-    assertThat(JoglNativeLibraries.platform("Linux", "arm")).isEmpty();
-    assertThat(JoglNativeLibraries.platform("SunOS", "amd64")).isEmpty();
-  }
-
-  private Path jar(Map<String, String> entries) throws IOException {
-    Path jar = folder.resolve("program.jar");
-    try (JarOutputStream out = new JarOutputStream(Files.newOutputStream(jar))) {
-      for (Map.Entry<String, String> entry : entries.entrySet()) {
-        out.putNextEntry(new JarEntry(entry.getKey()));
-        out.write(entry.getValue().getBytes(StandardCharsets.UTF_8));
-      }
+  /** The native parts of a library are in jars beside its own, whose names say their platforms. */
+  private static Stream<String> inJars(Class<?> library, String folder) throws Exception {
+    Path jar = ProgramLocation.of(library).orElseThrow();
+    String platform = folder.split("/")[1];
+    Path natives =
+        jar.resolveSibling(
+            jar.getFileName().toString().replace(".jar", "-natives-" + platform + ".jar"));
+    try (JarFile file = new JarFile(natives.toFile())) {
+      Collection<String> names = file.stream().map(ZipEntry::getName).toList();
+      return names.stream().filter(name -> name.startsWith(folder) && !name.endsWith("/"));
     }
-    return jar;
+  }
+
+  /** It may be the folder of a scene that somebody else has sent, with a library of his. */
+  @Test
+  void theCurrentDirectoryIsNotSearched() {
+    String current = Path.of("").toAbsolutePath().toString();
+    JoglNativeLibraries.use();
+    assertThat(NativeLibrary.enumerateLibraryPaths("GL", "libGL.so.1", "GL", null))
+        .extracting(place -> place.path)
+        .isNotEmpty()
+        .noneMatch(path -> path.startsWith(current) || !Path.of(path).isAbsolute());
+  }
+
+  @ParameterizedTest
+  @EnumSource(mode = Mode.EXCLUDE, names = "WINDOWS_ARM64")
+  void theyAreOnTheClassPath(NativePlatform platform) {
+    ClassLoader loader = Objects.requireNonNull(JoglNativeLibraries.class.getClassLoader());
+    assertThat(JoglNativeLibraries.resources(platform))
+        .allSatisfy(name -> assertThat(loader.getResource(name)).as(name).isNotNull());
   }
 }

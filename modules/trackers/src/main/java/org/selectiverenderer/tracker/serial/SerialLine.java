@@ -2,6 +2,7 @@ package org.selectiverenderer.tracker.serial;
 
 import com.fazecast.jSerialComm.SerialPort;
 import com.fazecast.jSerialComm.SerialPortInvalidPortException;
+import java.io.UncheckedIOException;
 import java.util.concurrent.locks.LockSupport;
 import org.selectiverenderer.tracker.TrackerException;
 
@@ -38,7 +39,10 @@ final class SerialLine {
   static SerialLine open(String name, int baud) throws TrackerException {
     SerialPort port;
     try {
+      SerialLibrary.load();
       port = SerialPort.getCommPort(name);
+    } catch (UncheckedIOException e) {
+      throw new TrackerException(e.getCause().getMessage(), e);
     } catch (SerialPortInvalidPortException e) {
       throw new TrackerException(SerialPortErrors.absent(name), e);
     }

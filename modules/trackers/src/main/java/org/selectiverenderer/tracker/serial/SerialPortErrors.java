@@ -1,6 +1,5 @@
 package org.selectiverenderer.tracker.serial;
 
-import com.fazecast.jSerialComm.SerialPort;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
@@ -10,7 +9,6 @@ import java.nio.file.attribute.PosixFilePermission;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 
 /** Error messages for serial ports that cannot be opened. */
 final class SerialPortErrors {
@@ -21,12 +19,7 @@ final class SerialPortErrors {
 
   /** Returns the message for a port that does not exist, with the names of existing ports. */
   static String absent(String port) {
-    String others =
-        Stream.of(SerialPort.getCommPorts())
-            .map(SerialPort::getSystemPortPath)
-            .sorted()
-            .limit(8)
-            .collect(Collectors.joining(", "));
+    String others = SerialPorts.names().stream().limit(8).collect(Collectors.joining(", "));
     return "there is no serial port "
         + port
         + (others.isEmpty()

@@ -9,8 +9,13 @@ import java.util.Optional;
 public final class SerialPorts {
   private SerialPorts() {}
 
-  /** Returns the names of the ports in alphabetical order, as in a tracker's SPEC. */
+  /**
+   * Returns the names of the ports in alphabetical order, as in a tracker's SPEC.
+   *
+   * @throws java.io.UncheckedIOException with one line, if the library for ports cannot be loaded
+   */
   public static List<String> names() {
+    SerialLibrary.load();
     return Arrays.stream(SerialPort.getCommPorts())
         .map(SerialPort::getSystemPortPath)
         .sorted()

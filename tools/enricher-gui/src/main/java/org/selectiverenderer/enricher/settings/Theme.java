@@ -5,6 +5,7 @@ import com.formdev.flatlaf.FlatLaf;
 import com.formdev.flatlaf.FlatLightLaf;
 import java.awt.Toolkit;
 import java.util.Locale;
+import org.selectiverenderer.base.natives.FlatLafLibrary;
 
 /** The colour theme of the window. */
 public enum Theme {
@@ -36,6 +37,7 @@ public enum Theme {
   /** Applies the theme to all windows. */
   public void apply() {
     boolean dark = this == DARK || this == SYSTEM && systemIsDark();
+    FlatLafLibrary.use(Theme.class);
     FlatLaf.setup(dark ? new FlatDarkLaf() : new FlatLightLaf());
     FlatLaf.updateUI();
   }
