@@ -77,7 +77,8 @@ class AllowedFilesTest extends CommandTestCase {
           "<Inline url='\"none.x3d\" \"http://127.0.0.1:%d/box.x3d\"'/>"
               .formatted(server.getAddress().getPort()));
       assertThat(polygons()).isEqualTo(1);
-      assertThat(polygons("--allow-net", "127.0.0.1")).isZero();
+      assertThat(polygons("--allow-net", "127.0.0.1")).isEqualTo(1); // ports 80 and 443
+      assertThat(polygons("--allow-net", "127.0.0.1:" + server.getAddress().getPort())).isZero();
       assertThat(printed()).contains("12");
     } finally {
       server.stop(0);

@@ -1,7 +1,9 @@
 package org.selectiverenderer.x3d.url;
 
 import java.io.IOException;
+import java.net.InetAddress;
 import java.net.URI;
+import java.net.UnknownHostException;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
@@ -23,8 +25,15 @@ import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Fetches files by {@code http} and {@code https} from hosts that the user allows, and from no
- * others. Files are cached in memory, and failures for a minute. Thread-safe.
+ * Fetches files by {@code http} and {@code https} from hosts and ports that the user allows, and
+ * from no others: each redirect must lead to an allowed one too. A name that leads to an address of
+ * this computer or of a private network is asked only if the user names that address, or the name
+ * is {@code localhost}. Files are cached in memory, and failures for a minute. Thread-safe.
+ *
+ * <p>The address is looked up immediately before each request. The client looks it up again, but
+ * Java keeps the answer of a name server for 30 seconds, three times as long as a request may take,
+ * so that a server which changes its answer between the two (DNS rebinding) gains nothing. Where
+ * the user has set up a proxy, the proxy looks names up itself.
  */
 public final class HttpFetcher {
   /** The maximum size of one file in bytes. */
@@ -44,6 +53,7 @@ public final class HttpFetcher {
   private final List<HostPattern> hosts;
   private final Duration time;
   private final int maxBytes;
+  private final NameLookup names;
   private final AtomicReference<@Nullable HttpClient> client = new AtomicReference<>();
   private final Map<String, CompletableFuture<Fetched>> asked = new ConcurrentHashMap<>();
   private final Map<String, Integer> kept = new LinkedHashMap<>(16, 0.75f, true);
@@ -69,15 +79,22 @@ public final class HttpFetcher {
     }
   }
 
-  /** Creates a fetcher for some hosts. */
-  public HttpFetcher(List<HostPattern> hosts) {
-    this(hosts, TIME, MAX_BYTES);
+  /** Looks up the addresses of a host. */
+  @FunctionalInterface
+  interface NameLookup {
+    InetAddress[] addresses(String host) throws UnknownHostException;
   }
 
-  HttpFetcher(List<HostPattern> hosts, Duration time, int maxBytes) {
+  /** Creates a fetcher for some hosts. */
+  public HttpFetcher(List<HostPattern> hosts) {
+    this(hosts, TIME, MAX_BYTES, InetAddress::getAllByName);
+  }
+
+  HttpFetcher(List<HostPattern> hosts, Duration time, int maxBytes, NameLookup names) {
     this.hosts = List.copyOf(hosts);
     this.time = time;
     this.maxBytes = maxBytes;
+    this.names = names;
   }
 
   /** Returns a fetcher without any allowed host. */
@@ -91,8 +108,7 @@ public final class HttpFetcher {
   }
 
   boolean allows(URI uri) {
-    String host = uri.getHost();
-    return host != null && hosts.stream().anyMatch(pattern -> pattern.matches(host));
+    return hosts.stream().anyMatch(pattern -> pattern.matches(uri));
   }
 
   /**
@@ -183,14 +199,47 @@ public final class HttpFetcher {
       throw new Refusal("redirects to an invalid address");
     }
     if (!allows(to)) {
-      throw new Refusal(
-          "redirects to %s; --allow-net %s would allow it".formatted(to.getHost(), to.getHost()));
+      String host = HostPattern.allowing(to);
+      throw new Refusal("redirects to %s; --allow-net %s would allow it".formatted(host, host));
     }
     return to;
   }
 
+  /** Refuses a host whose name leads to this computer or a private network without being named. */
+  private void requireNamed(URI uri) throws Refusal {
+    String host = uri.getHost();
+    if (host.equalsIgnoreCase("localhost")) {
+      return; // allowed by its name, which can mean nothing else
+    }
+    InetAddress[] found;
+    try {
+      found = names.addresses(host);
+    } catch (UnknownHostException e) {
+      return; // the request fails by itself, or a proxy knows the name
+    }
+    for (InetAddress address : found) {
+      String text = address.getHostAddress();
+      String inUrl = text.indexOf(':') < 0 ? text : '[' + text.replaceFirst("%.*", "") + ']';
+      boolean named =
+          hosts.stream().anyMatch(pattern -> pattern.names(inUrl))
+              || isLiteral(host) && hosts.stream().anyMatch(pattern -> pattern.names(host));
+      if (PrivateAddress.is(address) && !named) {
+        throw new Refusal(
+            ("leads to %s, an address of this computer or of a private network; --allow-net %s as"
+                    + " well would allow it")
+                .formatted(text, inUrl));
+      }
+    }
+  }
+
+  /** Returns whether the host of a url is an address, not a name. */
+  private static boolean isLiteral(String host) {
+    return host.startsWith("[") || host.matches("[0-9.]+");
+  }
+
   private HttpResponse<byte[]> ask(URI uri, long nanos) throws IOException {
     Duration left = Duration.ofNanos(Math.max(1, nanos));
+    requireNamed(uri);
     HttpRequest request;
     try {
       request =

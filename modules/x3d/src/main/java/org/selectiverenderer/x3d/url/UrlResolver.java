@@ -207,7 +207,7 @@ public final class UrlResolver {
     if (!access.network().allows(uri)) {
       return new Target.Refused(
           Cause.NETWORK,
-          "is on the network; --allow-net %s would allow it".formatted(uri.getHost()));
+          "is on the network; --allow-net %s would allow it".formatted(HostPattern.allowing(uri)));
     }
     try {
       return new Target.Found(access.network().fetch(uri), fragment);

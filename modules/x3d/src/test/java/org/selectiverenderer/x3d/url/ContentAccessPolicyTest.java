@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -157,15 +158,25 @@ class ContentAccessPolicyTest {
 
   @Test
   void hostsAreNamedExactlyOrByTheirDomain() {
-    assertThat(new HostPattern("Example.org").matches("example.ORG")).isTrue();
-    assertThat(new HostPattern("example.org").matches("www.example.org")).isFalse();
-    assertThat(new HostPattern("*.example.org").matches("www.example.org")).isTrue();
-    assertThat(new HostPattern("*.example.org").matches("example.org")).isFalse();
-    assertThat(new HostPattern("*.example.org").matches("badexample.org")).isFalse();
+    assertThat(matches("Example.org", "http://example.ORG/a")).isTrue();
+    assertThat(matches("example.org", "http://www.example.org/a")).isFalse();
+    assertThat(matches("*.example.org", "http://www.example.org/a")).isTrue();
+    assertThat(matches("*.example.org", "http://example.org/a")).isFalse();
+    assertThat(matches("*.example.org", "http://badexample.org/a")).isFalse();
+    assertThat(matches("example.org", "https://example.org:80/a")).isTrue();
+    assertThat(matches("example.org", "http://example.org:8080/a")).isFalse();
+    assertThat(matches("example.org:8080", "http://example.org:8080/a")).isTrue();
+    assertThat(matches("example.org:8080", "http://example.org/a")).isFalse();
+    assertThat(matches("*.example.org:8080", "https://a.example.org:8080/")).isTrue();
+    assertThat(matches("[::1]:8080", "http://[::1]:8080/")).isTrue();
     for (String wrong : List.of("https://example.org", "*", "example.org/a", "", "*.*.org")) {
       assertThatThrownBy(() -> new HostPattern(wrong))
           .isInstanceOf(IllegalArgumentException.class)
           .hasMessageContaining("is no host");
     }
+  }
+
+  private static boolean matches(String pattern, String url) {
+    return new HostPattern(pattern).matches(URI.create(url));
   }
 }
