@@ -1,5 +1,8 @@
 package org.selectiverenderer;
 
+import java.io.FileDescriptor;
+import java.io.PrintStream;
+import org.selectiverenderer.command.output.Console;
 import static com.tngtech.archunit.base.DescribedPredicate.not;
 import static com.tngtech.archunit.core.domain.JavaAccess.Predicates.target;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.assignableTo;
@@ -292,6 +295,42 @@ class ArchitectureTest {
           .callMethod(Runtime.class, "exit", int.class)
           .orShould()
           .callMethod(Runtime.class, "halt", int.class);
+
+  /** The console makes control characters visible, so that no scene commands the terminal. */
+  @ArchTest
+  static final ArchRule allThatIsPrintedPassesTheConsole =
+      noClasses()
+          .that()
+          .doNotHaveFullyQualifiedName("org.selectiverenderer.cli.Main")
+          .and()
+          .doNotHaveFullyQualifiedName("org.selectiverenderer.cli.Main$StandardErrorSilencer")
+          .and()
+          .doNotHaveFullyQualifiedName("org.selectiverenderer.cli.batch.BatchRunner")
+          .and()
+          .doNotHaveFullyQualifiedName("org.selectiverenderer.command.output.Console")
+          .should()
+          .accessField(FileDescriptor.class, "out")
+          .orShould()
+          .accessField(FileDescriptor.class, "err")
+          .orShould()
+          .accessField(System.class, "out")
+          .orShould()
+          .accessField(System.class, "err")
+          .orShould()
+          .callMethod(System.class, "console")
+          .orShould()
+          .callConstructorWhere(target(owner(assignableTo(PrintStream.class))));
+
+  /** Whoever prints colours escapes the other text himself. */
+  @ArchTest
+  static final ArchRule coloursArePrintedByTwo =
+      noClasses()
+          .that()
+          .doNotHaveFullyQualifiedName("org.selectiverenderer.cli.CommandRunner")
+          .and()
+          .doNotHaveFullyQualifiedName("org.selectiverenderer.cli.author.ValidateCommand")
+          .should()
+          .callMethod(Console.class, "coloured", String.class);
 
   @ArchTest
   static final ArchRule nobodyPrintsAStackTraceToAUser =

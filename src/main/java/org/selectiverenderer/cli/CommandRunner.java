@@ -36,7 +36,7 @@ final class CommandRunner {
     try {
       int code = commandLine(commands, help).execute(args);
       // Written here, as picocli prints a stack trace when its own output fails.
-      console.out().print(ProgramInvocation.in(help.toString()));
+      console.coloured(ProgramInvocation.in(help.toString()));
       console.out().flush();
       return ExitStatus.of(code);
     } catch (StandardOutputException | Error e) { // Output can fail as late as in the flush.

@@ -44,7 +44,7 @@ public final class Main {
             desktop.messages(new FileOutputStream(FileDescriptor.err)),
             true,
             StandardCharsets.UTF_8);
-    StandardErrorSilencer.silence(args, err);
+    StandardErrorSilencer.silence(args, new Console(out, err, colours));
     GlPreloader start = GlPreloader.begin(CommandCatalogue.draws(args));
     int status = execute(args, new Console(out, err, colours));
     start.await();
@@ -72,16 +72,16 @@ public final class Main {
      * Silences {@code System.err} unless the user asked for {@code --debug}, and reports an
      * uncaught exception of a thread in one line.
      *
-     * @param err stream of the program's own messages
+     * @param console receives the program's own messages
      */
-    static void silence(String[] args, PrintStream err) {
+    static void silence(String[] args, Console console) {
       if (Arrays.asList(args).contains("--debug") || RootCommand.debugByEnvironment()) {
         return;
       }
       System.setErr(new PrintStream(OutputStream.nullOutputStream()));
       Thread.setDefaultUncaughtExceptionHandler(
           (thread, failure) ->
-              err.println(
+              console.message(
                   ProgramVersion.PROGRAM
                       + ": internal error in thread "
                       + thread.getName()

@@ -1,5 +1,6 @@
 package org.selectiverenderer.app.head;
 
+import org.selectiverenderer.base.files.InputFileReader;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.nio.charset.MalformedInputException;
@@ -25,6 +26,7 @@ public final class ReplayLogFormat {
    * @throws IOException if it cannot be read
    */
   public static boolean hasPositions(Path log) throws IOException {
+    InputFileReader.requireRegular(log);
     try (BufferedReader reader = Files.newBufferedReader(log, StandardCharsets.UTF_8)) {
       String header = reader.readLine();
       return header != null

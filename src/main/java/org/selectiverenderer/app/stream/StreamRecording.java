@@ -1,5 +1,8 @@
 package org.selectiverenderer.app.stream;
 
+import org.selectiverenderer.base.files.FileOperations;
+import org.selectiverenderer.base.files.PrivateFiles;
+import org.selectiverenderer.base.files.FileNameLength;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
@@ -37,6 +40,9 @@ final class StreamRecording implements AutoCloseable {
   private final LslInlet inlet;
   private final StreamInfo stream;
   private final Path csv;
+  /** Bytes for the number of a recording and the endings of its files. */
+  private static final int ROOM = 32;
+
   private final FileChannel samples;
   private final FileChannel offsets;
   private long count;
@@ -61,10 +67,11 @@ final class StreamRecording implements AutoCloseable {
   static StreamRecording open(LslInlet inlet, StreamInfo stream, Path folder) throws IOException {
     try {
       inlet.pull().ifPresent(sample -> {}); // connects; a first sample comes later than this
-      Files.createDirectories(folder);
+      PrivateFiles.createFolders(folder);
+      PrivateFiles.requireNoLink(folder);
       String stem = free(folder, stream.name());
       Path csv = folder.resolve(stem + ".csv");
-      AtomicFileWriter.writeOnce(folder.resolve(stem + ".json"), description(stream));
+      AtomicFileWriter.writeOnce(folder.resolve(stem + ".json"), description(stream), FileOperations.PRIVATE);
       FileChannel samples = create(csv);
       FileChannel offsets = create(folder.resolve(stem + ".offsets.csv"));
       List<String> header = new ArrayList<>(List.of("time"));
@@ -80,7 +87,7 @@ final class StreamRecording implements AutoCloseable {
   }
 
   private static FileChannel create(Path file) throws IOException {
-    return FileChannel.open(file, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
+    return PrivateFiles.open(file, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
   }
 
   /**
@@ -89,6 +96,7 @@ final class StreamRecording implements AutoCloseable {
    */
   private static String free(Path folder, String name) {
     String plain = name.replaceAll("[^0-9A-Za-z._-]+", "-").replaceAll("^[.-]+|[.-]+$", "");
+    plain = FileNameLength.shortened(plain, ROOM);
     for (int run = 1; ; run++) {
       String stem =
           String.format(Locale.ROOT, "%s_run-%02d", plain.isEmpty() ? "stream" : plain, run);

@@ -1,5 +1,6 @@
 package org.selectiverenderer.cli.author;
 
+import org.selectiverenderer.base.markup.ControlCharacterEscaper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.io.PrintStream;
@@ -112,12 +113,12 @@ record ModelReduction(
           .put("vertices", reduced.vertices())
           .put("polygons", reduced.polygons());
       report.put("error", reduced.error()).put("ms", milliseconds);
-      console.out().println(report);
+      console.line(report.toString());
       return;
     }
     PrintStream to = output == null ? console.err() : console.out();
     if (many) {
-      to.println(file);
+      to.println(ControlCharacterEscaper.line(file.toString()));
     }
     String text =
         String.format(

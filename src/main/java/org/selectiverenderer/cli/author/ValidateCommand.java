@@ -152,7 +152,8 @@ public final class ValidateCommand extends CliCommand {
       print(
           explained == null
               ? new RuleDocumentation(catalogue).list()
-              : explain(catalogue, explained));
+              : explain(catalogue, explained),
+          false);
       return ExitStatus.DONE;
     }
     OutputFile.check("--output", output, "");
@@ -175,7 +176,8 @@ public final class ValidateCommand extends CliCommand {
     written.check(); // Before it is written: Inlines are known now only.
     written.check(settings.get().access().named());
     boolean colours = console().colours() && output == null;
-    print(format.write(report, new ReportFormat.Style(colours, least, ProgramVersion.number())));
+    print(format.write(report, new ReportFormat.Style(colours, least, ProgramVersion.number())),
+        colours && format == ReportFormat.TEXT);
     // When findings were dropped, they cannot be compared with the baseline.
     boolean unjudged = baseline != null && report.dropped() > 0;
     return unjudged || report.has(least) ? ExitStatus.PROBLEMS : ExitStatus.DONE;
@@ -225,8 +227,10 @@ public final class ValidateCommand extends CliCommand {
                 .orElse("; --rules lists them"));
   }
 
-  private void print(String text) throws IOException {
-    if (output == null) {
+  private void print(String text, boolean coloured) throws IOException {
+    if (output == null && coloured) {
+      console().coloured(text); // The writer has escaped what is not its own.
+    } else if (output == null) {
       console().out().print(text);
       console().out().flush();
     } else {

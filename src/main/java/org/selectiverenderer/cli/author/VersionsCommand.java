@@ -181,13 +181,13 @@ public final class VersionsCommand extends CliCommand {
           case CHANGED -> dryRun.asked() ? "would change" : "changed";
           case UNCHANGED -> "unchanged";
         };
-    console().out().println(done + "  " + file.file());
+    console().line(done + "  " + file.file());
   }
 
   private void print(ChangePreview edit) {
-    console().out().println(scene.file() + ":" + edit.line() + ":");
-    shortened(edit.before().lines().toList()).forEach(line -> console().out().println("- " + line));
-    edit.after().lines().forEach(line -> console().out().println("+ " + line));
+    console().line(scene.file() + ":" + edit.line() + ":");
+    shortened(edit.before().lines().toList()).forEach(line -> console().line("- " + line));
+    edit.after().lines().forEach(line -> console().line("+ " + line));
   }
 
   /** Shortens long texts to their first and last lines, because geometry may take megabytes. */

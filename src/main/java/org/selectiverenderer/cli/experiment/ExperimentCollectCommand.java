@@ -137,7 +137,7 @@ final class ExperimentCollectCommand extends CliCommand {
 
   private static void write(@Nullable Path file, String text) throws IOException {
     if (file != null) {
-      OutputFile.write(file, text);
+      OutputFile.writePrivate(file, text);
     }
   }
 }

@@ -29,7 +29,7 @@ final class ReportOutputOption {
       console.out().print(text);
       console.out().flush();
     } else {
-      OutputFile.write(output, text);
+      OutputFile.writePrivate(output, text);
     }
   }
 }

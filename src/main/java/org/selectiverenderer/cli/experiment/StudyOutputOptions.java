@@ -1,5 +1,6 @@
 package org.selectiverenderer.cli.experiment;
 
+import org.selectiverenderer.base.files.FileOperations;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -78,7 +79,7 @@ final class StudyOutputOptions {
       add("--r", script, parts, files, all);
     }
     files.check();
-    FileTransaction writing = new FileTransaction();
+    FileTransaction writing = new FileTransaction(FileOperations.PRIVATE);
     all.forEach((file, text) -> writing.add(file, text.getBytes(StandardCharsets.UTF_8)));
     for (Path left : writing.commit()) {
       console.message(left + ": the previous file could not be deleted; you can delete it");

@@ -110,7 +110,7 @@ public final class SimulateCommand extends CliCommand {
               files.files(FileFinder.SCENES),
               (scene, own) -> {
                 if (!format.json()) {
-                  own.out().println(scene);
+                  own.line(scene.toString());
                 }
                 return simulate(scene, walked, new TimelineJson(scene.toString()), own);
               });
@@ -135,7 +135,7 @@ public final class SimulateCommand extends CliCommand {
                 MotionSettings.following(PathPlaybackSettings.at(rate, walked)).from(viewpoint()));
     RunResult result =
         SceneRunner.simulated(
-            settings, new ConsoleRunListener(to, event -> to.out().println(text.apply(event))));
+            settings, new ConsoleRunListener(to, event -> to.line(text.apply(event))));
     return result.problems() ? ExitStatus.PROBLEMS : ExitStatus.DONE;
   }
 }

@@ -98,7 +98,7 @@ final class ViewOptions {
             text -> {})) {
       List<ViewpointFinder.Entry> all = ViewpointFinder.of(walk.world());
       all.forEach(
-          entry -> console.out().println((entry.name() + "\t" + entry.description()).strip()));
+          entry -> console.line((entry.name() + "\t" + entry.description()).strip()));
       console.out().flush();
       if (all.isEmpty()) {
         console.message("the scene has no viewpoints; it is seen from 0 0 10, along -Z");

@@ -1,5 +1,6 @@
 package org.selectiverenderer.doctor.report;
 
+import org.selectiverenderer.base.markup.ControlCharacterEscaper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.List;
@@ -28,9 +29,9 @@ public record DoctorReport(String version, List<Diagnosis> lines) {
           .append("  ")
           .append(pad(line.subject(), width))
           .append("  ")
-          .append(line.found());
+          .append(ControlCharacterEscaper.line(line.found()));
       if (!line.todo().isEmpty()) {
-        text.append(" -> ").append(line.todo());
+        text.append(" -> ").append(ControlCharacterEscaper.line(line.todo()));
       }
       text.append('\n');
     }

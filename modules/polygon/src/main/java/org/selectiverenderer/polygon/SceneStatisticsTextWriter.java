@@ -1,5 +1,6 @@
 package org.selectiverenderer.polygon;
 
+import org.selectiverenderer.base.markup.ControlCharacterEscaper;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -15,12 +16,12 @@ public final class SceneStatisticsTextWriter {
   /** Returns the text; its last line is terminated. */
   public static String of(SceneStatistics statistics) {
     StringBuilder text = new StringBuilder();
-    text.append(statistics.scene())
+    text.append(ControlCharacterEscaper.line(statistics.scene()))
         .append(": ")
         .append(DecimalFormatter.grouped(statistics.totalHigh()))
         .append(" polygons with all objects high\n");
     for (ScopeCount scope : statistics.scopes()) {
-      text.append('\n').append(scope.scope()).append("\n\n");
+      text.append('\n').append(ControlCharacterEscaper.line(scope.scope())).append("\n\n");
       List<ObjectCount> objects = statistics.objectsOf(scope);
       if (!objects.isEmpty()) {
         table(text, objects(objects)).append('\n');
@@ -46,7 +47,7 @@ public final class SceneStatisticsTextWriter {
     }
     rows.add(head);
     for (ObjectCount object : objects) {
-      List<String> row = new ArrayList<>(List.of(object.switchName()));
+      List<String> row = new ArrayList<>(List.of(ControlCharacterEscaper.line(object.switchName())));
       for (int i = 0; i < object.versions().size(); i++) {
         row.add(DecimalFormatter.grouped(object.versions().get(i)));
         row.add(
@@ -70,7 +71,7 @@ public final class SceneStatisticsTextWriter {
     for (StateCount state : scope.states()) {
       rows.add(
           List.of(
-              label(state),
+              ControlCharacterEscaper.line(label(state)),
               DecimalFormatter.grouped(state.polygons()),
               percent(state.percent(), scope.high())));
     }

@@ -66,12 +66,18 @@ public sealed interface TrackerSpec {
   /**
    * {@code opentrack:4242}: UDP datagrams of opentrack's "UDP over network" output.
    *
-   * @param port port to listen on, on all network interfaces
+   * @param host address of this machine to listen on, {@code *} for all; empty for the loopback,
+   *     which only programs on this machine reach
    */
-  record OpenTrack(int port) implements TrackerSpec {
+  record OpenTrack(String host, int port) implements TrackerSpec {
+    /** Creates a specification of an opentrack on this machine. */
+    public OpenTrack(int port) {
+      this("", port);
+    }
+
     @Override
     public String toString() {
-      return "opentrack:" + port;
+      return "opentrack:" + (host.isEmpty() ? port : address(host, port));
     }
   }
 

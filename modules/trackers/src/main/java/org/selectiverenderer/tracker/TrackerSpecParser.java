@@ -22,9 +22,7 @@ final class TrackerSpecParser {
       case "none" -> none();
       case "intertrax2" -> new TrackerSpec.InterTrax2(serialPort(rest, "intertrax2:/dev/ttyUSB0"));
       case "fastrak" -> fastrak();
-      case "opentrack" ->
-          new TrackerSpec.OpenTrack(
-              rest.isEmpty() ? TrackerSpec.OPENTRACK_PORT : port(rest, "opentrack:4242"));
+      case "opentrack" -> opentrack();
       case "vrpn" -> vrpn();
       case "tcp" -> tcp();
       case "replay" -> replay();
@@ -55,6 +53,19 @@ final class TrackerSpecParser {
             : number(rest.substring(at + 1), 110, 4_000_000, "a speed in bits per second", example);
     return new TrackerSpec.Fastrak(
         serialPort(at < 0 ? rest : rest.substring(0, at), example), baud);
+  }
+
+  private TrackerSpec opentrack() {
+    if (rest.isEmpty()) {
+      return new TrackerSpec.OpenTrack(TrackerSpec.OPENTRACK_PORT);
+    }
+    int colon = portColon(rest);
+    if (colon < 0) {
+      return new TrackerSpec.OpenTrack(port(rest, "opentrack:4242"));
+    }
+    String example = "opentrack:*:4242";
+    return new TrackerSpec.OpenTrack(
+        host(rest.substring(0, colon), example), port(rest.substring(colon + 1), example));
   }
 
   private TrackerSpec vrpn() {

@@ -22,6 +22,12 @@ class TrackerSpecTest {
         .isEqualTo(new TrackerSpec.Fastrak("/dev/ttyS0", 9600));
     assertThat(TrackerSpec.parse("opentrack:5000")).isEqualTo(new TrackerSpec.OpenTrack(5000));
     assertThat(TrackerSpec.parse("opentrack")).isEqualTo(new TrackerSpec.OpenTrack(4242));
+    assertThat(TrackerSpec.parse("opentrack:*:4242"))
+        .isEqualTo(new TrackerSpec.OpenTrack("*", 4242))
+        .hasToString("opentrack:*:4242");
+    assertThat(TrackerSpec.parse("opentrack:[::1]:4242"))
+        .isEqualTo(new TrackerSpec.OpenTrack("::1", 4242))
+        .hasToString("opentrack:[::1]:4242");
     assertThat(TrackerSpec.parse("vrpn:Tracker0@lab"))
         .isEqualTo(new TrackerSpec.Vrpn("Tracker0", "lab", 3883));
     assertThat(TrackerSpec.parse("vrpn:Tracker0@[::1]:4000"))

@@ -1,5 +1,6 @@
 package org.selectiverenderer.validation;
 
+import org.selectiverenderer.base.markup.ControlCharacterEscaper;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -110,7 +111,7 @@ public final class FindingCollector {
     text.codePoints()
         .limit(LONGEST_MESSAGE)
         .map(
-            c -> Character.isISOControl(c) || Character.getType(c) == Character.SURROGATE ? '?' : c)
+            c -> c == '\t' || ControlCharacterEscaper.isControl(c) || Character.getType(c) == Character.SURROGATE ? '?' : c)
         .forEach(line::appendCodePoint);
     return text.length() > LONGEST_MESSAGE ? line + "..." : line.toString();
   }

@@ -1,5 +1,6 @@
 package org.selectiverenderer.authoring.file;
 
+import org.selectiverenderer.base.files.InputFileReader;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
@@ -57,7 +58,7 @@ public final class DocumentFile {
     byte[] bytes;
     FileFingerprint stamp;
     try {
-      bytes = Files.readAllBytes(path);
+      bytes = InputFileReader.bytes(path);
       stamp = FileFingerprint.of(path, bytes);
     } catch (NoSuchFileException e) {
       throw new IOException(path + ": the file does not exist", e);

@@ -1,7 +1,7 @@
 package org.selectiverenderer.authoring.file;
 
+import org.selectiverenderer.base.files.InputFileReader;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import org.selectiverenderer.authoring.DocumentSnapshot;
@@ -31,7 +31,7 @@ public final class ExternalFileVersion {
    *     names it
    */
   public static ExternalFileVersion read(Path file) throws IOException {
-    byte[] bytes = Files.readAllBytes(file);
+    byte[] bytes = InputFileReader.bytes(file);
     FileFingerprint stamp = FileFingerprint.of(file, bytes);
     SceneDocument there = SceneDocument.of(file.toString(), bytes);
     return new ExternalFileVersion(bytes, stamp, there.snapshot().text(), there.fault().isEmpty());

@@ -1,5 +1,6 @@
 package org.selectiverenderer.authoring.versions;
 
+import org.selectiverenderer.base.files.FileNameLength;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
@@ -12,6 +13,9 @@ import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /** Determines the files of an object's versions. */
 final class VersionFileNames {
+  /** Bytes for the number of an attempt, that of a version, and the ending. */
+  private static final int ROOM = 32;
+
   private final ElementNodeMapping scene;
   private final ObjectElements site;
   private final Path outputFolder;
@@ -51,7 +55,7 @@ final class VersionFileNames {
       }
       return all;
     }
-    String base = safe(name.isEmpty() ? site.name() : name) + (attempt == 1 ? "" : attempt);
+    String base = safe(name.isEmpty() ? site.name() : name, ROOM) + (attempt == 1 ? "" : attempt);
     return files(outputFolder.resolve(inlineFolder), base, ".x3d", count);
   }
 
@@ -65,7 +69,7 @@ final class VersionFileNames {
     if (site instanceof ObjectElements.Versioned versioned && !name.isEmpty()) {
       String url = url(versioned, 0);
       String folder = url.substring(0, url.lastIndexOf('/') + 1);
-      List<Path> named = files(outputFolder, folder + safe(name), ending(url), count);
+      List<Path> named = files(outputFolder, folder + safe(name, ROOM), ending(url), count);
       for (int number = 2; number <= count; number++) {
         if (!kept.contains(number)) {
           files.set(number - 1, named.get(number - 1));
@@ -105,15 +109,19 @@ final class VersionFileNames {
     };
   }
 
-  /** Returns a name that is valid in every file system. */
-  private static String safe(String name) {
+  /**
+   * Returns a name that is valid in every file system.
+   *
+   * @param ending the number of bytes that are added
+   */
+  private static String safe(String name, int ending) {
     StringBuilder safe = new StringBuilder();
     name.codePoints()
         .forEach(
             c ->
                 safe.appendCodePoint(
                     Character.isLetterOrDigit(c) || c == '_' || c == '-' || c == '.' ? c : '_'));
-    return safe.toString();
+    return FileNameLength.shortened(safe.toString(), ending);
   }
 
   /** Returns the folder of a file. */

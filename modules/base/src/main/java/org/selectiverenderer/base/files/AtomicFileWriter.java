@@ -80,8 +80,13 @@ public final class AtomicFileWriter {
    *     folder does not exist
    */
   public static void writeOnce(Path file, String text) throws IOException {
+    writeOnce(file, text, FileOperations.REAL);
+  }
+
+  /** Writes a file once in the same way by the given file operations. */
+  public static void writeOnce(Path file, String text, FileOperations actions) throws IOException {
     requireFolder(file);
-    FileTransaction writing = new FileTransaction();
+    FileTransaction writing = new FileTransaction(actions);
     writing.addLasting(file, text.getBytes(StandardCharsets.UTF_8));
     writing.commit();
   }

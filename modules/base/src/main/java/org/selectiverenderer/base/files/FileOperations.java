@@ -15,6 +15,17 @@ public interface FileOperations {
   /** Operations of the real file system. */
   FileOperations REAL = new FileOperations() {};
 
+  /** Operations of the real file system that create private files and folders. */
+  FileOperations PRIVATE = new PrivateFileOperations(false);
+
+  /** Operations that create private files and folders, and write through no link. */
+  FileOperations PRIVATE_UNLINKED = new PrivateFileOperations(true);
+
+  /** Returns the file that is written for a path: the target of a link. */
+  default Path target(Path file) throws IOException {
+    return TargetPaths.target(file);
+  }
+
   /** Creates a folder in an existing one. */
   default void createFolder(Path folder) throws IOException {
     Files.createDirectory(folder);

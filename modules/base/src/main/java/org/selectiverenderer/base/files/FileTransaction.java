@@ -140,7 +140,7 @@ public final class FileTransaction {
   }
 
   private void stage(Content content, List<Staged> staged) throws IOException {
-    Path target = TargetPaths.target(at);
+    Path target = actions.target(at);
     if (Files.isDirectory(target)) {
       throw new IOException("it is a folder");
     }
@@ -184,7 +184,12 @@ public final class FileTransaction {
       return;
     }
     if (!Files.exists(target)) {
-      undo.push(() -> actions.delete(target));
+      undo.push(
+          () -> {
+            if (Files.exists(target)) { // not so where its name is too long
+              actions.delete(target);
+            }
+          });
     } else if (more) {
       Path old = TargetPaths.beside(target, "old");
       actions.keep(target, old);

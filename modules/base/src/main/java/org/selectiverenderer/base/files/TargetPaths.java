@@ -1,5 +1,6 @@
 package org.selectiverenderer.base.files;
 
+import java.nio.file.LinkOption;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -9,6 +10,9 @@ import java.nio.file.attribute.PosixFileAttributeView;
 final class TargetPaths {
   /** The longest chain of symbolic links followed, as on Linux. */
   private static final int MOST_LINKS = 40;
+
+  /** More temporary files than any crashes leave behind. */
+  private static final int MOST_NAMES = 10_000;
 
   private TargetPaths() {}
 
@@ -27,14 +31,21 @@ final class TargetPaths {
     return target;
   }
 
-  /** Returns an unused hidden name in the same folder. */
-  static Path beside(Path target, String kind) {
-    for (int i = 0; ; i++) {
-      Path name = target.resolveSibling("." + target.getFileName() + "." + kind + i);
-      if (Files.notExists(name)) {
+  /**
+   * Returns an unused hidden name in the same folder; of a long name, only the start is used.
+   *
+   * @throws IOException if all names are used
+   */
+  static Path beside(Path target, String kind) throws IOException {
+    String start = FileNameLength.shortened("." + target.getFileName(), kind.length() + 6);
+    for (int i = 0; i < MOST_NAMES; i++) {
+      Path name = target.resolveSibling(start + "." + kind + i);
+      // Not notExists, which is false for whatever cannot be asked for: creating it then says why.
+      if (!Files.exists(name, LinkOption.NOFOLLOW_LINKS)) {
         return name;
       }
     }
+    throw new IOException("%d temporary files lie beside it; delete them".formatted(MOST_NAMES));
   }
 
   static void copyPermissions(Path from, Path to) throws IOException {

@@ -8,7 +8,8 @@
  * and devices are written to, not replaced. A file written once ({@link
  * org.selectiverenderer.base.files.AtomicFileWriter#writeOnce}) never replaces another. Logs (time
  * lines, head logs, journals) are appended to instead, and use only {@link
- * org.selectiverenderer.base.files.DiskSync}.
+ * org.selectiverenderer.base.files.DiskSync}. What is known about participants is created by {@link
+ * org.selectiverenderer.base.files.PrivateFiles}, so that only the owner reads it.
  *
  * <p>In: names, paths and bytes. Out: paths, files, or a {@link
  * org.selectiverenderer.base.files.FileWriteException}. Uses the JDK only.

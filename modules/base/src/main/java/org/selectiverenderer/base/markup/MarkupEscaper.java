@@ -2,7 +2,8 @@ package org.selectiverenderer.base.markup;
 
 /**
  * Escapes text for XML and HTML. Characters that XML 1.0 does not allow (section 2.2: control
- * characters except tab and line ends, unpaired surrogates) become question marks.
+ * characters except tab and line ends, unpaired surrogates) become question marks; other characters
+ * that command what shows them ({@link ControlCharacterEscaper}) become references.
  */
 public final class MarkupEscaper {
   private MarkupEscaper() {}
@@ -27,7 +28,16 @@ public final class MarkupEscaper {
                 case '>' -> escaped.append("&gt;");
                 case '&' -> escaped.append("&amp;");
                 case '"' -> escaped.append(quotes ? "&quot;" : "\"");
-                default -> escaped.appendCodePoint(known(c) ? c : '?');
+                case '\t', '\n', '\r' -> escaped.append((char) c);
+                default -> {
+                  if (!known(c)) {
+                    escaped.append('?');
+                  } else if (ControlCharacterEscaper.isControl(c)) {
+                    escaped.append("&#x").append(Integer.toHexString(c)).append(';');
+                  } else {
+                    escaped.appendCodePoint(c);
+                  }
+                }
               }
             });
     return escaped.toString();
@@ -35,9 +45,6 @@ public final class MarkupEscaper {
 
   private static boolean known(int c) {
     return c >= ' ' && c < 0xd800
-        || c >= 0xe000 && c != 0xfffe && c != 0xffff
-        || c == '\t'
-        || c == '\n'
-        || c == '\r';
+        || c >= 0xe000 && c != 0xfffe && c != 0xffff;
   }
 }

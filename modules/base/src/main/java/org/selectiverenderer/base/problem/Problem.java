@@ -1,5 +1,7 @@
 package org.selectiverenderer.base.problem;
 
+import org.selectiverenderer.base.markup.ControlCharacterEscaper;
+
 /**
  * An error, warning or note about a user's file, with its location.
  *
@@ -29,7 +31,7 @@ public record Problem(Severity severity, SourceLocation location, String message
     message
         .codePoints()
         .limit(MESSAGE_LENGTH)
-        .map(c -> Character.isISOControl(c) ? '?' : c)
+        .map(c -> c == '\t' || ControlCharacterEscaper.isControl(c) ? '?' : c)
         .forEach(line::appendCodePoint);
     return message.length() > MESSAGE_LENGTH ? line + "..." : line.toString();
   }

@@ -1,5 +1,7 @@
 package org.selectiverenderer.base.problem;
 
+import org.selectiverenderer.base.markup.ControlCharacterEscaper;
+
 /**
  * A location in a file (file, line, column), for messages.
  *
@@ -13,12 +15,16 @@ public record SourceLocation(String file, int line, int column) {
     return new SourceLocation(file, 0, 0);
   }
 
-  /** Returns {@code file:line:column}, without line or column if they are unknown. */
+  /**
+   * Returns {@code file:line:column}, without line or column if they are unknown. Control
+   * characters of the file's name are escaped, so that it is one line.
+   */
   @Override
   public String toString() {
+    String shown = ControlCharacterEscaper.line(file);
     if (line == 0) {
-      return file;
+      return shown;
     }
-    return column == 0 ? file + ":" + line : file + ":" + line + ":" + column;
+    return column == 0 ? shown + ":" + line : shown + ":" + line + ":" + column;
   }
 }

@@ -1,5 +1,7 @@
 package org.selectiverenderer.base.files;
 
+import java.time.Duration;
+import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
@@ -348,5 +350,31 @@ class FileTransactionTest {
     writing.commit();
 
     assertThat(everything().values()).containsExactlyInAnyOrder("", "A", "B");
+  }
+
+  /** With what is added to it while it is written, such a name is longer than 255 bytes. */
+  @Test
+  void aNameAsLongAsFileSystemsTakeIsWritten() throws IOException {
+    Path long1 = folder.resolve("a".repeat(251) + ".x3d");
+    Path long2 = folder.resolve("b".repeat(251) + ".x3d");
+    for (String content : List.of("A", "B")) {
+      FileTransaction writing = new FileTransaction();
+      writing.add(long1, content.getBytes(UTF_8));
+      writing.add(long2, content.getBytes(UTF_8));
+      assertTimeoutPreemptively(Duration.ofSeconds(20), writing::commit);
+    }
+
+    assertThat(everything()).hasSize(3).containsEntry(long1, "B");
+  }
+
+  @Test
+  void aNameTooLongForFileSystemsIsOneLine() throws IOException {
+    FileTransaction writing = new FileTransaction();
+    writing.add(folder.resolve("new/" + "a".repeat(1000) + ".x3d"), "A".getBytes(UTF_8));
+
+    assertThatExceptionOfType(FileWriteException.class)
+        .isThrownBy(() -> assertTimeoutPreemptively(Duration.ofSeconds(20), writing::commit))
+        .withMessageContaining("nothing has been changed");
+    assertThat(everything().values()).containsExactly("");
   }
 }

@@ -125,7 +125,7 @@ final class BenchCommand extends CliCommand {
     }
     for (BenchScene written :
         List.of(HeavySceneGenerator.heavy(folder), HeavySceneGenerator.light(folder))) {
-      console().out().println(written.scene());
+      console().line(written.scene().toString());
     }
   }
 

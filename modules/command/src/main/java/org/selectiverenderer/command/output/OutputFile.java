@@ -28,6 +28,16 @@ public final class OutputFile {
     write(file, text, FileOperations.REAL);
   }
 
+  /**
+   * Writes a text about people, replacing an existing file; one that is made is readable by its
+   * owner only.
+   *
+   * @throws IOException with the file's name
+   */
+  public static void writePrivate(Path file, String text) throws IOException {
+    write(file, text, FileOperations.PRIVATE);
+  }
+
   /** Writes a text by given file operations. */
   static void write(Path file, String text, FileOperations actions) throws IOException {
     try {

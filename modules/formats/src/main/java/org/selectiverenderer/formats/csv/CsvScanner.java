@@ -94,7 +94,10 @@ final class CsvScanner {
     return at == text.length() && line == startLine;
   }
 
-  /** Returns the cells of a record, stripped, padded with empty ones to {@code count}. */
+  /**
+   * Returns the cells of a record, stripped and without the marks of {@link SpreadsheetText}, padded
+   * with empty ones to {@code count}.
+   */
   String[] cells(int record, int count) {
     String[] found = new String[count];
     int behind = record - 1;
@@ -105,7 +108,8 @@ final class CsvScanner {
       }
       behind = cell(behind + 1);
       String cell = text.substring(from, to);
-      found[i] = (quoted ? cell.replace("\"\"", "\"") : cell).strip();
+      found[i] =
+          SpreadsheetText.plain((quoted ? cell.replace("\"\"", "\"") : cell).strip());
     }
     return found;
   }

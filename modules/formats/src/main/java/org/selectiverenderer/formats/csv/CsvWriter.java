@@ -11,8 +11,9 @@ public final class CsvWriter {
   private final boolean bare;
 
   /**
-   * Creates a writer that also quotes cells which a spreadsheet might trim or read as a comment
-   * ({@code #1}).
+   * Creates a writer of tables for spreadsheets too: it also quotes cells which a spreadsheet might
+   * trim or read as a comment ({@code #1}), and marks text that one would calculate ({@link
+   * SpreadsheetText}).
    */
   public CsvWriter() {
     this(false);
@@ -22,7 +23,10 @@ public final class CsvWriter {
     this.bare = bare;
   }
 
-  /** Returns a writer that quotes only cells with a comma, a quotation mark or a line end. */
+  /**
+   * Returns a writer of tables for programs: it quotes only cells with a comma, a quotation mark or
+   * a line end.
+   */
   public static CsvWriter bare() {
     return new CsvWriter(true);
   }
@@ -31,6 +35,9 @@ public final class CsvWriter {
   public CsvWriter row(Object... cells) {
     for (int i = 0; i < cells.length; i++) {
       String cell = cells[i].toString();
+      if (!bare && cells[i] instanceof String) {
+        cell = SpreadsheetText.marked(cell);
+      }
       boolean quoted = mustBeQuoted(cell) || !bare && mayBeMisread(cell, i == 0);
       text.append(i == 0 ? "" : ",");
       text.append(quoted ? '"' + cell.replace("\"", "\"\"") + '"' : cell);

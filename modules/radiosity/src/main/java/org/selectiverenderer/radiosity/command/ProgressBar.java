@@ -115,14 +115,14 @@ final class ProgressBar implements RadiosityProgress, AutoCloseable {
 
   private void draw(String text) {
     String padding = " ".repeat(Math.max(0, last.length() - text.length()));
-    console.err().print("\r" + text + padding);
-    console.err().flush();
+    console.overwrite(text + padding);
     last = text;
   }
 
   private void clear() {
     if (!last.isEmpty()) {
-      console.err().print("\r" + " ".repeat(last.length()) + "\r");
+      console.overwrite(" ".repeat(last.length()));
+      console.overwrite("");
       last = "";
     }
   }

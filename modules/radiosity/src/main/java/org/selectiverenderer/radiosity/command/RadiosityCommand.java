@@ -1,5 +1,6 @@
 package org.selectiverenderer.radiosity.command;
 
+import org.selectiverenderer.base.markup.ControlCharacterEscaper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -302,7 +303,7 @@ final class RadiosityCommand extends CliCommand {
         print(node.putObject("pictures"), pictures);
       }
       node.put("ms", Math.round(seconds * 1000));
-      console().out().println(node);
+      console().line(node.toString());
       return;
     }
     console()
@@ -310,7 +311,7 @@ final class RadiosityCommand extends CliCommand {
         .printf(
             Locale.ROOT,
             "%s: %d polygons lit %s by %d lamps of %.0f lm, %.1f M rays, %.1f s%s%n",
-            target,
+            ControlCharacterEscaper.line(target.toString()),
             report.facets(),
             pictures == null
                 ? "at %d vertices".formatted(report.vertices())

@@ -1,5 +1,6 @@
 package org.selectiverenderer.study.bids;
 
+import org.selectiverenderer.base.files.FileOperations;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -56,7 +57,7 @@ final class BidsFileSet {
 
   /** Writes all files, or none. */
   void write(Path folder) throws IOException {
-    FileTransaction writing = new FileTransaction();
+    FileTransaction writing = new FileTransaction(FileOperations.PRIVATE);
     files.forEach((name, bytes) -> writing.add(folder.resolve(name), bytes));
     writing.commit();
   }

@@ -1,5 +1,6 @@
 package org.selectiverenderer.study.dataset;
 
+import org.selectiverenderer.formats.csv.SpreadsheetText;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
@@ -74,10 +75,18 @@ public final class DataTable {
     return text.isEmpty() ? null : text;
   }
 
-  /** Returns the table as CSV with a header; a missing value is an empty cell. */
+  /**
+   * Returns the table as CSV with a header; a missing value is an empty cell, and text that a
+   * spreadsheet would calculate has its mark.
+   */
   public String csv() {
     CsvWriter text = CsvWriter.bare().row(columns.stream().map(TableColumn::name).toList());
-    rows.forEach(row -> text.row(row.stream().map(cell -> cell == null ? "" : cell).toList()));
+    rows.forEach(
+        row ->
+            text.row(
+                row.stream()
+                    .map(cell -> cell == null ? "" : SpreadsheetText.marked(cell))
+                    .toList()));
     return text.toString();
   }
 

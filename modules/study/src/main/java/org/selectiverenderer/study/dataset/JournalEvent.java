@@ -1,10 +1,10 @@
 package org.selectiverenderer.study.dataset;
 
+import org.selectiverenderer.base.files.InputFileReader;
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.DateTimeException;
 import java.time.OffsetDateTime;
@@ -31,7 +31,7 @@ public record JournalEvent(OffsetDateTime time, String event, String step, JsonN
    * @throws IOException if the file cannot be read
    */
   static List<JournalEvent> read(Path journal, ProblemCollector problems) throws IOException {
-    String text = new String(Files.readAllBytes(journal), StandardCharsets.UTF_8);
+    String text = new String(InputFileReader.bytes(journal), StandardCharsets.UTF_8);
     String[] lines = text.split("\n", -1);
     List<JournalEvent> events = new ArrayList<>();
     for (int i = 0; i < lines.length; i++) {

@@ -1,5 +1,6 @@
 package org.selectiverenderer.study.definition;
 
+import org.selectiverenderer.base.files.InputFileReader;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
@@ -174,7 +175,7 @@ public final class StudyReader {
       return false;
     }
     try {
-      String text = Files.readString(scene, StandardCharsets.ISO_8859_1);
+      String text = new String(InputFileReader.bytes(scene), StandardCharsets.ISO_8859_1);
       String name =
           new String(viewpoint.getBytes(StandardCharsets.UTF_8), StandardCharsets.ISO_8859_1);
       return !text.contains("'" + name + "'") && !text.contains('"' + name + '"');

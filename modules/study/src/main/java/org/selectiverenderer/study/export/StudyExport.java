@@ -1,5 +1,6 @@
 package org.selectiverenderer.study.export;
 
+import org.selectiverenderer.base.files.FileOperations;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
@@ -65,7 +66,7 @@ public record StudyExport(List<String> files) {
       files.put(script, resource(script));
     }
     files.putAll(more);
-    FileTransaction writing = new FileTransaction();
+    FileTransaction writing = new FileTransaction(FileOperations.PRIVATE);
     files.forEach(
         (name, text) -> writing.add(folder.resolve(name), text.getBytes(StandardCharsets.UTF_8)));
     writing.commit();

@@ -1,5 +1,6 @@
 package org.selectiverenderer.study.headlog;
 
+import org.selectiverenderer.base.files.FileOperations;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -63,7 +64,7 @@ public final class BidsMotionFiles {
    */
   public static Path write(HeadLog log, Path folder, String subject) throws IOException {
     String stem = "sub-" + subject + "_task-viewing_tracksys-head";
-    FileTransaction writing = new FileTransaction();
+    FileTransaction writing = new FileTransaction(FileOperations.PRIVATE);
     files(log, stem, "viewing", SOFTWARE)
         .forEach(
             (name, text) ->

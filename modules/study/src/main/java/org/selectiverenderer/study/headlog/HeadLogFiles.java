@@ -1,5 +1,6 @@
 package org.selectiverenderer.study.headlog;
 
+import org.selectiverenderer.base.files.PrivateFiles;
 import java.io.IOException;
 import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
@@ -37,7 +38,7 @@ public final class HeadLogFiles implements HeadLogWriter.Lines, AutoCloseable {
       try {
         return new Claimed(
             file,
-            FileChannel.open(
+            PrivateFiles.open(
                 file,
                 StandardOpenOption.WRITE,
                 there ? StandardOpenOption.CREATE : StandardOpenOption.CREATE_NEW),

@@ -1,8 +1,8 @@
 package org.selectiverenderer.study.headlog;
 
+import org.selectiverenderer.base.files.InputFileReader;
 import com.fasterxml.jackson.core.JsonProcessingException;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
@@ -69,7 +69,7 @@ public final class HeadLogReader {
    */
   public static Optional<HeadLog> read(Path csv, ProblemCollector problems) throws IOException {
     HeadLogReader reader = new HeadLogReader(csv.toString(), problems);
-    List<HeadSample> samples = reader.samples(Files.readAllBytes(csv));
+    List<HeadSample> samples = reader.samples(InputFileReader.bytes(csv));
     if (samples.isEmpty()) {
       if (!problems.any()) {
         problems.error(SourceLocation.of(csv.toString()), "the head log has no samples");
@@ -87,7 +87,7 @@ public final class HeadLogReader {
       return HeadLogMetadata.UNKNOWN;
     }
     try {
-      return HeadLogMetadata.of(JsonTree.parse(Files.readString(json, StandardCharsets.UTF_8)));
+      return HeadLogMetadata.of(JsonTree.parse(InputFileReader.text(json)));
     } catch (JsonProcessingException e) {
       problems.warning(
           SourceLocation.of(json.toString()),

@@ -1,5 +1,6 @@
 package org.selectiverenderer.study.headlog;
 
+import org.selectiverenderer.base.files.PrivateFiles;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.nio.channels.FileChannel;
@@ -86,12 +87,12 @@ public final class TrackerLogWriter implements AutoCloseable {
 
   private static FileChannel channel(Path file, boolean replace) throws IOException {
     return replace
-        ? FileChannel.open(
+        ? PrivateFiles.open(
             file,
             StandardOpenOption.CREATE,
             StandardOpenOption.TRUNCATE_EXISTING,
             StandardOpenOption.WRITE)
-        : FileChannel.open(file, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
+        : PrivateFiles.open(file, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
   }
 
   private static HeadLogWriter.Lines lines(FileChannel channel) {

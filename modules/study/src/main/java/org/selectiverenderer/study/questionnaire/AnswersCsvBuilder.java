@@ -1,5 +1,6 @@
 package org.selectiverenderer.study.questionnaire;
 
+import org.selectiverenderer.formats.csv.SpreadsheetText;
 import java.util.EnumMap;
 import java.util.HashMap;
 import java.util.List;
@@ -28,7 +29,7 @@ public final class AnswersCsvBuilder {
       QuestionKind kind = one.question().kind();
       List<Object> cells = kind.row(by, one.page().id(), one.question(), one.given());
       rows.computeIfAbsent(kind.table(), table -> new StringBuilder())
-          .append(CsvWriter.line(cells.toArray()));
+          .append(CsvWriter.line(cells.stream().map(AnswersCsvBuilder::cell).toArray()));
     }
     for (ScoreDefinition score : questionnaire.scores()) {
       score
@@ -41,9 +42,14 @@ public final class AnswersCsvBuilder {
                           by.session(),
                           by.condition(),
                           by.questionnaire(),
-                          score.name(),
+                          cell(score.name()),
                           tidy(value))));
     }
+  }
+
+  /** Returns a cell as it may be opened in a spreadsheet: answers are others' text. */
+  private static Object cell(Object content) {
+    return content instanceof String text ? SpreadsheetText.marked(text) : content;
   }
 
   /** Formats a number with at most four decimals and without trailing zeros. */

@@ -1,5 +1,7 @@
 package org.selectiverenderer.study.questionnaire;
 
+import java.io.StringReader;
+import org.selectiverenderer.base.files.InputFileReader;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.InputStreamReader;
@@ -42,7 +44,7 @@ public final class ParticipantMessages {
     Properties words = new Properties(builtIn("messages_en.properties").orElseThrow());
     Path own = folder.resolve(name);
     if (Files.isRegularFile(own)) {
-      try (Reader reader = Files.newBufferedReader(own, StandardCharsets.UTF_8)) {
+      try (Reader reader = new StringReader(InputFileReader.text(own))) {
         words.load(reader);
       } catch (CharacterCodingException e) {
         problems.error(

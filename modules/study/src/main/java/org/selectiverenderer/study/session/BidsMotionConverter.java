@@ -1,5 +1,7 @@
 package org.selectiverenderer.study.session;
 
+import org.selectiverenderer.base.files.FileOperations;
+import org.selectiverenderer.base.files.PrivateFiles;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -58,6 +60,7 @@ final class BidsMotionConverter implements AutoCloseable {
   private void writeNow(String headName) throws IOException {
     Path log = folder.path().resolve("head").resolve(headName + ".csv");
     Path motion = folder.path().resolve("motion");
+    PrivateFiles.requireNoLink(motion);
     String stem = folder.motionStem(headName);
     if (!Files.isRegularFile(log) || Files.exists(motion.resolve(stem + BidsMotionFiles.DATA))) {
       return;
@@ -65,7 +68,7 @@ final class BidsMotionConverter implements AutoCloseable {
     ProblemCollector problems = new ProblemCollector();
     Optional<HeadLog> read = HeadLogReader.read(log, problems);
     if (read.isPresent()) {
-      FileTransaction writing = new FileTransaction();
+      FileTransaction writing = new FileTransaction(FileOperations.PRIVATE_UNLINKED);
       BidsMotionFiles.files(
               read.get(), stem, SessionFolder.task(headName), BidsMotionFiles.SOFTWARE)
           .forEach(

@@ -1,5 +1,6 @@
 package org.selectiverenderer.study.session;
 
+import org.selectiverenderer.formats.csv.SpreadsheetText;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -303,9 +304,9 @@ public record CollectedAnswers(
                   entry.getValue().stream().mapToInt(Integer::intValue).average().orElseThrow();
               RatingBand band = RatingBand.of(mean);
               table.row(
-                  entry.getKey().area(),
-                  entry.getKey().schema(),
-                  entry.getKey().object(),
+                  SpreadsheetText.marked(entry.getKey().area()),
+                  SpreadsheetText.marked(entry.getKey().schema()),
+                  SpreadsheetText.marked(entry.getKey().object()),
                   String.format(Locale.ROOT, "%.6f", mean),
                   entry.getValue().size(),
                   band.name().toLowerCase(Locale.ROOT).replace('_', '-'),

@@ -1,5 +1,6 @@
 package org.selectiverenderer.study.session;
 
+import org.selectiverenderer.base.files.InputFileReader;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -23,7 +24,7 @@ public final class FileChecksumCalculator {
 
   /** Returns the checksum of a file, in hexadecimal. */
   static String of(Path file) throws IOException {
-    return Sha256.of(Files.readAllBytes(file));
+    return Sha256.of(InputFileReader.bytes(file));
   }
 
   /**
@@ -41,7 +42,7 @@ public final class FileChecksumCalculator {
       if (sums.containsKey(name)) {
         continue;
       }
-      byte[] bytes = Files.readAllBytes(file);
+      byte[] bytes = InputFileReader.bytes(file);
       sums.put(name, Sha256.of(bytes));
       if (name.endsWith(".x3d")) {
         Matcher found = NAMED.matcher(new String(bytes, StandardCharsets.ISO_8859_1));

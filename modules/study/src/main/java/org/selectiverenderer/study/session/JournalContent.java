@@ -1,5 +1,6 @@
 package org.selectiverenderer.study.session;
 
+import org.selectiverenderer.base.files.InputFileReader;
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
@@ -7,7 +8,6 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -38,7 +38,7 @@ public record JournalContent(
    * @throws IOException if the file cannot be read
    */
   public static JournalContent read(Path journal) throws IOException {
-    return of(Files.readAllBytes(journal));
+    return of(InputFileReader.bytes(journal));
   }
 
   public static JournalContent of(byte[] bytes) {

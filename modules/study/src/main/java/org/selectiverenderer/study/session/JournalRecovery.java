@@ -1,5 +1,6 @@
 package org.selectiverenderer.study.session;
 
+import org.selectiverenderer.base.files.InputFileReader;
 import java.io.IOException;
 import java.nio.channels.FileChannel;
 import java.nio.file.Files;
@@ -32,7 +33,7 @@ public final class JournalRecovery {
    */
   public static Optional<Map<String, Object>> mend(Path journal, ProblemCollector problems)
       throws IOException {
-    byte[] bytes = Files.readAllBytes(journal);
+    byte[] bytes = InputFileReader.bytes(journal);
     JournalContent text = JournalContent.of(bytes);
     Map<String, Object> found = new LinkedHashMap<>();
     if (!text.damaged().isEmpty()) {
@@ -79,7 +80,7 @@ public final class JournalRecovery {
       copy =
           journal.resolveSibling(String.format(Locale.ROOT, "%s-cut-off-%02d.txt", stem, number));
     }
-    FileOperations.REAL.write(copy, tail);
+    FileOperations.PRIVATE.write(copy, tail);
     DiskSync.forceFolder(copy.getParent());
     return copy;
   }

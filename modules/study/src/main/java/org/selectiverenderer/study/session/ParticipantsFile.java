@@ -1,5 +1,7 @@
 package org.selectiverenderer.study.session;
 
+import org.selectiverenderer.base.files.PrivateFiles;
+import org.selectiverenderer.base.files.InputFileReader;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
@@ -68,8 +70,9 @@ public final class ParticipantsFile {
    */
   Assigned assign(String participant, Optional<Condition> wanted, String age, boolean simulated)
       throws IOException {
+    PrivateFiles.requireNoLink(file);
     try (FileChannel channel =
-        FileChannel.open(
+        PrivateFiles.open(
             file, StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE)) {
       lock(channel);
       String text = text(channel);
@@ -118,7 +121,7 @@ public final class ParticipantsFile {
     if (!Files.isRegularFile(file)) {
       return List.of();
     }
-    return parse(Files.readString(file, StandardCharsets.UTF_8));
+    return parse(InputFileReader.text(file));
   }
 
   /** Returns a participant's assignment; empty if there is none yet. */

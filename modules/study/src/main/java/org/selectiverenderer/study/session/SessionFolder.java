@@ -1,5 +1,7 @@
 package org.selectiverenderer.study.session;
 
+import org.selectiverenderer.base.files.FileOperations;
+import org.selectiverenderer.base.files.PrivateFiles;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -60,6 +62,15 @@ public record SessionFolder(Path study, String participant, int number) {
         .resolve(String.format(Locale.ROOT, "ses-%02d", number));
   }
 
+  /**
+   * Creates the folders of the session where they do not exist, for the experimenter's account only.
+   *
+   * @throws IOException if one of them is a link, by which data would end up elsewhere
+   */
+  void create() throws IOException {
+    PrivateFiles.createFoldersIn(study, study.relativize(path().resolve("head")));
+  }
+
   /** Returns the journal's file. */
   public Path journal() {
     return path().resolve("events.jsonl");
@@ -118,6 +129,6 @@ public record SessionFolder(Path study, String participant, int number) {
    * @throws IOException if the file exists with another text, or cannot be written
    */
   void writeOnce(String name, String text) throws IOException {
-    AtomicFileWriter.writeOnce(path().resolve(name), text);
+    AtomicFileWriter.writeOnce(path().resolve(name), text, FileOperations.PRIVATE_UNLINKED);
   }
 }

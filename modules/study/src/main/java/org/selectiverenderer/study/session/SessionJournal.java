@@ -1,5 +1,6 @@
 package org.selectiverenderer.study.session;
 
+import org.selectiverenderer.base.files.PrivateFiles;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
@@ -56,7 +57,7 @@ public final class SessionJournal implements AutoCloseable {
   static SessionJournal begin(Path file) throws IOException {
     return new SessionJournal(
         file,
-        FileChannel.open(file, StandardOpenOption.CREATE_NEW, StandardOpenOption.APPEND),
+        PrivateFiles.open(file, StandardOpenOption.CREATE_NEW, StandardOpenOption.APPEND),
         SessionHistory.none());
   }
 
@@ -66,6 +67,7 @@ public final class SessionJournal implements AutoCloseable {
    * @throws IOException if the file does not exist or cannot be opened
    */
   static SessionJournal resume(Path file) throws IOException {
+    PrivateFiles.requireNoLink(file);
     SessionHistory history = SessionHistory.read(file);
     return new SessionJournal(file, FileChannel.open(file, StandardOpenOption.APPEND), history);
   }

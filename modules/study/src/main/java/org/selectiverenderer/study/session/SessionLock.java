@@ -1,5 +1,7 @@
 package org.selectiverenderer.study.session;
 
+import org.selectiverenderer.base.files.PrivateFiles;
+import org.selectiverenderer.base.files.FileOperations;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
@@ -78,11 +80,13 @@ public final class SessionLock implements AutoCloseable {
     if (read(holder).filter(known -> sameProcess(known, self)).isPresent()) {
       throw held(folder); // Opening and closing the lock's file would release the lock.
     }
+    PrivateFiles.requireNoLink(folder.resolve(LOCK));
     FileChannel channel =
-        FileChannel.open(folder.resolve(LOCK), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
+        PrivateFiles.open(
+            folder.resolve(LOCK), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
     try {
       FileLock lock = lock(folder, channel, locking);
-      AtomicFileWriter.replace(holder, JsonWriter.of(self).getBytes(StandardCharsets.UTF_8));
+      AtomicFileWriter.replace(holder, JsonWriter.of(self).getBytes(StandardCharsets.UTF_8), FileOperations.PRIVATE_UNLINKED);
       return new SessionLock(channel, lock, holder);
     } catch (IOException e) {
       channel.close();

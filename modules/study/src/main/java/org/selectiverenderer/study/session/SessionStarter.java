@@ -1,5 +1,7 @@
 package org.selectiverenderer.study.session;
 
+import org.selectiverenderer.base.files.PrivateFiles;
+import org.selectiverenderer.base.files.InputFileReader;
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -46,7 +48,7 @@ final class SessionStarter {
       ProblemCollector problems)
       throws IOException {
     SessionFolder folder = new SessionFolder(material.study().folder(), participant, number);
-    Files.createDirectories(folder.path().resolve("head"));
+    folder.create();
     SessionLock lock = SessionLock.take(folder.path(), options.software());
     try {
       folder.requireNew();
@@ -95,7 +97,10 @@ final class SessionStarter {
       ProblemCollector problems)
       throws IOException {
     SessionFolder folder = new SessionFolder(material.study().folder(), participant, number);
-    if (!Files.isRegularFile(folder.journal())) {
+    if (Files.isRegularFile(folder.journal())) {
+      folder.create(); // refuses links before anything is written
+      PrivateFiles.requireNoLink(folder.journal());
+    } else {
       throw new IOException(folder.path() + " has no session to continue; leave --resume out");
     }
     SessionLock lock = SessionLock.take(folder.path(), options.software());
@@ -138,7 +143,6 @@ final class SessionStarter {
         journal.flag(flag, Map.of());
       }
     }
-    Files.createDirectories(folder.path().resolve("head"));
     if (!Files.exists(folder.path().resolve(SessionSettings.FILE))) {
       settings().write();
     }
@@ -190,7 +194,7 @@ final class SessionStarter {
 
     /** Writes the settings into the session's folder. */
     void write() throws IOException {
-      folder.writeOnce("study.json", Files.readString(material.study().file()));
+      folder.writeOnce("study.json", InputFileReader.text(material.study().file()));
       Map<String, Object> settings = new LinkedHashMap<>(options.recorded());
       settings.put("sha256", checksums());
       folder.writeOnce(FILE, JsonWriter.of(JsonTree.of(settings)));

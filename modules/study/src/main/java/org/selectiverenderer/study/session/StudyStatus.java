@@ -1,5 +1,6 @@
 package org.selectiverenderer.study.session;
 
+import org.selectiverenderer.base.markup.ControlCharacterEscaper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
@@ -136,7 +137,7 @@ public record StudyStatus(String study, int planned, List<Row> sessions, List<Gr
         String.format(
             Locale.ROOT,
             "%s: %d of %d planned participants have finished a session%s%n%n",
-            study,
+            ControlCharacterEscaper.line(study),
             groups.stream().mapToInt(Group::finished).sum(),
             planned,
             excluded()));
@@ -148,7 +149,7 @@ public record StudyStatus(String study, int planned, List<Row> sessions, List<Gr
           String.format(
               Locale.ROOT,
               "%-12s %8d %9d %9d%n",
-              group.condition,
+              ControlCharacterEscaper.line(group.condition),
               group.planned,
               group.assigned,
               group.finished));
@@ -174,7 +175,7 @@ public record StudyStatus(String study, int planned, List<Row> sessions, List<Gr
                   Locale.ROOT,
                   "%-14s %-10s %-10s %s%s",
                   String.format(Locale.ROOT, "%s ses-%02d", row.participant, row.session),
-                  row.condition.isEmpty() ? "-" : row.condition,
+                  row.condition.isEmpty() ? "-" : ControlCharacterEscaper.line(row.condition),
                   row.state.name().toLowerCase(Locale.ROOT),
                   row.missing.isEmpty() ? "nothing" : String.join(", ", row.missing),
                   notes)

@@ -1,5 +1,6 @@
 package org.selectiverenderer.study.threshold;
 
+import org.selectiverenderer.base.markup.ControlCharacterEscaper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.Locale;
@@ -21,7 +22,7 @@ public final class ThresholdReport {
   public static String text(ThresholdResults results, String program, String scene) {
     ThresholdStudy study = results.study();
     StringBuilder text = new StringBuilder();
-    text.append(study.name())
+    text.append(ControlCharacterEscaper.line(study.name()))
         .append(": ")
         .append(Pluralizer.of(results.participants(), "participant"))
         .append(
@@ -49,7 +50,7 @@ public final class ThresholdReport {
           String.format(
               Locale.ROOT,
               "%-" + Math.max(6, width) + "s %9s %6d %6d %6d %10s  %s\n",
-              object.object(),
+              ControlCharacterEscaper.line(object.object()),
               object.original() == 0 ? "-" : object.original(),
               object.count(Kind.FOUND),
               object.count(Kind.BELOW),

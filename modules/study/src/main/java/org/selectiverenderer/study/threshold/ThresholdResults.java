@@ -1,5 +1,6 @@
 package org.selectiverenderer.study.threshold;
 
+import org.selectiverenderer.base.markup.ControlCharacterEscaper;
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -148,15 +149,16 @@ public record ThresholdResults(
                   polygons ->
                       String.format(
                           Locale.ROOT,
-                          "%s versions %s --object %s --polygons %d\n",
+                          "%s versions %s --object%s%s --polygons %d\n",
                           program,
-                          quoted(scene),
+                          quoted(scene.startsWith("-") ? "./" + scene : scene),
+                          object.object().startsWith("-") ? "=" : " ",
                           quoted(object.object()),
                           polygons))
               .orElseGet(
                   () ->
                       "# "
-                          + object.object()
+                          + ControlCharacterEscaper.line(object.object())
                           + (object.estimates().isEmpty()
                               ? ": nobody's threshold is known yet\n"
                               : ": no reduced version was good enough for most; leave it as it is\n")));

@@ -1,5 +1,6 @@
 package org.selectiverenderer.study.threshold;
 
+import org.selectiverenderer.base.files.PrivateFiles;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
@@ -53,7 +54,9 @@ final class TrialLog implements AutoCloseable {
    * @throws IOException if another program has the lock, or a file cannot be written
    */
   static TrialLog open(Path folder, String software, ProblemCollector problems) throws IOException {
-    Files.createDirectories(folder);
+    PrivateFiles.requireNoLink(folder);
+    PrivateFiles.createFolders(folder);
+    PrivateFiles.requireNoLink(of(folder));
     Path file = of(folder);
     SessionLock lock = SessionLock.take(folder, software);
     try {
@@ -63,7 +66,7 @@ final class TrialLog implements AutoCloseable {
           new TrialLog(
               file,
               lock,
-              FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.APPEND));
+              PrivateFiles.open(file, StandardOpenOption.CREATE, StandardOpenOption.APPEND));
       DiskSync.forceFolder(folder);
       if (mended.isPresent()) {
         log.keep("journal-mended", mended.get());

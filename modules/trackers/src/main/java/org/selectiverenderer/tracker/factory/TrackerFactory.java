@@ -70,7 +70,7 @@ public final class TrackerFactory {
     } else if (spec instanceof TrackerSpec.Fastrak serial) {
       return new FastrakSource(serial.port(), serial.baud());
     } else if (spec instanceof TrackerSpec.OpenTrack udp) {
-      return new OpenTrackSource(udp.port());
+      return new OpenTrackSource(udp.host(), udp.port());
     } else if (spec instanceof TrackerSpec.Vrpn vrpn) {
       return new VrpnSource(vrpn.tracker(), vrpn.host(), vrpn.port());
     } else if (spec instanceof TrackerSpec.Tcp tcp) {

@@ -1,5 +1,7 @@
 package org.selectiverenderer.tracker.net;
 
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
 import java.io.IOException;
 import java.net.BindException;
 import java.net.DatagramPacket;
@@ -24,28 +26,44 @@ public final class OpenTrackSource implements PoseSource {
   private static final int PITCH = 4 * Double.BYTES;
   private static final int ROLL = 5 * Double.BYTES;
 
+  private final String host;
   private final int port;
   private @Nullable DatagramSocket socket;
 
   /**
-   * @param port port to listen on, on all network interfaces
+   * @param host address of this machine to listen on, {@code *} for all; empty for the loopback
    */
-  public OpenTrackSource(int port) {
+  public OpenTrackSource(String host, int port) {
+    this.host = host;
     this.port = port;
   }
 
   @Override
   public void open() throws TrackerException {
     try {
-      socket = new DatagramSocket(port);
+      socket = new DatagramSocket(address());
       socket.setSoTimeout(PoseSink.PATIENCE_MS);
+    } catch (TrackerException e) {
+      throw e;
     } catch (IOException e) {
       throw new TrackerException(
           e instanceof BindException
-              ? "the UDP port " + port + " is in use by another program, or not permitted"
+              ? "the UDP port "
+                  + port
+                  + " is in use by another program, or not permitted"
+                  + (host.isEmpty() ? "" : ", or " + host + " is no address of this machine")
               : "the UDP port " + port + " cannot be opened: " + e.getMessage(),
           e);
     }
+  }
+
+  private InetSocketAddress address() throws TrackerException {
+    if (host.equals("*")) {
+      return new InetSocketAddress(port);
+    }
+    return host.isEmpty()
+        ? new InetSocketAddress(InetAddress.getLoopbackAddress(), port)
+        : TcpConnector.address(host, port);
   }
 
   @Override

@@ -1,5 +1,6 @@
 package org.selectiverenderer.tracker.net;
 
+import java.util.List;
 import java.io.IOException;
 import java.net.DatagramPacket;
 import java.net.DatagramSocket;
@@ -23,7 +24,8 @@ import org.selectiverenderer.tracker.pipeline.PoseSource;
  *
  * <p>The client sends a datagram with its own address and a TCP port; the server connects back to
  * that port, both send a cookie with their version, and the server sends messages. As the client
- * names no UDP port, records come over the same connection. Not tested with a server of the VRPN
+ * names no UDP port, records come over the same connection. The port is open on the one address that
+ * leads to the server, and other hosts that connect are sent away. Not tested with a server of the VRPN
  * project.
  */
 public final class VrpnSource implements PoseSource {
@@ -51,8 +53,9 @@ public final class VrpnSource implements PoseSource {
   @Override
   public void open() throws TrackerException {
     server = TcpConnector.address(host, port);
-    try {
-      listening = new ServerSocket(0);
+    try (DatagramSocket way = new DatagramSocket()) {
+      way.connect(server); // Sends nothing, but selects the local address.
+      listening = new ServerSocket(0, 0, way.getLocalAddress());
       listening.setSoTimeout(PoseSink.PATIENCE_MS);
     } catch (IOException e) {
       throw new TrackerException("no TCP port can be opened here: " + e.getMessage(), e);
@@ -86,8 +89,9 @@ public final class VrpnSource implements PoseSource {
       throw new TrackerException("there is no connection to " + host);
     }
     try (DatagramSocket asking = new DatagramSocket()) {
-      asking.connect(to); // Sends nothing, but selects the local address.
-      byte[] question = question(asking.getLocalAddress(), back.getLocalPort());
+      asking.connect(to); // Answers from elsewhere are not received.
+      byte[] question = question(back.getInetAddress(), back.getLocalPort());
+      List<InetAddress> callers = List.of(InetAddress.getAllByName(host));
       long begin = System.nanoTime();
       long next = begin;
       while (!intake.closed()) {
@@ -100,7 +104,11 @@ public final class VrpnSource implements PoseSource {
           next = now + ASK_AGAIN;
         }
         try {
-          return back.accept();
+          Socket caller = back.accept();
+          if (callers.contains(caller.getInetAddress())) {
+            return caller;
+          }
+          SocketCloser.quietly(caller); // Not the server: whoever else found the port.
         } catch (SocketTimeoutException e) {
           // The server has not connected yet.
         }

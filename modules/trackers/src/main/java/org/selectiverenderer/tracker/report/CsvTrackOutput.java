@@ -1,9 +1,11 @@
 package org.selectiverenderer.tracker.report;
 
+import org.selectiverenderer.base.files.PrivateFiles;
+import java.nio.channels.Channels;
+import java.nio.file.StandardOpenOption;
 import java.io.BufferedWriter;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -26,7 +28,15 @@ public final class CsvTrackOutput implements TrackOutput, AutoCloseable {
    * @throws IOException if the file cannot be created
    */
   public CsvTrackOutput(Path file) throws IOException {
-    writer = Files.newBufferedWriter(file, StandardCharsets.UTF_8);
+    writer =
+        new BufferedWriter(
+            Channels.newWriter(
+                PrivateFiles.open(
+                    file,
+                    StandardOpenOption.CREATE,
+                    StandardOpenOption.TRUNCATE_EXISTING,
+                    StandardOpenOption.WRITE),
+                StandardCharsets.UTF_8));
   }
 
   @Override

@@ -1,5 +1,7 @@
 package org.selectiverenderer.tracker.net;
 
+import java.net.InetSocketAddress;
+import org.junit.jupiter.api.condition.OS;
 import java.io.ByteArrayOutputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
@@ -35,12 +37,26 @@ final class FakeVrpnServer implements AutoCloseable {
       throw new AssertionError("asked: " + question);
     }
     String[] address = question.strip().split(" ");
+    stranger(address[0], Integer.parseInt(address[1].replace("\0", "")));
     client = new Socket(address[0], Integer.parseInt(address[1].replace("\0", "")));
     client.setTcpNoDelay(true);
     out = new DataOutputStream(client.getOutputStream());
     byte[] theirs = client.getInputStream().readNBytes(24);
     out.write(Arrays.copyOf(cookie.getBytes(StandardCharsets.US_ASCII), 24));
     return new String(theirs, StandardCharsets.US_ASCII).replace("\0", "");
+  }
+
+  /** Another host finds the port first; the client must send it away. */
+  private static void stranger(String host, int port) throws IOException {
+    if (OS.LINUX.isCurrentOs()) { // all of 127.0.0.0/8 is this machine there
+      Socket other = new Socket();
+      other.bind(new InetSocketAddress("127.0.0.2", 0));
+      other.connect(new InetSocketAddress(host, port));
+      if (other.getInputStream().read() >= 0) {
+        throw new AssertionError("a stranger was answered");
+      }
+      other.close();
+    }
   }
 
   void describe(int kind, int number, String name) throws IOException {

@@ -1,5 +1,9 @@
 package org.selectiverenderer.tracker.net;
 
+import java.net.BindException;
+import static org.assertj.core.api.Assertions.assertThatCode;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -32,6 +36,27 @@ class OpenTrackTest {
       assertThat(watching.places).containsExactly("0.1 0.2 0.3"); // It sends centimetres.
       assertThat(tracker.placed()).isTrue();
       assertThat(tracker.health().bad()).isZero();
+    }
+  }
+
+  /** Others in a network reach it only where that is asked for. */
+  @Test
+  @EnabledOnOs(OS.LINUX)
+  void listensOnTheLoopbackUnlessAsked() throws IOException {
+    int port = freePort();
+    InetAddress own = InetAddress.getByName("127.0.0.2"); // another address of Linux's loopback
+    try (HeadTracker tracker = open(port)) {
+      assertThatCode(() -> new DatagramSocket(port, own).close()).doesNotThrowAnyException();
+      assertThat(tracker.placed()).isTrue();
+    }
+    try (HeadTracker tracker =
+            TrackerFactory.open(
+                new TrackerSpec.OpenTrack("*", port), TrackerOptions.NONE, watching);
+        DatagramSocket socket = new DatagramSocket()) {
+      assertThatThrownBy(() -> new DatagramSocket(port, own)).isInstanceOf(BindException.class);
+      assertThat(tracker.placed()).isTrue();
+      send(socket, port, datagram(48, 10, 20, 30, 1, 2, 3));
+      watching.until("a record", () -> watching.samples() == 1);
     }
   }
 

@@ -1,5 +1,6 @@
 package org.selectiverenderer.validation.report;
 
+import org.selectiverenderer.base.markup.ControlCharacterEscaper;
 import java.io.IOException;
 import java.io.InputStream;
 import java.util.HashMap;
@@ -75,7 +76,7 @@ final class SourceSnippets {
 
   private static String printable(String text) {
     return text.codePoints()
-        .map(c -> c != '\t' && Character.isISOControl(c) ? '?' : c)
+        .map(c -> ControlCharacterEscaper.isControl(c) ? '?' : c)
         .collect(StringBuilder::new, StringBuilder::appendCodePoint, StringBuilder::append)
         .toString();
   }

@@ -1,5 +1,6 @@
 package org.selectiverenderer.validation.report;
 
+import org.selectiverenderer.base.markup.ControlCharacterEscaper;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
@@ -58,7 +59,7 @@ final class TextReportWriter {
     counts.forEach(
         (many, count) -> {
           if (count > LISTED) {
-            text.append(in(BOLD, many.file + ":"))
+            text.append(in(BOLD, ControlCharacterEscaper.line(many.file) + ":"))
                 .append(" %d more of %s are not listed".formatted(count - LISTED, many.rule))
                 .append(" (--format json lists all)\n");
           }

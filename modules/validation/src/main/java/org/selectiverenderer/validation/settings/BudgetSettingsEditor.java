@@ -1,5 +1,6 @@
 package org.selectiverenderer.validation.settings;
 
+import org.selectiverenderer.base.files.InputFileReader;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -88,7 +89,7 @@ public final class BudgetSettingsEditor {
       throw new IOException(
           problems.list().get(0) + "; the budget is not saved: correct the settings file first");
     }
-    String before = Files.exists(file) ? Files.readString(file, StandardCharsets.UTF_8) : NEW;
+    String before = Files.exists(file) ? InputFileReader.text(file) : NEW;
     String after =
         change.of(new JsonArrayEditor(before, KEY), index(settings.get().budgets(), budget));
     if (after != null && !after.equals(before)) {

@@ -1,5 +1,7 @@
 package org.selectiverenderer.x3d.field;
 
+import org.selectiverenderer.base.markup.ControlCharacterEscaper;
+
 /** Splits the text of a value into words separated by white space and commas. */
 public final class FieldTokenizer {
   private static final int QUOTED_LENGTH = 40;
@@ -66,7 +68,7 @@ public final class FieldTokenizer {
     StringBuilder text = new StringBuilder("'");
     word.codePoints()
         .limit(QUOTED_LENGTH)
-        .map(c -> Character.isISOControl(c) ? '?' : c)
+        .map(c -> c == '\t' || ControlCharacterEscaper.isControl(c) ? '?' : c)
         .forEach(text::appendCodePoint);
     return text.append(word.length() > QUOTED_LENGTH ? "...'" : "'").toString();
   }

@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.diff;
 
+import org.selectiverenderer.base.files.InputFileReader;
 import java.awt.Dimension;
 import java.awt.Window;
 import java.io.IOException;
@@ -114,7 +115,7 @@ public final class DiffDialog extends JDialog {
     String name = String.valueOf(file.getFileName());
     String before =
         Files.exists(file)
-            ? SceneDocument.of(name, Files.readAllBytes(file)).text().toString()
+            ? SceneDocument.of(name, InputFileReader.bytes(file)).text().toString()
             : "";
     return DiffLines.of(
         UnifiedDiff.of(name, Texts.of("diff.edited", name), before, snapshot.text()));

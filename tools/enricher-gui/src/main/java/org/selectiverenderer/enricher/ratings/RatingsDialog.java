@@ -1,9 +1,9 @@
 package org.selectiverenderer.enricher.ratings;
 
+import org.selectiverenderer.base.files.InputFileReader;
 import java.awt.Window;
 import java.io.File;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -159,7 +159,7 @@ public final class RatingsDialog extends JDialog {
             Texts.of("ratings.reading", String.valueOf(table.getFileName())),
             () ->
                 RatingsImportModel.read(
-                    String.valueOf(table.getFileName()), Files.readAllBytes(table)),
+                    String.valueOf(table.getFileName()), InputFileReader.bytes(table)),
             model::take,
             failure -> model.take(unread(table, failure)));
   }

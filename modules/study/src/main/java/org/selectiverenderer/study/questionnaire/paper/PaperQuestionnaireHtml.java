@@ -1,8 +1,8 @@
 package org.selectiverenderer.study.questionnaire.paper;
 
+import org.selectiverenderer.base.files.InputFileReader;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Base64;
 import java.util.List;
@@ -104,7 +104,7 @@ public final class PaperQuestionnaireHtml {
     try {
       String kind = file.toString().toLowerCase(Locale.ROOT).endsWith("png") ? "png" : "jpeg";
       return "<p><img alt=\"\" src=\"data:image/%s;base64,%s\"></p>\n"
-          .formatted(kind, Base64.getEncoder().encodeToString(Files.readAllBytes(file)));
+          .formatted(kind, Base64.getEncoder().encodeToString(InputFileReader.bytes(file)));
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }

@@ -1,5 +1,6 @@
 package org.selectiverenderer.study.questionnaire.read;
 
+import org.selectiverenderer.base.files.InputFileReader;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
@@ -137,7 +138,7 @@ public final class QuestionnaireReader {
 
   /** Returns whether a file has the signature of a PNG (RFC 2083, 3.1) or a JPEG. */
   private static boolean isPicture(Path file) {
-    try (InputStream in = Files.newInputStream(file)) {
+    try (InputStream in = InputFileReader.stream(file)) {
       byte[] begin = in.readNBytes(4);
       return begin.length == 4
           && ((begin[0] & 0xff) == 0x89 && begin[1] == 'P' && begin[2] == 'N' && begin[3] == 'G'
