@@ -26,7 +26,8 @@ class ReleasedProgramTest {
   @BeforeEach
   void aCloneOfAReleasedVersion() throws IOException {
     scripts = new ScriptSandbox(folder);
-    scripts.copy("selective-renderer", "packaging/validate", "packaging/action");
+    scripts.copy(
+        "selective-renderer", "packaging/validate", "packaging/action", "packaging/hook");
     state("1.2.0");
     // Notes what it is asked to run; makes no archives of classes.
     scripts.tool(
@@ -203,8 +204,83 @@ class ReleasedProgramTest {
             "--format=github",
             "--fail-on=warning",
             "--base=scenes",
+            "--",
             "scenes",
             "models/a chair.x3d");
+  }
+
+  @Test
+  void pathsOfAPullRequestAreNoOptionsOfTheAction() throws Exception {
+    noteWords();
+    scripts.environment.put("INPUT_PATHS", "--output=x.x3d\n@x.x3d\n-v.x3d");
+    assertThat(scripts.run("packaging/action").status()).isZero();
+    assertThat(scripts.notes())
+        .endsWith("validate", "--format=github", "--", "--output=x.x3d", "@x.x3d", "-v.x3d");
+  }
+
+  @Test
+  void whatStrangersNameCommandsNoWorkflow() throws Exception {
+    scripts.tool(
+        "jdk/bin/java",
+        "case \"$*\" in *ClassList*) exit 1 ;; esac\n"
+            + "echo '::error file=a.x3d::the report'\n"
+            + "echo '::warning::forged: no such file' >&2\nexit 1\n");
+    scripts.environment.put("GITHUB_ACTIONS", "true");
+    Run github = scripts.run("packaging/action");
+    assertThat(github.status()).isEqualTo(1);
+    assertThat(github.err()).isEmpty();
+    List<String> lines = github.out().lines().toList();
+    assertThat(lines).first().isEqualTo("::error file=a.x3d::the report");
+    String stop = lines.get(1);
+    assertThat(stop).matches("::stop-commands::[0-9a-f]{32}");
+    assertThat(lines).endsWith("::warning::forged: no such file", stop.replace("stop-commands::", "") + "::");
+
+    scripts.environment.put("INPUT_FORMAT", "text");
+    List<String> text = scripts.run("packaging/action").out().lines().toList();
+    assertThat(text.get(0)).startsWith("::stop-commands::").isNotEqualTo(stop);
+    assertThat(text).last().isEqualTo(text.get(0).replace("stop-commands::", "") + "::");
+  }
+
+  /** The names are those that pre-commit hands on: of files in the commit, whoever made it. */
+  @Test
+  void namesOfFilesAreNoOptionsOfTheHook() throws Exception {
+    noteWords();
+    List<String> names =
+        List.of("--output=x.x3d", "--rules.x3d", "-.x3d", "@a.x3d", "a b.x3d", "c\nd.x3d", "*.x3d");
+    for (String name : names) {
+      Files.writeString(scripts.home.resolve(name), "");
+    }
+    Files.createSymbolicLink(scripts.home.resolve("--gone.x3d"), Path.of("nowhere"));
+    String[] words =
+        Stream.of(Stream.of("--ignore=SR207"), names.stream(), Stream.of("--gone.x3d"))
+            .flatMap(each -> each)
+            .toArray(String[]::new);
+    assertThat(scripts.run("packaging/hook", words).status()).isZero();
+    assertThat(scripts.notes())
+        .endsWith(
+            "validate",
+            "--fail-on",
+            "warning",
+            "--ignore=SR207",
+            "./--output=x.x3d",
+            "./--rules.x3d",
+            "./-.x3d",
+            "@a.x3d",
+            "a b.x3d",
+            "c",
+            "d.x3d",
+            "*.x3d",
+            "./--gone.x3d");
+    assertThat(Files.readString(Path.of(".pre-commit-hooks.yaml")))
+        .contains("entry: packaging/hook\n");
+  }
+
+  /** Every word that Java is given on a line of its own. */
+  private void noteWords() throws IOException {
+    scripts.tool(
+        "jdk/bin/java",
+        "case \"$*\" in *ClassList*) exit 1 ;; esac\n"
+            + "for word in \"$@\"; do echo \"$word\" >>\"$NOTES\"; done\n");
   }
 
   @Test

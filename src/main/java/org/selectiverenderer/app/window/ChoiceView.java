@@ -1,5 +1,6 @@
 package org.selectiverenderer.app.window;
 
+import org.selectiverenderer.swing.PlainText;
 import com.formdev.flatlaf.FlatClientProperties;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
@@ -88,7 +89,7 @@ final class ChoiceView implements FieldView {
       return button;
     }
     if (shape.notesAbove()) {
-      button.setToolTipText(option.note());
+      button.setToolTipText(PlainText.of(option.note()));
       return button;
     }
     JPanel noted = new JPanel(new BorderLayout());

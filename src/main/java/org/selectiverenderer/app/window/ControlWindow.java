@@ -1,5 +1,6 @@
 package org.selectiverenderer.app.window;
 
+import org.selectiverenderer.swing.PlainText;
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.awt.FlowLayout;
@@ -35,7 +36,7 @@ import org.selectiverenderer.swing.WindowPacker;
 public final class ControlWindow implements AutoCloseable {
   private final ExperimenterControls controls;
   private final JFrame frame;
-  private final JLabel status = new JLabel(" ");
+  private final JLabel status = PlainText.only(new JLabel(" "));
   private final JTextArea notes = new JTextArea(8, 40);
   private final JTextField note = new JTextField();
   private final JToggleButton pause = new JToggleButton("Pause (F8)");

@@ -1,5 +1,6 @@
 package org.selectiverenderer.app.window;
 
+import org.selectiverenderer.swing.PlainText;
 import java.awt.GraphicsConfiguration;
 import java.awt.GraphicsEnvironment;
 import javax.swing.JCheckBox;
@@ -39,7 +40,7 @@ final class HiDpiComponents {
     private static final long serialVersionUID = 1;
 
     Button(String text) {
-      super(text);
+      super(PlainText.of(text));
     }
 
     @Override
@@ -52,7 +53,7 @@ final class HiDpiComponents {
     private static final long serialVersionUID = 1;
 
     CheckBox(String text) {
-      super(text);
+      super(PlainText.of(text));
     }
 
     @Override
@@ -65,7 +66,7 @@ final class HiDpiComponents {
     private static final long serialVersionUID = 1;
 
     RadioButton(String text) {
-      super(text);
+      super(PlainText.of(text));
     }
 
     @Override

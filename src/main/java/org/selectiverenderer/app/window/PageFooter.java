@@ -1,5 +1,6 @@
 package org.selectiverenderer.app.window;
 
+import org.selectiverenderer.swing.PlainText;
 import java.awt.BorderLayout;
 import java.awt.Color;
 import java.awt.Dimension;
@@ -21,12 +22,12 @@ final class PageFooter {
 
   private final ParticipantMessages wording;
   private final JPanel panel = new JPanel(new BorderLayout(16, 0));
-  private final JLabel left = new JLabel(" ");
+  private final JLabel left = PlainText.only(new JLabel(" "));
   private final JTextArea hint = WrappedTextArea.of(" \n ", 12f, HINT_WIDTH);
-  private final JLabel page = new JLabel();
+  private final JLabel page = PlainText.only(new JLabel());
   private final JProgressBar progress = new JProgressBar();
-  private final JButton back = new JButton();
-  private final JButton next = new JButton();
+  private final JButton back = PlainText.only(new JButton());
+  private final JButton next = PlainText.only(new JButton());
   private final Color plain = left.getForeground();
 
   PageFooter(ParticipantMessages wording, Runnable goBack, Runnable goOn) {
@@ -84,7 +85,7 @@ final class PageFooter {
             ? wording.of("form.refused")
             : open > 0 ? wording.filled("left", open, asked) : " ");
     left.setForeground(refused ? WARNING : plain);
-    hint.setText(keys);
+    hint.setText(PlainText.of(keys));
     page.setText(wording.filled("page", at + 1, pages));
     page.setVisible(pages > 1);
     progress.setVisible(pages > 1);

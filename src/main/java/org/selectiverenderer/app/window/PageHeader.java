@@ -1,5 +1,6 @@
 package org.selectiverenderer.app.window;
 
+import org.selectiverenderer.swing.PlainText;
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.Font;
@@ -40,13 +41,13 @@ final class PageHeader {
     head.setBorder(BorderFactory.createEmptyBorder(18, SIDE, 12, SIDE));
     int room = width - 2 * SIDE - 24;
     if (named) {
-      JLabel id = new JLabel(wording.of("form.id") + ": " + participant);
+      JLabel id = new JLabel(PlainText.of(wording.of("form.id") + ": " + participant));
       id.setAlignmentX(0);
       head.add(id);
       head.add(Box.createVerticalStrut(6));
     }
     if (!page.title().isEmpty()) {
-      JLabel title = new JLabel(page.title());
+      JLabel title = new JLabel(PlainText.of(page.title()));
       title.setFont(title.getFont().deriveFont(Font.PLAIN, 24f));
       title.setAlignmentX(0);
       head.add(title);

@@ -1,5 +1,6 @@
 package org.selectiverenderer.app.window;
 
+import org.selectiverenderer.swing.PlainText;
 import java.awt.Color;
 import java.awt.Component;
 import java.awt.Dimension;
@@ -104,7 +105,7 @@ final class QuestionRow {
           name.getFontMetrics(name.getFont()).stringWidth(question.text()) <= shape.name() - 8;
       name.setText(
           fits
-              ? question.text()
+              ? PlainText.of(question.text())
               : QuestionRowLayout.wrapped(question.text(), shape.name() - 8, JLabel.LEFT));
       Dimension size =
           new Dimension(

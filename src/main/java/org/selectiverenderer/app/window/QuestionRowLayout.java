@@ -1,5 +1,6 @@
 package org.selectiverenderer.app.window;
 
+import org.selectiverenderer.swing.PlainText;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Font;
@@ -108,7 +109,7 @@ record QuestionRowLayout(boolean beside, int name, int least, int most, boolean 
     JLabel label = new HiDpiComponents.Label();
     boolean fits = label.getFontMetrics(label.getFont()).stringWidth(text) <= width;
     return fits
-        ? text
+        ? PlainText.of(text)
         : "<html><div style='width:%dpx;text-align:%s'>%s</div>"
             .formatted(htmlPixels(width), align, MarkupEscaper.text(text));
   }
@@ -176,7 +177,7 @@ record QuestionRowLayout(boolean beside, int name, int least, int most, boolean 
       boolean fits = label.getFontMetrics(label.getFont()).stringWidth(title) <= whole - GAP;
       label.setText(
           fits
-              ? title
+              ? PlainText.of(title)
               : "<html><div style='width:%dpx'>%s</div>"
                   .formatted(htmlPixels(whole - GAP), MarkupEscaper.text(title)));
       label.setAlignmentX(0);

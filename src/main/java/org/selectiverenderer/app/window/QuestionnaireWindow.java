@@ -1,5 +1,6 @@
 package org.selectiverenderer.app.window;
 
+import org.selectiverenderer.swing.PlainText;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.EventQueue;
@@ -105,7 +106,7 @@ public final class QuestionnaireWindow {
   }
 
   private JPanel refusing() {
-    JButton refuse = new JButton(asking.wording().of("form.cancel"));
+    JButton refuse = new JButton(PlainText.of(asking.wording().of("form.cancel")));
     refuse.setName("cancel");
     refuse.setFocusable(false);
     refuse.addActionListener(event -> end(false));

@@ -1,5 +1,6 @@
 package org.selectiverenderer.app.window;
 
+import org.selectiverenderer.swing.PlainText;
 import com.formdev.flatlaf.FlatClientProperties;
 import java.awt.FlowLayout;
 import java.awt.KeyboardFocusManager;
@@ -35,7 +36,7 @@ final class TextFieldView implements FieldView {
   private final JPanel panel =
       new JPanel(new FlowLayout(FlowLayout.LEFT, QuestionRowLayout.GAP, 0));
   private final JTextComponent text;
-  private final JLabel unit = new JLabel();
+  private final JLabel unit = PlainText.only(new JLabel());
   private final Timer rest = new Timer(REST, event -> settle());
   private String told = "";
   private boolean showing;

@@ -1,5 +1,6 @@
 package org.selectiverenderer.app.window;
 
+import org.selectiverenderer.swing.PlainText;
 import java.awt.BorderLayout;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
@@ -27,10 +28,10 @@ public final class ThanksWindow {
     frame.setName("thanks");
     frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
     frame.addWindowListener(new CloseInterceptor(done));
-    JLabel text = new JLabel(wording.of("thanks.text"));
+    JLabel text = new JLabel(PlainText.of(wording.of("thanks.text")));
     text.setFont(text.getFont().deriveFont(18f));
     text.setBorder(BorderFactory.createEmptyBorder(32, 32, 32, 32));
-    JButton close = new JButton(wording.of("close"));
+    JButton close = new JButton(PlainText.of(wording.of("close")));
     close.setName("close");
     close.addActionListener(event -> done.run());
     frame.add(text, BorderLayout.CENTER);

@@ -1,5 +1,6 @@
 package org.selectiverenderer.app.window;
 
+import org.selectiverenderer.swing.PlainText;
 import java.awt.BorderLayout;
 import java.awt.Color;
 import java.awt.Component;
@@ -117,7 +118,7 @@ public final class TrialWindow implements AutoCloseable {
     words.setBorder(BorderFactory.createEmptyBorder());
     words.setFont(label(heading, 18f).getFont());
     words.setAlignmentX(Component.LEFT_ALIGNMENT);
-    JButton begin = new JButton(wording.of("form.begin"));
+    JButton begin = new JButton(PlainText.of(wording.of("form.begin")));
     begin.setName("begin");
     begin.setFont(begin.getFont().deriveFont(18f));
     begin.setAlignmentX(Component.LEFT_ALIGNMENT);
@@ -164,7 +165,7 @@ public final class TrialWindow implements AutoCloseable {
     for (int i = 0; i <= last; i++) {
       boolean middle = last > 0 && i > 0 && i < last;
       JLabel picture = picture(trial, i);
-      picture.setText(middle ? trial.caption() : " ");
+      picture.setText(middle ? PlainText.of(trial.caption()) : " ");
       if (trial.choices().isEmpty() && !middle) {
         clickable(picture, i == 0 ? 0 : 1);
       }
@@ -234,7 +235,7 @@ public final class TrialWindow implements AutoCloseable {
   }
 
   private JButton button(String text, int choice) {
-    JButton button = new JButton(text);
+    JButton button = new JButton(PlainText.of(text));
     button.setName("choice-" + (choice + 1));
     button.setFont(button.getFont().deriveFont(18f));
     button.setFocusable(false);
@@ -279,7 +280,7 @@ public final class TrialWindow implements AutoCloseable {
 
   private void askEnd() {
     if (JOptionPane.showConfirmDialog(
-            frame, wording.of("threshold.end"), frame.getTitle(), JOptionPane.YES_NO_OPTION)
+            frame, PlainText.of(wording.of("threshold.end")), frame.getTitle(), JOptionPane.YES_NO_OPTION)
         == JOptionPane.YES_OPTION) {
       replies.add(Optional.empty());
     }
@@ -322,7 +323,7 @@ public final class TrialWindow implements AutoCloseable {
   }
 
   private static JLabel label(String text, float size) {
-    JLabel label = new JLabel(text);
+    JLabel label = new JLabel(PlainText.of(text));
     label.setFont(label.getFont().deriveFont(Font.PLAIN, size));
     return label;
   }

@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher;
 
+import org.selectiverenderer.swing.PlainText;
 import java.util.List;
 import javax.swing.JButton;
 import javax.swing.JLabel;
@@ -25,7 +26,7 @@ final class StatusBar {
   private final TaskExecutor tasks;
   private final JPanel panel =
       new JPanel(new MigLayout("insets 3 8 3 8, hidemode 3, fillx", "[grow][][][]", "[24!]"));
-  private final JLabel message = new JLabel(" ");
+  private final JLabel message = PlainText.only(new JLabel(" "));
   private final JLabel problems = new JLabel();
   private final JProgressBar bar = new JProgressBar(0, STEPS);
   private final JButton cancel = new JButton(Texts.of("keep.cancel"));
@@ -51,7 +52,7 @@ final class StatusBar {
 
   void say(String sentence) {
     message.setText(sentence);
-    message.setToolTipText(sentence);
+    message.setToolTipText(PlainText.of(sentence));
   }
 
   /** Shows how many problems there are. */

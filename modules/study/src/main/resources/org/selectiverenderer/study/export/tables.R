@@ -7,8 +7,11 @@
 
 read_tables <- function(folder = ".") {
   read <- function(file) {
-    read.csv(file.path(folder, file), colClasses = "character", na.strings = "",
-             encoding = "UTF-8", check.names = FALSE)
+    table <- read.csv(file.path(folder, file), colClasses = "character", na.strings = "",
+                      encoding = "UTF-8", check.names = FALSE)
+    # An apostrophe says to spreadsheets that a text with = + - @ is no formula.
+    table[] <- lapply(table, function(cells) sub("^'('*[[:space:]]*[=+@-].)", "\\1", cells))
+    table
   }
   book <- read("codebook.csv")
   typed <- function(cells, row) {

@@ -1,5 +1,11 @@
 package org.selectiverenderer.study.session;
 
+import java.nio.file.attribute.PosixFilePermission;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -31,6 +37,42 @@ class SessionTest extends TwoRoomStudyFixture {
           .isInstanceOf(IOException.class)
           .hasMessageContaining("exists already and is not overwritten");
     }
+  }
+
+  @Test
+  @DisabledOnOs(OS.WINDOWS)
+  void onlyTheAccountThatRunsASessionReadsIt() throws IOException {
+    try (Session session = begin("001")) {
+      form(session);
+    }
+    try (Stream<Path> made = Files.walk(folder.resolve("sub-001"))) {
+      assertThat(made)
+          .hasSizeGreaterThan(5)
+          .allSatisfy(
+              path ->
+                  assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(path)))
+                      .isEqualTo(Files.isDirectory(path) ? "rwx------" : "rw-------"));
+    }
+    assertThat(Files.getPosixFilePermissions(folder.resolve("participants.tsv")))
+        .containsOnly(PosixFilePermission.OWNER_READ, PosixFilePermission.OWNER_WRITE);
+  }
+
+  @Test
+  @DisabledOnOs(OS.WINDOWS)
+  void aLinkTakesNoDataElsewhere(@TempDir Path elsewhere) throws IOException {
+    Files.createSymbolicLink(folder.resolve("sub-002"), elsewhere);
+    assertThatThrownBy(() -> begin("002"))
+        .isInstanceOf(IOException.class)
+        .hasMessageContaining("sub-002 is a link to " + elsewhere);
+    assertThat(elsewhere).isEmptyDirectory();
+
+    begin("003").close();
+    Path events = folder.resolve("sub-003/ses-01/events.jsonl");
+    Path moved = Files.move(events, elsewhere.resolve("events.jsonl"));
+    Files.createSymbolicLink(events, moved);
+    String before = Files.readString(moved);
+    assertThatThrownBy(() -> resume("003")).hasMessageContaining("events.jsonl is a link to");
+    assertThat(moved).hasContent(before);
   }
 
   @Test

@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.area;
 
+import org.selectiverenderer.swing.PlainText;
 import java.awt.Component;
 import java.util.Optional;
 import java.util.function.Function;
@@ -41,7 +42,7 @@ public final class NameDialog implements NamePrompt {
       JPanel panel = new JPanel(new MigLayout("insets 0, wrap 1, wmin 320", "[grow,fill]"));
       panel.add(label);
       panel.add(field);
-      JLabel says = new JLabel(wrong);
+      JLabel says = PlainText.only(new JLabel(PlainText.of(wrong)));
       says.putClientProperty("FlatLaf.styleClass", "small");
       panel.add(says, "wmin 0");
       int answer =

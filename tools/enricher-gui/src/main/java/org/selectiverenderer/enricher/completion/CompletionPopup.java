@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.completion;
 
+import org.selectiverenderer.swing.PlainText;
 import java.awt.Point;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
@@ -27,7 +28,7 @@ public final class CompletionPopup<T> {
   private final JTextComponent text;
   private final Consumer<T> taken;
   private final DefaultListModel<T> proposals = new DefaultListModel<>();
-  private final JList<T> list = new JList<>(proposals);
+  private final JList<T> list = PlainText.entries(new JList<>(proposals));
   private final JPopupMenu popup = new JPopupMenu();
 
   /**

@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.cost;
 
+import org.selectiverenderer.swing.PlainText;
 import java.awt.Component;
 import java.awt.EventQueue;
 import java.awt.event.ComponentAdapter;
@@ -53,7 +54,7 @@ public final class CostPanel extends JPanel {
   private final CostTable objectsTable = new CostTable(objects, Texts.of("cost.objectsname"));
   private final JSplitPane split;
   private final JLabel fixed = new JLabel(" ");
-  private final JLabel file = new JLabel(" ");
+  private final JLabel file = PlainText.only(new JLabel(" "));
   private transient List<CostRow> before = List.of();
   private transient Optional<CostRow> chosen = Optional.empty();
   private boolean following;
@@ -309,7 +310,7 @@ public final class CostPanel extends JPanel {
     String text =
         fault.orElseGet(() -> Texts.of("cost.file", String.valueOf(place.file().getFileName())));
     file.setText((fault.isPresent() ? "\u26a0 " : "") + text);
-    file.setToolTipText(fault.orElseGet(() -> place.file().toString()));
+    file.setToolTipText(PlainText.of(fault.orElseGet(() -> place.file().toString())));
   }
 
   /** Writes a limit to the settings file, or removes it, and counts again. */

@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.cost;
 
+import org.selectiverenderer.swing.PlainText;
 import java.awt.event.MouseEvent;
 import java.util.List;
 import javax.swing.JComponent;
@@ -24,6 +25,7 @@ final class CostTable extends JTable {
    */
   CostTable(TableModel model, String name) {
     super(model);
+    PlainText.cells(this);
     getAccessibleContext().setAccessibleName(name);
     setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
     getTableHeader().setReorderingAllowed(false);
@@ -51,7 +53,7 @@ final class CostTable extends JTable {
 
   /** Does the same for a column of numbers, which are aligned to the right. */
   CostTable numbers(int index, int letters, int least) {
-    DefaultTableCellRenderer right = new DefaultTableCellRenderer();
+    DefaultTableCellRenderer right = PlainText.only(new DefaultTableCellRenderer());
     right.setHorizontalAlignment(SwingConstants.TRAILING);
     getColumnModel().getColumn(index).setCellRenderer(right);
     return column(index, letters, least);
@@ -67,6 +69,8 @@ final class CostTable extends JTable {
     String own = super.getToolTipText(event);
     int row = rowAtPoint(event.getPoint());
     int column = columnAtPoint(event.getPoint());
-    return own == null && row >= 0 && getValueAt(row, column) instanceof String text ? text : own;
+    return own == null && row >= 0 && getValueAt(row, column) instanceof String text
+        ? PlainText.of(text)
+        : own;
   }
 }

@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.diff;
 
+import org.selectiverenderer.swing.PlainText;
 import java.awt.Component;
 import java.awt.Font;
 import javax.swing.AbstractListModel;
@@ -79,6 +80,10 @@ final class DiffView extends JList<DiffLines.Line> {
 
   private static final class LineRenderer extends DefaultListCellRenderer {
     private static final long serialVersionUID = 1L;
+
+    LineRenderer() {
+      PlainText.only(this); // a line of a scene may begin with <html>
+    }
 
     @Override
     public Component getListCellRendererComponent(

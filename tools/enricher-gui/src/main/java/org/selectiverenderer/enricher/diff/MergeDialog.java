@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.diff;
 
+import org.selectiverenderer.swing.PlainText;
 import java.awt.Color;
 import java.awt.Component;
 import java.awt.Dimension;
@@ -266,7 +267,7 @@ public final class MergeDialog extends JDialog {
       boolean marked = selected().filter(at -> at.conflict() == line.conflict()).isPresent();
       setBackground(color);
       setFont(marked ? shown.getFont().deriveFont(Font.BOLD) : shown.getFont());
-      putClientProperty("html.disable", true); // else a line beginning with <html> is HTML
+      PlainText.only(this); // a line may begin with <html>
       return this;
     }
   }

@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.form;
 
+import org.selectiverenderer.swing.PlainText;
 import java.util.List;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
@@ -26,7 +27,7 @@ final class ChoiceForm {
   private final JPanel panel =
       new JPanel(new MigLayout("insets 0, hidemode 3, wrap 4", "[][grow,fill][][fill]"));
   private final VersionThumbnail thumbnail;
-  private final JLabel polygons = new JLabel("\u2026");
+  private final JLabel polygons = PlainText.only(new JLabel("\u2026"));
   private final JLabel title;
   private final JLabel url;
   private final List<FieldBinding> fields;
@@ -65,8 +66,8 @@ final class ChoiceForm {
       title.setDisplayedMnemonic('0' + choice.index());
     }
     thumbnail = new VersionThumbnail(Texts.of("form.picture", number));
-    url = new JLabel(shortly(choice));
-    url.setToolTipText(where(choice));
+    url = new JLabel(PlainText.of(shortly(choice)));
+    url.setToolTipText(PlainText.of(where(choice)));
     url.getAccessibleContext().setAccessibleName(Texts.of("form.model", number, where(choice)));
     polygons.setName("Polygons of choice " + number);
     polygons.getAccessibleContext().setAccessibleName(Texts.of("form.polygons", number));
@@ -150,7 +151,7 @@ final class ChoiceForm {
 
   private void failed(String sentence) {
     polygons.setText(sentence);
-    polygons.setToolTipText(sentence);
+    polygons.setToolTipText(PlainText.of(sentence));
     polygons.getAccessibleContext().setAccessibleName(sentence);
   }
 

@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.form;
 
+import org.selectiverenderer.swing.PlainText;
 import java.awt.Component;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
@@ -75,7 +76,7 @@ final class FieldRow {
     }
     String why = field.readOnly().orElse(field.about());
     control.setName("field " + field.name());
-    control.setToolTipText(why.isEmpty() ? null : why);
+    control.setToolTipText(why.isEmpty() ? null : PlainText.of(why));
     control.getAccessibleContext().setAccessibleName(field.name());
     label = LabelFactory.of(field.name(), control);
     label.setToolTipText(control.getToolTipText());

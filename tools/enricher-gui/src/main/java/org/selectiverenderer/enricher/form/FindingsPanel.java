@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.form;
 
+import org.selectiverenderer.swing.PlainText;
 import java.awt.Dimension;
 import java.util.List;
 import java.util.Optional;
@@ -123,7 +124,7 @@ final class FindingsPanel extends JPanel {
         .fix()
         .ifPresent(
             fix -> {
-              JButton mend = new JButton(fix.name());
+              JButton mend = new JButton(PlainText.of(fix.name()));
               mend.setName("Fix " + index);
               if (index == 0) {
                 mend.setMnemonic('X');

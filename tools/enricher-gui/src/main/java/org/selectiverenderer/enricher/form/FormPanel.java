@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.form;
 
+import org.selectiverenderer.swing.PlainText;
 import java.awt.Rectangle;
 import java.util.List;
 import java.util.Optional;
@@ -36,7 +37,7 @@ public final class FormPanel extends JPanel {
   private final transient FieldsForm.Choice allFields = new FieldsForm.Choice();
   private final JPanel body =
       new ScrollablePanel(new MigLayout("insets 8, wrap 1, hidemode 3", "[grow,fill]"));
-  private final JLabel title = new JLabel();
+  private final JLabel title = PlainText.only(new JLabel());
   private final JLabel place = new JLabel();
   private final FindingsPanel findings;
   private transient @Nullable DocumentElement element;

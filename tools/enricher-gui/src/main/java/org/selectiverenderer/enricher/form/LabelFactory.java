@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.form;
 
+import org.selectiverenderer.swing.PlainText;
 import java.awt.Color;
 import java.awt.Dimension;
 import javax.swing.JComponent;
@@ -16,7 +17,7 @@ final class LabelFactory {
 
   /** Creates the label of a control. */
   static JLabel of(String text, JComponent control) {
-    JLabel label = new JLabel(text);
+    JLabel label = new JLabel(PlainText.of(text));
     label.setLabelFor(control);
     return label;
   }
@@ -53,6 +54,7 @@ final class LabelFactory {
             return red == null ? super.getForeground() : red;
           }
         };
+    PlainText.only(label);
     label.getAccessibleContext().setAccessibleName(Texts.of("form.wrong"));
     return label;
   }

@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.form;
 
+import org.selectiverenderer.swing.PlainText;
 import java.io.File;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -32,7 +33,7 @@ final class SwitchControls {
   private final DocumentElement element;
   private final JPanel panel =
       new JPanel(new MigLayout("insets 0, hidemode 3, wrap 3", "[][grow,fill][]"));
-  private final JComboBox<String> shown = new JComboBox<>();
+  private final JComboBox<String> shown = PlainText.entries(new JComboBox<>());
   private final JButton add = new JButton(Texts.of("area.switch.add") + " \u25be");
   private final FieldBinding field;
 

@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.overview;
 
+import org.selectiverenderer.swing.PlainText;
 import java.util.Optional;
 import java.util.function.Supplier;
 import javax.swing.JButton;
@@ -37,7 +38,7 @@ public final class OverviewPanel extends JPanel {
   private final JTextField name = new JTextField(14);
   private final JComboBox<ObjectRowFilter.Which> which =
       new JComboBox<>(ObjectRowFilter.Which.values());
-  private final JLabel status = new JLabel(" ");
+  private final JLabel status = PlainText.only(new JLabel(" "));
   private final org.selectiverenderer.authoring.DocumentListener changes = change -> changed();
   private final SelectionListener selection = this::selected;
   private boolean following;

@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.overview;
 
+import org.selectiverenderer.swing.PlainText;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
@@ -28,7 +29,7 @@ final class SchemaFindingsPanel extends JPanel {
 
   private final DefaultListModel<ElementFinding> found = new DefaultListModel<>();
   private final JList<ElementFinding> list = new JList<>(found);
-  private final JButton fix = Mnemonics.button("overview.fix");
+  private final JButton fix = PlainText.only(Mnemonics.button("overview.fix"));
   private final JButton show = Mnemonics.button("overview.show");
 
   SchemaFindingsPanel(Consumer<DocumentElement> select, Consumer<Supplier<Edit>> make) {
@@ -39,6 +40,10 @@ final class SchemaFindingsPanel extends JPanel {
     list.setCellRenderer(
         new DefaultListCellRenderer() {
           private static final long serialVersionUID = 1L;
+
+          {
+            PlainText.only(this);
+          }
 
           @Override
           public java.awt.Component getListCellRendererComponent(

@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.overview;
 
+import org.selectiverenderer.swing.PlainText;
 import java.awt.Component;
 import java.util.Optional;
 import javax.swing.JComponent;
@@ -19,10 +20,18 @@ import org.selectiverenderer.enricher.text.Texts;
 final class SchemaHeaderRenderer implements TableCellRenderer {
   private final OverviewTableModel model;
   private LookAndFeel theme = UIManager.getLookAndFeel();
-  private TableCellRenderer plain = new JTableHeader().getDefaultRenderer();
+  private TableCellRenderer plain = plain();
 
   SchemaHeaderRenderer(OverviewTableModel model) {
     this.model = model;
+  }
+
+  private static TableCellRenderer plain() {
+    TableCellRenderer made = new JTableHeader().getDefaultRenderer();
+    if (made instanceof JComponent component) {
+      PlainText.only(component);
+    }
+    return made;
   }
 
   @Override
@@ -30,7 +39,7 @@ final class SchemaHeaderRenderer implements TableCellRenderer {
       JTable table, Object value, boolean selected, boolean focused, int row, int viewColumn) {
     if (UIManager.getLookAndFeel() != theme) {
       theme = UIManager.getLookAndFeel(); // Swing updates default renderers only
-      plain = new JTableHeader().getDefaultRenderer();
+      plain = plain();
     }
     Component component =
         plain.getTableCellRendererComponent(table, value, selected, focused, row, viewColumn);
@@ -44,7 +53,7 @@ final class SchemaHeaderRenderer implements TableCellRenderer {
     }
     if (component instanceof JComponent head) {
       head.setToolTipText(
-          mark.map(ElementFinding::message)
+          mark.map(finding -> PlainText.of(finding.message()))
               .orElseGet(
                   () ->
                       Texts.of(

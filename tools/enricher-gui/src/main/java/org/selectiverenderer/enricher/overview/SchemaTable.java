@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.overview;
 
+import org.selectiverenderer.swing.PlainText;
 import java.awt.Component;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
@@ -46,6 +47,8 @@ final class SchemaTable extends JTable {
     putClientProperty("JTable.autoStartsEdit", false); // letters are shortcuts here
     setShowGrid(true);
     setColumns();
+    PlainText.cells(this);
+    PlainText.cells(names);
     dress(this);
     dress(names);
     getAccessibleContext().setAccessibleName(Texts.of("overview.table"));
@@ -74,7 +77,7 @@ final class SchemaTable extends JTable {
     @Override
     public String getToolTipText(MouseEvent event) {
       int row = rowAtPoint(event.getPoint());
-      return row < 0 ? null : model.explanation(row, 0);
+      return row < 0 ? null : PlainText.of(model.explanation(row, 0));
     }
   }
 
@@ -240,7 +243,7 @@ final class SchemaTable extends JTable {
   public String getToolTipText(MouseEvent event) {
     int row = rowAtPoint(event.getPoint());
     int column = columnAtPoint(event.getPoint());
-    return row < 0 || column < 0 ? null : model.explanation(row, convertColumnIndexToModel(column));
+    return row < 0 || column < 0 ? null : PlainText.of(model.explanation(row, convertColumnIndexToModel(column)));
   }
 
   @Override
@@ -264,6 +267,7 @@ final class SchemaTable extends JTable {
 
     ConsistencyCellRenderer(OverviewTableModel model) {
       this.model = model;
+      PlainText.only(this);
     }
 
     @Override

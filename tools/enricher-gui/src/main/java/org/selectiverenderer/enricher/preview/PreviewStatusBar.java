@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.preview;
 
+import org.selectiverenderer.swing.PlainText;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
@@ -17,7 +18,7 @@ final class PreviewStatusBar extends JPanel {
   /** Keeps the line's height. */
   private static final String NOTHING = " ";
 
-  private final JLabel message = new JLabel(NOTHING);
+  private final JLabel message = PlainText.only(new JLabel(NOTHING));
   private final JProgressBar progress = new JProgressBar();
 
   /** The message about layers that are not shown. */
@@ -47,7 +48,7 @@ final class PreviewStatusBar extends JPanel {
   void stale(String sentence) {
     progress.setVisible(false);
     message.setText(sentence);
-    message.setToolTipText(sentence);
+    message.setToolTipText(PlainText.of(sentence));
   }
 
   /** Shows how many layers are left out, unless another message is shown. */

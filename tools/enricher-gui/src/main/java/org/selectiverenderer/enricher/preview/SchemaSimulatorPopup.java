@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.preview;
 
+import org.selectiverenderer.swing.PlainText;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.util.ArrayList;
@@ -56,7 +57,7 @@ final class SchemaSimulatorPopup {
     JPanel boxes = new JPanel(new MigLayout("insets 8, wrap 1, gapy 2"));
     List<JCheckBox> all = new ArrayList<>();
     for (String schema : known.get()) {
-      JCheckBox box = new JCheckBox(schema, checked.contains(schema));
+      JCheckBox box = new JCheckBox(PlainText.of(schema), checked.contains(schema));
       box.addActionListener(
           event -> {
             checked.remove(schema);

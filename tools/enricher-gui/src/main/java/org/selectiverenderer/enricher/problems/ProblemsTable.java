@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.problems;
 
+import org.selectiverenderer.swing.PlainText;
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 import java.awt.event.MouseEvent;
@@ -17,6 +18,7 @@ final class ProblemsTable extends JTable {
 
   ProblemsTable(ProblemsTableModel model) {
     super(model);
+    PlainText.cells(this);
     getAccessibleContext().setAccessibleName(Texts.of("problems.table"));
     setFillsViewportHeight(true);
     setShowGrid(false);
@@ -58,7 +60,7 @@ final class ProblemsTable extends JTable {
   @Override
   public @Nullable String getToolTipText(MouseEvent event) {
     int row = rowAtPoint(event.getPoint());
-    return row < 0 ? null : String.valueOf(getValueAt(row, ProblemsTableModel.MESSAGE));
+    return row < 0 ? null : PlainText.of(String.valueOf(getValueAt(row, ProblemsTableModel.MESSAGE)));
   }
 
   private static final class SeverityRenderer extends DefaultTableCellRenderer {

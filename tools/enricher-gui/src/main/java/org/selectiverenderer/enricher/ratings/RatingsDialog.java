@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.ratings;
 
+import org.selectiverenderer.swing.PlainText;
 import org.selectiverenderer.base.files.InputFileReader;
 import java.awt.Window;
 import java.io.File;
@@ -45,10 +46,10 @@ public final class RatingsDialog extends JDialog {
   private final JTextField file = new JTextField(30);
   private final JCheckBox follow =
       Mnemonics.on(new JCheckBox("", true), Texts.of("ratings.follow"));
-  private final JLabel summary = new JLabel();
+  private final JLabel summary = PlainText.only(new JLabel());
   private final JTabbedPane messages = new JTabbedPane();
-  private final JList<String> leftOut = new JList<>();
-  private final JList<String> problems = new JList<>();
+  private final JList<String> leftOut = PlainText.entries(new JList<>());
+  private final JList<String> problems = PlainText.entries(new JList<>());
   private final JButton proposals = Mnemonics.button("ratings.proposals");
   private final JButton apply = new JButton(Texts.of("ratings.apply"));
 

@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.ratings;
 
+import org.selectiverenderer.swing.PlainText;
 import java.awt.Dimension;
 import java.util.List;
 import javax.swing.DefaultCellEditor;
@@ -19,7 +20,7 @@ final class RatingsTableFactory {
 
   static JTable matches(MatchTableModel model, List<String> switches) {
     JTable table = table(model, Texts.of("ratings.matches"));
-    JComboBox<String> box = new JComboBox<>();
+    JComboBox<String> box = PlainText.entries(new JComboBox<>());
     box.addItem(MatchTableModel.none());
     switches.forEach(box::addItem);
     box.getAccessibleContext().setAccessibleName(Texts.of("ratings.switchof"));
@@ -40,6 +41,7 @@ final class RatingsTableFactory {
 
   private static JTable table(TableModel model, String name) {
     JTable table = new JTable(model);
+    PlainText.cells(table);
     table.setFillsViewportHeight(true);
     table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
     table.setRowHeight(Math.round(table.getFontMetrics(table.getFont()).getHeight() * 1.4f));

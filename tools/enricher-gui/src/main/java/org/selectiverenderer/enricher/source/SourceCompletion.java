@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.source;
 
+import org.selectiverenderer.swing.PlainText;
 import java.awt.Component;
 import java.awt.Point;
 import java.awt.event.KeyAdapter;
@@ -105,7 +106,8 @@ final class SourceCompletion {
     @Override
     public Component getListCellRendererComponent(
         JList<?> list, Object value, int index, boolean selected, boolean focused) {
-      super.getListCellRendererComponent(list, value, index, selected, focused);
+      super.getListCellRendererComponent(
+          list, PlainText.of(String.valueOf(value)), index, selected, focused);
       if (value instanceof CompletionProposal proposal && !proposal.about().isEmpty()) {
         setText(
             "<html>"

@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.text;
 
+import org.selectiverenderer.swing.PlainText;
 import java.awt.event.KeyEvent;
 
 /**
@@ -17,7 +18,7 @@ public record MnemonicText(String words, int letter) {
     int sign = text.indexOf(SIGN);
     boolean chosen = sign >= 0 && sign + 1 < text.length();
     return new MnemonicText(
-        text.replace(String.valueOf(SIGN), ""),
+        PlainText.of(text.replace(String.valueOf(SIGN), "")),
         chosen ? KeyEvent.getExtendedKeyCodeForChar(text.charAt(sign + 1)) : KeyEvent.VK_UNDEFINED);
   }
 }

@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.text;
 
+import org.selectiverenderer.swing.PlainText;
 import java.text.MessageFormat;
 import java.util.Locale;
 import java.util.ResourceBundle;
@@ -20,7 +21,7 @@ public final class Texts {
    * Returns a text with its arguments inserted.
    *
    * @param name name of the bundle, a dot, and the key
-   * @param arguments strings are inserted as they are; a number only selects a plural form, and is
+   * @param arguments strings are inserted as they are, and never begin HTML; a number only selects a plural form, and is
    *     shown by a separate string argument
    * @throws java.util.MissingResourceException if the bundle has no such key
    */
@@ -30,6 +31,7 @@ public final class Texts {
     ResourceBundle bundle =
         ResourceBundle.getBundle(
             Texts.class.getPackageName() + "." + name.substring(0, dot), locale, WITHOUT_DEFAULT);
-    return new MessageFormat(bundle.getString(name.substring(dot + 1)), locale).format(arguments);
+    return PlainText.of(
+        new MessageFormat(bundle.getString(name.substring(dot + 1)), locale).format(arguments));
   }
 }

@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.tree;
 
+import org.selectiverenderer.swing.PlainText;
 import java.awt.Component;
 import java.util.function.Predicate;
 import javax.swing.JTree;
@@ -20,6 +21,7 @@ final class NodeTreeCellRenderer extends DefaultTreeCellRenderer {
   NodeTreeCellRenderer(DocumentEnrichment enrichment, Predicate<DocumentElement> faulty) {
     this.enrichment = enrichment;
     this.faulty = faulty;
+    PlainText.only(this);
   }
 
   @Override

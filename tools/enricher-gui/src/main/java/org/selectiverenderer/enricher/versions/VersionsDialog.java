@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.versions;
 
+import org.selectiverenderer.swing.PlainText;
 import java.awt.Dimension;
 import java.awt.Rectangle;
 import java.awt.Window;
@@ -46,8 +47,8 @@ public final class VersionsDialog extends JDialog {
   private final TurntableCamera turntable = new TurntableCamera();
   private final JPanel columns = new JPanel(new MigLayout("insets 0, fill", "", "[grow,fill]"));
   private final List<VersionPanel> shown = new ArrayList<>();
-  private final JLabel summary = new JLabel(" ");
-  private final JList<String> problems = new JList<>();
+  private final JLabel summary = PlainText.only(new JLabel(" "));
+  private final JList<String> problems = PlainText.entries(new JList<>());
   private final JScrollPane problemPane = new JScrollPane(problems);
   private final JProgressBar progress = new JProgressBar();
   private final JLabel doing = new JLabel(Texts.of("versions.computing"));
@@ -98,7 +99,8 @@ public final class VersionsDialog extends JDialog {
   private JPanel choice() {
     JPanel panel = new JPanel(new MigLayout("insets 0, fillx", "[][]unrel[][]unrel[][]push"));
     JComboBox<String> objects =
-        new JComboBox<>(VersionsModel.objects(session.document()).toArray(String[]::new));
+        PlainText.entries(
+            new JComboBox<>(VersionsModel.objects(session.document()).toArray(String[]::new)));
     objects.setPrototypeDisplayValue("Transform_OfSomeObject");
     objects.setSelectedItem(model.object());
     objects.getAccessibleContext().setAccessibleName(Texts.of("versions.object.name"));
