@@ -69,13 +69,14 @@ public final class Main {
     private StandardErrorSilencer() {}
 
     /**
-     * Silences {@code System.err} unless the user asked for {@code --debug}, and reports an
-     * uncaught exception of a thread in one line.
+     * Silences {@code System.err} unless the user asked for {@code --debug}, who gets it by the
+     * console, and reports an uncaught exception of a thread in one line.
      *
      * @param console receives the program's own messages
      */
     static void silence(String[] args, Console console) {
       if (Arrays.asList(args).contains("--debug") || RootCommand.debugByEnvironment()) {
+        System.setErr(console.err());
         return;
       }
       System.setErr(new PrintStream(OutputStream.nullOutputStream()));

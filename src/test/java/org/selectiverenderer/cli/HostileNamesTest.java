@@ -77,7 +77,7 @@ class HostileNamesTest extends CommandTestCase {
             .allMatch(line -> line.matches("::(error|warning|notice) file=[^,:]*,line=.*"));
       } else if (format.equals("json") || format.equals("sarif")) {
         JsonNode report = JsonTree.parse(printed());
-        assertThat(report.toString()).contains("a\\n::warning::forged.x3d");
+        assertThat(report.toString()).containsAnyOf("a\\n::warning::forged.x3d", "a%0A");
       } else if (format.equals("text")) {
         assertThat(printed().lines()).noneMatch(line -> line.strip().startsWith("::"));
       }
@@ -101,8 +101,9 @@ class HostileNamesTest extends CommandTestCase {
                   .replace("DeskSchema", escaped)
                   .replace("'Switch_TrashCan'", "'" + escaped + "'")
                   .replace("description='Office'", "description='" + escaped + "&#10;forged'"));
-      assertThat(execute("run", scene.toString(), "--viewpoints")).isZero();
+      execute("run", scene.toString(), "--viewpoints");
       assertHarmless();
+      assertThat(printed()).contains("OfficeView");
       assertThat(printed().lines()).noneMatch("forged"::equals);
       for (String format : List.of("text", "json", "csv")) {
         execute("polygons", scene.toString(), "--format", format);
@@ -128,9 +129,7 @@ class HostileNamesTest extends CommandTestCase {
     int status =
         assertTimeoutPreemptively(
             Duration.ofSeconds(60),
-            () ->
-                execute(
-                    "versions", scene, "--object", "D".repeat(243), "--polygons", "500"));
+            () -> execute("versions", scene, "--object", "D".repeat(243), "--polygons", "500"));
     assertThat(status).as(messages()).isLessThan(2);
     String target = folder.resolve("a".repeat(300) + ".x3d").toString();
     assertThat(
@@ -150,7 +149,7 @@ class HostileNamesTest extends CommandTestCase {
             new String[] {"track", "replay:/dev/zero", "--duration", "1"},
             new String[] {"simulate", "scenes/trashcan.x3d", "--path", "/dev/zero"},
             new String[] {"experiment", "view", "/dev/zero"},
-            new String[] {"experiment", "run", "/dev/zero", "--participant", "001"})) {
+            new String[] {"experiment", "status", "/dev/zero"})) {
       assertThat(assertTimeoutPreemptively(Duration.ofSeconds(60), () -> execute(command)))
           .isEqualTo(2);
       assertThat(messages()).contains("/dev/zero", "a device or a pipe");

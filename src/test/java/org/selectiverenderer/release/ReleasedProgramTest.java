@@ -26,8 +26,7 @@ class ReleasedProgramTest {
   @BeforeEach
   void aCloneOfAReleasedVersion() throws IOException {
     scripts = new ScriptSandbox(folder);
-    scripts.copy(
-        "selective-renderer", "packaging/validate", "packaging/action", "packaging/hook");
+    scripts.copy("selective-renderer", "packaging/validate", "packaging/action", "packaging/hook");
     state("1.2.0");
     // Notes what it is asked to run; makes no archives of classes.
     scripts.tool(
@@ -233,7 +232,8 @@ class ReleasedProgramTest {
     assertThat(lines).first().isEqualTo("::error file=a.x3d::the report");
     String stop = lines.get(1);
     assertThat(stop).matches("::stop-commands::[0-9a-f]{32}");
-    assertThat(lines).endsWith("::warning::forged: no such file", stop.replace("stop-commands::", "") + "::");
+    assertThat(lines)
+        .endsWith("::warning::forged: no such file", stop.replace("stop-commands::", "") + "::");
 
     scripts.environment.put("INPUT_FORMAT", "text");
     List<String> text = scripts.run("packaging/action").out().lines().toList();

@@ -1,6 +1,5 @@
 package org.selectiverenderer.app.head;
 
-import org.selectiverenderer.base.files.InputFileReader;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.nio.charset.MalformedInputException;
@@ -9,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
+import org.selectiverenderer.base.files.InputFileReader;
 import org.selectiverenderer.formats.csv.CsvColumnSpec;
 import org.selectiverenderer.formats.csv.CsvTable;
 

@@ -1,8 +1,5 @@
 package org.selectiverenderer.app.stream;
 
-import org.selectiverenderer.base.files.FileOperations;
-import org.selectiverenderer.base.files.PrivateFiles;
-import org.selectiverenderer.base.files.FileNameLength;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
@@ -20,6 +17,9 @@ import java.util.Optional;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.base.files.AtomicFileWriter;
 import org.selectiverenderer.base.files.DiskSync;
+import org.selectiverenderer.base.files.FileNameLength;
+import org.selectiverenderer.base.files.FileOperations;
+import org.selectiverenderer.base.files.PrivateFiles;
 import org.selectiverenderer.formats.csv.CsvWriter;
 import org.selectiverenderer.formats.json.JsonTree;
 import org.selectiverenderer.formats.json.JsonWriter;
@@ -40,6 +40,7 @@ final class StreamRecording implements AutoCloseable {
   private final LslInlet inlet;
   private final StreamInfo stream;
   private final Path csv;
+
   /** Bytes for the number of a recording and the endings of its files. */
   private static final int ROOM = 32;
 
@@ -71,7 +72,8 @@ final class StreamRecording implements AutoCloseable {
       PrivateFiles.requireNoLink(folder);
       String stem = free(folder, stream.name());
       Path csv = folder.resolve(stem + ".csv");
-      AtomicFileWriter.writeOnce(folder.resolve(stem + ".json"), description(stream), FileOperations.PRIVATE);
+      AtomicFileWriter.writeOnce(
+          folder.resolve(stem + ".json"), description(stream), FileOperations.PRIVATE);
       FileChannel samples = create(csv);
       FileChannel offsets = create(folder.resolve(stem + ".offsets.csv"));
       List<String> header = new ArrayList<>(List.of("time"));

@@ -1,6 +1,5 @@
 package org.selectiverenderer.app.window;
 
-import org.selectiverenderer.swing.PlainText;
 import com.formdev.flatlaf.FlatClientProperties;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
@@ -20,6 +19,7 @@ import javax.swing.JToggleButton;
 import javax.swing.SwingConstants;
 import org.selectiverenderer.study.questionnaire.AnswerField;
 import org.selectiverenderer.study.questionnaire.ChoiceOption;
+import org.selectiverenderer.swing.PlainText;
 
 /**
  * Shows a choice: as toggle buttons side by side between the labels of the ends, or as a vertical

@@ -1,6 +1,5 @@
 package org.selectiverenderer.app.window;
 
-import org.selectiverenderer.swing.PlainText;
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.awt.FlowLayout;
@@ -26,6 +25,7 @@ import javax.swing.KeyStroke;
 import javax.swing.Timer;
 import javax.swing.WindowConstants;
 import org.selectiverenderer.study.session.ExperimenterControls;
+import org.selectiverenderer.swing.PlainText;
 import org.selectiverenderer.swing.WindowPacker;
 
 /**

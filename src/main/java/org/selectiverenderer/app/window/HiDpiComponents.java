@@ -1,6 +1,5 @@
 package org.selectiverenderer.app.window;
 
-import org.selectiverenderer.swing.PlainText;
 import java.awt.GraphicsConfiguration;
 import java.awt.GraphicsEnvironment;
 import javax.swing.JCheckBox;
@@ -9,6 +8,7 @@ import javax.swing.JRadioButton;
 import javax.swing.JTextArea;
 import javax.swing.JToggleButton;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.swing.PlainText;
 
 /**
  * Swing components that have the same preferred width before they are added to a window as in it.

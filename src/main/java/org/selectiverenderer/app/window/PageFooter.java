@@ -1,6 +1,5 @@
 package org.selectiverenderer.app.window;
 
-import org.selectiverenderer.swing.PlainText;
 import java.awt.BorderLayout;
 import java.awt.Color;
 import java.awt.Dimension;
@@ -14,6 +13,7 @@ import javax.swing.JProgressBar;
 import javax.swing.JTextArea;
 import javax.swing.border.Border;
 import org.selectiverenderer.study.questionnaire.ParticipantMessages;
+import org.selectiverenderer.swing.PlainText;
 
 /** The footer of a page: progress, number of open questions, and the buttons back and next. */
 final class PageFooter {

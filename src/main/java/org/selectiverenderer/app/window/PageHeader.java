@@ -1,6 +1,5 @@
 package org.selectiverenderer.app.window;
 
-import org.selectiverenderer.swing.PlainText;
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.Font;
@@ -13,6 +12,7 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import org.selectiverenderer.study.questionnaire.ParticipantMessages;
 import org.selectiverenderer.study.questionnaire.QuestionnairePage;
+import org.selectiverenderer.swing.PlainText;
 
 /** The header of a page: title, text and picture; the whole page if it has no questions. */
 final class PageHeader {

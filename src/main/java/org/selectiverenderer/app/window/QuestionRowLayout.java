@@ -1,6 +1,5 @@
 package org.selectiverenderer.app.window;
 
-import org.selectiverenderer.swing.PlainText;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Font;
@@ -21,6 +20,7 @@ import org.selectiverenderer.study.questionnaire.ChoiceOption;
 import org.selectiverenderer.study.questionnaire.ParticipantMessages;
 import org.selectiverenderer.study.questionnaire.Question;
 import org.selectiverenderer.study.questionnaire.QuestionnairePage;
+import org.selectiverenderer.swing.PlainText;
 
 /**
  * Layout metrics that all rows of a page share, in pixels, so that their buttons are aligned in

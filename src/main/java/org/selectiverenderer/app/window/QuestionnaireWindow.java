@@ -1,6 +1,5 @@
 package org.selectiverenderer.app.window;
 
-import org.selectiverenderer.swing.PlainText;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.EventQueue;
@@ -28,6 +27,7 @@ import org.selectiverenderer.study.questionnaire.ParticipantMessages;
 import org.selectiverenderer.study.questionnaire.Questionnaire;
 import org.selectiverenderer.study.questionnaire.QuestionnairePage;
 import org.selectiverenderer.study.questionnaire.QuestionnaireProgress;
+import org.selectiverenderer.swing.PlainText;
 
 /**
  * The window of a questionnaire, which shows a page at a time with a way back. It closes when all

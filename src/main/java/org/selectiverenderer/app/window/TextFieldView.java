@@ -1,6 +1,5 @@
 package org.selectiverenderer.app.window;
 
-import org.selectiverenderer.swing.PlainText;
 import com.formdev.flatlaf.FlatClientProperties;
 import java.awt.FlowLayout;
 import java.awt.KeyboardFocusManager;
@@ -18,6 +17,7 @@ import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
 import javax.swing.text.JTextComponent;
 import org.selectiverenderer.study.questionnaire.AnswerField;
+import org.selectiverenderer.swing.PlainText;
 
 /**
  * Shows a field for a text or a number. A value is reported as final when the participant stops

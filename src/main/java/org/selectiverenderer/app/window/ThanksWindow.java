@@ -1,6 +1,5 @@
 package org.selectiverenderer.app.window;
 
-import org.selectiverenderer.swing.PlainText;
 import java.awt.BorderLayout;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
@@ -8,6 +7,7 @@ import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.WindowConstants;
 import org.selectiverenderer.study.questionnaire.ParticipantMessages;
+import org.selectiverenderer.swing.PlainText;
 import org.selectiverenderer.swing.WindowPacker;
 
 /** The window that tells the participant that the session is over. */

@@ -1,6 +1,5 @@
 package org.selectiverenderer.app.window;
 
-import org.selectiverenderer.swing.PlainText;
 import java.awt.BorderLayout;
 import java.awt.Color;
 import java.awt.Component;
@@ -36,6 +35,7 @@ import javax.swing.Timer;
 import javax.swing.WindowConstants;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.study.questionnaire.ParticipantMessages;
+import org.selectiverenderer.swing.PlainText;
 
 /**
  * Shows the trials of a threshold pilot one after the other, each after a short blank interval, so
@@ -280,7 +280,10 @@ public final class TrialWindow implements AutoCloseable {
 
   private void askEnd() {
     if (JOptionPane.showConfirmDialog(
-            frame, PlainText.of(wording.of("threshold.end")), frame.getTitle(), JOptionPane.YES_NO_OPTION)
+            frame,
+            PlainText.of(wording.of("threshold.end")),
+            frame.getTitle(),
+            JOptionPane.YES_NO_OPTION)
         == JOptionPane.YES_OPTION) {
       replies.add(Optional.empty());
     }

@@ -176,7 +176,8 @@ public final class ValidateCommand extends CliCommand {
     written.check(); // Before it is written: Inlines are known now only.
     written.check(settings.get().access().named());
     boolean colours = console().colours() && output == null;
-    print(format.write(report, new ReportFormat.Style(colours, least, ProgramVersion.number())),
+    print(
+        format.write(report, new ReportFormat.Style(colours, least, ProgramVersion.number())),
         colours && format == ReportFormat.TEXT);
     // When findings were dropped, they cannot be compared with the baseline.
     boolean unjudged = baseline != null && report.dropped() > 0;

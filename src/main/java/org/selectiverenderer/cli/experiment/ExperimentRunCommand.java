@@ -334,7 +334,7 @@ final class ExperimentRunCommand extends CliCommand {
             TrackerReadinessCheck.instead(
                 material.study().tracker(), withoutTracker, console()::message),
             new ProgramVersion().getVersion()[0]);
-    String id = participant.of(material.study(), resume, ConsolePrompt::ask);
+    String id = participant.of(material.study(), resume, console()::ask);
     TrackerReadinessCheck presence = new TrackerReadinessCheck(tracker, show);
     if (!resume) {
       SessionFolder folder = new SessionFolder(material.study().folder(), id, number);
@@ -387,22 +387,5 @@ final class ExperimentRunCommand extends CliCommand {
                   "the participant declined to take part; see " + session.folder().path();
             });
     return outcome == SessionRunner.Outcome.FINISHED ? ExitStatus.DONE : ExitStatus.PROBLEMS;
-  }
-
-  /** Asks the user a question on the console. */
-  private static final class ConsolePrompt {
-    private ConsolePrompt() {}
-
-    /**
-     * Asks a question.
-     *
-     * @return the answer; empty where input or output is no console, or it was closed
-     */
-    static Optional<String> ask(String question) {
-      java.io.Console console = System.console();
-      return console == null
-          ? Optional.empty()
-          : Optional.ofNullable(console.readLine("%s", question));
-    }
   }
 }

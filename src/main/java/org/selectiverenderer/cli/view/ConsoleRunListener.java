@@ -59,6 +59,6 @@ public record ConsoleRunListener(
 
   @Override
   public void printed(String text) {
-    console.message(text);
+    text.lines().forEach(console::message);
   }
 }

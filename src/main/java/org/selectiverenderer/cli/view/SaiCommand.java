@@ -143,7 +143,7 @@ public final class SaiCommand extends CliCommand {
   }
 
   private void print(String line) {
-    console().out().println(line);
+    console().line(line);
     console().out().flush();
   }
 }

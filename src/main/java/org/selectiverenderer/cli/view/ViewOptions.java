@@ -97,8 +97,7 @@ final class ViewOptions {
             event -> {},
             text -> {})) {
       List<ViewpointFinder.Entry> all = ViewpointFinder.of(walk.world());
-      all.forEach(
-          entry -> console.line((entry.name() + "\t" + entry.description()).strip()));
+      all.forEach(entry -> console.line((entry.name() + "\t" + entry.description()).strip()));
       console.out().flush();
       if (all.isEmpty()) {
         console.message("the scene has no viewpoints; it is seen from 0 0 10, along -Z");

@@ -1,9 +1,9 @@
 package org.selectiverenderer.doctor.report;
 
-import org.selectiverenderer.base.markup.ControlCharacterEscaper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.List;
+import org.selectiverenderer.base.markup.ControlCharacterEscaper;
 import org.selectiverenderer.doctor.Diagnosis;
 import org.selectiverenderer.formats.json.JsonTree;
 import org.selectiverenderer.formats.json.JsonWriter;

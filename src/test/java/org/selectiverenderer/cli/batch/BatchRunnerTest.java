@@ -127,11 +127,11 @@ class BatchRunnerTest {
     PrintStream counting =
         new PrintStream(out, true, StandardCharsets.UTF_8) {
           @Override
-          public void print(String text) {
-            if (text.startsWith("f")) {
+          public void write(byte[] bytes, int offset, int length) {
+            if (length > 0 && bytes[offset] == 'f') {
               printed.incrementAndGet();
             }
-            super.print(text);
+            super.write(bytes, offset, length);
           }
         };
 
@@ -152,7 +152,7 @@ class BatchRunnerTest {
     PrintStream full =
         new PrintStream(out, true, StandardCharsets.UTF_8) {
           @Override
-          public void print(String text) {
+          public void write(byte[] bytes, int offset, int length) {
             throw new IllegalStateException("nobody reads");
           }
         };

@@ -1,10 +1,10 @@
 package org.selectiverenderer.polygon;
 
-import org.selectiverenderer.base.markup.ControlCharacterEscaper;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
+import org.selectiverenderer.base.markup.ControlCharacterEscaper;
 import org.selectiverenderer.polygon.SceneStatistics.ObjectCount;
 import org.selectiverenderer.polygon.SceneStatistics.ScopeCount;
 import org.selectiverenderer.polygon.SceneStatistics.StateCount;
@@ -47,7 +47,8 @@ public final class SceneStatisticsTextWriter {
     }
     rows.add(head);
     for (ObjectCount object : objects) {
-      List<String> row = new ArrayList<>(List.of(ControlCharacterEscaper.line(object.switchName())));
+      List<String> row =
+          new ArrayList<>(List.of(ControlCharacterEscaper.line(object.switchName())));
       for (int i = 0; i < object.versions().size(); i++) {
         row.add(DecimalFormatter.grouped(object.versions().get(i)));
         row.add(

@@ -28,7 +28,9 @@ public final class PlainText {
     return text.length() < 6 ? text : HTML.matcher(text).replaceAll(ZERO_WIDTH_SPACE);
   }
 
-  /** Has a component take no text for HTML, whatever text it is given. Its tips are not included. */
+  /**
+   * Has a component take no text for HTML, whatever text it is given. Its tips are not included.
+   */
   public static <C extends JComponent> C only(C component) {
     component.putClientProperty(DISABLE, true);
     return component;

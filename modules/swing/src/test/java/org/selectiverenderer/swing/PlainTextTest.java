@@ -64,8 +64,7 @@ class PlainTextTest {
                     .getListCellRendererComponent(list, HOSTILE, 0, false, false)))
         .isFalse();
     assertThat(
-            isHtml(
-                box.getRenderer().getListCellRendererComponent(popup, HOSTILE, 0, false, false)))
+            isHtml(box.getRenderer().getListCellRendererComponent(popup, HOSTILE, 0, false, false)))
         .isFalse();
   }
 }

@@ -1,11 +1,11 @@
 package org.selectiverenderer.validation;
 
-import org.selectiverenderer.base.markup.ControlCharacterEscaper;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.BiPredicate;
+import org.selectiverenderer.base.markup.ControlCharacterEscaper;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.source.DocumentAttribute;
@@ -111,7 +111,12 @@ public final class FindingCollector {
     text.codePoints()
         .limit(LONGEST_MESSAGE)
         .map(
-            c -> c == '\t' || ControlCharacterEscaper.isControl(c) || Character.getType(c) == Character.SURROGATE ? '?' : c)
+            c ->
+                c == '\t'
+                        || ControlCharacterEscaper.isControl(c)
+                        || Character.getType(c) == Character.SURROGATE
+                    ? '?'
+                    : c)
         .forEach(line::appendCodePoint);
     return text.length() > LONGEST_MESSAGE ? line + "..." : line.toString();
   }

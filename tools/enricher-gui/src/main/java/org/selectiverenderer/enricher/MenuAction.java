@@ -1,6 +1,5 @@
 package org.selectiverenderer.enricher;
 
-import org.selectiverenderer.swing.PlainText;
 import java.awt.event.ActionEvent;
 import java.awt.event.KeyEvent;
 import javax.swing.AbstractAction;

@@ -1,6 +1,5 @@
 package org.selectiverenderer.enricher;
 
-import org.selectiverenderer.swing.PlainText;
 import java.util.List;
 import javax.swing.JButton;
 import javax.swing.JLabel;
@@ -13,6 +12,7 @@ import org.selectiverenderer.enricher.problems.SeverityIcon;
 import org.selectiverenderer.enricher.task.BackgroundTask;
 import org.selectiverenderer.enricher.task.TaskExecutor;
 import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.swing.PlainText;
 
 /**
  * The status bar: the last message, the number of problems, and the progress of long tasks with a

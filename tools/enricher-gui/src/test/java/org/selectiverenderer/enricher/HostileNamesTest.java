@@ -87,7 +87,13 @@ class HostileNamesTest {
             tree,
             tree.getCellRenderer()
                 .getTreeCellRendererComponent(
-                    tree, tree.getPathForRow(row).getLastPathComponent(), false, true, true, row, false));
+                    tree,
+                    tree.getPathForRow(row).getLastPathComponent(),
+                    false,
+                    true,
+                    true,
+                    row,
+                    false));
         tree.setSelectionRow(row); // shows the node's form
         Container all = tree.getTopLevelAncestor();
         all.validate();
@@ -129,7 +135,8 @@ class HostileNamesTest {
       note(
           list,
           list.getCellRenderer()
-              .getListCellRendererComponent(list, list.getModel().getElementAt(i), i, false, false));
+              .getListCellRendererComponent(
+                  list, list.getModel().getElementAt(i), i, false, false));
     }
   }
 

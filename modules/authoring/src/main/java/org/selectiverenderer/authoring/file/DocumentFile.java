@@ -1,6 +1,5 @@
 package org.selectiverenderer.authoring.file;
 
-import org.selectiverenderer.base.files.InputFileReader;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
@@ -12,6 +11,7 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.base.files.FileOperations;
+import org.selectiverenderer.base.files.InputFileReader;
 
 /**
  * A document and its file. Saving first copies the previous file to a backup beside it (a file that

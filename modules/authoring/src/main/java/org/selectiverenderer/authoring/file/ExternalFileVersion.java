@@ -1,11 +1,11 @@
 package org.selectiverenderer.authoring.file;
 
-import org.selectiverenderer.base.files.InputFileReader;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import org.selectiverenderer.authoring.DocumentSnapshot;
 import org.selectiverenderer.authoring.SceneDocument;
+import org.selectiverenderer.base.files.InputFileReader;
 
 /**
  * The content of a document's file after another program has changed it. It is immutable and may be

@@ -1,6 +1,5 @@
 package org.selectiverenderer.authoring.versions;
 
-import org.selectiverenderer.base.files.FileNameLength;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
@@ -9,6 +8,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.stream.IntStream;
+import org.selectiverenderer.base.files.FileNameLength;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /** Determines the files of an object's versions. */

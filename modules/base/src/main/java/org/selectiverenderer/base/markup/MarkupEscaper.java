@@ -44,7 +44,6 @@ public final class MarkupEscaper {
   }
 
   private static boolean known(int c) {
-    return c >= ' ' && c < 0xd800
-        || c >= 0xe000 && c != 0xfffe && c != 0xffff;
+    return c >= ' ' && c < 0xd800 || c >= 0xe000 && c != 0xfffe && c != 0xffff;
   }
 }

@@ -1,6 +1,6 @@
 /**
- * Escapes the special characters of XML and HTML, and makes control characters visible. X3D field values have further quoting rules and
- * are written elsewhere.
+ * Escapes the special characters of XML and HTML, and makes control characters visible. X3D field
+ * values have further quoting rules and are written elsewhere.
  *
  * <p>In and out: strings. Uses nothing else of ours.
  */

@@ -22,7 +22,9 @@ class InputFileReaderTest {
   private static void assertRefused(Path path, String reason) {
     assertThatExceptionOfType(FileSystemException.class)
         .isThrownBy(
-            () -> assertTimeoutPreemptively(Duration.ofSeconds(20), () -> InputFileReader.bytes(path)))
+            () ->
+                assertTimeoutPreemptively(
+                    Duration.ofSeconds(20), () -> InputFileReader.bytes(path)))
         .withMessageContaining(path.toString())
         .withMessageContaining(reason);
   }

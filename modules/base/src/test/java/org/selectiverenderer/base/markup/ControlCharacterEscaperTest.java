@@ -9,8 +9,7 @@ class ControlCharacterEscaperTest {
   @Test
   void whatCommandsATerminalBecomesLetters() {
     assertThat(ControlCharacterEscaper.line("a\u001b[2J\u009b\u007f\r\n\u202e\u2066\u200f\u2028z"))
-        .isEqualTo(
-            "a\\u001b[2J\\u009b\\u007f\\u000d\\u000a\\u202e\\u2066\\u200f\\u2028z");
+        .isEqualTo("a\\u001b[2J\\u009b\\u007f\\u000d\\u000a\\u202e\\u2066\\u200f\\u2028z");
   }
 
   @Test

@@ -2,6 +2,7 @@ package org.selectiverenderer.command.output;
 
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
+import java.util.Optional;
 import org.selectiverenderer.base.markup.ControlCharacterEscaper;
 import org.selectiverenderer.base.problem.Problem;
 
@@ -37,8 +38,7 @@ public final class Console {
   }
 
   private static PrintStream filtered(PrintStream stream) {
-    return new PrintStream(
-        new ControlCharacterFilter(stream), false, StandardCharsets.UTF_8);
+    return new PrintStream(new ControlCharacterFilter(stream), false, StandardCharsets.UTF_8);
   }
 
   /** Returns the stream for data; it makes control characters visible. */
@@ -75,6 +75,18 @@ public final class Console {
   /** Prints a message; line ends within it are made visible. */
   public void message(String line) {
     err.println(ControlCharacterEscaper.line(line));
+  }
+
+  /**
+   * Asks the user a question, in one line.
+   *
+   * @return the answer; empty where input or output is no terminal, or it was closed
+   */
+  public Optional<String> ask(String question) {
+    java.io.Console terminal = System.console();
+    return terminal == null
+        ? Optional.empty()
+        : Optional.ofNullable(terminal.readLine("%s", ControlCharacterEscaper.line(question)));
   }
 
   /** Prints a message over the current line, and stays on it. */

@@ -44,8 +44,7 @@ class ConsoleTest {
     console.line("viewpoint\nforged");
 
     assertThat(err.toString(UTF_8).lines())
-        .containsExactly(
-            "no such file: a\\u000a::warning::b.x3d", "c\\u000d\\u000ad:1:2: bad?");
+        .containsExactly("no such file: a\\u000a::warning::b.x3d", "c\\u000d\\u000ad:1:2: bad?");
     assertThat(out.toString(UTF_8).lines()).containsExactly("viewpoint\\u000aforged");
   }
 

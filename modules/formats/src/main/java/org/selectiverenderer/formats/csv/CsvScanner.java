@@ -95,8 +95,8 @@ final class CsvScanner {
   }
 
   /**
-   * Returns the cells of a record, stripped and without the marks of {@link SpreadsheetText}, padded
-   * with empty ones to {@code count}.
+   * Returns the cells of a record, stripped and without the marks of {@link SpreadsheetText},
+   * padded with empty ones to {@code count}.
    */
   String[] cells(int record, int count) {
     String[] found = new String[count];
@@ -108,8 +108,7 @@ final class CsvScanner {
       }
       behind = cell(behind + 1);
       String cell = text.substring(from, to);
-      found[i] =
-          SpreadsheetText.plain((quoted ? cell.replace("\"\"", "\"") : cell).strip());
+      found[i] = SpreadsheetText.plain((quoted ? cell.replace("\"\"", "\"") : cell).strip());
     }
     return found;
   }

@@ -40,6 +40,10 @@ class SpreadsheetTextTest {
   }
 
   private static String read(String table) {
-    return CsvTable.parse("a.csv", table, (at, fault) -> {}).orElseThrow().rows().get(0).cell("answer");
+    return CsvTable.parse("a.csv", table, (at, fault) -> {})
+        .orElseThrow()
+        .rows()
+        .get(0)
+        .cell("answer");
   }
 }

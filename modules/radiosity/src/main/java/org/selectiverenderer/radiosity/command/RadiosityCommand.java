@@ -1,6 +1,5 @@
 package org.selectiverenderer.radiosity.command;
 
-import org.selectiverenderer.base.markup.ControlCharacterEscaper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -8,6 +7,7 @@ import java.util.Locale;
 import java.util.OptionalDouble;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.decimal.DecimalRounding;
+import org.selectiverenderer.base.markup.ControlCharacterEscaper;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.command.CliCommand;
 import org.selectiverenderer.command.option.AccessOptions;

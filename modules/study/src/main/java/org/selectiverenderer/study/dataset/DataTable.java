@@ -1,6 +1,5 @@
 package org.selectiverenderer.study.dataset;
 
-import org.selectiverenderer.formats.csv.SpreadsheetText;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
@@ -8,6 +7,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.formats.csv.CsvWriter;
+import org.selectiverenderer.formats.csv.SpreadsheetText;
 
 /** A table with documented columns. Cells are texts; null is a missing value. */
 public final class DataTable {

@@ -1,6 +1,5 @@
 package org.selectiverenderer.study.definition;
 
-import org.selectiverenderer.base.files.InputFileReader;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
@@ -17,6 +16,7 @@ import org.selectiverenderer.apparatus.DisplayProfileLoader;
 import org.selectiverenderer.apparatus.EyeGeometry;
 import org.selectiverenderer.apparatus.MouseButtonMapping;
 import org.selectiverenderer.base.decimal.Pluralizer;
+import org.selectiverenderer.base.files.InputFileReader;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.formats.json.JsonObjectReader;
 import org.selectiverenderer.formats.json.JsonSettingsReader;

@@ -1,6 +1,5 @@
 package org.selectiverenderer.study.export;
 
-import org.selectiverenderer.base.files.FileOperations;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
@@ -10,6 +9,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import org.selectiverenderer.base.files.FileOperations;
 import org.selectiverenderer.base.files.FileTransaction;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.study.dataset.DataTable;

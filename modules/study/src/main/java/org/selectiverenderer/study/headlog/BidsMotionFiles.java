@@ -1,6 +1,5 @@
 package org.selectiverenderer.study.headlog;
 
-import org.selectiverenderer.base.files.FileOperations;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -12,6 +11,7 @@ import java.util.Map;
 import java.util.function.ToDoubleFunction;
 import org.joml.Quaterniond;
 import org.selectiverenderer.base.decimal.DecimalRounding;
+import org.selectiverenderer.base.files.FileOperations;
 import org.selectiverenderer.base.files.FileTransaction;
 import org.selectiverenderer.formats.json.JsonTree;
 import org.selectiverenderer.formats.json.JsonWriter;

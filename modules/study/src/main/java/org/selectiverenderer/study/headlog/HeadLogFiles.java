@@ -1,6 +1,5 @@
 package org.selectiverenderer.study.headlog;
 
-import org.selectiverenderer.base.files.PrivateFiles;
 import java.io.IOException;
 import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
@@ -12,6 +11,7 @@ import java.nio.file.StandardOpenOption;
 import java.util.List;
 import java.util.stream.Stream;
 import org.selectiverenderer.base.files.DiskSync;
+import org.selectiverenderer.base.files.PrivateFiles;
 import org.selectiverenderer.formats.csv.CsvWriter;
 
 /**

@@ -1,6 +1,5 @@
 package org.selectiverenderer.study.headlog;
 
-import org.selectiverenderer.base.files.PrivateFiles;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.nio.channels.FileChannel;
@@ -11,6 +10,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import org.selectiverenderer.base.files.DiskSync;
 import org.selectiverenderer.base.files.FileWriteException;
+import org.selectiverenderer.base.files.PrivateFiles;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.formats.csv.CsvWriter;
 import org.selectiverenderer.formats.json.JsonTree;

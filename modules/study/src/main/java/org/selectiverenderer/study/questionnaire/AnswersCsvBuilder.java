@@ -1,12 +1,12 @@
 package org.selectiverenderer.study.questionnaire;
 
-import org.selectiverenderer.formats.csv.SpreadsheetText;
 import java.util.EnumMap;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import org.selectiverenderer.formats.csv.CsvWriter;
+import org.selectiverenderer.formats.csv.SpreadsheetText;
 
 /**
  * Builds the CSV tables of answers and scores, questionnaire by questionnaire: a row for each

@@ -1,7 +1,5 @@
 package org.selectiverenderer.study.session;
 
-import org.selectiverenderer.base.files.FileOperations;
-import org.selectiverenderer.base.files.PrivateFiles;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -13,7 +11,9 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.files.FileOperations;
 import org.selectiverenderer.base.files.FileTransaction;
+import org.selectiverenderer.base.files.PrivateFiles;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.study.headlog.BidsMotionFiles;

@@ -1,6 +1,5 @@
 package org.selectiverenderer.study.session;
 
-import org.selectiverenderer.formats.csv.SpreadsheetText;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -14,6 +13,7 @@ import java.util.Set;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.formats.csv.CsvWriter;
+import org.selectiverenderer.formats.csv.SpreadsheetText;
 import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.schema.RatingBand;
 import org.selectiverenderer.study.questionnaire.Answer;

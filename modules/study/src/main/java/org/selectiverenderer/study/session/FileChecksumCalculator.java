@@ -1,6 +1,5 @@
 package org.selectiverenderer.study.session;
 
-import org.selectiverenderer.base.files.InputFileReader;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -12,6 +11,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.selectiverenderer.base.files.InputFileReader;
 import org.selectiverenderer.base.files.Sha256;
 
 /** Computes SHA-256 checksums of files, and of a scene with all files that it refers to. */

@@ -1,6 +1,5 @@
 package org.selectiverenderer.study.session;
 
-import org.selectiverenderer.base.files.InputFileReader;
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
@@ -12,6 +11,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.selectiverenderer.base.files.InputFileReader;
 import org.selectiverenderer.formats.json.JsonTree;
 
 /**

@@ -1,7 +1,5 @@
 package org.selectiverenderer.study.session;
 
-import org.selectiverenderer.base.files.PrivateFiles;
-import org.selectiverenderer.base.files.InputFileReader;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
@@ -15,6 +13,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.selectiverenderer.base.files.DiskSync;
+import org.selectiverenderer.base.files.InputFileReader;
+import org.selectiverenderer.base.files.PrivateFiles;
 import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.study.definition.Study;
 

@@ -1,7 +1,5 @@
 package org.selectiverenderer.study.session;
 
-import org.selectiverenderer.base.files.FileOperations;
-import org.selectiverenderer.base.files.PrivateFiles;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -10,6 +8,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
 import org.selectiverenderer.base.files.AtomicFileWriter;
+import org.selectiverenderer.base.files.FileOperations;
+import org.selectiverenderer.base.files.PrivateFiles;
 import org.selectiverenderer.study.definition.Study;
 
 /**
@@ -63,7 +63,8 @@ public record SessionFolder(Path study, String participant, int number) {
   }
 
   /**
-   * Creates the folders of the session where they do not exist, for the experimenter's account only.
+   * Creates the folders of the session where they do not exist, for the experimenter's account
+   * only.
    *
    * @throws IOException if one of them is a link, by which data would end up elsewhere
    */

@@ -1,6 +1,5 @@
 package org.selectiverenderer.study.session;
 
-import org.selectiverenderer.base.files.PrivateFiles;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
@@ -20,6 +19,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.files.DiskSync;
+import org.selectiverenderer.base.files.PrivateFiles;
 import org.selectiverenderer.formats.json.JsonTree;
 import org.selectiverenderer.study.definition.SessionFlag;
 

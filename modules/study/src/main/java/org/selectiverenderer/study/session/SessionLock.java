@@ -1,7 +1,5 @@
 package org.selectiverenderer.study.session;
 
-import org.selectiverenderer.base.files.PrivateFiles;
-import org.selectiverenderer.base.files.FileOperations;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
@@ -20,6 +18,8 @@ import java.time.temporal.ChronoUnit;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.selectiverenderer.base.files.AtomicFileWriter;
+import org.selectiverenderer.base.files.FileOperations;
+import org.selectiverenderer.base.files.PrivateFiles;
 import org.selectiverenderer.formats.json.JsonTree;
 import org.selectiverenderer.formats.json.JsonWriter;
 
@@ -86,7 +86,10 @@ public final class SessionLock implements AutoCloseable {
             folder.resolve(LOCK), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
     try {
       FileLock lock = lock(folder, channel, locking);
-      AtomicFileWriter.replace(holder, JsonWriter.of(self).getBytes(StandardCharsets.UTF_8), FileOperations.PRIVATE_UNLINKED);
+      AtomicFileWriter.replace(
+          holder,
+          JsonWriter.of(self).getBytes(StandardCharsets.UTF_8),
+          FileOperations.PRIVATE_UNLINKED);
       return new SessionLock(channel, lock, holder);
     } catch (IOException e) {
       channel.close();

@@ -1,7 +1,5 @@
 package org.selectiverenderer.study.session;
 
-import org.selectiverenderer.base.files.PrivateFiles;
-import org.selectiverenderer.base.files.InputFileReader;
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -11,6 +9,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.selectiverenderer.base.files.DiskSync;
+import org.selectiverenderer.base.files.InputFileReader;
+import org.selectiverenderer.base.files.PrivateFiles;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.formats.json.JsonTree;

@@ -1,10 +1,10 @@
 package org.selectiverenderer.study.threshold;
 
-import org.selectiverenderer.base.markup.ControlCharacterEscaper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.Locale;
 import org.selectiverenderer.base.decimal.Pluralizer;
+import org.selectiverenderer.base.markup.ControlCharacterEscaper;
 import org.selectiverenderer.formats.json.JsonTree;
 import org.selectiverenderer.formats.json.JsonWriter;
 import org.selectiverenderer.study.threshold.ThresholdEstimate.Kind;

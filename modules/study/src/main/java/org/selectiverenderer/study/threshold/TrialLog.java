@@ -1,6 +1,5 @@
 package org.selectiverenderer.study.threshold;
 
-import org.selectiverenderer.base.files.PrivateFiles;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
@@ -15,6 +14,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.selectiverenderer.base.files.DiskSync;
+import org.selectiverenderer.base.files.PrivateFiles;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.formats.json.JsonTree;

@@ -1,11 +1,11 @@
 package org.selectiverenderer.tracker.net;
 
-import java.net.InetAddress;
-import java.net.InetSocketAddress;
 import java.io.IOException;
 import java.net.BindException;
 import java.net.DatagramPacket;
 import java.net.DatagramSocket;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
 import java.net.SocketTimeoutException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;

@@ -1,6 +1,5 @@
 package org.selectiverenderer.tracker.net;
 
-import java.util.List;
 import java.io.IOException;
 import java.net.DatagramPacket;
 import java.net.DatagramSocket;
@@ -11,6 +10,7 @@ import java.net.Socket;
 import java.net.SocketTimeoutException;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -24,9 +24,9 @@ import org.selectiverenderer.tracker.pipeline.PoseSource;
  *
  * <p>The client sends a datagram with its own address and a TCP port; the server connects back to
  * that port, both send a cookie with their version, and the server sends messages. As the client
- * names no UDP port, records come over the same connection. The port is open on the one address that
- * leads to the server, and other hosts that connect are sent away. Not tested with a server of the VRPN
- * project.
+ * names no UDP port, records come over the same connection. The port is open on the one address
+ * that leads to the server, and other hosts that connect are sent away. Not tested with a server of
+ * the VRPN project.
  */
 public final class VrpnSource implements PoseSource {
   /** Interval in nanoseconds after which the datagram, which may be lost, is sent again. */

@@ -1,15 +1,15 @@
 package org.selectiverenderer.tracker.report;
 
-import org.selectiverenderer.base.files.PrivateFiles;
-import java.nio.channels.Channels;
-import java.nio.file.StandardOpenOption;
 import java.io.BufferedWriter;
 import java.io.IOException;
+import java.nio.channels.Channels;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
+import org.selectiverenderer.base.files.PrivateFiles;
 import org.selectiverenderer.formats.csv.CsvWriter;
 import org.selectiverenderer.tracker.PoseSample;
 import org.selectiverenderer.tracker.TrackerHealth;

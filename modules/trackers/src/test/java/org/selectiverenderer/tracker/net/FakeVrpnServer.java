@@ -1,16 +1,16 @@
 package org.selectiverenderer.tracker.net;
 
-import java.net.InetSocketAddress;
-import org.junit.jupiter.api.condition.OS;
 import java.io.ByteArrayOutputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
 import java.net.DatagramPacket;
 import java.net.DatagramSocket;
 import java.net.InetAddress;
+import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import org.junit.jupiter.api.condition.OS;
 
 /** The server's side of VRPN, as far as its published messages go; played by a test. */
 final class FakeVrpnServer implements AutoCloseable {

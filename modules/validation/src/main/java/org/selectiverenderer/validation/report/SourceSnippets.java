@@ -1,6 +1,5 @@
 package org.selectiverenderer.validation.report;
 
-import org.selectiverenderer.base.markup.ControlCharacterEscaper;
 import java.io.IOException;
 import java.io.InputStream;
 import java.util.HashMap;
@@ -8,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.markup.ControlCharacterEscaper;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.validation.SourceFile;
 import org.selectiverenderer.x3d.source.SourceLineReader;

@@ -1,9 +1,9 @@
 package org.selectiverenderer.validation.report;
 
-import org.selectiverenderer.base.markup.ControlCharacterEscaper;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import org.selectiverenderer.base.markup.ControlCharacterEscaper;
 import org.selectiverenderer.base.problem.Problem.Severity;
 import org.selectiverenderer.validation.Finding;
 import org.selectiverenderer.validation.ValidationReport;

@@ -1,6 +1,5 @@
 package org.selectiverenderer.validation.settings;
 
-import org.selectiverenderer.base.files.InputFileReader;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -10,6 +9,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import org.selectiverenderer.base.files.AtomicFileWriter;
+import org.selectiverenderer.base.files.InputFileReader;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.formats.json.JsonArrayEditor;
 import org.selectiverenderer.formats.json.JsonTree;

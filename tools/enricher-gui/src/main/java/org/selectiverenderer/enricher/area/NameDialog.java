@@ -1,6 +1,5 @@
 package org.selectiverenderer.enricher.area;
 
-import org.selectiverenderer.swing.PlainText;
 import java.awt.Component;
 import java.util.Optional;
 import java.util.function.Function;
@@ -15,6 +14,7 @@ import javax.swing.event.AncestorEvent;
 import javax.swing.event.AncestorListener;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.swing.PlainText;
 
 /** Asks for a node name in a dialog. */
 public final class NameDialog implements NamePrompt {

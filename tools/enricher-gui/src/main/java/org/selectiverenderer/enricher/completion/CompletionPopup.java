@@ -1,6 +1,5 @@
 package org.selectiverenderer.enricher.completion;
 
-import org.selectiverenderer.swing.PlainText;
 import java.awt.Point;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
@@ -16,6 +15,7 @@ import javax.swing.JScrollPane;
 import javax.swing.ListCellRenderer;
 import javax.swing.ListSelectionModel;
 import javax.swing.text.JTextComponent;
+import org.selectiverenderer.swing.PlainText;
 
 /**
  * A popup list of completion proposals below a text component, which keeps the focus.

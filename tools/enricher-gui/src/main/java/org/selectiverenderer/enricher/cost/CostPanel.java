@@ -1,6 +1,5 @@
 package org.selectiverenderer.enricher.cost;
 
-import org.selectiverenderer.swing.PlainText;
 import java.awt.Component;
 import java.awt.EventQueue;
 import java.awt.event.ComponentAdapter;
@@ -29,6 +28,7 @@ import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.polygon.PolygonContributions;
+import org.selectiverenderer.swing.PlainText;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**

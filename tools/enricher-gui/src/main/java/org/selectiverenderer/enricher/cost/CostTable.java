@@ -1,6 +1,5 @@
 package org.selectiverenderer.enricher.cost;
 
-import org.selectiverenderer.swing.PlainText;
 import java.awt.event.MouseEvent;
 import java.util.List;
 import javax.swing.JComponent;
@@ -12,6 +11,7 @@ import javax.swing.table.DefaultTableCellRenderer;
 import javax.swing.table.TableColumn;
 import javax.swing.table.TableModel;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.swing.PlainText;
 
 /**
  * A table of costs. Tooltips show what narrow columns cut off; the table scrolls horizontally only

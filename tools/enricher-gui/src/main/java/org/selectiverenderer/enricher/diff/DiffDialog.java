@@ -1,6 +1,5 @@
 package org.selectiverenderer.enricher.diff;
 
-import org.selectiverenderer.base.files.InputFileReader;
 import java.awt.Dimension;
 import java.awt.Window;
 import java.io.IOException;
@@ -18,6 +17,7 @@ import org.selectiverenderer.authoring.DocumentSnapshot;
 import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.authoring.file.UnifiedDiff;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
+import org.selectiverenderer.base.files.InputFileReader;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.task.BackgroundTask;
 import org.selectiverenderer.enricher.text.Mnemonics;

@@ -1,6 +1,5 @@
 package org.selectiverenderer.enricher.diff;
 
-import org.selectiverenderer.swing.PlainText;
 import java.awt.Component;
 import java.awt.Font;
 import javax.swing.AbstractListModel;
@@ -10,6 +9,7 @@ import javax.swing.JList;
 import javax.swing.ListSelectionModel;
 import javax.swing.UIManager;
 import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.swing.PlainText;
 
 /**
  * A list of the lines of a diff. Only visible lines are laid out, so a million of them scroll like

@@ -1,6 +1,5 @@
 package org.selectiverenderer.enricher.diff;
 
-import org.selectiverenderer.swing.PlainText;
 import java.awt.Color;
 import java.awt.Component;
 import java.awt.Dimension;
@@ -29,6 +28,7 @@ import org.selectiverenderer.authoring.file.ThreeWayMerge;
 import org.selectiverenderer.authoring.file.ThreeWayMerge.Choice;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.swing.PlainText;
 import org.selectiverenderer.swing.WindowPacker;
 import org.selectiverenderer.x3d.source.DocumentError;
 

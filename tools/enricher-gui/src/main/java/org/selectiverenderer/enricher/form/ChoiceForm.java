@@ -1,6 +1,5 @@
 package org.selectiverenderer.enricher.form;
 
-import org.selectiverenderer.swing.PlainText;
 import java.util.List;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
@@ -18,6 +17,7 @@ import org.selectiverenderer.enricher.preview.VersionImageRenderer;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.schema.ConsistencyType;
+import org.selectiverenderer.swing.PlainText;
 
 /** The form of one choice of a Switch (a row of thesis Fig 44): the version and its metadata. */
 final class ChoiceForm {

@@ -1,6 +1,5 @@
 package org.selectiverenderer.enricher.form;
 
-import org.selectiverenderer.swing.PlainText;
 import java.awt.Dimension;
 import java.util.List;
 import java.util.Optional;
@@ -18,6 +17,7 @@ import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.enricher.problems.SeverityIcon;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.swing.PlainText;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**

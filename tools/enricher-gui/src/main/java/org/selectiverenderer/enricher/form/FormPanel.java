@@ -1,6 +1,5 @@
 package org.selectiverenderer.enricher.form;
 
-import org.selectiverenderer.swing.PlainText;
 import java.awt.Rectangle;
 import java.util.List;
 import java.util.Optional;
@@ -17,6 +16,7 @@ import org.selectiverenderer.enricher.preview.VersionImageRenderer;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
 import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.swing.PlainText;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**

@@ -1,6 +1,5 @@
 package org.selectiverenderer.enricher.form;
 
-import org.selectiverenderer.swing.PlainText;
 import java.awt.Color;
 import java.awt.Dimension;
 import javax.swing.JComponent;
@@ -10,6 +9,7 @@ import javax.swing.JTextArea;
 import javax.swing.UIManager;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.swing.PlainText;
 
 /** Creates the labels and read-only texts of forms. */
 final class LabelFactory {

@@ -1,6 +1,5 @@
 package org.selectiverenderer.enricher.form;
 
-import org.selectiverenderer.swing.PlainText;
 import java.io.File;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -21,6 +20,7 @@ import org.selectiverenderer.enricher.area.NodeCommands;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.MnemonicText;
 import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.swing.PlainText;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**

@@ -1,6 +1,5 @@
 package org.selectiverenderer.enricher.overview;
 
-import org.selectiverenderer.swing.PlainText;
 import java.util.Optional;
 import java.util.function.Supplier;
 import javax.swing.JButton;
@@ -21,6 +20,7 @@ import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
 import org.selectiverenderer.enricher.text.Mnemonics;
 import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.swing.PlainText;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**

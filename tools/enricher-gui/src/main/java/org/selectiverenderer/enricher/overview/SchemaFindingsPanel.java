@@ -1,6 +1,5 @@
 package org.selectiverenderer.enricher.overview;
 
-import org.selectiverenderer.swing.PlainText;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
@@ -17,6 +16,7 @@ import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.ElementFinding;
 import org.selectiverenderer.enricher.text.Mnemonics;
 import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.swing.PlainText;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**

@@ -1,6 +1,5 @@
 package org.selectiverenderer.enricher.overview;
 
-import org.selectiverenderer.swing.PlainText;
 import java.awt.Component;
 import java.util.Optional;
 import javax.swing.JComponent;
@@ -12,6 +11,7 @@ import javax.swing.table.JTableHeader;
 import javax.swing.table.TableCellRenderer;
 import org.selectiverenderer.authoring.ElementFinding;
 import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.swing.PlainText;
 
 /**
  * Renders a column header: its name, the sort direction, and a warning sign where there is a

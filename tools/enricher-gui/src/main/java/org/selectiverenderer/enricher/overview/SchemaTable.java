@@ -1,6 +1,5 @@
 package org.selectiverenderer.enricher.overview;
 
-import org.selectiverenderer.swing.PlainText;
 import java.awt.Component;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
@@ -18,6 +17,7 @@ import javax.swing.table.JTableHeader;
 import javax.swing.table.TableColumn;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.swing.PlainText;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
@@ -243,7 +243,9 @@ final class SchemaTable extends JTable {
   public String getToolTipText(MouseEvent event) {
     int row = rowAtPoint(event.getPoint());
     int column = columnAtPoint(event.getPoint());
-    return row < 0 || column < 0 ? null : PlainText.of(model.explanation(row, convertColumnIndexToModel(column)));
+    return row < 0 || column < 0
+        ? null
+        : PlainText.of(model.explanation(row, convertColumnIndexToModel(column)));
   }
 
   @Override

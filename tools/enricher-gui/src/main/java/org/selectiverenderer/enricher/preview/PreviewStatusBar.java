@@ -1,12 +1,12 @@
 package org.selectiverenderer.enricher.preview;
 
-import org.selectiverenderer.swing.PlainText;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.swing.PlainText;
 
 /**
  * The status line below the picture: whether the scene is being loaded, why it is not shown, and

@@ -1,6 +1,5 @@
 package org.selectiverenderer.enricher.preview;
 
-import org.selectiverenderer.swing.PlainText;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.util.ArrayList;
@@ -15,6 +14,7 @@ import javax.swing.JPopupMenu;
 import javax.swing.JScrollPane;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.swing.PlainText;
 
 /**
  * A popup with a check box for each schema, to simulate a set of active schemas. The order of

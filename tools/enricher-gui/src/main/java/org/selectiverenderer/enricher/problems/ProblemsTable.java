@@ -1,6 +1,5 @@
 package org.selectiverenderer.enricher.problems;
 
-import org.selectiverenderer.swing.PlainText;
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 import java.awt.event.MouseEvent;
@@ -11,6 +10,7 @@ import javax.swing.table.TableColumn;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Problem.Severity;
 import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.swing.PlainText;
 
 /** The table of problems; asks its model only for rows in view. */
 final class ProblemsTable extends JTable {
@@ -60,7 +60,9 @@ final class ProblemsTable extends JTable {
   @Override
   public @Nullable String getToolTipText(MouseEvent event) {
     int row = rowAtPoint(event.getPoint());
-    return row < 0 ? null : PlainText.of(String.valueOf(getValueAt(row, ProblemsTableModel.MESSAGE)));
+    return row < 0
+        ? null
+        : PlainText.of(String.valueOf(getValueAt(row, ProblemsTableModel.MESSAGE)));
   }
 
   private static final class SeverityRenderer extends DefaultTableCellRenderer {

@@ -1,7 +1,5 @@
 package org.selectiverenderer.enricher.ratings;
 
-import org.selectiverenderer.swing.PlainText;
-import org.selectiverenderer.base.files.InputFileReader;
 import java.awt.Window;
 import java.io.File;
 import java.io.IOException;
@@ -26,11 +24,13 @@ import javax.swing.filechooser.FileNameExtensionFilter;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
+import org.selectiverenderer.base.files.InputFileReader;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Mnemonics;
 import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.swing.PlainText;
 import org.selectiverenderer.swing.WindowPacker;
 
 /**

@@ -1,6 +1,5 @@
 package org.selectiverenderer.enricher.ratings;
 
-import org.selectiverenderer.swing.PlainText;
 import java.awt.Dimension;
 import java.util.List;
 import javax.swing.DefaultCellEditor;
@@ -13,6 +12,7 @@ import javax.swing.ListSelectionModel;
 import javax.swing.table.TableModel;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.swing.PlainText;
 
 /** Creates the two tables of the import dialog, with their captions. */
 final class RatingsTableFactory {

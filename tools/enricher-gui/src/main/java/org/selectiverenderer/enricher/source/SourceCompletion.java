@@ -1,6 +1,5 @@
 package org.selectiverenderer.enricher.source;
 
-import org.selectiverenderer.swing.PlainText;
 import java.awt.Component;
 import java.awt.Point;
 import java.awt.event.KeyAdapter;
@@ -16,6 +15,7 @@ import org.selectiverenderer.base.markup.MarkupEscaper;
 import org.selectiverenderer.enricher.completion.CompletionPopup;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.swing.PlainText;
 
 /**
  * Completion in the source view: proposes elements, fields and values at the caret on Ctrl+Space,

@@ -1,7 +1,7 @@
 package org.selectiverenderer.enricher.text;
 
-import org.selectiverenderer.swing.PlainText;
 import java.awt.event.KeyEvent;
+import org.selectiverenderer.swing.PlainText;
 
 /**
  * The text of a menu item and its mnemonic.

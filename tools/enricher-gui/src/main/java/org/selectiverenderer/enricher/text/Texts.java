@@ -1,9 +1,9 @@
 package org.selectiverenderer.enricher.text;
 
-import org.selectiverenderer.swing.PlainText;
 import java.text.MessageFormat;
 import java.util.Locale;
 import java.util.ResourceBundle;
+import org.selectiverenderer.swing.PlainText;
 
 /**
  * Looks up the texts of the window in the language of {@link Locale.Category#DISPLAY}; English
@@ -21,8 +21,8 @@ public final class Texts {
    * Returns a text with its arguments inserted.
    *
    * @param name name of the bundle, a dot, and the key
-   * @param arguments strings are inserted as they are, and never begin HTML; a number only selects a plural form, and is
-   *     shown by a separate string argument
+   * @param arguments strings are inserted as they are, and never begin HTML; a number only selects
+   *     a plural form, and is shown by a separate string argument
    * @throws java.util.MissingResourceException if the bundle has no such key
    */
   public static String of(String name, Object... arguments) {

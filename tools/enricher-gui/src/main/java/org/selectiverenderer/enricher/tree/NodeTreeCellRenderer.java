@@ -1,6 +1,5 @@
 package org.selectiverenderer.enricher.tree;
 
-import org.selectiverenderer.swing.PlainText;
 import java.awt.Component;
 import java.util.function.Predicate;
 import javax.swing.JTree;
@@ -9,6 +8,7 @@ import org.selectiverenderer.authoring.enrichment.DocumentEnrichment;
 import org.selectiverenderer.authoring.enrichment.EnrichedSensor;
 import org.selectiverenderer.authoring.enrichment.EnrichedSwitch;
 import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.swing.PlainText;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** Renders a row of the tree: icon with a badge, type and name. */

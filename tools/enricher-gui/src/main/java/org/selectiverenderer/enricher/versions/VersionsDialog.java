@@ -1,6 +1,5 @@
 package org.selectiverenderer.enricher.versions;
 
-import org.selectiverenderer.swing.PlainText;
 import java.awt.Dimension;
 import java.awt.Rectangle;
 import java.awt.Window;
@@ -29,6 +28,7 @@ import org.selectiverenderer.enricher.component.TextChangeListener;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Mnemonics;
 import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.swing.PlainText;
 import org.selectiverenderer.swing.WindowPacker;
 import org.selectiverenderer.x3d.source.DocumentElement;
 

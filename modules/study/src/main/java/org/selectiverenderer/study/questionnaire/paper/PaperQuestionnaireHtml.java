@@ -1,6 +1,5 @@
 package org.selectiverenderer.study.questionnaire.paper;
 
-import org.selectiverenderer.base.files.InputFileReader;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
@@ -8,6 +7,7 @@ import java.util.Base64;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
+import org.selectiverenderer.base.files.InputFileReader;
 import org.selectiverenderer.base.markup.MarkupEscaper;
 import org.selectiverenderer.study.questionnaire.AnswerField;
 import org.selectiverenderer.study.questionnaire.BranchingRule;

@@ -1,6 +1,5 @@
 package org.selectiverenderer.study.questionnaire.read;
 
-import org.selectiverenderer.base.files.InputFileReader;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
@@ -15,6 +14,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.selectiverenderer.apparatus.EyeGeometry;
+import org.selectiverenderer.base.files.InputFileReader;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SpellingSuggester;
 import org.selectiverenderer.formats.json.JsonObjectReader;
