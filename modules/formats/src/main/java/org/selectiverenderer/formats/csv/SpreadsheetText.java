@@ -9,7 +9,7 @@ import java.util.regex.Pattern;
  */
 public final class SpreadsheetText {
   private static final Pattern FORMULA =
-      Pattern.compile("'*\\s*[=+\\-@\uff1d\uff0b\uff0d\uff20].+", Pattern.DOTALL);
+      Pattern.compile("'*[\\s\\u00a0\\u3000]*[=+\\-@\uff1d\uff0b\uff0d\uff20].+", Pattern.DOTALL);
 
   /** A number, perhaps with the stars of its significance. */
   private static final Pattern NUMBER =
