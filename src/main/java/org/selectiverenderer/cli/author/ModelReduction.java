@@ -25,13 +25,13 @@ import org.selectiverenderer.models.simplify.ModelSize;
 import org.selectiverenderer.models.simplify.SimplificationResult;
 import org.selectiverenderer.models.simplify.SimplificationTarget;
 import org.selectiverenderer.models.simplify.Simplifier;
-import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.Gzip;
 import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 
 /**
  * Reduces one model and prints its polygon counts.
  *
+ * @param reader reads the model
  * @param access the files and URLs that the model may load besides those in its folder
  * @param output the file to write; null for standard output
  * @param json whether the report is JSON, in which case standard output gets only the report
@@ -39,6 +39,7 @@ import org.selectiverenderer.x3d.url.ContentAccessPolicy;
  */
 record ModelReduction(
     SimplificationTarget goal,
+    ModelReader reader,
     ContentAccessPolicy access,
     @Nullable Path output,
     boolean json,
@@ -46,7 +47,7 @@ record ModelReduction(
 
   ExitStatus run(Path file, Console console) throws IOException {
     ProblemCollector problems = new ProblemCollector(console::problem);
-    Optional<Model> read = new ModelReader(NodeCatalogue.load(), access).read(file, problems);
+    Optional<Model> read = reader.read(file, problems);
     if (read.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }

@@ -15,7 +15,9 @@ import org.selectiverenderer.command.output.CommandException;
 import org.selectiverenderer.command.output.Console;
 import org.selectiverenderer.command.output.ExitStatus;
 import org.selectiverenderer.command.output.OutputFile;
+import org.selectiverenderer.models.ModelReader;
 import org.selectiverenderer.models.simplify.SimplificationTarget;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
@@ -122,6 +124,14 @@ public final class SimplifyCommand extends CliCommand {
       throw CommandException.usage("--output and --output-dir exclude each other; give one");
     }
     ContentAccessPolicy allowed = access.access();
+    try (ModelReader reader = new ModelReader(NodeCatalogue.load(), allowed)) {
+      return reduce(goal, allowed, reader);
+    }
+  }
+
+  private ExitStatus reduce(
+      SimplificationTarget goal, ContentAccessPolicy allowed, ModelReader reader)
+      throws IOException {
     FileArguments files = new FileArguments(names);
     if (files.one()) {
       Path file = files.file();
@@ -134,7 +144,7 @@ public final class SimplifyCommand extends CliCommand {
         throw CommandException.environment(
             "--output " + target + ": is the model itself, which would be lost; name another file");
       }
-      return new ModelReduction(goal, allowed, target, format == Format.json, false)
+      return new ModelReduction(goal, reader, allowed, target, format == Format.json, false)
           .run(file, console());
     }
     if (output != null || outputDir == null && format != Format.json) {
@@ -148,7 +158,7 @@ public final class SimplifyCommand extends CliCommand {
             models,
             (model, own) ->
                 new ModelReduction(
-                        goal, allowed, folder == null ? null : folder.of(model), json, true)
+                        goal, reader, allowed, folder == null ? null : folder.of(model), json, true)
                     .run(model, own));
   }
 }

@@ -6,6 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.decimal.Pluralizer;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
@@ -15,6 +16,9 @@ import org.selectiverenderer.base.problem.SourceLocation;
  * rather than the file.
  */
 final class ModelFileDiagnostics {
+  /** The maximum number of characters of a line that are looked at. */
+  private static final int MAX_LINE = 1 << 16;
+
   private final Path file;
   private final String ending;
   private final ProblemCollector problems;
@@ -56,13 +60,13 @@ final class ModelFileDiagnostics {
   /** Returns the number of faces that the header of a PLY file announces. */
   private long announcedFaces() throws IOException {
     try (BufferedReader lines = Files.newBufferedReader(file, StandardCharsets.ISO_8859_1)) {
-      String line = lines.readLine();
+      String line = next(lines);
       while (line != null && !line.strip().equals("end_header")) {
         String[] words = line.strip().split("\\s+");
         if (words.length == 3 && words[0].equals("element") && words[1].equals("face")) {
           return number(words[2]);
         }
-        line = lines.readLine();
+        line = next(lines);
       }
     }
     return 0;
@@ -73,7 +77,7 @@ final class ModelFileDiagnostics {
     boolean faces = false;
     int number = 0;
     try (BufferedReader lines = Files.newBufferedReader(file, StandardCharsets.ISO_8859_1)) {
-      for (String line = lines.readLine(); line != null; line = lines.readLine()) {
+      for (String line = next(lines); line != null; line = next(lines)) {
         number++;
         String[] words = line.strip().split("\\s+");
         if (words[0].equals("v")) {
@@ -100,6 +104,21 @@ final class ModelFileDiagnostics {
           "the file has no faces, so there is nothing to reduce");
     }
     return !faces;
+  }
+
+  /** Returns the next line, without what is beyond {@link #MAX_LINE}; null at the end. */
+  private static @Nullable String next(BufferedReader lines) throws IOException {
+    StringBuilder line = new StringBuilder();
+    int c = lines.read();
+    if (c < 0) {
+      return null;
+    }
+    for (; c >= 0 && c != '\n'; c = lines.read()) {
+      if (line.length() < MAX_LINE) {
+        line.append((char) c);
+      }
+    }
+    return line.toString();
   }
 
   /** Returns the number in a text; 0 if there is none. */

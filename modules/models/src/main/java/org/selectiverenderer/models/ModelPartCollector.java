@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
@@ -36,6 +37,13 @@ import org.selectiverenderer.x3d.url.UrlResolver;
 final class ModelPartCollector {
   private static final int DEEPEST = 500;
 
+  /** The numbers of a vertex: position, normal and texture coordinates. */
+  private static final int STRIDE = 8;
+
+  /** As many as a running scene may have, since nested USEs multiply without bound. */
+  private static final long MAX_INSTANCES =
+      Math.min(8_000_000, Runtime.getRuntime().maxMemory() / 512);
+
   private final X3dReader reader;
   private final Tessellator tessellator;
   private final UrlResolver root;
@@ -43,18 +51,40 @@ final class ModelPartCollector {
   private final ProblemCollector problems;
   private final List<ModelPart> parts = new ArrayList<>();
   private final Set<String> open = new LinkedHashSet<>();
+  private final long maxBytes;
+  private long instances;
+  private long bytes;
 
+  /**
+   * @param maxBytes the size of the arrays of all meshes
+   */
   ModelPartCollector(
-      X3dReader reader, Tessellator tessellator, UrlResolver root, ProblemCollector problems) {
+      X3dReader reader,
+      Tessellator tessellator,
+      UrlResolver root,
+      long maxBytes,
+      ProblemCollector problems) {
     this.reader = reader;
     this.tessellator = tessellator;
     this.root = root;
     libraries = new PrototypeLibraryLoader(reader, root);
+    this.maxBytes = maxBytes;
     this.problems = problems;
   }
 
   List<ModelPart> parts() {
     return parts;
+  }
+
+  /** Returns the limit that the nodes exceed, as a clause; empty if they are within all limits. */
+  Optional<String> beyond() {
+    if (instances > MAX_INSTANCES) {
+      return Optional.of(
+          "contains itself or has more than %d instances".formatted(MAX_INSTANCES));
+    }
+    return bytes > maxBytes
+        ? Optional.of("has more than %d MiB of vertices".formatted(maxBytes >> 20))
+        : Optional.empty();
   }
 
   /**
@@ -66,6 +96,9 @@ final class ModelPartCollector {
   }
 
   private void visit(NodeView node, Matrix4dc placement, Path folder, double metres, int depth) {
+    if (++instances > MAX_INSTANCES || bytes > maxBytes) {
+      return;
+    }
     if (depth > DEEPEST || node.type().field("visible").isPresent() && !node.bool("visible")) {
       return;
     }
@@ -118,6 +151,10 @@ final class ModelPartCollector {
         GeoMeshOrigin.of(geometry)
             .map(anchor -> (Matrix4dc) placement.translate(anchor, new Matrix4d()))
             .orElse(placement);
+    bytes += Float.BYTES * (STRIDE * (long) mesh.vertexCount() + mesh.indices().length);
+    if (bytes > maxBytes) {
+      return;
+    }
     Mesh placed = MeshTransformer.place(mesh, place);
     if (!finite(placed.positions())) {
       problems.error(

@@ -10,6 +10,9 @@ import java.util.Optional;
 import java.util.Set;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.models.importer.ImportLimits;
+import org.selectiverenderer.models.importer.ModelImportProcess;
+import org.selectiverenderer.models.structure.ModelStructureCheck;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.read.PrototypeLibraryLoader;
@@ -24,14 +27,19 @@ import org.selectiverenderer.x3d.url.UrlResolver;
  * Reads models in X3D, OBJ, PLY, STL and glTF; file name extensions select the format.
  * Transformations are applied, so that all parts are in the file's own frame. Faces that cannot be
  * drawn are left out and reported. Thread-safe.
+ *
+ * <p>Files other than X3D are read in a child process, which is started with the first of them and
+ * serves until the reader is closed, or this process ends.
  */
-public final class ModelReader {
+public final class ModelReader implements AutoCloseable {
   private static final Set<String> FOREIGN = Set.of("obj", "ply", "stl", "gltf", "glb");
 
   private final NodeCatalogue catalogue;
   private final X3dReader reader;
   private final ContentAccessPolicy access;
   private final Optional<Path> rootFolder;
+  private final ImportLimits limits;
+  private final ModelImportProcess importer;
   private final Tessellator tessellator = new Tessellator();
 
   public ModelReader(NodeCatalogue catalogue) {
@@ -42,11 +50,16 @@ public final class ModelReader {
    * @param access further folders and hosts that models may refer to
    */
   public ModelReader(NodeCatalogue catalogue, ContentAccessPolicy access) {
-    this(catalogue, access, Optional.empty());
+    this(catalogue, access, Optional.empty(), ImportLimits.standard());
   }
 
-  private ModelReader(
-      NodeCatalogue catalogue, ContentAccessPolicy access, Optional<Path> rootFolder) {
+  ModelReader(
+      NodeCatalogue catalogue,
+      ContentAccessPolicy access,
+      Optional<Path> rootFolder,
+      ImportLimits limits) {
+    this.limits = limits;
+    this.importer = new ModelImportProcess(limits);
     this.access = access;
     this.rootFolder = rootFolder;
     this.catalogue = catalogue;
@@ -58,7 +71,7 @@ public final class ModelReader {
    * whatever the scene may refer to.
    */
   public ModelReader ofSceneIn(Path folder) {
-    return new ModelReader(catalogue, access, Optional.of(folder));
+    return new ModelReader(catalogue, access, Optional.of(folder), limits);
   }
 
   /**
@@ -71,7 +84,7 @@ public final class ModelReader {
     SourceLocation location = SourceLocation.of(file.toString());
     if (FOREIGN.contains(ending(file))) {
       check(file);
-      return new AssimpReader(catalogue, problems)
+      return foreign(file, problems)
           .read(file)
           .flatMap(model -> withFaces(model, location, "the file", problems));
     }
@@ -80,8 +93,22 @@ public final class ModelReader {
         reader
             .with(new PrototypeLibraryLoader(reader, root), BaseUrl.folder(folder(file)))
             .read(file, problems);
-    return withFaces(
-        gather(scene.nodes(), folder(file), scene, problems), location, "the file", problems);
+    return gathered(scene.nodes(), scene, folder(file), location, "the file", problems);
+  }
+
+  private ForeignModelReader foreign(Path file, ProblemCollector problems) {
+    return new ForeignModelReader(
+        catalogue,
+        new UrlResolver(folder(file), access),
+        importer,
+        new ModelStructureCheck(limits.maxModelBytes()),
+        problems);
+  }
+
+  /** Ends the child process, if there is one. */
+  @Override
+  public void close() {
+    importer.close();
   }
 
   /**
@@ -97,15 +124,28 @@ public final class ModelReader {
       SourceLocation location,
       String subject,
       ProblemCollector problems) {
-    return withFaces(gather(nodes, folder, scene, problems), location, subject, problems);
+    return gathered(nodes, scene, folder, location, subject, problems);
   }
 
-  private Model gather(
-      List<? extends NodeView> nodes, Path folder, X3dFile scene, ProblemCollector problems) {
+  private Optional<Model> gathered(
+      List<? extends NodeView> nodes,
+      X3dFile scene,
+      Path folder,
+      SourceLocation location,
+      String subject,
+      ProblemCollector problems) {
     UrlResolver root = new UrlResolver(rootFolder.orElse(folder).toAbsolutePath(), access);
-    ModelPartCollector gatherer = new ModelPartCollector(reader, tessellator, root, problems);
+    ModelPartCollector gatherer =
+        new ModelPartCollector(reader, tessellator, root, limits.maxModelBytes(), problems);
     gatherer.gather(nodes, folder, ModelPartCollector.metres(scene));
-    return new Model(gatherer.parts(), scene.units());
+    if (gatherer.beyond().isPresent()) {
+      problems.error(
+          location,
+          "%s %s, which is the limit; it is not read"
+              .formatted(subject, gatherer.beyond().get()));
+      return Optional.empty();
+    }
+    return withFaces(new Model(gatherer.parts(), scene.units()), location, subject, problems);
   }
 
   private static Optional<Model> withFaces(
@@ -123,6 +163,9 @@ public final class ModelReader {
     }
     if (Files.isDirectory(file)) {
       throw new IOException(file + ": this is a folder, not a file");
+    }
+    if (!Files.isRegularFile(file)) {
+      throw new IOException(file + ": this is a device or a pipe, not a file");
     }
     if (!Files.isReadable(file)) {
       throw new IOException(file + ": no permission to read the file");

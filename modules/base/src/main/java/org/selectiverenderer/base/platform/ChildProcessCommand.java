@@ -44,6 +44,22 @@ public final class ChildProcessCommand {
     return command;
   }
 
+  /**
+   * Returns a command with the Java command and class path of this process, but none of its JVM
+   * flags. Unlike {@link #of} it need not load Java's management classes, which takes longer than
+   * the start of a small child.
+   *
+   * @param mainClass the main class of the child
+   * @param flags its JVM flags
+   */
+  public static List<String> minimal(String mainClass, List<String> flags) {
+    List<String> command = new ArrayList<>();
+    command.add(java());
+    command.addAll(flags);
+    command.addAll(List.of("-cp", System.getProperty("java.class.path"), mainClass));
+    return command;
+  }
+
   /** Returns those of a process's JVM flags that it may pass to a child. */
   static List<String> shared(List<String> flags) {
     return flags.stream().filter(flag -> OWN.stream().noneMatch(flag::startsWith)).toList();

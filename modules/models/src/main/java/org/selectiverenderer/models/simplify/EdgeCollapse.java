@@ -71,7 +71,7 @@ final class EdgeCollapse {
                   VERTEX_BYTES,
                   weights,
                   locks,
-                  3L * polygons,
+                  target(mesh, polygons),
                   largestError,
                   options,
                   null);
@@ -86,6 +86,11 @@ final class EdgeCollapse {
       MemoryUtil.memFree(locks);
       MemoryUtil.memFree(weights);
     }
+  }
+
+  /** Returns the number of indices to keep, which the library wants within those there are. */
+  private static long target(MergedMesh mesh, int polygons) {
+    return Math.max(0, Math.min(3L * polygons, mesh.indices().length));
   }
 
   /**
@@ -126,7 +131,7 @@ final class EdgeCollapse {
                   mesh.vertexCount(),
                   VERTEX_BYTES,
                   null,
-                  3L * polygons,
+                  target(mesh, polygons),
                   ANY_ERROR,
                   null);
       int[] remaining = new int[left];

@@ -21,18 +21,27 @@ record MergedMesh(float[] vertices, int[] indices, int[] origins) {
   static final int TEX_COORD = 10;
   static final int PART = 12;
 
+  /** As many as an array of their numbers can hold. */
+  private static final int MAX_VERTICES = (Integer.MAX_VALUE - 8) / STRIDE - 1;
+
   /**
    * @throws IllegalArgumentException if a part is not made of triangles, an index is out of range,
    *     or a number is not finite: native code must not get such values
    */
   static MergedMesh of(List<Mesh> parts) {
-    int vertexCount = 0;
-    int indexCount = 0;
+    long vertexSum = 0;
+    long indexSum = 0;
     for (Mesh part : parts) {
       check(part);
-      vertexCount += part.vertexCount();
-      indexCount += part.indices().length;
+      vertexSum += part.vertexCount();
+      indexSum += part.indices().length;
     }
+    if (vertexSum > MAX_VERTICES || indexSum > Integer.MAX_VALUE - 8) {
+      throw new IllegalArgumentException(
+          "the model has more than %d vertices, which is the limit".formatted(MAX_VERTICES));
+    }
+    int vertexCount = (int) vertexSum;
+    int indexCount = (int) indexSum;
     float[] vertices = new float[STRIDE * vertexCount];
     int[] indices = new int[indexCount];
     int firstVertex = 0;
@@ -64,6 +73,11 @@ record MergedMesh(float[] vertices, int[] indices, int[] origins) {
             "a triangle has vertex " + index + ", which does not exist");
       }
     }
+    if (wrongLength(part.normals(), part, 3)
+        || wrongLength(part.colors(), part, 4)
+        || wrongLength(part.texCoords(), part, 2)) {
+      throw new IllegalArgumentException("vertices have more or fewer attributes than positions");
+    }
     for (float[] values :
         new float[][] {part.positions(), part.normals(), part.colors(), part.texCoords()}) {
       for (int i = 0; values != null && i < values.length; i++) {
@@ -72,6 +86,10 @@ record MergedMesh(float[] vertices, int[] indices, int[] origins) {
         }
       }
     }
+  }
+
+  private static boolean wrongLength(float @Nullable [] values, Mesh part, int each) {
+    return values != null && values.length != (long) each * part.vertexCount();
   }
 
   private static void put(

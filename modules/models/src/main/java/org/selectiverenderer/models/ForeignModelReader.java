@@ -1,0 +1,85 @@
+package org.selectiverenderer.models;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.models.importer.ImportedModel;
+import org.selectiverenderer.models.importer.ModelImportException;
+import org.selectiverenderer.models.importer.ModelImportProcess;
+import org.selectiverenderer.models.structure.ModelStructureCheck;
+import org.selectiverenderer.models.structure.ModelStructureException;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.url.UrlResolver;
+
+/** Reads OBJ, PLY, STL and glTF files in a child process. */
+final class ForeignModelReader {
+  private final NodeCatalogue catalogue;
+  private final UrlResolver root;
+  private final ModelImportProcess process;
+  private final ModelStructureCheck structure;
+  private final ProblemCollector problems;
+
+  /**
+   * @param root decides which files the model may refer to
+   */
+  ForeignModelReader(
+      NodeCatalogue catalogue,
+      UrlResolver root,
+      ModelImportProcess process,
+      ModelStructureCheck structure,
+      ProblemCollector problems) {
+    this.catalogue = catalogue;
+    this.root = root;
+    this.process = process;
+    this.structure = structure;
+    this.problems = problems;
+  }
+
+  /**
+   * Reads a regular file.
+   *
+   * @return empty if the file is damaged, not of the format that its name says, or beyond a limit,
+   *     which is reported as a problem
+   * @throws IOException if it cannot be read
+   */
+  Optional<Model> read(Path file) throws IOException {
+    SourceLocation location = SourceLocation.of(file.toString());
+    process.start(); // it starts while the structure is checked
+    try {
+      structure.check(file);
+      Optional<Model> model =
+          imported(file).map(new ImportedModelConverter(file, catalogue, problems)::model);
+      boolean damaged =
+          model.isPresent()
+              && model.get().polygons() == 0
+              && new ModelFileDiagnostics(file, problems).reportMissingFaces();
+      return damaged ? Optional.empty() : model;
+    } catch (ModelStructureException | ModelImportException e) {
+      problems.error(location, String.valueOf(e.getMessage()));
+      return Optional.empty();
+    }
+  }
+
+  private Optional<ImportedModel> imported(Path file) throws IOException, ModelImportException {
+    String name = name(file);
+    ModelFileAccess files = new ModelFileAccess(file, name, root);
+    Optional<ImportedModel> imported = process.read(name, files);
+    if (imported.isPresent()) {
+      files.report(Problem.Severity.WARNING, "what it defines is left out", problems);
+    } else if (!files.report(Problem.Severity.ERROR, "nothing is read", problems)) {
+      new ModelFileDiagnostics(file, problems).report();
+    }
+    return imported;
+  }
+
+  /** Returns the name by which Assimp asks for the model: without folders, which it would open. */
+  private static String name(Path file) {
+    String name = String.valueOf(file.getFileName());
+    return name.indexOf('\\') < 0 && name.length() <= 255
+        ? name
+        : "model" + name.substring(name.lastIndexOf('.'));
+  }
+}

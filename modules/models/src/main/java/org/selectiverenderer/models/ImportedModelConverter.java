@@ -1,0 +1,129 @@
+package org.selectiverenderer.models;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.decimal.Pluralizer;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.geometry.mesh.TriangleMesh;
+import org.selectiverenderer.models.importer.ImportedModel;
+import org.selectiverenderer.models.importer.ImportedModel.ImportedMesh;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.catalogue.NodeView;
+import org.selectiverenderer.x3d.tessellate.MeshFactory;
+
+/** Makes a model of what was imported; faces that cannot be drawn are left out and reported. */
+final class ImportedModelConverter {
+  /** The crease angle of files without normals, 45 degrees: flatter edges are shaded smooth. */
+  private static final double CREASE_ANGLE = Math.PI / 4;
+
+  private final Path file;
+  private final NodeCatalogue catalogue;
+  private final ProblemCollector problems;
+
+  ImportedModelConverter(Path file, NodeCatalogue catalogue, ProblemCollector problems) {
+    this.file = file;
+    this.catalogue = catalogue;
+    this.problems = problems;
+  }
+
+  Model model(ImportedModel imported) {
+    // The normals in an STL file are facet normals, even where the surface is meant to be smooth.
+    boolean facets = file.toString().toLowerCase(Locale.ROOT).endsWith(".stl");
+    List<ModelPart> parts = new ArrayList<>();
+    for (ImportedMesh mesh : imported.meshes()) {
+      NodeView appearance =
+          new ImportedMaterialConverter(imported.materials().get(mesh.material()), catalogue)
+              .appearance(file, problems);
+      Mesh read = mesh(mesh, facets, TextureUsage.used(appearance));
+      if (!read.isEmpty()) {
+        parts.add(new ModelPart(appearance, read, ModelReader.folder(file)));
+      }
+    }
+    return new Model(parts, List.of());
+  }
+
+  private Mesh mesh(ImportedMesh mesh, boolean facets, boolean textured) {
+    float[] positions = mesh.positions();
+    int[] triangles = finite(mesh.triangles(), positions, mesh.name());
+    float[] normals = facets ? null : mesh.normals();
+    if (normals != null && !units(normals)) {
+      normals = null;
+    }
+    return MeshFactory.of(
+        new TriangleMesh(clean(positions), triangles),
+        normals,
+        colors(mesh.colors()),
+        textured && mesh.texCoords() != null ? clean(mesh.texCoords()) : null,
+        CREASE_ANGLE,
+        true);
+  }
+
+  private int[] finite(int[] triangles, float[] positions, String name) {
+    int[] kept = new int[triangles.length];
+    int count = 0;
+    for (int i = 0; i < triangles.length; i += 3) {
+      if (finite(positions, triangles[i])
+          && finite(positions, triangles[i + 1])
+          && finite(positions, triangles[i + 2])) {
+        System.arraycopy(triangles, i, kept, count, 3);
+        count += 3;
+      }
+    }
+    if (count < triangles.length) {
+      problems.warning(
+          SourceLocation.of(file.toString()),
+          "%s has %s with a coordinate that is not a finite number; they are left out"
+              .formatted(
+                  name.isEmpty() ? "a mesh" : "mesh " + name,
+                  Pluralizer.of((triangles.length - count) / 3, "face")));
+    }
+    return Arrays.copyOf(kept, count);
+  }
+
+  private static boolean finite(float[] positions, int vertex) {
+    return Float.isFinite(positions[3 * vertex])
+        && Float.isFinite(positions[3 * vertex + 1])
+        && Float.isFinite(positions[3 * vertex + 2]);
+  }
+
+  /**
+   * Returns a copy with non-finite values replaced, which vertices that no triangle uses may have.
+   */
+  private static float[] clean(float[] values) {
+    float[] clean = values.clone();
+    for (int i = 0; i < clean.length; i++) {
+      clean[i] = Float.isFinite(clean[i]) ? clean[i] : 0;
+    }
+    return clean;
+  }
+
+  private static boolean units(float[] normals) {
+    for (int i = 0; i < normals.length; i += 3) {
+      double square =
+          normals[i] * (double) normals[i]
+              + normals[i + 1] * (double) normals[i + 1]
+              + normals[i + 2] * (double) normals[i + 2];
+      if (!(Math.abs(square - 1) < 0.01)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private static float @Nullable [] colors(float @Nullable [] from) {
+    if (from == null) {
+      return null;
+    }
+    float[] colors = new float[from.length];
+    for (int i = 0; i < colors.length; i++) {
+      colors[i] = from[i] >= 0 ? Math.min(from[i], 1) : 0;
+    }
+    return colors;
+  }
+}

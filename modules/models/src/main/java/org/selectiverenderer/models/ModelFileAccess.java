@@ -1,0 +1,101 @@
+package org.selectiverenderer.models;
+
+import java.io.IOException;
+import java.nio.channels.Channels;
+import java.nio.channels.SeekableByteChannel;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.models.importer.ModelFileSource;
+import org.selectiverenderer.x3d.url.BaseUrl;
+import org.selectiverenderer.x3d.url.UrlContent;
+import org.selectiverenderer.x3d.url.UrlResolver;
+
+/**
+ * The files that a model of another program may read: itself, and what {@link UrlResolver} lets a
+ * scene in its folder refer to. Collects what is refused.
+ */
+final class ModelFileAccess implements ModelFileSource {
+  private static final int SHOWN = 80;
+
+  private record Refusal(UrlResolver.Cause cause, String reason) {}
+
+  private final Path file;
+  private final String name;
+  private final UrlResolver root;
+  private final Map<String, Refusal> refused = new LinkedHashMap<>();
+
+  /**
+   * @param name the name by which the model itself is asked for
+   */
+  ModelFileAccess(Path file, String name, UrlResolver root) {
+    this.file = file;
+    this.name = name;
+    this.root = root;
+  }
+
+  @Override
+  public Optional<OpenFile> open(String url) throws IOException {
+    if (url.equals(name)) {
+      return Optional.of(open(file));
+    }
+    // Formats other than X3D have no fragments.
+    UrlResolver.Target target =
+        root.resolve(url.replace("#", "%23"), BaseUrl.folder(ModelReader.folder(file)));
+    if (target instanceof UrlResolver.Target.Refused why) {
+      refused.putIfAbsent(url, new Refusal(why.cause(), why.reason()));
+      return Optional.empty();
+    }
+    UrlContent content = ((UrlResolver.Target.Found) target).content();
+    return Optional.of(
+        content.file().isPresent()
+            ? open(content.file().get())
+            : new OpenFile(content.size(), content.open()));
+  }
+
+  private static OpenFile open(Path path) throws IOException {
+    SeekableByteChannel channel = Files.newByteChannel(path);
+    try {
+      return new OpenFile(channel.size(), Channels.newInputStream(channel));
+    } catch (IOException e) {
+      channel.close();
+      throw e;
+    }
+  }
+
+  /**
+   * Reports what was refused, but of files that are missing only the first: for a material file that
+   * is missing, Assimp asks for one named as the model, too.
+   *
+   * @param consequence what follows from it
+   * @return whether there was any
+   */
+  boolean report(Problem.Severity severity, String consequence, ProblemCollector problems) {
+    boolean missing = false;
+    for (Map.Entry<String, Refusal> entry : refused.entrySet()) {
+      boolean absent =
+          entry.getValue().cause() == UrlResolver.Cause.MISSING
+              || entry.getValue().cause() == UrlResolver.Cause.CASE;
+      if (absent && missing) {
+        continue;
+      }
+      missing |= absent;
+      String url = entry.getKey();
+      problems.add(
+          new Problem(
+              absent ? severity : Problem.Severity.ERROR,
+              SourceLocation.of(file.toString()),
+              "url '%s' %s; %s"
+                  .formatted(
+                      url.length() <= SHOWN ? url : url.substring(0, SHOWN) + "…",
+                      entry.getValue().reason(),
+                      consequence)));
+    }
+    return !refused.isEmpty();
+  }
+}

@@ -1,0 +1,194 @@
+package org.selectiverenderer.models.importer;
+
+import static org.lwjgl.assimp.Assimp.AI_MATKEY_COLOR_DIFFUSE;
+import static org.lwjgl.assimp.Assimp.AI_MATKEY_COLOR_EMISSIVE;
+import static org.lwjgl.assimp.Assimp.AI_MATKEY_COLOR_SPECULAR;
+import static org.lwjgl.assimp.Assimp.AI_MATKEY_OPACITY;
+import static org.lwjgl.assimp.Assimp.AI_MATKEY_SHININESS;
+import static org.lwjgl.assimp.Assimp.aiGetMaterialColor;
+import static org.lwjgl.assimp.Assimp.aiGetMaterialFloatArray;
+import static org.lwjgl.assimp.Assimp.aiGetMaterialTexture;
+import static org.lwjgl.assimp.Assimp.aiGetMaterialTextureCount;
+import static org.lwjgl.assimp.Assimp.aiImportFileEx;
+import static org.lwjgl.assimp.Assimp.aiPrimitiveType_TRIANGLE;
+import static org.lwjgl.assimp.Assimp.aiProcess_JoinIdenticalVertices;
+import static org.lwjgl.assimp.Assimp.aiProcess_PreTransformVertices;
+import static org.lwjgl.assimp.Assimp.aiProcess_SortByPType;
+import static org.lwjgl.assimp.Assimp.aiProcess_Triangulate;
+import static org.lwjgl.assimp.Assimp.aiProcess_ValidateDataStructure;
+import static org.lwjgl.assimp.Assimp.aiReleaseImport;
+import static org.lwjgl.assimp.Assimp.aiReturn_SUCCESS;
+import static org.lwjgl.assimp.Assimp.aiTextureType_BASE_COLOR;
+import static org.lwjgl.assimp.Assimp.aiTextureType_DIFFUSE;
+import static org.lwjgl.assimp.Assimp.aiTextureType_NONE;
+
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.nio.FloatBuffer;
+import java.nio.IntBuffer;
+import org.jspecify.annotations.Nullable;
+import org.lwjgl.assimp.AIColor4D;
+import org.lwjgl.assimp.AIFace;
+import org.lwjgl.assimp.AIMaterial;
+import org.lwjgl.assimp.AIMesh;
+import org.lwjgl.assimp.AIScene;
+import org.lwjgl.assimp.AIString;
+import org.lwjgl.assimp.AIVector3D;
+import org.lwjgl.assimp.Assimp;
+import org.lwjgl.system.MemoryStack;
+import org.lwjgl.system.MemoryUtil;
+import org.selectiverenderer.models.importer.ImportedModel.ImportedMaterial;
+
+/** Reads a model with Assimp and writes what it holds. Only the child process uses this class. */
+final class AssimpImporter {
+  private static final int STEPS =
+      aiProcess_Triangulate
+          | aiProcess_PreTransformVertices
+          | aiProcess_SortByPType
+          | aiProcess_JoinIdenticalVertices
+          | aiProcess_ValidateDataStructure;
+
+  private final ServedFileIo files;
+
+  /**
+   * @param files the model's files; closed by {@link #read}
+   */
+  AssimpImporter(ServedFileIo files) {
+    this.files = files;
+  }
+
+  /** Loads the native library, while the parent process is busy with the model. */
+  static void load() {
+    Assimp.getLibrary();
+  }
+
+  void read(String name, DataOutputStream out) throws IOException {
+    AIScene scene;
+    try (files) {
+      scene = aiImportFileEx(name, STEPS, files.io());
+      files.check();
+    }
+    if (scene == null) {
+      out.writeByte(ImportProtocol.UNREADABLE);
+      return;
+    }
+    out.writeByte(ImportProtocol.MODEL);
+    write(scene, new ImportedModelEncoder(out));
+    aiReleaseImport(scene);
+  }
+
+  private static void write(AIScene scene, ImportedModelEncoder out) throws IOException {
+    boolean[] textured = new boolean[scene.mNumMaterials()];
+    out.number(textured.length);
+    for (int i = 0; i < textured.length; i++) {
+      ImportedMaterial material = material(AIMaterial.create(scene.mMaterials().get(i)));
+      textured[i] = material.texture() != null;
+      out.material(material);
+    }
+    int count = 0;
+    for (int i = 0; i < scene.mNumMeshes(); i++) {
+      count += hasTriangles(mesh(scene, i)) ? 1 : 0;
+    }
+    out.number(count);
+    for (int i = 0; i < scene.mNumMeshes(); i++) {
+      AIMesh mesh = mesh(scene, i);
+      if (hasTriangles(mesh)) {
+        write(mesh, textured[mesh.mMaterialIndex()], out);
+      }
+    }
+  }
+
+  private static AIMesh mesh(AIScene scene, int index) {
+    return AIMesh.create(scene.mMeshes().get(index));
+  }
+
+  private static boolean hasTriangles(AIMesh mesh) {
+    // Assimp sets a further flag for triangles that are parts of larger faces.
+    return (mesh.mPrimitiveTypes() & aiPrimitiveType_TRIANGLE) != 0;
+  }
+
+  private static void write(AIMesh mesh, boolean textured, ImportedModelEncoder out)
+      throws IOException {
+    out.string(mesh.mName().dataString());
+    out.number(mesh.mMaterialIndex());
+    out.floats(vectors(mesh.mVertices()), 3, 3);
+    out.floats(vectors(mesh.mNormals()), 3, 3);
+    out.floats(textured ? vectors(mesh.mTextureCoords(0)) : null, 3, 2);
+    AIColor4D.Buffer colors = mesh.mColors(0);
+    out.floats(
+        colors == null
+            ? null
+            : MemoryUtil.memFloatBuffer(colors.address0(), 4 * colors.remaining()),
+        4,
+        4);
+    IntBuffer triangles = triangles(mesh);
+    try {
+      out.ints(triangles.limit(), triangles::get);
+    } finally {
+      MemoryUtil.memFree(triangles);
+    }
+  }
+
+  private static @Nullable FloatBuffer vectors(AIVector3D.@Nullable Buffer vectors) {
+    return vectors == null
+        ? null
+        : MemoryUtil.memFloatBuffer(vectors.address0(), 3 * vectors.remaining());
+  }
+
+  private static IntBuffer triangles(AIMesh mesh) {
+    IntBuffer triangles = MemoryUtil.memAllocInt(3 * mesh.mNumFaces());
+    AIFace.Buffer faces = mesh.mFaces();
+    for (int f = 0; f < mesh.mNumFaces(); f++) {
+      IntBuffer indices = faces.get(f).mIndices();
+      if (indices.remaining() == 3) { // Assimp keeps faces without corners.
+        triangles.put(indices);
+      }
+    }
+    return triangles.flip();
+  }
+
+  private static ImportedMaterial material(AIMaterial material) {
+    return new ImportedMaterial(
+        color(material, AI_MATKEY_COLOR_DIFFUSE),
+        color(material, AI_MATKEY_COLOR_SPECULAR),
+        color(material, AI_MATKEY_COLOR_EMISSIVE),
+        number(material, AI_MATKEY_SHININESS),
+        number(material, AI_MATKEY_OPACITY),
+        texture(material));
+  }
+
+  private static float @Nullable [] color(AIMaterial material, String key) {
+    try (MemoryStack stack = MemoryStack.stackPush()) {
+      AIColor4D color = AIColor4D.calloc(stack);
+      return aiGetMaterialColor(material, key, aiTextureType_NONE, 0, color) == aiReturn_SUCCESS
+          ? new float[] {color.r(), color.g(), color.b()}
+          : null;
+    }
+  }
+
+  private static @Nullable Float number(AIMaterial material, String key) {
+    float[] value = {0};
+    int[] count = {1};
+    return aiGetMaterialFloatArray(material, key, aiTextureType_NONE, 0, value, count)
+            == aiReturn_SUCCESS
+        ? value[0]
+        : null;
+  }
+
+  private static @Nullable String texture(AIMaterial material) {
+    for (int kind : new int[] {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}) {
+      if (aiGetMaterialTextureCount(material, kind) > 0) {
+        try (MemoryStack stack = MemoryStack.stackPush()) {
+          AIString path = AIString.calloc(stack);
+          int result =
+              aiGetMaterialTexture(
+                  material, kind, 0, path, (IntBuffer) null, null, null, null, null, null);
+          if (result == aiReturn_SUCCESS) {
+            return path.dataString();
+          }
+        }
+      }
+    }
+    return null;
+  }
+}

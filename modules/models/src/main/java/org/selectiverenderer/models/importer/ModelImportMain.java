@@ -1,0 +1,40 @@
+package org.selectiverenderer.models.importer;
+
+import java.io.BufferedInputStream;
+import java.io.BufferedOutputStream;
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
+import java.io.FileDescriptor;
+import java.io.FileInputStream;
+import java.io.FileOutputStream;
+import java.io.IOException;
+import org.selectiverenderer.base.platform.ParentProcessWatcher;
+
+/** Reads models in a child process, until its standard input ends. */
+public final class ModelImportMain {
+  private static final int BUFFER = 1 << 16;
+
+  private ModelImportMain() {}
+
+  /** Runs the child process. */
+  public static void main(String[] arguments) throws IOException {
+    ParentProcessWatcher.whenItEnds(() -> Runtime.getRuntime().halt(1));
+    // Not System.in and System.out, of which others could make use.
+    try (DataInputStream in =
+            new DataInputStream(
+                new BufferedInputStream(new FileInputStream(FileDescriptor.in), BUFFER));
+        DataOutputStream out =
+            new DataOutputStream(
+                new BufferedOutputStream(new FileOutputStream(FileDescriptor.out), BUFFER))) {
+      out.writeInt(ImportProtocol.MAGIC);
+      out.writeInt(ImportProtocol.VERSION);
+      out.flush();
+      AssimpImporter.load();
+      while (in.read() == ImportProtocol.READ) {
+        String name = in.readUTF();
+        new AssimpImporter(new ServedFileIo(in, out)).read(name, out);
+        out.flush();
+      }
+    }
+  }
+}

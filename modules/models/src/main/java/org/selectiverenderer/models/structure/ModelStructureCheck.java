@@ -1,0 +1,40 @@
+package org.selectiverenderer.models.structure;
+
+import java.io.BufferedInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+
+/**
+ * Checks that a model file's structure is one that a reader can take: what it announces fits into
+ * it, and its tree is finite. A file that passes may still be damaged.
+ *
+ * @param maxModelBytes the size of all arrays of numbers together, those of a mesh once for each
+ *     node that shows it
+ */
+public record ModelStructureCheck(long maxModelBytes) {
+  private static final int BUFFER = 1 << 16;
+
+  /**
+   * Checks a file.
+   *
+   * @throws IOException if it cannot be read
+   * @throws ModelStructureException if its structure is not one to be read
+   */
+  public void check(Path file) throws IOException, ModelStructureException {
+    String name = file.toString().toLowerCase(Locale.ROOT);
+    try (InputStream in = new BufferedInputStream(Files.newInputStream(file), BUFFER)) {
+      long size = Files.size(file);
+      switch (name.substring(name.lastIndexOf('.') + 1)) {
+        case "gltf", "glb" -> new GltfStructureCheck(maxModelBytes).check(in, size);
+        case "ply" -> PlyStructureCheck.check(in, size);
+        case "stl" -> StlStructureCheck.check(in, size);
+        default -> {
+          // Lines of text: nothing is announced that does not follow.
+        }
+      }
+    }
+  }
+}
