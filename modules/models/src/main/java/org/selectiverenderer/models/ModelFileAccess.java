@@ -48,7 +48,9 @@ final class ModelFileAccess implements ModelFileSource {
     UrlResolver.Target target =
         root.resolve(url.replace("#", "%23"), BaseUrl.folder(ModelReader.folder(file)));
     if (target instanceof UrlResolver.Target.Refused why) {
-      refused.putIfAbsent(url, new Refusal(why.cause(), why.reason()));
+      if (!guessed(url)) {
+        refused.put(url, new Refusal(why.cause(), why.reason()));
+      }
       return Optional.empty();
     }
     UrlContent content = ((UrlResolver.Target.Found) target).content();
@@ -56,6 +58,14 @@ final class ModelFileAccess implements ModelFileSource {
         content.file().isPresent()
             ? open(content.file().get())
             : new OpenFile(content.size(), content.open()));
+  }
+
+  /**
+   * Returns whether a url is not the file's own: for a file that it does not get, Assimp asks again
+   * with a dot before the url, and with a part of it.
+   */
+  private boolean guessed(String url) {
+    return refused.keySet().stream().anyMatch(known -> url.startsWith("./") || known.endsWith(url));
   }
 
   private static OpenFile open(Path path) throws IOException {
@@ -69,22 +79,22 @@ final class ModelFileAccess implements ModelFileSource {
   }
 
   /**
-   * Reports what was refused, but of files that are missing only the first: for a material file that
-   * is missing, Assimp asks for one named as the model, too.
+   * Reports what was refused, but a file that is missing only if it was the first: for a material
+   * file that it does not get, Assimp asks for one named as the model.
    *
    * @param consequence what follows from it
    * @return whether there was any
    */
   boolean report(Problem.Severity severity, String consequence, ProblemCollector problems) {
-    boolean missing = false;
+    boolean first = true;
     for (Map.Entry<String, Refusal> entry : refused.entrySet()) {
       boolean absent =
           entry.getValue().cause() == UrlResolver.Cause.MISSING
               || entry.getValue().cause() == UrlResolver.Cause.CASE;
-      if (absent && missing) {
+      if (absent && !first) {
         continue;
       }
-      missing |= absent;
+      first = false;
       String url = entry.getKey();
       problems.add(
           new Problem(

@@ -79,8 +79,7 @@ final class ModelPartCollector {
   /** Returns the limit that the nodes exceed, as a clause; empty if they are within all limits. */
   Optional<String> beyond() {
     if (instances > MAX_INSTANCES) {
-      return Optional.of(
-          "contains itself or has more than %d instances".formatted(MAX_INSTANCES));
+      return Optional.of("contains itself or has more than %d instances".formatted(MAX_INSTANCES));
     }
     return bytes > maxBytes
         ? Optional.of("has more than %d MiB of vertices".formatted(maxBytes >> 20))

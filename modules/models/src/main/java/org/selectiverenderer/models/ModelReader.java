@@ -141,8 +141,7 @@ public final class ModelReader implements AutoCloseable {
     if (gatherer.beyond().isPresent()) {
       problems.error(
           location,
-          "%s %s, which is the limit; it is not read"
-              .formatted(subject, gatherer.beyond().get()));
+          "%s %s, which is the limit; it is not read".formatted(subject, gatherer.beyond().get()));
       return Optional.empty();
     }
     return withFaces(new Model(gatherer.parts(), scene.units()), location, subject, problems);

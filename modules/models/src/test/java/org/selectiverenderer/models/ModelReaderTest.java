@@ -10,9 +10,11 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.Base64;
 import java.util.List;
 import java.util.Optional;
+import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -21,18 +23,27 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.models.importer.ImportLimits;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.catalogue.NodeView;
+import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 
 class ModelReaderTest {
   private static final String TRIANGLE =
       "<IndexedFaceSet coordIndex='0 1 2 -1'><Coordinate point='0 0 0 1 0 0 0 1 0'/>"
           + "</IndexedFaceSet>";
 
+  /** One for all tests, so that its process is started once. */
+  private static final ModelReader reader = new ModelReader(NodeCatalogue.load());
+
   @TempDir Path folder;
 
   private final ProblemCollector problems = new ProblemCollector();
-  private final ModelReader reader = new ModelReader(NodeCatalogue.load());
+
+  @AfterAll
+  static void close() {
+    reader.close();
+  }
 
   private Path write(String name, String text) throws IOException {
     Path file = folder.resolve(name);
@@ -200,6 +211,25 @@ class ModelReaderTest {
 
     assertThat(model.polygons()).isBetween(1, 2);
     assertThat(messages()).anyMatch(message -> message.contains("NaN"));
+  }
+
+  @Test
+  void aShapeThatNestedUsesMultiplyEndsWithALine() throws IOException {
+    StringBuilder groups = new StringBuilder("<Group DEF='g0'><Shape><Sphere/></Shape></Group>");
+    for (int i = 0; i < 30; i++) {
+      groups
+          .insert(0, "<Group DEF='g" + (i + 1) + "'>")
+          .append("<Group USE='g" + i + "'/></Group>");
+    }
+    Path file = write("scenes/model.x3d", scene(groups.toString()));
+    ImportLimits limits = new ImportLimits(1, 1, 1, 1 << 20, Duration.ZERO, Duration.ZERO, 0, 0);
+
+    ModelReader limited =
+        new ModelReader(NodeCatalogue.load(), ContentAccessPolicy.none(), Optional.empty(), limits);
+    assertThat(limited.read(file, problems)).isEmpty();
+    assertThat(messages())
+        .containsExactly(
+            "the file has more than 1 MiB of vertices, which is the limit; it is not read");
   }
 
   @Test

@@ -26,15 +26,16 @@ public record ImportLimits(
 
   /**
    * Returns the standard limits: 1 GiB a file and 2 GiB together; 10,000 openings; meshes of 2 GiB
-   * but at most a quarter of the heap; 60 s, and half a second for each MiB; 1 GiB of memory, and 24
-   * bytes for each byte, while real files in text take 15.
+   * but at most an eighth of the heap, since simplification takes eight times as much; 60 s, and
+   * half a second for each MiB; 1 GiB of memory, and 24 bytes for each byte, while real files in
+   * text take 15.
    */
   public static ImportLimits standard() {
     return new ImportLimits(
         1L << 30,
         2L << 30,
         10_000,
-        Math.min(2L << 30, Runtime.getRuntime().maxMemory() / 4),
+        Math.min(2L << 30, Runtime.getRuntime().maxMemory() / 8),
         Duration.ofSeconds(60),
         Duration.ofMillis(500),
         1L << 30,

@@ -10,10 +10,10 @@ package org.selectiverenderer.models.importer;
  *   <li>The child begins with {@link #MAGIC} and {@link #VERSION}.
  *   <li>For every model: the parent sends {@link #READ} and the model's name.
  *   <li>The child sends {@link #OPEN} and a url as often as it needs a file, the model itself
- *       included. The parent answers with {@link #SERVED}, the size as a long and the bytes, or with
- *       {@link #REFUSED}.
- *   <li>The child ends with {@link #UNREADABLE}, or with {@link #MODEL}, the number of materials and
- *       these, the number of meshes and these, in the order of the components of {@link
+ *       included. The parent answers with {@link #SERVED}, the size as a long and the bytes, or
+ *       with {@link #REFUSED}.
+ *   <li>The child ends with {@link #UNREADABLE}, or with {@link #MODEL}, the number of materials
+ *       and these, the number of meshes and these, in the order of the components of {@link
  *       ImportedModel}.
  * </ol>
  */

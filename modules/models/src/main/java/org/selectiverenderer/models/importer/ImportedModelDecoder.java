@@ -39,8 +39,7 @@ final class ImportedModelDecoder {
     int materialCount = count(OBJECT_BYTES);
     List<ImportedMaterial> materials = new ArrayList<>();
     for (int i = 0; i < materialCount; i++) {
-      materials.add(
-          new ImportedMaterial(color(), color(), color(), number(), number(), texture()));
+      materials.add(new ImportedMaterial(color(), color(), color(), number(), number(), texture()));
     }
     int meshCount = count(OBJECT_BYTES);
     List<ImportedMesh> meshes = new ArrayList<>();

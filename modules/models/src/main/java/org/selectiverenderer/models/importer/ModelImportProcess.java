@@ -77,7 +77,8 @@ public final class ModelImportProcess implements AutoCloseable {
     try {
       process = new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.DISCARD).start();
     } catch (IOException e) {
-      throw new IOException("the process that reads models cannot be started: " + e.getMessage(), e);
+      throw new IOException(
+          "the process that reads models cannot be started: " + e.getMessage(), e);
     }
     connection = new Connection(process);
   }

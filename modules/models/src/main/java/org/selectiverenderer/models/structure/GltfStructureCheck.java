@@ -28,8 +28,8 @@ import java.util.Set;
 
 /**
  * Checks the structure of a glTF file, in JSON or binary: how deeply it is nested, that its nodes
- * are a tree, and that its arrays of numbers lie inside of its buffers. Parts refer to each other by
- * the index in their array, in glTF 1.0 by a name; an index is read as a name here.
+ * are a tree, and that its arrays of numbers lie inside of its buffers. Parts refer to each other
+ * by the index in their array, in glTF 1.0 by a name; an index is read as a name here.
  */
 final class GltfStructureCheck {
   /** The maximum nesting depth of values; those of glTF itself are 10 deep. */
@@ -115,8 +115,7 @@ final class GltfStructureCheck {
       left -= 8;
       byte[] second = in.readNBytes(8);
       long stated =
-          Integer.toUnsignedLong(
-              ByteBuffer.wrap(second).order(ByteOrder.LITTLE_ENDIAN).getInt(0));
+          Integer.toUnsignedLong(ByteBuffer.wrap(second).order(ByteOrder.LITTLE_ENDIAN).getInt(0));
       if (second.length < 8 || stated > left) {
         throw new ModelStructureException(DAMAGED);
       }
@@ -314,7 +313,7 @@ final class GltfStructureCheck {
     if (++parts > MAX_PARTS) {
       throw new ModelStructureException(
           "the file has more than %d nodes, arrays and references, which is the limit; "
-              .formatted(MAX_PARTS)
+                  .formatted(MAX_PARTS)
               + "nothing is read");
     }
   }
@@ -332,7 +331,7 @@ final class GltfStructureCheck {
     if (zeros > MAX_ZEROS) {
       throw new ModelStructureException(
           "the file announces %d MiB of numbers that it does not contain, where %d are the limit; "
-              .formatted(zeros >> 20, MAX_ZEROS >> 20)
+                  .formatted(zeros >> 20, MAX_ZEROS >> 20)
               + "nothing is read");
     }
     checkTree();
@@ -386,9 +385,7 @@ final class GltfStructureCheck {
     Part view = views.get(accessor.references().get("bufferView"));
     long each = size(accessor) / Math.max(1, count);
     long stride =
-        view == null
-            ? each
-            : Math.max(view.number("byteStride"), accessor.number("byteStride"));
+        view == null ? each : Math.max(view.number("byteStride"), accessor.number("byteStride"));
     long needed = count == 0 ? 0 : (count - 1) * Math.max(stride, each) + each;
     if (view == null || accessor.number("byteOffset") + needed > view.number("byteLength")) {
       throw new ModelStructureException(

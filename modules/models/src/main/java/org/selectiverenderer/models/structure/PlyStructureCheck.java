@@ -3,13 +3,21 @@ package org.selectiverenderer.models.structure;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
 
 /** Checks that a PLY file has room for the elements that its header announces. */
 final class PlyStructureCheck {
   /** The maximum length of a header in bytes; real ones have some hundred. */
   private static final int MAX_HEADER = 1 << 16;
 
+  /** A number of so many digits fits a long. */
+  private static final int MAX_DIGITS = 18;
+
   private static final String END = "end_header";
+
+  private static final Map<String, String> PLURALS = Map.of("vertex", "vertices", "face", "faces");
 
   private PlyStructureCheck() {}
 
@@ -25,18 +33,20 @@ final class PlyStructureCheck {
       return; // Its reader says that this is not PLY.
     }
     long left = size - end - END.length();
+    List<String> announced = new ArrayList<>();
+    boolean fit = true;
     for (String line : text.substring(0, end).split("[\r\n]+")) {
       String[] words = line.strip().split("\\s+");
-      // Each element takes a byte at least, and in text a line.
-      if (words.length == 3 && words[0].equals("element") && !fits(words[2], left)) {
-        throw new ModelStructureException(
-            "the file announces %s %ss, but only %d bytes follow; it is damaged or cut off"
-                .formatted(words[2], words[1], left));
+      if (words.length == 3 && words[0].equals("element") && words[2].matches("\\d+")) {
+        announced.add(words[2] + " " + PLURALS.getOrDefault(words[1], "elements " + words[1]));
+        // Each element takes a byte at least, and in text a line.
+        fit &= words[2].length() <= MAX_DIGITS && Long.parseLong(words[2]) <= left;
       }
     }
-  }
-
-  private static boolean fits(String count, long bytes) {
-    return !count.matches("\\d+") || count.length() <= 18 && Long.parseLong(count) <= bytes;
+    if (!fit) {
+      throw new ModelStructureException(
+          "the file announces %s, but only %d bytes follow; it is damaged or cut off"
+              .formatted(String.join(", ", announced), left));
+    }
   }
 }
