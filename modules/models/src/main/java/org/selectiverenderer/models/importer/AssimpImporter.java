@@ -57,9 +57,18 @@ final class AssimpImporter {
     this.files = files;
   }
 
-  /** Loads the native library, while the parent process is busy with the model. */
-  static void load() {
-    Assimp.getLibrary();
+  /**
+   * Loads the native library, while the parent process is busy with the model.
+   *
+   * @return why that is not possible; "" if it is loaded
+   */
+  static String load() {
+    try {
+      Assimp.getLibrary();
+      return "";
+    } catch (LinkageError | RuntimeException e) {
+      return String.valueOf(e.getMessage());
+    }
   }
 
   void read(String name, DataOutputStream out) throws IOException {

@@ -7,7 +7,8 @@ package org.selectiverenderer.models.importer;
  * #ABSENT}.
  *
  * <ol>
- *   <li>The child begins with {@link #MAGIC} and {@link #VERSION}.
+ *   <li>The child begins with {@link #MAGIC}, {@link #VERSION} and a string: why it can read no
+ *       models, or "".
  *   <li>For every model: the parent sends {@link #READ} and the model's name.
  *   <li>The child sends {@link #OPEN} and a url as often as it needs a file, the model itself
  *       included. The parent answers with {@link #SERVED}, the size as a long and the bytes, or

@@ -28,8 +28,8 @@ public final class ModelImportMain {
                 new BufferedOutputStream(new FileOutputStream(FileDescriptor.out), BUFFER))) {
       out.writeInt(ImportProtocol.MAGIC);
       out.writeInt(ImportProtocol.VERSION);
+      out.writeUTF(AssimpImporter.load());
       out.flush();
-      AssimpImporter.load();
       while (in.read() == ImportProtocol.READ) {
         String name = in.readUTF();
         new AssimpImporter(new ServedFileIo(in, out)).read(name, out);

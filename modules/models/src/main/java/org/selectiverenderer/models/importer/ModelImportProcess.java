@@ -47,7 +47,7 @@ public final class ModelImportProcess implements AutoCloseable {
                 // A crash is one line of this program, and leaves no file behind.
                 "-XX:+SuppressFatalErrorMessage",
                 "-XX:-CreateCoredumpOnCrash",
-                "-Xmx64m",
+                "-Xmx128m",
                 "-Xss4m",
                 "-XX:TieredStopAtLevel=1",
                 "-XX:+UseSerialGC",
@@ -153,16 +153,29 @@ public final class ModelImportProcess implements AutoCloseable {
       out = new DataOutputStream(new BufferedOutputStream(process.getOutputStream(), BUFFER));
     }
 
-    void send(String name) throws ChildException {
+    /**
+     * @throws IOException if the process can read no models
+     */
+    void send(String name) throws IOException, ChildException {
+      String fault = greeted ? "" : greeting();
+      if (!fault.isEmpty()) {
+        throw new IOException("models of other programs cannot be read: " + fault);
+      }
+      greeted = true;
       try {
-        if (!greeted
-            && (in.readInt() != ImportProtocol.MAGIC || in.readInt() != ImportProtocol.VERSION)) {
-          throw new ChildException("the process that was started is not one that reads models");
-        }
-        greeted = true;
         out.writeByte(ImportProtocol.READ);
         out.writeUTF(name);
         out.flush();
+      } catch (IOException e) {
+        throw new ChildException(e);
+      }
+    }
+
+    private String greeting() throws ChildException {
+      try {
+        return in.readInt() == ImportProtocol.MAGIC && in.readInt() == ImportProtocol.VERSION
+            ? in.readUTF()
+            : "the process that was started is not one that reads models";
       } catch (IOException e) {
         throw new ChildException(e);
       }

@@ -16,6 +16,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
+import org.selectiverenderer.base.platform.ChildProcessCommand;
 
 class ModelImportProcessTest {
   private static final String TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
@@ -113,6 +114,18 @@ class ModelImportProcessTest {
       assertThat(process.read("a.obj", source(TRIANGLE))).isPresent();
       assertThat(process.read("a.ply", source("no model"))).isEmpty();
       assertThat(process.read("a.obj", source(TRIANGLE))).isPresent();
+    }
+  }
+
+  @Test
+  void aLibraryThatDoesNotLoadIsNoFaultOfTheModel() {
+    List<String> command =
+        ChildProcessCommand.minimal(
+            ModelImportMain.class.getName(), List.of("-Dorg.lwjgl.assimp.libname=no-such-library"));
+    try (ModelImportProcess process = new ModelImportProcess(standard, command)) {
+      assertThatExceptionOfType(IOException.class)
+          .isThrownBy(() -> process.read("a.obj", source(TRIANGLE)))
+          .withMessageContaining("models of other programs cannot be read: ");
     }
   }
 
