@@ -168,4 +168,46 @@ class MalformedMeshesTest {
       assertThat(reduced.met()).isEqualTo(SimplificationResult.near(reduced.polygons(), polygons));
     }
   }
+
+  @ParameterizedTest
+  @ValueSource(floats = {Float.MAX_VALUE, 1e38f, 1e30f, 1e18f, 1e-20f, 1e-40f, Float.MIN_VALUE})
+  void numbersOfAnySizeEndInAModelOrAreRefused(float size) {
+    Random random = new Random(3);
+    float[] positions = new float[300];
+    for (int i = 0; i < positions.length; i++) {
+      positions[i] = (2 * random.nextFloat() - 1) * size;
+    }
+    List<Mesh> soup = List.of(raw(positions, random.ints(600, 0, 100).toArray()));
+
+    for (SimplificationTarget goal :
+        List.of(
+            new SimplificationTarget.Polygons(20),
+            new SimplificationTarget.Exactly(3),
+            new SimplificationTarget.VertexPercent(10),
+            new SimplificationTarget.LargestError(0.1))) {
+      try {
+        assertThat(simplifier.simplify(soup, goal).polygons()).isBetween(1, 200);
+      } catch (IllegalArgumentException e) {
+        assertThat(e.getMessage()).isNotBlank();
+      }
+    }
+  }
+
+  @Test
+  void attributesThatAreFewerThanVerticesAreRefused() {
+    Mesh mesh =
+        new Mesh(
+            Mesh.Primitive.TRIANGLES,
+            new float[9],
+            new float[6],
+            null,
+            null,
+            new int[] {0, 1, 2},
+            true,
+            new float[6]);
+
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> simplifier.simplify(List.of(mesh), new SimplificationTarget.Polygons(1)))
+        .withMessageContaining("attributes");
+  }
 }
