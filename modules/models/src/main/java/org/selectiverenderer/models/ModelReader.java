@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
+import org.selectiverenderer.base.files.InputFileReader;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.models.importer.ImportLimits;
@@ -160,12 +161,7 @@ public final class ModelReader implements AutoCloseable {
     if (!Files.exists(file)) {
       throw new NoSuchFileException(file.toString());
     }
-    if (Files.isDirectory(file)) {
-      throw new IOException(file + ": this is a folder, not a file");
-    }
-    if (!Files.isRegularFile(file)) {
-      throw new IOException(file + ": this is a device or a pipe, not a file");
-    }
+    InputFileReader.requireRegular(file);
     if (!Files.isReadable(file)) {
       throw new IOException(file + ": no permission to read the file");
     }

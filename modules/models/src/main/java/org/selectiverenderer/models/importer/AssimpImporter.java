@@ -24,6 +24,7 @@ import static org.lwjgl.assimp.Assimp.aiTextureType_NONE;
 
 import java.io.DataOutputStream;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import org.jspecify.annotations.Nullable;
@@ -37,6 +38,7 @@ import org.lwjgl.assimp.AIVector3D;
 import org.lwjgl.assimp.Assimp;
 import org.lwjgl.system.MemoryStack;
 import org.lwjgl.system.MemoryUtil;
+import org.selectiverenderer.base.natives.LwjglLibraries;
 import org.selectiverenderer.models.importer.ImportedModel.ImportedMaterial;
 
 /** Reads a model with Assimp and writes what it holds. Only the child process uses this class. */
@@ -64,8 +66,11 @@ final class AssimpImporter {
    */
   static String load() {
     try {
+      LwjglLibraries.use(AssimpImporter.class, LwjglLibraries.Part.ASSIMP);
       Assimp.getLibrary();
       return "";
+    } catch (UncheckedIOException e) {
+      return String.valueOf(e.getCause().getMessage());
     } catch (LinkageError | RuntimeException e) {
       return String.valueOf(e.getMessage());
     }

@@ -53,7 +53,8 @@ public final class ModelImportProcess implements AutoCloseable {
                 "-XX:+UseSerialGC",
                 "-XX:-UsePerfData",
                 ParentProcessWatcher.flag(),
-                "-Djava.io.tmpdir=" + System.getProperty("java.io.tmpdir")));
+                "-Djava.io.tmpdir=" + System.getProperty("java.io.tmpdir"),
+                "-Duser.home=" + System.getProperty("user.home")));
     if (Runtime.version().feature() >= WARNS_OF_NATIVE_CODE) {
       flags.add("--enable-native-access=ALL-UNNAMED");
       flags.add("--sun-misc-unsafe-memory-access=allow");

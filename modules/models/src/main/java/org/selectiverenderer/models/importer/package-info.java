@@ -11,7 +11,7 @@
  * read messages in the order that {@link org.selectiverenderer.models.importer.ImportProtocol}
  * lists.
  *
- * <p>Uses {@code base.platform} and LWJGL's Assimp.
+ * <p>Uses {@code base.platform}, {@code base.natives} and LWJGL's Assimp.
  */
 @NullMarked
 package org.selectiverenderer.models.importer;
