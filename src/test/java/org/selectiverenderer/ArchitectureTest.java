@@ -280,11 +280,17 @@ class ArchitectureTest {
                           nameMatching(
                               "a?(sin|cos|tan)h?|atan2|exp|expm1|log|log10|log1p|pow|cbrt|hypot"))));
 
+  /** The main class of a process of its own, whose output goes to its parent. */
+  private static final String MODEL_PROCESS =
+      "org.selectiverenderer.models.importer.ModelImportMain";
+
   @ArchTest
   static final ArchRule onlyTheCommandLineTouchesTheProcess =
       noClasses()
           .that()
           .resideOutsideOfPackage(of("cli"))
+          .and()
+          .doNotHaveFullyQualifiedName(MODEL_PROCESS)
           .should()
           .accessField(System.class, "out")
           .orShould()
@@ -308,6 +314,8 @@ class ArchitectureTest {
           .doNotHaveFullyQualifiedName("org.selectiverenderer.cli.batch.BatchRunner")
           .and()
           .doNotHaveFullyQualifiedName("org.selectiverenderer.command.output.Console")
+          .and()
+          .doNotHaveFullyQualifiedName(MODEL_PROCESS)
           .should()
           .accessField(FileDescriptor.class, "out")
           .orShould()

@@ -49,7 +49,6 @@ final class ForeignModelReader {
     SourceLocation location = SourceLocation.of(file.toString());
     process.start(); // it starts while the structure is checked
     try {
-      structure.check(file);
       Optional<Model> model =
           imported(file).map(new ImportedModelConverter(file, catalogue, problems)::model);
       boolean damaged =
@@ -63,7 +62,9 @@ final class ForeignModelReader {
     }
   }
 
-  private Optional<ImportedModel> imported(Path file) throws IOException, ModelImportException {
+  private Optional<ImportedModel> imported(Path file)
+      throws IOException, ModelStructureException, ModelImportException {
+    structure.check(file);
     String name = name(file);
     ModelFileAccess files = new ModelFileAccess(file, name, root);
     Optional<ImportedModel> imported = process.read(name, files);
