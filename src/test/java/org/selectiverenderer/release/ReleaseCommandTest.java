@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
@@ -59,11 +60,14 @@ class ReleaseCommandTest {
 
   @TempDir private Path folder;
   private ScriptSandbox scripts;
+  private OsvServer osv;
 
   @BeforeEach
   void aRepositoryWithAnOrigin() throws Exception {
     scripts = new ScriptSandbox(folder);
     scripts.copy("packaging/release", "packaging/releasing");
+    osv = new OsvServer();
+    scripts.environment.put("SELECTIVE_RENDERER_OSV", osv.address());
     scripts.write("CHANGELOG.md", CHANGELOG);
     scripts.write("CITATION.cff", "title: Doors\nversion: 1.1.0\ndate-released: 2025-02-03\n");
     scripts.write("pom.xml", "<project>\n  <version>1.2.0-SNAPSHOT</version>\n</project>\n");
@@ -108,6 +112,11 @@ class ReleaseCommandTest {
     commit("Doors");
     scripts.git("init", "-q", "--bare", folder.resolve("origin").toString());
     scripts.git("remote", "add", "origin", folder.resolve("origin").toString());
+  }
+
+  @AfterEach
+  void noServer() {
+    osv.close();
   }
 
   @Test
@@ -298,6 +307,19 @@ class ReleaseCommandTest {
     assertThat(run.err())
         .contains("org.door:hinge: version 2.2 in the SBOM, 2.1 in META-INF/THIRD-PARTY.txt");
     assertThat(state()).isEqualTo(before);
+  }
+
+  @Test
+  void aKnownVulnerabilityIsNoReleaseUnlessNobodyAsks() throws Exception {
+    String before = state();
+    osv.answer("{\"results\": [{\"vulns\": [{\"id\": \"GHSA-1\"}]}]}");
+    Run run = release("1.2.0");
+    assertThat(run.status()).isEqualTo(2);
+    assertThat(run.err()).endsWith("\norg.door:hinge: GHSA-1 (https://osv.dev/GHSA-1)\n");
+    assertThat(state()).isEqualTo(before);
+    run = release("1.2.0", "--without-advisories");
+    assertThat(run.status()).isZero();
+    assertThat(run.err()).contains("note: nobody has asked for known vulnerabilities");
   }
 
   private Run release(String... arguments) throws IOException, InterruptedException {
