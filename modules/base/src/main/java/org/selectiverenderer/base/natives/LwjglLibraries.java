@@ -15,8 +15,11 @@ public final class LwjglLibraries {
   public enum Part {
     /** LWJGL itself, with libffi in it. */
     CORE("", List.of("lwjgl")),
+    /** Assimp, and Draco, which it loads. */
     ASSIMP("assimp/", List.of("draco", "assimp")),
+    /** The meshoptimizer, with LWJGL's calls in the same file. */
     MESHOPTIMIZER("meshoptimizer/", List.of("lwjgl_meshoptimizer")),
+    /** The loader of OpenXR, which macOS lacks. */
     OPENXR("openxr/", List.of("openxr"));
 
     private final String folder;

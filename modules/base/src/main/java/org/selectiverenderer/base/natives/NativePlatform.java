@@ -5,11 +5,17 @@ import java.util.Optional;
 
 /** The operating system and processor for which native libraries are taken. */
 public enum NativePlatform {
+  /** Linux on x86-64. */
   LINUX_X64,
+  /** Linux on 64-bit ARM. */
   LINUX_ARM64,
+  /** Windows on x86-64. */
   WINDOWS_X64,
+  /** Windows on 64-bit ARM, for which JOGL has no libraries. */
   WINDOWS_ARM64,
+  /** The macOS of Intel's processors. */
   MACOS_X64,
+  /** The macOS of Apple's processors. */
   MACOS_ARM64;
 
   /** Returns the platform of this machine; empty if the program brings nothing for it. */
