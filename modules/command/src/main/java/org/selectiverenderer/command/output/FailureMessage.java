@@ -9,6 +9,7 @@ import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.NotDirectoryException;
+import java.util.concurrent.CompletionException;
 
 /** Formats an exception as one line for the user. */
 public final class FailureMessage {
@@ -26,6 +27,8 @@ public final class FailureMessage {
       return "cannot write to standard output: " + sentence(output.getCause());
     } else if (failure instanceof UncheckedIOException unchecked) {
       return sentence(unchecked.getCause());
+    } else if (failure instanceof CompletionException && failure.getCause() != null) {
+      return sentence(failure.getCause()); // Of work that several processors share.
     } else if (failure instanceof FileSystemException file) {
       return fileSentence(file);
     } else if (failure instanceof CharacterCodingException) {

@@ -51,6 +51,11 @@ public record ScriptSyntax(List<Fault> faults, Set<String> names) {
       if (faults.list.isEmpty()) {
         faults.add(e.lineNumber(), e.details());
       }
+    } catch (RuntimeException e) {
+      // The parser's assertions and its internal exception, which some broken names let through
+      if (faults.list.isEmpty()) {
+        faults.add(1, "the program cannot be parsed");
+      }
     } catch (StackOverflowError e) {
       faults.add(1, "the program is nested too deeply");
     }

@@ -13,8 +13,8 @@ import org.selectiverenderer.x3d.catalogue.NodeView;
  * and the spine (T).
  */
 final class ExtrusionTessellator {
-  /** The maximum product of cross-section and spine lengths, which bounds the size of the mesh. */
-  private static final long LIMIT = 100_000_000;
+  /** The maximum number of points, as of a sweep of NURBS: a small file can ask for billions. */
+  private static final int LIMIT = 1_000_000;
 
   private final TessellationContext job;
   private final float[] section;
@@ -53,8 +53,8 @@ final class ExtrusionTessellator {
         }
       }
     }
-    if ((long) section.length * spine.length > LIMIT) {
-      job.problem("has too many points; it is left out");
+    if ((long) (section.length / 2) * (spine.length / 3) > LIMIT) {
+      job.problem("has more than " + LIMIT + " points; it is left out");
       return PrimitiveMeshBuilder.empty(solid);
     }
     return new ExtrusionTessellator(job, section, spine).mesh();
