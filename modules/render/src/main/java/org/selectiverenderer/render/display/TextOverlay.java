@@ -10,6 +10,7 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.font.FontFamily;
 import org.selectiverenderer.geometry.font.FontStyle;
 import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.render.gpu.BufferPool;
 import org.selectiverenderer.render.gpu.GpuMesh;
 import org.selectiverenderer.render.gpu.ShaderProgram;
 import org.selectiverenderer.render.mesh.MeshPacker;
@@ -31,6 +32,7 @@ public final class TextOverlay {
 
   private final TextMesher mesher;
   private final Map<String, Line> lines = new HashMap<>();
+  private final BufferPool buffers = new BufferPool();
   private @Nullable ShaderProgram program;
   private @Nullable GpuMesh panel;
 
@@ -52,7 +54,7 @@ public final class TextOverlay {
     }
     if (program == null) {
       program = new ShaderProgram(gl, "overlay", List.of());
-      panel = new GpuMesh(gl, MeshPacker.pack(square()));
+      panel = new GpuMesh(gl, MeshPacker.pack(square()), buffers);
     }
     forgetAllBut(gl, text);
     float widest = 0;
@@ -101,7 +103,7 @@ public final class TextOverlay {
   private Line make(GL3 gl, String line) {
     Mesh mesh = mesher.mesh(line, FontFamily.SANS, FontStyle.PLAIN, TEXT_SIZE);
     float width = mesher.metrics(line, FontFamily.SANS, FontStyle.PLAIN, TEXT_SIZE).width();
-    return new Line(mesh.isEmpty() ? null : new GpuMesh(gl, MeshPacker.pack(mesh)), width);
+    return new Line(mesh.isEmpty() ? null : new GpuMesh(gl, MeshPacker.pack(mesh), buffers), width);
   }
 
   private void forgetAllBut(GL3 gl, List<String> text) {
@@ -142,5 +144,6 @@ public final class TextOverlay {
       panel.dispose(gl);
       panel = null;
     }
+    buffers.dispose(gl);
   }
 }

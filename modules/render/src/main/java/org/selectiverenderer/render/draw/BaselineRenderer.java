@@ -11,6 +11,7 @@ import org.selectiverenderer.browser.instance.InstanceTree;
 import org.selectiverenderer.browser.instance.ShapeInstance;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.geometry.mesh.MeshTransformer;
+import org.selectiverenderer.render.gpu.BufferPool;
 import org.selectiverenderer.render.gpu.GpuMesh;
 import org.selectiverenderer.render.gpu.ShaderProgram;
 import org.selectiverenderer.render.mesh.MeshPacker;
@@ -23,6 +24,7 @@ import org.selectiverenderer.render.mesh.PackedMesh;
  */
 public final class BaselineRenderer {
   private final ShaderProgram program;
+  private final BufferPool buffers = new BufferPool();
   private final GpuMesh mesh;
   private final float[] numbers = new float[16];
 
@@ -31,7 +33,7 @@ public final class BaselineRenderer {
    */
   public BaselineRenderer(GL3 gl, PackedMesh triangles) {
     program = new ShaderProgram(gl, "raw", List.of());
-    mesh = new GpuMesh(gl, triangles);
+    mesh = new GpuMesh(gl, triangles, buffers);
   }
 
   /**
@@ -101,5 +103,6 @@ public final class BaselineRenderer {
   public void dispose(GL3 gl) {
     program.dispose(gl);
     mesh.dispose(gl);
+    buffers.dispose(gl);
   }
 }

@@ -14,6 +14,7 @@ import java.util.stream.Collectors;
 import org.selectiverenderer.browser.instance.LightInstance;
 import org.selectiverenderer.browser.instance.ShapeInstance;
 import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.render.gpu.BufferPool;
 import org.selectiverenderer.render.gpu.GpuMesh;
 import org.selectiverenderer.render.gpu.TextureFilterQuality;
 import org.selectiverenderer.render.lighting.LightingPlanner;
@@ -33,6 +34,7 @@ final class GpuResourceCache {
   private final LightingPlanner planner;
   private final Map<RefinedMeshKey, Uploaded> meshes = new HashMap<>();
   private final List<GpuMesh> merged = new ArrayList<>();
+  private final BufferPool buffers = new BufferPool();
   private final DrawStateCache looks;
   private long uploads;
 
@@ -148,7 +150,7 @@ final class GpuResourceCache {
         .toList()
         .forEach(
             batch -> {
-              GpuMesh gpu = new GpuMesh(gl, batch.merged().mesh());
+              GpuMesh gpu = new GpuMesh(gl, batch.merged().mesh(), buffers);
               merged.add(gpu);
               uploads++;
               batch.parts(gpu, parts);
@@ -165,7 +167,7 @@ final class GpuResourceCache {
               RefinedMeshKey form = packed.drawn().form();
               // The refined triangles cover the same surface as the mesh's own.
               MeshOccluders occluders = MeshOccluders.of(form.source());
-              SubMesh part = SubMesh.whole(new GpuMesh(gl, packed.mesh()), occluders);
+              SubMesh part = SubMesh.whole(new GpuMesh(gl, packed.mesh(), buffers), occluders);
               meshes.put(form, new Uploaded(part, packed.drawn().survey()));
               uploads++;
             });
@@ -214,5 +216,6 @@ final class GpuResourceCache {
   void dispose(GL3 gl) {
     keepOnly(gl, List.of());
     looks.dispose(gl);
+    buffers.dispose(gl);
   }
 }

@@ -10,8 +10,10 @@ import org.selectiverenderer.render.mesh.VertexLayout;
 
 /** A mesh on the graphics card: a vertex array with its vertex and index buffer. */
 public final class GpuMesh {
+  private final BufferPool pool;
   private final int vertexArray;
-  private final int[] buffers = new int[2];
+  private final int vertices;
+  private final int indices;
   private final int mode;
   private final int indexType;
   private final int indexBytes;
@@ -20,7 +22,11 @@ public final class GpuMesh {
   private final List<RefinementLevelRange> coarser;
   private final boolean solid;
 
-  public GpuMesh(GL3 gl, PackedMesh mesh) {
+  /**
+   * @param pool the source of the buffer objects, which outlives the mesh
+   */
+  public GpuMesh(GL3 gl, PackedMesh mesh, BufferPool pool) {
+    this.pool = pool;
     mode =
         switch (mesh.primitive()) {
           case TRIANGLES -> GL.GL_TRIANGLES;
@@ -36,12 +42,13 @@ public final class GpuMesh {
     int[] array = new int[1];
     gl.glGenVertexArrays(1, array, 0);
     vertexArray = array[0];
-    gl.glGenBuffers(2, buffers, 0);
+    vertices = pool.take(gl);
+    indices = pool.take(gl);
     gl.glBindVertexArray(vertexArray);
-    gl.glBindBuffer(GL.GL_ARRAY_BUFFER, buffers[0]);
+    gl.glBindBuffer(GL.GL_ARRAY_BUFFER, vertices);
     gl.glBufferData(
         GL.GL_ARRAY_BUFFER, mesh.vertices().limit(), mesh.vertices(), GL.GL_STATIC_DRAW);
-    gl.glBindBuffer(GL.GL_ELEMENT_ARRAY_BUFFER, buffers[1]);
+    gl.glBindBuffer(GL.GL_ELEMENT_ARRAY_BUFFER, indices);
     gl.glBufferData(
         GL.GL_ELEMENT_ARRAY_BUFFER, mesh.indices().limit(), mesh.indices(), GL.GL_STATIC_DRAW);
     attributes(gl, mesh.layout());
@@ -105,6 +112,7 @@ public final class GpuMesh {
 
   public void dispose(GL3 gl) {
     gl.glDeleteVertexArrays(1, new int[] {vertexArray}, 0);
-    gl.glDeleteBuffers(2, buffers, 0);
+    pool.release(gl, vertices);
+    pool.release(gl, indices);
   }
 }

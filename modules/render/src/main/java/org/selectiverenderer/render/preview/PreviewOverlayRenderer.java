@@ -11,6 +11,7 @@ import org.selectiverenderer.browser.camera.Camera;
 import org.selectiverenderer.browser.instance.ShapeInstance;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.render.draw.DrawItem;
+import org.selectiverenderer.render.gpu.BufferPool;
 import org.selectiverenderer.render.gpu.GpuMesh;
 import org.selectiverenderer.render.gpu.ShaderProgram;
 import org.selectiverenderer.render.mesh.MeshPacker;
@@ -40,6 +41,7 @@ final class PreviewOverlayRenderer {
   private final float[] numbers = new float[16];
   private final Matrix4d place = new Matrix4d();
   private @Nullable ShaderProgram program;
+  private final BufferPool buffers = new BufferPool();
   private @Nullable GpuMesh edges;
   private @Nullable GpuMesh sides;
 
@@ -126,7 +128,7 @@ final class PreviewOverlayRenderer {
         (long) part.firstIndex()[0] * mesh.indexBytes());
   }
 
-  private static GpuMesh upload(GL3 gl, Mesh.Primitive primitive, int[] indices) {
+  private GpuMesh upload(GL3 gl, Mesh.Primitive primitive, int[] indices) {
     return new GpuMesh(
         gl,
         MeshPacker.pack(
@@ -138,7 +140,8 @@ final class PreviewOverlayRenderer {
                 null,
                 indices,
                 false,
-                Mesh.boundsOf(CORNERS, indices))));
+                Mesh.boundsOf(CORNERS, indices))),
+        buffers);
   }
 
   void dispose(GL3 gl) {
@@ -154,5 +157,6 @@ final class PreviewOverlayRenderer {
       sides.dispose(gl);
       sides = null;
     }
+    buffers.dispose(gl);
   }
 }
