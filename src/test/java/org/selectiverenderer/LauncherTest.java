@@ -292,7 +292,7 @@ class LauncherTest {
     environment.put("MALLOC_TOP_PAD_", "4096");
     launch("run", "a.x3d");
     assertThat(notes())
-        .contains("MALLOC_TOP_PAD_=4096")
+        .contains("MALLOC_TOP_PAD_=4096", "MALLOC_ARENA_MAX=2")
         .anyMatch(note -> note.startsWith("MALLOC_TRIM_THRESHOLD_="))
         .anyMatch(note -> note.startsWith("MALLOC_MMAP_THRESHOLD_="));
   }
