@@ -74,6 +74,15 @@ class BufferReuseTest {
     }
   }
 
+  @Test
+  void nothingThatWasDrawnLeavesNothingToFree() {
+    try (TestImageRenderer studio = new TestImageRenderer()) {
+      TextOverlay unused = new TextOverlay(new TextMesher());
+      unused.dispose(studio.gl());
+      lit(studio, TestScene.of("<Group/>"));
+    } // and the renderer has no buffers
+  }
+
   /** The name that the next buffer would have. */
   private static int freshName(GL3 gl) {
     int[] name = new int[1];

@@ -34,8 +34,9 @@ public final class BufferPool {
 
   /** Deletes the buffer objects that no mesh has. */
   public void dispose(GL3 gl) {
-    int[] names = free.stream().mapToInt(Integer::intValue).toArray();
-    gl.glDeleteBuffers(names.length, names, 0);
+    for (int name : free) {
+      gl.glDeleteBuffers(1, new int[] {name}, 0); // JOGL refuses an array of none.
+    }
     free.clear();
   }
 }
