@@ -73,13 +73,8 @@ public final class DesktopCommandProvider implements CommandProvider {
   private static ExitStatus enricher(Optional<Path> scene, ContentAccessPolicy access)
       throws IOException {
     LibraryProperties.swingFirst();
-    Path settings =
-        SettingsFolder.of(
-            System.getProperty("os.name", ""),
-            Path.of(System.getProperty("user.home", "")),
-            System.getenv());
     try {
-      EnricherApp.run(scene, access, settings);
+      EnricherApp.run(scene, access, SettingsFolder.ofUser());
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }

@@ -13,6 +13,7 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Problem.Severity;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SpellingSuggester;
+import org.selectiverenderer.base.trust.PermissionRequests;
 import org.selectiverenderer.command.CliCommand;
 import org.selectiverenderer.command.ProgramVersion;
 import org.selectiverenderer.command.option.AccessOptions;
@@ -21,6 +22,8 @@ import org.selectiverenderer.command.output.CommandFileCheck;
 import org.selectiverenderer.command.output.Console;
 import org.selectiverenderer.command.output.ExitStatus;
 import org.selectiverenderer.command.output.OutputFile;
+import org.selectiverenderer.command.trust.TrustOption;
+import org.selectiverenderer.command.trust.TrustPrompt;
 import org.selectiverenderer.validation.Rule;
 import org.selectiverenderer.validation.SourceFile;
 import org.selectiverenderer.validation.ValidationReport;
@@ -130,6 +133,8 @@ public final class ValidateCommand extends CliCommand {
 
   @Mixin private AccessOptions access = new AccessOptions();
 
+  @Mixin private TrustOption trust = new TrustOption();
+
   @Option(names = "--rules", description = "lists all rules")
   private boolean rules;
 
@@ -194,6 +199,10 @@ public final class ValidateCommand extends CliCommand {
             ? Optional.of(ValidationSettings.standard())
             : new ValidationSettingsReader(config, catalogue)
                 .read(new ProblemCollector(console()::problem));
+    if (config != null && settings.isPresent()) {
+      PermissionRequests asked = settings.get().permissions();
+      trust.require(config, asked, asked, TrustPrompt.onTerminal(console()), console());
+    }
     return settings.map(read -> read.ignoring(more).allowing(read.access().and(access.access())));
   }
 

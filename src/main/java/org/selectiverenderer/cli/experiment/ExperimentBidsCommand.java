@@ -10,6 +10,7 @@ import org.selectiverenderer.command.CliCommand;
 import org.selectiverenderer.command.ProgramVersion;
 import org.selectiverenderer.command.output.Console;
 import org.selectiverenderer.command.output.ExitStatus;
+import org.selectiverenderer.command.trust.TrustOption;
 import org.selectiverenderer.study.bids.BidsDataset;
 import org.selectiverenderer.study.dataset.RecordedStudy;
 import org.selectiverenderer.study.session.LoadedStudy;
@@ -32,6 +33,8 @@ import picocli.CommandLine.Option;
 final class ExperimentBidsCommand extends CliCommand {
   @Mixin private StudyArgument study = new StudyArgument();
 
+  @Mixin private TrustOption trust = new TrustOption();
+
   @Option(
       names = "--output",
       required = true,
@@ -52,7 +55,7 @@ final class ExperimentBidsCommand extends CliCommand {
   @Override
   public ExitStatus run() throws IOException {
     ProblemCollector problems = new ProblemCollector(console()::problem);
-    Optional<LoadedStudy> material = study.read(problems);
+    Optional<LoadedStudy> material = study.read(trust, console(), problems);
     if (material.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }

@@ -14,6 +14,7 @@ import org.selectiverenderer.command.output.CommandException;
 import org.selectiverenderer.command.output.CommandFileCheck;
 import org.selectiverenderer.command.output.Console;
 import org.selectiverenderer.command.output.ExitStatus;
+import org.selectiverenderer.command.trust.TrustOption;
 import org.selectiverenderer.command.output.OutputFile;
 import org.selectiverenderer.study.session.CollectedAnswers;
 import org.selectiverenderer.study.session.LoadedStudy;
@@ -40,6 +41,8 @@ import picocli.CommandLine.Option;
     })
 final class ExperimentCollectCommand extends CliCommand {
   @Mixin private StudyArgument study = new StudyArgument();
+
+  @Mixin private TrustOption trust = new TrustOption();
 
   @Option(
       names = "--responses",
@@ -108,7 +111,7 @@ final class ExperimentCollectCommand extends CliCommand {
     paper.tables().forEach(table -> files.reads("--paper", table));
     files.check();
     ProblemCollector problems = new ProblemCollector(console()::problem);
-    Optional<LoadedStudy> material = study.read(problems);
+    Optional<LoadedStudy> material = study.read(trust, console(), problems);
     if (material.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }

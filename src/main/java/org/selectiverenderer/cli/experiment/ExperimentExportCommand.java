@@ -11,6 +11,7 @@ import org.selectiverenderer.command.CliCommand;
 import org.selectiverenderer.command.output.CommandException;
 import org.selectiverenderer.command.output.Console;
 import org.selectiverenderer.command.output.ExitStatus;
+import org.selectiverenderer.command.trust.TrustOption;
 import org.selectiverenderer.statistics.script.RScriptGenerator;
 import org.selectiverenderer.study.dataset.RecordedStudy;
 import org.selectiverenderer.study.export.StudyExport;
@@ -37,6 +38,8 @@ import picocli.CommandLine.Option;
 final class ExperimentExportCommand extends CliCommand {
   @Mixin private StudyArgument study = new StudyArgument();
 
+  @Mixin private TrustOption trust = new TrustOption();
+
   @Option(
       names = "--output",
       required = true,
@@ -53,7 +56,7 @@ final class ExperimentExportCommand extends CliCommand {
   @Override
   public ExitStatus run() throws IOException {
     ProblemCollector problems = new ProblemCollector(console()::problem);
-    Optional<LoadedStudy> found = study.read(problems);
+    Optional<LoadedStudy> found = study.read(trust, console(), problems);
     if (found.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }

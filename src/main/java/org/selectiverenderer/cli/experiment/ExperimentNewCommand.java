@@ -3,14 +3,23 @@ package org.selectiverenderer.cli.experiment;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.files.ProgramLocation;
+import org.selectiverenderer.base.files.SettingsFolder;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.trust.PermissionRequests;
+import org.selectiverenderer.base.trust.TrustStore;
 import org.selectiverenderer.command.CliCommand;
 import org.selectiverenderer.command.output.CommandException;
 import org.selectiverenderer.command.output.Console;
 import org.selectiverenderer.command.output.ExitStatus;
+import org.selectiverenderer.study.definition.StudyPermissions;
+import org.selectiverenderer.study.definition.StudyReader;
 import org.selectiverenderer.study.definition.StudyTemplate;
+import org.selectiverenderer.study.threshold.ThresholdStudy;
+import org.selectiverenderer.study.threshold.ThresholdStudyReader;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -54,8 +63,37 @@ final class ExperimentNewCommand extends CliCommand {
         throw CommandException.usage("there is no scene " + needed + "; name another with --scene");
       }
     }
-    console().message("study: " + StudyTemplate.write(folder, shown));
+    Path study = StudyTemplate.write(folder, shown);
+    trust(study);
+    console().message("study: " + study);
     return ExitStatus.DONE;
+  }
+
+  /**
+   * Remembers that the user agrees to what the new study, its pilot and the threshold pilot ask
+   * for: the scene that the user has named, and the tracker of the template.
+   */
+  private void trust(Path study) throws IOException {
+    TrustStore store = new TrustStore(SettingsFolder.ofUser());
+    ProblemCollector problems = new ProblemCollector();
+    List<PermissionRequests> asked = new ArrayList<>();
+    Path pilot = study.resolveSibling("pilot");
+    StudyReader.read(study, problems).map(StudyPermissions::of).ifPresent(asked::add);
+    StudyReader.read(pilot.resolve(StudyTemplate.STUDY), problems)
+        .map(StudyPermissions::of)
+        .ifPresent(asked::add);
+    ThresholdStudyReader.read(pilot.resolve("threshold.json"), problems)
+        .map(ThresholdStudy::permissions)
+        .ifPresent(asked::add);
+    try {
+      for (PermissionRequests each : asked) {
+        if (!each.isEmpty()) {
+          store.remember(each);
+        }
+      }
+    } catch (IOException e) {
+      console().message("sessions will ask about the study's scene: " + e.getMessage());
+    }
   }
 
   /** Returns the default scene: in the current folder, else in the program's folder. */

@@ -12,6 +12,7 @@ import org.selectiverenderer.command.CliCommand;
 import org.selectiverenderer.command.output.CommandException;
 import org.selectiverenderer.command.output.Console;
 import org.selectiverenderer.command.output.ExitStatus;
+import org.selectiverenderer.command.trust.TrustOption;
 import org.selectiverenderer.command.output.OutputFile;
 import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.study.questionnaire.Questionnaire;
@@ -37,6 +38,8 @@ import picocli.CommandLine.Option;
     })
 final class ExperimentPaperCommand extends CliCommand {
   @Mixin private StudyArgument study = new StudyArgument();
+
+  @Mixin private TrustOption trust = new TrustOption();
 
   @Option(
       names = "--participant",
@@ -78,7 +81,7 @@ final class ExperimentPaperCommand extends CliCommand {
     OutputFile.check("--output", output, ".html");
     OutputFile.check("--csv", csv, ".csv");
     ProblemCollector problems = new ProblemCollector(console()::problem);
-    Optional<LoadedStudy> material = study.read(problems);
+    Optional<LoadedStudy> material = study.read(trust, console(), problems);
     if (material.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }

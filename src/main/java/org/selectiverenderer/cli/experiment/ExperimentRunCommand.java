@@ -33,6 +33,8 @@ import org.selectiverenderer.command.ProgramVersion;
 import org.selectiverenderer.command.output.CommandException;
 import org.selectiverenderer.command.output.Console;
 import org.selectiverenderer.command.output.ExitStatus;
+import org.selectiverenderer.command.trust.TrustOption;
+import org.selectiverenderer.command.trust.TrustPrompt;
 import org.selectiverenderer.hmd.DisplayConfiguration;
 import org.selectiverenderer.hmd.HeadsetLayout;
 import org.selectiverenderer.hmd.HeadsetViewSettings;
@@ -69,6 +71,8 @@ import picocli.CommandLine.Option;
     })
 final class ExperimentRunCommand extends CliCommand {
   @Mixin private StudyArgument study = new StudyArgument();
+
+  @Mixin private TrustOption trust = new TrustOption();
 
   @Mixin private ParticipantOptions participant = new ParticipantOptions();
 
@@ -140,7 +144,7 @@ final class ExperimentRunCommand extends CliCommand {
   public ExitStatus run() throws IOException {
     check();
     ProblemCollector problems = new ProblemCollector(console()::problem);
-    Optional<LoadedStudy> found = study.read(problems);
+    Optional<LoadedStudy> found = study.readForSession(trust, prompt(), console(), problems);
     if (found.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
@@ -188,6 +192,13 @@ final class ExperimentRunCommand extends CliCommand {
       Thread.currentThread().interrupt();
       throw CommandException.environment("interrupted; --resume continues the session");
     }
+  }
+
+  /** Asks on the terminal, else by a window, as sessions have windows; never where unattended. */
+  private TrustPrompt prompt() {
+    return unattended
+        ? TrustPrompt.NOBODY
+        : TrustPrompt.onTerminal(console()).or(TrustWindow::ask);
   }
 
   /** Returns the study's headset, checked before the session begins; empty for other displays. */

@@ -7,6 +7,7 @@ import org.selectiverenderer.cli.option.FormatOption;
 import org.selectiverenderer.command.CliCommand;
 import org.selectiverenderer.command.output.Console;
 import org.selectiverenderer.command.output.ExitStatus;
+import org.selectiverenderer.command.trust.TrustOption;
 import org.selectiverenderer.study.session.LoadedStudy;
 import org.selectiverenderer.study.session.StudyStatus;
 import picocli.CommandLine.Command;
@@ -19,6 +20,8 @@ import picocli.CommandLine.Mixin;
 final class ExperimentStatusCommand extends CliCommand {
   @Mixin private StudyArgument study = new StudyArgument();
 
+  @Mixin private TrustOption trust = new TrustOption();
+
   @Mixin private FormatOption format = new FormatOption();
 
   ExperimentStatusCommand(Console console) {
@@ -28,7 +31,7 @@ final class ExperimentStatusCommand extends CliCommand {
   @Override
   public ExitStatus run() throws IOException {
     ProblemCollector problems = new ProblemCollector(console()::problem);
-    Optional<LoadedStudy> material = study.read(problems);
+    Optional<LoadedStudy> material = study.read(trust, console(), problems);
     if (material.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }

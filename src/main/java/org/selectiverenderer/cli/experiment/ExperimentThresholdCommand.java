@@ -10,6 +10,7 @@ import org.selectiverenderer.app.threshold.ThresholdStimuli;
 import org.selectiverenderer.app.threshold.TrialPresenter;
 import org.selectiverenderer.app.threshold.WindowTrialPresenter;
 import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.trust.PermissionRequests;
 import org.selectiverenderer.cli.option.FormatOption;
 import org.selectiverenderer.command.CliCommand;
 import org.selectiverenderer.command.LibraryProperties;
@@ -19,6 +20,8 @@ import org.selectiverenderer.command.output.CommandException;
 import org.selectiverenderer.command.output.Console;
 import org.selectiverenderer.command.output.ExitStatus;
 import org.selectiverenderer.command.output.OutputFile;
+import org.selectiverenderer.command.trust.TrustOption;
+import org.selectiverenderer.command.trust.TrustPrompt;
 import org.selectiverenderer.render.context.GlAvailability;
 import org.selectiverenderer.render.context.GlUnavailableException;
 import org.selectiverenderer.study.questionnaire.ParticipantMessages;
@@ -54,6 +57,8 @@ final class ExperimentThresholdCommand extends CliCommand {
       paramLabel = "PILOT.json",
       description = "settings of the pilot, or the folder that contains threshold.json")
   private Path file = Path.of("");
+
+  @Mixin private TrustOption trust = new TrustOption();
 
   @Option(
       names = "--participant",
@@ -94,7 +99,19 @@ final class ExperimentThresholdCommand extends CliCommand {
       return ExitStatus.PROBLEMS;
     }
     ThresholdStudy study = found.get();
-    return results ? results(study, problems) : session(study, problems);
+    PermissionRequests all = study.permissions();
+    if (results) {
+      return results(study, problems); // reads answers, and neither the scene nor messages
+    }
+    trust.require(
+        study.file(),
+        all,
+        all,
+        unattended
+            ? TrustPrompt.NOBODY
+            : TrustPrompt.onTerminal(console()).or(TrustWindow::ask),
+        console());
+    return session(study, problems);
   }
 
   private void check() {

@@ -5,6 +5,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.trust.PermissionRequest.Kind;
+import org.selectiverenderer.base.trust.PermissionRequests;
+import org.selectiverenderer.command.output.Console;
+import org.selectiverenderer.command.trust.TrustOption;
+import org.selectiverenderer.command.trust.TrustPrompt;
+import org.selectiverenderer.study.definition.StudyPermissions;
 import org.selectiverenderer.study.definition.StudyTemplate;
 import org.selectiverenderer.study.session.LoadedStudy;
 import picocli.CommandLine.Parameters;
@@ -16,9 +22,47 @@ final class StudyArgument {
       description = "study file, or the folder that contains study.json")
   private Path study = Path.of("");
 
-  /** Reads the study; empty when it has errors, which are reported to {@code problems}. */
-  Optional<LoadedStudy> read(ProblemCollector problems) throws IOException {
+  /**
+   * Reads the study for a command that shows no scene and opens no device; it needs the user's
+   * agreement to files outside of the study's folder only, and such pictures as are in folders that
+   * the study asks for.
+   *
+   * @return empty when it has errors, which are reported to {@code problems}
+   */
+  Optional<LoadedStudy> read(TrustOption trust, Console console, ProblemCollector problems)
+      throws IOException {
     return LoadedStudy.read(
-        Files.isDirectory(study) ? study.resolve(StudyTemplate.STUDY) : study, problems);
+        file(),
+        read -> {
+          PermissionRequests all = StudyPermissions.of(read);
+          trust.require(
+              file(),
+              all.of(Kind.FILE, Kind.FOLDER),
+              all,
+              TrustPrompt.onTerminal(console),
+              console);
+        },
+        problems);
+  }
+
+  /**
+   * Reads the study for a session, which needs the user's agreement to all that the study asks for.
+   *
+   * @return empty when it has errors, which are reported to {@code problems}
+   */
+  Optional<LoadedStudy> readForSession(
+      TrustOption trust, TrustPrompt prompt, Console console, ProblemCollector problems)
+      throws IOException {
+    return LoadedStudy.read(
+        file(),
+        read -> {
+          PermissionRequests all = StudyPermissions.of(read);
+          trust.require(file(), all, all, prompt, console);
+        },
+        problems);
+  }
+
+  private Path file() {
+    return Files.isDirectory(study) ? study.resolve(StudyTemplate.STUDY) : study;
   }
 }

@@ -16,10 +16,7 @@ final class FoldersProbe {
 
   static void run(Consumer<Diagnosis> found) throws IOException {
     Path settings =
-        SettingsFolder.of(
-            System.getProperty("os.name", ""),
-            Path.of(System.getProperty("user.home", "")),
-            System.getenv());
+        SettingsFolder.ofUser();
     found.accept(place("settings", settings));
     found.accept(place("temporary files", Path.of(System.getProperty("java.io.tmpdir", "."))));
   }

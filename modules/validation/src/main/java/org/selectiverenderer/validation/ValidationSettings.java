@@ -7,7 +7,9 @@ import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Problem.Severity;
+import org.selectiverenderer.base.trust.PermissionRequests;
 import org.selectiverenderer.x3d.url.ContentAccessPolicy;
+import org.selectiverenderer.x3d.url.OutsideRequests;
 
 /**
  * The settings of a validation run.
@@ -56,6 +58,14 @@ public record ValidationSettings(
   /** Returns the settings with other access rights of scenes. */
   public ValidationSettings allowing(ContentAccessPolicy wanted) {
     return new ValidationSettings(ignored, severities, budgets, megabytes, wanted, file);
+  }
+
+  /** Returns what the settings file asks for beyond its own folder and project. */
+  public PermissionRequests permissions() {
+    Path from = file == null ? Path.of("") : file;
+    return new OutsideRequests(from)
+        .access(file == null ? ContentAccessPolicy.none() : access)
+        .requests();
   }
 
   /** Returns the severity of a rule's findings. */

@@ -17,6 +17,7 @@ import org.selectiverenderer.enricher.diff.DiffDialog;
 import org.selectiverenderer.enricher.diff.MergeDialog;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.swing.TrustDialog;
 
 /** Asks the author by modal dialogs over the window. */
 final class DialogUserPrompts implements UserPrompts {
@@ -113,6 +114,20 @@ final class DialogUserPrompts implements UserPrompts {
   @Override
   public boolean saveFaulty(String sentence) {
     return choose(sentence, Texts.of("keep.cancel"), Texts.of("keep.faulty.save")) == 1;
+  }
+
+  @Override
+  public boolean trust(String sentence, List<String> lines) {
+    return TrustDialog.ask(
+            Optional.of(owner),
+            new TrustDialog.Words(
+                Texts.of("window.title"),
+                sentence,
+                Texts.of("keep.trusthint"),
+                Texts.of("keep.agree"),
+                Texts.of("keep.cancel")),
+            lines)
+        .orElse(false);
   }
 
   private static JFileChooser chooser(Optional<Path> near) {

@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
@@ -24,11 +25,13 @@ import org.selectiverenderer.authoring.UndoHistory;
 import org.selectiverenderer.authoring.file.CrashRecovery;
 import org.selectiverenderer.authoring.file.DocumentFile;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
+import org.selectiverenderer.base.trust.TrustStore;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.settings.EnricherSettings;
 import org.selectiverenderer.enricher.settings.FontZoom;
 import org.selectiverenderer.enricher.settings.Language;
 import org.selectiverenderer.enricher.settings.RecentFiles;
+import org.selectiverenderer.enricher.settings.SettingsTrust;
 import org.selectiverenderer.enricher.settings.Theme;
 import org.selectiverenderer.enricher.task.TaskExecutor;
 import org.selectiverenderer.enricher.text.Texts;
@@ -52,6 +55,7 @@ final class EnricherWindow {
   private final JPanel content = new JPanel(new BorderLayout());
   private final JLabel welcome = new JLabel(Texts.of("window.welcome"), SwingConstants.CENTER);
   private final UserPrompts questions;
+  private final SettingsTrust trust;
   private final HelpDialogs help = new HelpDialogs(frame);
   private final DocumentOpener opening;
   private final SceneDialogs dialogs;
@@ -88,6 +92,7 @@ final class EnricherWindow {
     this.recent = new RecentFiles(settings);
     this.place = new WindowBoundsStore(settings);
     this.closed = closed;
+    this.trust = new SettingsTrust(new TrustStore(folder), this::askForTrust);
     status.say(look.complaint());
     questions = new DialogUserPrompts(frame);
     saves = new SaveCommands(questions, this::reviews, status::say, this::refresh, recent);
@@ -189,11 +194,16 @@ final class EnricherWindow {
     welcome.setText(work.isEmpty() ? Texts.of("window.welcome") : work);
   }
 
+  private void askForTrust(String sentence, List<String> lines, Consumer<Boolean> answer) {
+    EventQueue.invokeLater(() -> answer.accept(questions.trust(sentence, lines)));
+  }
+
   private void adopt(DocumentFile file) {
     letGo(true);
     EnricherSession session =
         new EnricherSession(file, catalogue, look.access(), tasks, status::say);
-    Workbench opened = new Workbench(session, settings, recovery, status::count, dialogs::versions);
+    Workbench opened =
+        new Workbench(session, settings, recovery, status::count, dialogs::versions, trust);
     opened.onElsewhere(opening::openElsewhere);
     opened.menu().add(runs.openInlineOfNode());
     bench = opened;

@@ -81,6 +81,13 @@ interface UserPrompts {
    */
   boolean saveFaulty(String sentence);
 
+  /**
+   * Asks whether the settings file beside a scene may open what it asks for.
+   *
+   * @param lines what it asks for beyond its own folder
+   */
+  boolean trust(String sentence, List<String> lines);
+
   Optional<Path> fileToOpen(Optional<Path> near);
 
   /** The file to save to; empty if the author cancels. */

@@ -37,6 +37,7 @@ import org.selectiverenderer.enricher.problems.ValidatorCheck;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.settings.Autosave;
 import org.selectiverenderer.enricher.settings.EnricherSettings;
+import org.selectiverenderer.enricher.settings.SettingsTrust;
 import org.selectiverenderer.enricher.source.SourcePanel;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.enricher.tree.SceneTreePanel;
@@ -76,19 +77,25 @@ final class Workbench {
   /**
    * @param counts called with the number of problems whenever it changes
    * @param makeVersions opens the versions dialog for an element with a DEF name
+   * @param trust asks what the settings file beside the scene may open
    */
   Workbench(
       EnricherSession session,
       EnricherSettings settings,
       CrashRecovery recovery,
       Consumer<ProblemCounts> counts,
-      Consumer<DocumentElement> makeVersions) {
+      Consumer<DocumentElement> makeVersions,
+      SettingsTrust trust) {
     this.session = session;
     this.settings = settings;
     menu = new NodeMenu(session);
     pictures = new VersionImageRenderer(asScene(session));
     autosave = new Autosave(session, recovery);
-    BudgetFileLocator budgets = new BudgetFileLocator(() -> session.file().path(), settings);
+    BudgetFileLocator budgets =
+        new BudgetFileLocator(
+            () -> session.file().path(),
+            settings,
+            (read, found) -> trust.limited(read, found, this::settingsAreOther));
     problems = new ProblemsPanel(session, List.of(validator(session, budgets)));
     tree = new SceneTreePanel(session, problems::faulty);
     problems.onCounts(
@@ -142,6 +149,11 @@ final class Workbench {
       tabs.setSelectedComponent(source.component());
       source.showFault();
     }
+  }
+
+  private void settingsAreOther() {
+    cost.lookAtFilesAgain();
+    problems.checkAgain();
   }
 
   /** Adds a tab with the name that the settings remember it by in every language. */

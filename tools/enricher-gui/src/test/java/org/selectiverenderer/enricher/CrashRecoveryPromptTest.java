@@ -71,6 +71,11 @@ class CrashRecoveryPromptTest {
     }
 
     @Override
+    public boolean trust(String sentence, List<String> lines) {
+      return false;
+    }
+
+    @Override
     public Optional<Path> fileToOpen(Optional<Path> near) {
       throw new AssertionError(near);
     }

@@ -91,6 +91,11 @@ abstract class DocumentSaverFixture {
     }
 
     @Override
+    public boolean trust(String sentence, List<String> lines) {
+      return false;
+    }
+
+    @Override
     public Optional<Path> fileToOpen(Optional<Path> near) {
       return Optional.empty();
     }

@@ -10,6 +10,14 @@ public final class SettingsFolder {
 
   private SettingsFolder() {}
 
+  /** Returns the configuration folder of the user who runs this process. */
+  public static Path ofUser() {
+    return of(
+        System.getProperty("os.name", ""),
+        Path.of(System.getProperty("user.home", "")),
+        System.getenv());
+  }
+
   /**
    * Returns the program's configuration folder.
    *

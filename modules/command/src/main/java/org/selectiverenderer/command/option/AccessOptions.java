@@ -26,8 +26,9 @@ public final class AccessOptions {
       names = "--allow-net",
       paramLabel = "HOST",
       description =
-          "host that the scene may fetch files from: example.org, or *.example.org for all below"
-              + " it; may be repeated (default: none)")
+          "host that the scene may fetch files from: example.org (ports 80 and 443),"
+              + " example.org:8080, or *.example.org for all below it; may be repeated (default:"
+              + " none)")
   private List<String> hosts = List.of();
 
   /**

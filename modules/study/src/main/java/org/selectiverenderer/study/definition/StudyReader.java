@@ -24,6 +24,7 @@ import org.selectiverenderer.formats.json.LocatedJsonValue;
 import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.tracker.TrackerSpec;
 import org.selectiverenderer.x3d.url.ContentAccessKeys;
+import org.selectiverenderer.x3d.url.NetworkShare;
 
 /**
  * Reads a study file. Every fault (an unknown key, an invalid value, a missing file) is an error
@@ -185,6 +186,10 @@ public final class StudyReader {
   }
 
   private Path file(JsonObjectReader keys, String key, String name) {
+    if (NetworkShare.is(name)) {
+      keys.fault(key, "'" + name + "' is on another computer; name a file of this one");
+      return file;
+    }
     Path found = folder.resolve(name).normalize();
     if (!Files.isRegularFile(found)) {
       keys.fault(key, "there is no file '" + name + "' relative to the study file");

@@ -31,6 +31,15 @@ public final class ParticipantMessages {
     this.words = words;
   }
 
+  /** Returns the study's own file of messages in a language, which need not exist. */
+  public static Path file(String language, Path folder) {
+    return folder.resolve(name(language));
+  }
+
+  private static String name(String language) {
+    return "messages_" + language + ".properties";
+  }
+
   /**
    * Loads the messages of a language.
    *
@@ -40,9 +49,8 @@ public final class ParticipantMessages {
    */
   public static Optional<ParticipantMessages> of(
       String language, Path folder, ProblemCollector problems) throws IOException {
-    String name = "messages_" + language + ".properties";
     Properties words = new Properties(builtIn("messages_en.properties").orElseThrow());
-    Path own = folder.resolve(name);
+    Path own = file(language, folder);
     if (Files.isRegularFile(own)) {
       try (Reader reader = new StringReader(InputFileReader.text(own))) {
         words.load(reader);
@@ -54,7 +62,7 @@ public final class ParticipantMessages {
       }
       return Optional.of(new ParticipantMessages(language, words));
     }
-    Optional<Properties> known = builtIn(name);
+    Optional<Properties> known = builtIn(name(language));
     if (known.isEmpty()) {
       problems.error(
           SourceLocation.of(own.toString()),

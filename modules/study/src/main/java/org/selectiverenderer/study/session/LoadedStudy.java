@@ -7,6 +7,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.study.definition.Study;
@@ -35,18 +36,27 @@ public record LoadedStudy(
     asked = List.copyOf(asked);
   }
 
+  /** Reads a study of one's own, which may have what it asks for. */
+  public static Optional<LoadedStudy> read(Path file, ProblemCollector problems)
+      throws IOException {
+    return read(file, study -> {}, problems);
+  }
+
   /**
    * Reads a study file and the files that it refers to.
    *
+   * @param check is called before any other file is read, and throws an exception if the study must
+   *     not have what it asks for
    * @return empty if there are faults, which are then in {@code problems}
    * @throws IOException if a file cannot be read
    */
-  public static Optional<LoadedStudy> read(Path file, ProblemCollector problems)
-      throws IOException {
+  public static Optional<LoadedStudy> read(
+      Path file, Consumer<Study> check, ProblemCollector problems) throws IOException {
     Optional<Study> study = StudyReader.read(file, problems);
     if (study.isEmpty()) {
       return Optional.empty();
     }
+    check.accept(study.get());
     Optional<ParticipantMessages> wording =
         ParticipantMessages.of(study.get().language(), study.get().folder(), problems);
     if (wording.isEmpty()) {

@@ -1,11 +1,13 @@
 package org.selectiverenderer.study.session;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.study.definition.Study;
+import org.selectiverenderer.study.definition.StudyPermissions;
 import org.selectiverenderer.study.definition.StudyQuestionnaires.Content;
 import org.selectiverenderer.study.definition.StudyQuestionnaires.Moment;
 import org.selectiverenderer.study.definition.StudyQuestionnaires.Source;
@@ -34,8 +36,7 @@ final class StudyQuestionnaireLoader {
   Optional<Questionnaire> form() throws IOException {
     Optional<Questionnaire> read =
         study.questionnaires().form().isPresent()
-            ? QuestionnaireReader.read(
-                study.questionnaires().form().get(), study.language(), problems)
+            ? own(study.questionnaires().form().get())
             : StandardScales.form(study.language(), problems);
     return read.map(form -> form.as("form", ""));
   }
@@ -55,6 +56,11 @@ final class StudyQuestionnaireLoader {
     return whole ? Optional.of(asked) : Optional.empty();
   }
 
+  private Optional<Questionnaire> own(Path file) throws IOException {
+    return QuestionnaireReader.read(
+        file, study.language(), StudyPermissions.pictures(study, file), problems);
+  }
+
   private Optional<List<Questionnaire>> read(Source source) throws IOException {
     if (source.content() instanceof Content.Items items) {
       return ItemListReader.read(
@@ -66,7 +72,7 @@ final class StudyQuestionnaireLoader {
     }
     Optional<Questionnaire> read =
         source.content() instanceof Content.Own own
-            ? QuestionnaireReader.read(own.file(), study.language(), problems)
+            ? own(own.file())
             : StandardScales.of(
                 ((Content.Standard) source.content()).template(), study.language(), problems);
     return read.map(one -> one.as(source.name().orElse(one.name()), ""))

@@ -2,7 +2,10 @@ package org.selectiverenderer.study.threshold;
 
 import java.nio.file.Path;
 import java.util.List;
+import org.selectiverenderer.base.trust.PermissionRequests;
+import org.selectiverenderer.study.questionnaire.ParticipantMessages;
 import org.selectiverenderer.x3d.url.ContentAccessPolicy;
+import org.selectiverenderer.x3d.url.OutsideRequests;
 
 /**
  * The settings of a threshold pilot.
@@ -55,6 +58,21 @@ public record ThresholdStudy(
   public ThresholdStudy {
     objects = List.copyOf(objects);
     views = List.copyOf(views);
+  }
+
+  /** Returns what the pilot asks for beyond its own folder. */
+  public PermissionRequests permissions() {
+    return new OutsideRequests(file)
+        .file(
+            "scene",
+            scene,
+            "shows, with every file that it may name in its own folder and project,")
+        .file(
+            "language",
+            ParticipantMessages.file(language, file.toAbsolutePath().resolveSibling("")),
+            "reads")
+        .access(access)
+        .requests();
   }
 
   /** Returns the folder of the pilot's files. */

@@ -11,6 +11,7 @@ import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.formats.json.JsonObjectReader;
 import org.selectiverenderer.formats.json.JsonSettingsReader;
 import org.selectiverenderer.x3d.url.ContentAccessKeys;
+import org.selectiverenderer.x3d.url.NetworkShare;
 
 /** Reads the settings of a threshold pilot; settings with faults are not used, as for a study. */
 public final class ThresholdStudyReader {
@@ -69,6 +70,10 @@ public final class ThresholdStudyReader {
 
   private Path scene(JsonObjectReader keys) {
     String name = keys.text("scene");
+    if (NetworkShare.is(name)) {
+      keys.fault("scene", "'" + name + "' is on another computer; name a file of this one");
+      return file;
+    }
     Path scene = file.toAbsolutePath().resolveSibling(name).normalize();
     if (!name.isEmpty() && !Files.isRegularFile(scene)) {
       keys.fault("scene", "there is no file '" + name + "' relative to the pilot's file");

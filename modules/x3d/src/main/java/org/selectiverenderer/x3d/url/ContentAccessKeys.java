@@ -31,6 +31,12 @@ public final class ContentAccessKeys {
     Path base = parent == null ? Path.of("") : parent;
     List<Path> folders = new ArrayList<>();
     for (LocatedJsonValue value : keys.list(FOLDERS, false)) {
+      if (NetworkShare.is(value.toString())) {
+        keys.fault(
+            value,
+            "'%s' is on another computer; allow a folder of this one".formatted(value.toString()));
+        continue;
+      }
       Path folder = base.resolve(value.toString());
       if (Files.isDirectory(folder)) {
         folders.add(folder);

@@ -13,9 +13,6 @@ import org.selectiverenderer.x3d.url.UrlResolver.Target;
 
 /** Converts the urls of local files to paths; whether these may be read is checked later. */
 final class LocalPathResolver {
-  /** A path that Windows takes for a network share: two slashes or backslashes at its start. */
-  private static final Pattern SHARE = Pattern.compile("[/\\\\]{2}.*", Pattern.DOTALL);
-
   private static final Pattern ENCODED = Pattern.compile("(?s)(?:[^%]++|%[0-9a-fA-F]{2})*+");
 
   /** A path, or the reason why there is none. */
@@ -56,13 +53,9 @@ final class LocalPathResolver {
   private static boolean share(String location, boolean absolute) {
     if (absolute) {
       URI uri = FileUrl.uri(location);
-      return uri.getAuthority() != null || uri.getPath() != null && isShare(uri.getPath());
+      return uri.getAuthority() != null || uri.getPath() != null && NetworkShare.is(uri.getPath());
     }
-    return isShare(location) || isShare(decoded(location));
-  }
-
-  private static boolean isShare(String path) {
-    return SHARE.matcher(path).matches();
+    return NetworkShare.is(location) || NetworkShare.is(decoded(location));
   }
 
   /** Decodes percent-encoding; a url with an invalid code is returned unchanged. */

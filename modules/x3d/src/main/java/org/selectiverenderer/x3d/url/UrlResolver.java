@@ -250,6 +250,11 @@ public final class UrlResolver {
         || allowed.stream().anyMatch(real::startsWith);
   }
 
+  /** Returns whether the scene's folder has the user's home in it, so that it hides files. */
+  boolean isWide() {
+    return wide;
+  }
+
   /** Returns whether no name on the path begins with a dot, which marks private content. */
   private static boolean open(Path top, Path real) {
     for (Path part : top.relativize(real)) {

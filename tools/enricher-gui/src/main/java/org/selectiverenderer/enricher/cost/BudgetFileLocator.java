@@ -25,13 +25,22 @@ public final class BudgetFileLocator {
 
   private final Supplier<Path> scene;
   private final EnricherSettings settings;
+  private final Limit limit;
   private volatile @Nullable Path chosen;
+
+  /** Takes from settings what the author has not agreed to. */
+  @FunctionalInterface
+  public interface Limit {
+    ValidationSettings limited(ValidationSettings read, ProblemCollector problems);
+  }
 
   /**
    * @param scene the document's file
+   * @param limit what a settings file that comes with the scene may open
    */
-  public BudgetFileLocator(Supplier<Path> scene, EnricherSettings settings) {
+  public BudgetFileLocator(Supplier<Path> scene, EnricherSettings settings, Limit limit) {
     this.scene = scene;
+    this.limit = limit;
     this.settings = settings;
     String before = settings.word(KEY + folder(), "");
     chosen = before.isEmpty() ? null : Path.of(before);
@@ -68,12 +77,12 @@ public final class BudgetFileLocator {
   }
 
   /**
-   * Reads the present settings.
+   * Reads the present settings, with the folders and hosts that the author has agreed to.
    *
    * @return empty when the file has faults, which are then in {@code problems}
    * @throws IOException if it cannot be read at all
    */
   public Optional<ValidationSettings> settings(ProblemCollector problems) throws IOException {
-    return budgets().read(problems);
+    return budgets().read(problems).map(read -> limit.limited(read, problems));
   }
 }

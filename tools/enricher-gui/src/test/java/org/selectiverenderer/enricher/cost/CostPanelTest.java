@@ -86,7 +86,7 @@ class CostPanelTest {
               panel =
                   new CostPanel(
                       session,
-                      new BudgetFileLocator(() -> file, settings),
+                      new BudgetFileLocator(() -> file, settings, (read, found) -> read),
                       () -> changes.add("other"));
               made.setContentPane(panel);
               made.setSize(1100, 300);
@@ -160,7 +160,8 @@ class CostPanelTest {
     Path file = folder.resolve(BudgetFileLocator.NAME);
     EnricherSettings settings = new EnricherSettings(folder.resolve("settings"));
     assertThat(
-            new BudgetFileLocator(() -> folder.resolve("scene.x3d"), settings)
+            new BudgetFileLocator(
+                    () -> folder.resolve("scene.x3d"), settings, (read, found) -> read)
                 .settings(new ProblemCollector())
                 .orElseThrow()
                 .budgets())

@@ -13,6 +13,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Predicate;
 import org.selectiverenderer.apparatus.EyeGeometry;
 import org.selectiverenderer.base.files.InputFileReader;
 import org.selectiverenderer.base.problem.ProblemCollector;
@@ -24,6 +25,8 @@ import org.selectiverenderer.study.questionnaire.Question;
 import org.selectiverenderer.study.questionnaire.QuestionKind;
 import org.selectiverenderer.study.questionnaire.Questionnaire;
 import org.selectiverenderer.study.questionnaire.QuestionnairePage;
+import org.selectiverenderer.x3d.url.NetworkShare;
+import org.selectiverenderer.x3d.url.UrlResolver;
 
 /** Reads the JSON file of a questionnaire, which {@code questionnaire.schema.json} describes. */
 public final class QuestionnaireReader {
@@ -34,17 +37,19 @@ public final class QuestionnaireReader {
   private static final String NAME = "[0-9A-Za-z][0-9A-Za-z_-]*";
 
   private final Optional<Path> folder;
+  private final Predicate<Path> pictures;
   private final LocalizedTexts texts;
   private final Map<String, Question> questions = new LinkedHashMap<>();
   private final Set<String> pages = new HashSet<>();
 
-  private QuestionnaireReader(Optional<Path> folder, String language) {
+  private QuestionnaireReader(Optional<Path> folder, Predicate<Path> pictures, String language) {
     this.folder = folder;
+    this.pictures = pictures;
     texts = new LocalizedTexts(language);
   }
 
   /**
-   * Reads a file.
+   * Reads a file that may show the pictures of its own folder and project.
    *
    * @param language code of the language of the texts
    * @return empty if the file has faults, which are then in {@code problems}
@@ -52,9 +57,25 @@ public final class QuestionnaireReader {
    */
   public static Optional<Questionnaire> read(Path file, String language, ProblemCollector problems)
       throws IOException {
+    UrlResolver own = new UrlResolver(file.toAbsolutePath().resolveSibling(""));
+    return read(file, language, own::mayBeNamed, problems);
+  }
+
+  /**
+   * Reads a file.
+   *
+   * @param language code of the language of the texts
+   * @param pictures which pictures it may show
+   * @return empty if the file has faults, which are then in {@code problems}
+   * @throws IOException if the file cannot be read
+   */
+  public static Optional<Questionnaire> read(
+      Path file, String language, Predicate<Path> pictures, ProblemCollector problems)
+      throws IOException {
     Optional<Path> folder = Optional.ofNullable(file.toAbsolutePath().getParent());
     try {
-      return JSON.read(file, problems, new QuestionnaireReader(folder, language)::questionnaire);
+      return JSON.read(
+          file, problems, new QuestionnaireReader(folder, pictures, language)::questionnaire);
     } catch (UncheckedIOException e) {
       throw e.getCause(); // A picture could not be read.
     }
@@ -68,7 +89,10 @@ public final class QuestionnaireReader {
   static Optional<Questionnaire> parse(
       String file, String text, String language, ProblemCollector problems) {
     return JSON.parse(
-        file, text, problems, new QuestionnaireReader(Optional.empty(), language)::questionnaire);
+        file,
+        text,
+        problems,
+        new QuestionnaireReader(Optional.empty(), picture -> false, language)::questionnaire);
   }
 
   private Questionnaire questionnaire(JsonObjectReader keys) {
@@ -127,6 +151,11 @@ public final class QuestionnaireReader {
     Optional<Path> file = folder.map(base -> base.resolve(name).normalize());
     if (!name.toLowerCase(Locale.ROOT).matches(".*\\.(png|jpe?g)")) {
       keys.fault("picture", "a picture must be a PNG or JPEG file");
+    } else if (NetworkShare.is(name) || file.filter(pictures).isEmpty() && folder.isPresent()) {
+      keys.fault(
+          "picture",
+          "the picture '%s' is outside of the study; put it beside the questionnaire, or its folder into the study's \"allow\""
+              .formatted(name));
     } else if (file.isEmpty() || !Files.isRegularFile(file.get())) {
       keys.fault("picture", "there is no file '" + name + "' relative to the questionnaire's file");
     } else if (!isPicture(file.get())) {

@@ -1,0 +1,55 @@
+package org.selectiverenderer.base.trust;
+
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.selectiverenderer.base.files.Sha256;
+
+/**
+ * All that a file asks for beyond its own folder.
+ *
+ * @param folder the folder of the file, without links
+ * @param list the requests, in the file's order
+ */
+public record PermissionRequests(Path folder, List<PermissionRequest> list) {
+  public PermissionRequests {
+    list = List.copyOf(list);
+  }
+
+  /** Returns whether nothing is asked for. */
+  public boolean isEmpty() {
+    return list.isEmpty();
+  }
+
+  /** Returns the requests of some kinds. */
+  public PermissionRequests of(PermissionRequest.Kind first, PermissionRequest.Kind... more) {
+    Set<PermissionRequest.Kind> kinds = EnumSet.of(first, more);
+    return new PermissionRequests(
+        folder, list.stream().filter(each -> kinds.contains(each.kind())).toList());
+  }
+
+  /** Returns the lines that users read, each once. */
+  public List<String> lines() {
+    return list.stream().map(PermissionRequest::toString).distinct().toList();
+  }
+
+  /**
+   * Returns the SHA-256 digest by which an answer is remembered: of the folder and of what the
+   * requests mean, in any order. So a change of what is asked for, or of where a link leads, asks
+   * again, and so does the same study in another folder. The rest of the file is left out on
+   * purpose: it reaches nothing outside, and a question at each change of a wording would teach
+   * users to agree without reading.
+   */
+  public String digest() {
+    String text =
+        list.stream()
+            .map(each -> each.kind() + "\0" + each.key() + "\0" + each.target())
+            .distinct()
+            .sorted()
+            .collect(Collectors.joining("\0\0", folder + "\0\0", ""));
+    return Sha256.of(text.getBytes(StandardCharsets.UTF_8));
+  }
+}

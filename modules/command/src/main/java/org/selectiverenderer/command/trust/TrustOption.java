@@ -1,0 +1,100 @@
+package org.selectiverenderer.command.trust;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.files.SettingsFolder;
+import org.selectiverenderer.base.trust.PermissionRequests;
+import org.selectiverenderer.base.trust.TrustStore;
+import org.selectiverenderer.command.ProgramInvocation;
+import org.selectiverenderer.command.output.CommandException;
+import org.selectiverenderer.command.output.Console;
+import picocli.CommandLine;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** The option {@code --trust}, and the question that it answers. */
+public final class TrustOption {
+  @Option(
+      names = "--trust",
+      description =
+          "agrees, this time, to what the study or settings file asks for beyond its own folder,"
+              + " without a question")
+  private boolean trusted;
+
+  @Spec(Spec.Target.MIXEE)
+  private @Nullable CommandSpec command;
+
+  /** Requires the user's agreement as {@link #require(Path, PermissionRequests, Request)}. */
+  public void require(
+      Path file,
+      PermissionRequests needed,
+      PermissionRequests all,
+      TrustPrompt prompt,
+      Console console) {
+    require(file, needed, all, prompt, console, new TrustStore(SettingsFolder.ofUser()));
+  }
+
+  void require(
+      Path file,
+      PermissionRequests needed,
+      PermissionRequests all,
+      TrustPrompt prompt,
+      Console console,
+      TrustStore store) {
+    if (trusted || needed.isEmpty() || store.remembers(needed) || store.remembers(all)) {
+      return;
+    }
+    Optional<Boolean> answer =
+        prompt.ask(name(file) + " asks for more than its own folder", needed.lines());
+    if (answer.isEmpty()) {
+      throw CommandException.environment(unasked(file, needed));
+    }
+    if (!answer.get()) {
+      throw CommandException.environment(name(file) + ": not agreed to, so nothing was done");
+    }
+    try {
+      store.remember(needed);
+    } catch (IOException e) {
+      console.message("the answer is not remembered: " + e.getMessage());
+    }
+  }
+
+  private String unasked(Path file, PermissionRequests needed) {
+    return "%s asks for more than its own folder: %s; nobody can be asked here, so look at it and type: %s"
+        .formatted(name(file), String.join("; ", needed.lines()), again());
+  }
+
+  /** Returns the command line that the user has typed, with {@code --trust}. */
+  private String again() {
+    CommandLine root = command == null ? null : command.root().commandLine();
+    List<String> typed =
+        root == null || root.getParseResult() == null
+            ? List.of()
+            : root.getParseResult().originalArgs();
+    StringBuilder line = new StringBuilder(ProgramInvocation.name());
+    boolean added = false;
+    for (String word : typed) {
+      if (word.equals("--") && !added) {
+        line.append(" --trust");
+        added = true;
+      }
+      line.append(' ').append(quoted(word));
+    }
+    return added ? line.toString() : line + " --trust";
+  }
+
+  /** Quotes a word for a POSIX shell, if it needs that. */
+  private static String quoted(String word) {
+    return word.matches("[\\w@%+=:,./-]+")
+        ? word
+        : "'" + word.replaceAll("\\p{Cntrl}", "?").replace("'", "'\\''") + "'";
+  }
+
+  private static String name(Path file) {
+    return file.toString().replaceAll("[\\p{Cntrl}\\p{Cf}]", "?");
+  }
+}

@@ -1,0 +1,52 @@
+package org.selectiverenderer.command.trust;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import org.selectiverenderer.command.output.Console;
+
+/** Shows requests to the user, and asks whether to agree. */
+@FunctionalInterface
+public interface TrustPrompt {
+  /** Asks nobody, where no user is or none may be disturbed. */
+  TrustPrompt NOBODY = (sentence, lines) -> Optional.empty();
+
+  /**
+   * Asks.
+   *
+   * @param sentence what asks for more than its folder
+   * @param lines what is asked for
+   * @return the answer; empty if nobody can be asked
+   */
+  Optional<Boolean> ask(String sentence, List<String> lines);
+
+  /** Returns a prompt that asks by another one where this one can ask nobody. */
+  default TrustPrompt or(TrustPrompt other) {
+    return (sentence, lines) -> ask(sentence, lines).or(() -> other.ask(sentence, lines));
+  }
+
+  /** Returns a prompt on the terminal of the process; it asks nobody where there is none. */
+  static TrustPrompt onTerminal(Console console) {
+    return (sentence, lines) -> {
+      java.io.Console terminal = System.console();
+      return terminal == null
+          ? Optional.empty()
+          : onTerminal(console, question -> Optional.ofNullable(terminal.readLine("%s", question)))
+              .ask(sentence, lines);
+    };
+  }
+
+  /**
+   * Returns a prompt that reads answers otherwise; anything but yes is a no.
+   *
+   * @param read prints a question and returns the line typed; empty at the end of the input
+   */
+  static TrustPrompt onTerminal(Console console, Function<String, Optional<String>> read) {
+    return (sentence, lines) -> {
+      console.message(sentence + ":");
+      lines.forEach(line -> console.message("  " + line));
+      return read.apply("Agree? It is remembered until this list changes. [y/N] ")
+          .map(answer -> answer.strip().matches("(?i)y(es)?"));
+    };
+  }
+}
