@@ -201,7 +201,7 @@ public final class ValidateCommand extends CliCommand {
                 .read(new ProblemCollector(console()::problem));
     if (config != null && settings.isPresent()) {
       PermissionRequests asked = settings.get().permissions();
-      trust.require(config, asked, asked, TrustPrompt.onTerminal(console()), console());
+      trust.require(config, asked, TrustPrompt.onTerminal(console()), console());
     }
     return settings.map(read -> read.ignoring(more).allowing(read.access().and(access.access())));
   }

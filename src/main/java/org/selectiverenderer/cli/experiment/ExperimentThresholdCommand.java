@@ -106,7 +106,6 @@ final class ExperimentThresholdCommand extends CliCommand {
     trust.require(
         study.file(),
         all,
-        all,
         unattended
             ? TrustPrompt.NOBODY
             : TrustPrompt.onTerminal(console()).or(TrustWindow::ask),

@@ -38,7 +38,6 @@ final class StudyArgument {
           trust.require(
               file(),
               all.of(Kind.FILE, Kind.FOLDER),
-              all,
               TrustPrompt.onTerminal(console),
               console);
         },
@@ -57,7 +56,7 @@ final class StudyArgument {
         file(),
         read -> {
           PermissionRequests all = StudyPermissions.of(read);
-          trust.require(file(), all, all, prompt, console);
+          trust.require(file(), all, prompt, console);
         },
         problems);
   }

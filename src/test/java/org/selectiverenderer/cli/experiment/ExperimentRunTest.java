@@ -64,7 +64,7 @@ class ExperimentRunTest extends CommandTestCase {
 
   private int run(String... more) {
     List<String> command =
-        new ArrayList<>(List.of("experiment", "run", study.toString(), "--unattended"));
+        new ArrayList<>(List.of("experiment", "run", study.toString(), "--unattended", "--trust"));
     command.addAll(List.of(more));
     return execute(command.toArray(String[]::new));
   }

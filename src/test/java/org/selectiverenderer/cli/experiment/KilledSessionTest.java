@@ -59,7 +59,7 @@ class KilledSessionTest {
     try (OffscreenContext here = OffscreenContext.open()) {
       assumeTrue(here.info().renderer().contains("llvmpipe"), "only Mesa can be made older");
     }
-    ProcessBuilder run = command("run", study.toString(), "--participant", "001", "--unattended");
+    ProcessBuilder run = command("run", study.toString(), "--participant", "001", "--unattended", "--trust");
     run.environment().put("MESA_GL_VERSION_OVERRIDE", "2.1");
     assertThat(run.start().waitFor()).as(Files.readString(log)).isEqualTo(2);
     assertThat(Files.readString(log)).contains("OpenGL 3.3", "; nothing has begun").hasLineCount(1);
@@ -70,7 +70,7 @@ class KilledSessionTest {
   @Test
   void expectancyOfThePilotEnrichesAScene() throws IOException, InterruptedException {
     String pilot = study.resolveSibling("pilot").toString();
-    done("run", pilot + "/study.json", "--participant", "001", "--unattended");
+    done("run", pilot + "/study.json", "--participant", "001", "--unattended", "--trust");
     Path ratings = folder.resolve("ratings.csv");
     here(0, "collect", pilot, "--ratings", ratings.toString());
     String mixer =
@@ -139,7 +139,7 @@ class KilledSessionTest {
   void aSessionKilledInTheMiddleKeepsItsLogAndGoesOnFromItsLastFinishedStep()
       throws IOException, InterruptedException {
     Process first =
-        start("run", study.toString(), "--participant", "001", "--unattended", "--exposure", "5");
+        start("run", study.toString(), "--participant", "001", "--unattended", "--trust", "--exposure", "5");
     Path head = session.resolve("head/exposure-lounge_run-01.csv");
     while (!Files.exists(head) || Files.readAllLines(head).size() < 3) {
       assertThat(first.waitFor(20, TimeUnit.MILLISECONDS)).as(Files.readString(log)).isFalse();
@@ -154,7 +154,7 @@ class KilledSessionTest {
         study.toString(),
         "--participant",
         "001",
-        "--unattended",
+        "--unattended", "--trust",
         "--exposure",
         "1",
         "--resume");

@@ -11,6 +11,8 @@ package org.selectiverenderer.base.trust;
 public record PermissionRequest(Kind kind, String key, String target, String meaning) {
   /** The kinds of requests. */
   public enum Kind {
+    /** A scene outside is shown, with what it may name there. */
+    SCENE,
     /** A file outside is read. */
     FILE,
     /** Scenes may read a folder outside. */

@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.stream.Collectors;
 import org.selectiverenderer.base.files.Sha256;
 
@@ -37,19 +38,16 @@ public record PermissionRequests(Path folder, List<PermissionRequest> list) {
   }
 
   /**
-   * Returns the SHA-256 digest by which an answer is remembered: of the folder and of what the
-   * requests mean, in any order. So a change of what is asked for, or of where a link leads, asks
-   * again, and so does the same study in another folder. The rest of the file is left out on
-   * purpose: it reaches nothing outside, and a question at each change of a wording would teach
-   * users to agree without reading.
+   * Returns the SHA-256 digests by which an answer is remembered: one for each request, of the
+   * folder and of what the request means. So a new or changed request asks again, also where only a
+   * link leads elsewhere, and so does the same study in another folder; a request that is left out
+   * does not. The rest of the file is not in them on purpose: it reaches nothing outside, and a
+   * question at each change of a wording would teach users to agree without reading.
    */
-  public String digest() {
-    String text =
-        list.stream()
-            .map(each -> each.kind() + "\0" + each.key() + "\0" + each.target())
-            .distinct()
-            .sorted()
-            .collect(Collectors.joining("\0\0", folder + "\0\0", ""));
-    return Sha256.of(text.getBytes(StandardCharsets.UTF_8));
+  public Set<String> digests() {
+    return list.stream()
+        .map(each -> folder + "\0" + each.kind() + "\0" + each.key() + "\0" + each.target())
+        .map(text -> Sha256.of(text.getBytes(StandardCharsets.UTF_8)))
+        .collect(Collectors.toCollection(TreeSet::new));
   }
 }

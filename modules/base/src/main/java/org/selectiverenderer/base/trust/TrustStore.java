@@ -7,13 +7,16 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileAttribute;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
 import org.selectiverenderer.base.files.AtomicFileWriter;
 
 /**
- * The answers of the user, in one file of the user's own settings folder: a line for each list of
- * requests that the user has agreed to, with its digest and the folder for people. A line that is
- * deleted is asked about again. Never in the folder of the study, where a sender could write it.
+ * The answers of the user, in one file of the user's own settings folder: a line for each request
+ * that the user has agreed to, with its digest and the folder for people. A line that is deleted is
+ * asked about again. Never in the folder of the study, where a sender could write it.
  */
 public final class TrustStore {
   /** The name of the file. */
@@ -28,12 +31,11 @@ public final class TrustStore {
     file = settings.resolve(NAME);
   }
 
-  /** Returns whether the user has agreed to these requests; a file that cannot be read is empty. */
+  /** Returns whether the user has agreed to each; a file that cannot be read is empty. */
   public boolean remembers(PermissionRequests requests) {
-    String digest = requests.digest();
     try {
-      return Files.isRegularFile(file)
-          && lines().stream().anyMatch(line -> line.startsWith(digest + " "));
+      return requests.isEmpty()
+          || Files.isRegularFile(file) && known().containsAll(requests.digests());
     } catch (IOException e) {
       return false;
     }
@@ -49,10 +51,19 @@ public final class TrustStore {
       return;
     }
     create();
-    String line =
-        requests.digest() + " " + requests.folder().toString().replaceAll("\\p{Cntrl}", "?") + "\n";
-    String before = String.join("", lines().stream().map(each -> each + "\n").toList());
-    AtomicFileWriter.replace(file, (before + line).getBytes(StandardCharsets.UTF_8));
+    Set<String> known = known();
+    List<String> all = new ArrayList<>(lines());
+    for (String digest : requests.digests()) {
+      if (!known.contains(digest)) {
+        all.add(digest + " " + requests.folder().toString().replaceAll("\\p{Cntrl}", "?"));
+      }
+    }
+    String text = all.stream().map(line -> line + "\n").collect(Collectors.joining());
+    AtomicFileWriter.replace(file, text.getBytes(StandardCharsets.UTF_8));
+  }
+
+  private Set<String> known() throws IOException {
+    return lines().stream().map(line -> line.split(" ", 2)[0]).collect(Collectors.toSet());
   }
 
   private List<String> lines() throws IOException {

@@ -26,11 +26,14 @@ class TrustStoreTest {
 
   @Test
   void theSameRequestsOfTheSameFolderAreRememberedInAnyOrder() throws IOException {
-    new TrustStore(settings).remember(of("/a", FOLDER, HOST));
+    TrustStore first = new TrustStore(settings);
+    first.remember(of("/a", FOLDER));
+    assertThat(first.remembers(of("/a", FOLDER, HOST))).as("a request more").isFalse();
+    first.remember(of("/a", FOLDER, HOST));
     TrustStore later = new TrustStore(settings);
     assertThat(later.remembers(of("/a", HOST, FOLDER, FOLDER))).isTrue();
     assertThat(later.remembers(of("/b", FOLDER, HOST))).as("another folder").isFalse();
-    assertThat(later.remembers(of("/a", FOLDER))).as("other requests").isFalse();
+    assertThat(later.remembers(of("/a", FOLDER))).as("a request less").isTrue();
     later.remember(of("/b", FOLDER, HOST));
     assertThat(later.remembers(of("/a", FOLDER, HOST))).isTrue();
     assertThat(later.remembers(of("/b", FOLDER, HOST))).isTrue();
@@ -55,7 +58,7 @@ class TrustStoreTest {
   @Test
   void aFolderCannotForgeALineOfTheAnswers() throws IOException {
     TrustStore store = new TrustStore(settings);
-    String digest = of("/victim", FOLDER).digest();
+    String digest = of("/victim", FOLDER).digests().iterator().next();
     store.remember(of("/a\n" + digest + " /victim", FOLDER));
     assertThat(store.remembers(of("/victim", FOLDER))).isFalse();
   }

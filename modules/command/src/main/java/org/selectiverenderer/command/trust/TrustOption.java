@@ -28,24 +28,14 @@ public final class TrustOption {
   @Spec(Spec.Target.MIXEE)
   private @Nullable CommandSpec command;
 
-  /** Requires the user's agreement as {@link #require(Path, PermissionRequests, Request)}. */
-  public void require(
-      Path file,
-      PermissionRequests needed,
-      PermissionRequests all,
-      TrustPrompt prompt,
-      Console console) {
-    require(file, needed, all, prompt, console, new TrustStore(SettingsFolder.ofUser()));
+  /** Requires the agreement of the user, who is asked at most once for each request. */
+  public void require(Path file, PermissionRequests needed, TrustPrompt prompt, Console console) {
+    require(file, needed, prompt, console, new TrustStore(SettingsFolder.ofUser()));
   }
 
   void require(
-      Path file,
-      PermissionRequests needed,
-      PermissionRequests all,
-      TrustPrompt prompt,
-      Console console,
-      TrustStore store) {
-    if (trusted || needed.isEmpty() || store.remembers(needed) || store.remembers(all)) {
+      Path file, PermissionRequests needed, TrustPrompt prompt, Console console, TrustStore store) {
+    if (trusted || needed.isEmpty() || store.remembers(needed)) {
       return;
     }
     Optional<Boolean> answer =

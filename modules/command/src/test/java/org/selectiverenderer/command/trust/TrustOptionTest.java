@@ -41,13 +41,7 @@ class TrustOptionTest {
               return Optional.of(typed);
             });
     new TrustOption()
-        .require(
-            Path.of("study.json"),
-            asking(host),
-            asking(host),
-            prompt,
-            console,
-            new TrustStore(settings));
+        .require(Path.of("study.json"), asking(host), prompt, console, new TrustStore(settings));
   }
 
   @Test

@@ -17,30 +17,26 @@ import org.selectiverenderer.x3d.url.UrlResolver;
  * folder, a host, a device or a stream. A key that comes to reach outside is added here.
  */
 public final class StudyPermissions {
-  private static final String SHOWS =
-      "shows, with every file that it may name in its own folder and project,";
-  private static final String READS = "reads";
-
   private StudyPermissions() {}
 
   /** Returns all requests of a study. */
   public static PermissionRequests of(Study study) {
     OutsideRequests requests = new OutsideRequests(study.file());
-    study.scene().ifPresent(file -> requests.file("scene", file, SHOWS));
-    study.practice().ifPresent(practice -> requests.file("practice", practice.scene(), SHOWS));
-    study.questionnaires().form().ifPresent(file -> requests.file("form", file, READS));
+    study.scene().ifPresent(file -> requests.scene("scene", file));
+    study.practice().ifPresent(practice -> requests.scene("practice", practice.scene()));
+    study.questionnaires().form().ifPresent(file -> requests.file("form", file));
     for (StudyQuestionnaires.Source source : study.questionnaires().list()) {
       if (source.content() instanceof Content.Items items) {
-        requests.file("items", items.file(), READS);
+        requests.file("items", items.file());
       } else if (source.content() instanceof Content.Own own) {
-        requests.file("file", own.file(), READS);
+        requests.file("file", own.file());
       }
     }
     String profile = study.display().hmd();
     if (DisplayProfileLoader.builtIn(profile).isEmpty()) {
-      requests.file("hmd", Path.of(profile), READS);
+      requests.file("hmd", Path.of(profile));
     }
-    requests.file("language", ParticipantMessages.file(study.language(), study.folder()), READS);
+    requests.file("language", ParticipantMessages.file(study.language(), study.folder()));
     requests.access(study.access());
     tracker(requests, study.tracker());
     streams(requests, study.streams());

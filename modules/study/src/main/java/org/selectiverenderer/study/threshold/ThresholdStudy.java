@@ -63,14 +63,10 @@ public record ThresholdStudy(
   /** Returns what the pilot asks for beyond its own folder. */
   public PermissionRequests permissions() {
     return new OutsideRequests(file)
-        .file(
-            "scene",
-            scene,
-            "shows, with every file that it may name in its own folder and project,")
+        .scene("scene", scene)
         .file(
             "language",
-            ParticipantMessages.file(language, file.toAbsolutePath().resolveSibling("")),
-            "reads")
+            ParticipantMessages.file(language, file.toAbsolutePath().resolveSibling("")))
         .access(access)
         .requests();
   }

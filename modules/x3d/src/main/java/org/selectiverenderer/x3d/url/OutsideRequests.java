@@ -25,15 +25,24 @@ public final class OutsideRequests {
     own = new UrlResolver(folder);
   }
 
-  /**
-   * Adds a request for a file that is not the folder's own.
-   *
-   * @param meaning what is done with it: a verb, before the path
-   */
-  public OutsideRequests file(String key, Path file, String meaning) {
+  /** Adds a request for a file that is read, if it is not the folder's own. */
+  public OutsideRequests file(String key, Path file) {
+    return outside(Kind.FILE, key, file, "reads ");
+  }
+
+  /** Adds a request for a scene, if it is not the folder's own. */
+  public OutsideRequests scene(String key, Path file) {
+    return outside(
+        Kind.SCENE,
+        key,
+        file,
+        "shows, with every file that it may name in its own folder and project, ");
+  }
+
+  private OutsideRequests outside(Kind kind, String key, Path file, String verb) {
     Path real = LocalPathResolver.real(file);
     if (!own.mayBeNamed(real)) {
-      add(new PermissionRequest(Kind.FILE, key, real.toString(), meaning + " " + real));
+      add(new PermissionRequest(kind, key, real.toString(), verb + real));
     }
     return this;
   }

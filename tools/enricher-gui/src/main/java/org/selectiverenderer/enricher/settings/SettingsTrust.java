@@ -21,8 +21,8 @@ import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 public final class SettingsTrust {
   private final TrustStore store;
   private final Question question;
-  private final Set<String> asked = ConcurrentHashMap.newKeySet();
-  private final Set<String> agreed = ConcurrentHashMap.newKeySet();
+  private final Set<Set<String>> asked = ConcurrentHashMap.newKeySet();
+  private final Set<Set<String>> agreed = ConcurrentHashMap.newKeySet();
 
   /** Asks the author; returns at once, and hands the answer over later. */
   @FunctionalInterface
@@ -47,7 +47,7 @@ public final class SettingsTrust {
   public ValidationSettings limited(
       ValidationSettings read, ProblemCollector problems, Runnable opened) {
     PermissionRequests wanted = read.permissions();
-    String digest = wanted.digest();
+    Set<String> digest = wanted.digests();
     if (wanted.isEmpty() || agreed.contains(digest) || store.remembers(wanted)) {
       return read;
     }
