@@ -228,7 +228,9 @@ class ArchitectureTest {
       noClasses()
           .that(
               are(resideInAPackage(OURS))
-                  .and(not(resideInAnyPackage(of("x3d.script"), of("browser.script")))))
+                  .and(not(
+                          resideInAnyPackage(
+                              of("x3d.script"), of("browser.script"), of("scriptengine")))))
           .should()
           .dependOnClassesThat()
           .resideInAPackage("org.mozilla..");

@@ -4,28 +4,23 @@ import java.lang.management.ManagementFactory;
 import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 import org.mozilla.javascript.EvaluatorException;
+import org.mozilla.javascript.ScriptRuntime;
 import org.mozilla.javascript.ScriptStackElement;
 
 /**
  * Limits the time and memory of the script call that is running. It is checked every few thousand
- * instructions, so that a short call costs nothing.
+ * instructions or rounds of loops, so that a short call costs nothing.
  */
 final class CallLimit {
-  /**
-   * A call may allocate one part in this number of the heap, so that a scene survives a script that
-   * allocates too much.
-   */
-  private static final int SHARE = 4;
+  /** The largest text or array in bytes, at two bytes for a character and eight for an element. */
+  static final int MAX_BYTES_AT_ONCE = 1 << 26;
 
   private final long maxBytes;
   private double seconds;
   private long began;
   private long bytesBefore;
   private boolean measured;
-
-  CallLimit() {
-    this(Runtime.getRuntime().maxMemory() / SHARE);
-  }
+  private @Nullable ScriptStoppedError exceeded;
 
   /**
    * @param maxBytes the bytes that a call may allocate
@@ -39,27 +34,55 @@ final class CallLimit {
     seconds = maxSeconds;
     began = System.nanoTime();
     measured = false;
+    exceeded = null;
   }
 
   /**
-   * Checks the running call.
+   * Ends a call.
    *
+   * @throws ScriptStoppedError if it has exceeded a limit, even when something has caught that
+   */
+  void end() {
+    if (exceeded != null) {
+      throw exceeded;
+    }
+  }
+
+  /**
+   * Checks the running call. Once it has exceeded a limit, each further check throws.
+   *
+   * @param bytes the memory that is about to be allocated
    * @throws ScriptStoppedError if it exceeds a limit
    */
-  void check() {
+  void check(long bytes) {
+    if (exceeded != null) {
+      throw exceeded;
+    }
     if ((System.nanoTime() - began) * 1e-9 > seconds) {
-      throw new ScriptStoppedError(
-          String.format(Locale.ROOT, "it ran for more than %.0f s", seconds), lineNow());
+      stop(
+          "it ran for more than %s s"
+              .formatted(
+                  seconds == Math.rint(seconds)
+                      ? String.format(Locale.ROOT, "%.0f", seconds)
+                      : Double.toString(seconds)));
     }
     long allocated = Allocation.bytes();
     if (!measured) {
       measured = true;
       bytesBefore = allocated;
-    } else if (allocated - bytesBefore > maxBytes) {
-      throw new ScriptStoppedError(
-          "it allocated more than %s MB of memory in one call".formatted(maxBytes >> 20),
-          lineNow());
     }
+    if (bytes > MAX_BYTES_AT_ONCE) {
+      throw ScriptRuntime.rangeError(
+          "a text or an array in a Script has at most %s MB".formatted(MAX_BYTES_AT_ONCE >> 20));
+    }
+    if (allocated - bytesBefore + bytes > maxBytes) {
+      stop("it allocated more than %s MB of memory in one call".formatted(maxBytes >> 20));
+    }
+  }
+
+  private void stop(String reason) {
+    exceeded = new ScriptStoppedError(reason, lineNow());
+    throw exceeded;
   }
 
   private static int lineNow() {

@@ -64,6 +64,12 @@ final class PendingWrites {
     return waiting != null ? waiting.value : PrototypeInstance.value(node, field.index());
   }
 
+  /** Drops all values. */
+  void clear() {
+    all = new ArrayList<>();
+    latest.clear();
+  }
+
   void send(EventCascade cascade) {
     if (all.isEmpty()) {
       return;

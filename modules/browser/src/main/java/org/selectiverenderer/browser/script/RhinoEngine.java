@@ -1,20 +1,14 @@
 package org.selectiverenderer.browser.script;
 
 import java.util.Map;
-import java.util.function.Consumer;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
-import org.mozilla.javascript.CompilerEnvirons;
 import org.mozilla.javascript.Context;
 import org.mozilla.javascript.ContextFactory;
-import org.mozilla.javascript.ErrorReporter;
-import org.mozilla.javascript.Evaluator;
-import org.mozilla.javascript.ScriptRuntime;
-import org.mozilla.javascript.Scriptable;
 import org.mozilla.javascript.ScriptableObject;
 import org.selectiverenderer.browser.script.value.FieldConstructors;
 import org.selectiverenderer.browser.script.value.FieldValueConverter;
-import org.selectiverenderer.x3d.script.BigIntLiteralDetector;
+import org.selectiverenderer.scriptengine.MeteredContext;
 
 /**
  * The Rhino script engine with all that the scripts of a world share. It interprets instead of
@@ -29,13 +23,21 @@ final class RhinoEngine {
   /** Instructions between two checks of the limits: well below a millisecond. */
   private static final int LOOK_EVERY = 10_000;
 
-  private final ContextFactory factory = new Limited();
-  private final CallLimit limit = new CallLimit();
+  private final ContextFactory factory = new Factory();
+  private final ScriptLimits limits;
+  private final CallLimit limit;
   private final ScriptableObject shared;
   private final FieldValueConverter values;
   private @Nullable RunningScript running;
 
-  RhinoEngine(ScriptScheduler scripts, ScriptHost world) {
+  RhinoEngine(ScriptScheduler scripts, ScriptHost world, ScriptLimits limits) {
+    if (!MeteredContext.engineIsMetered()) {
+      throw new IllegalStateException(
+          "Scripts cannot run: the class path has Rhino as published before the program's own,"
+              + " metered copy of it; remove that jar");
+    }
+    this.limits = limits;
+    limit = new CallLimit(limits.bytes());
     Context context = factory.enterContext();
     try {
       shared = context.initSafeStandardObjects();
@@ -74,18 +76,26 @@ final class RhinoEngine {
   }
 
   /**
-   * Runs code of a script under the limits of a call.
+   * Runs code of a script, and what its promises then do, under the limits of a call. A call within
+   * a call is under those of the outer one.
    *
-   * @param seconds the time in seconds after which it is stopped
+   * @param starting whether these are the script's first statements, which have more time
    */
-  <T> T call(RunningScript script, double seconds, Function<Context, T> code) {
+  <T> T call(RunningScript script, boolean starting, Function<Context, T> code) {
     RunningScript before = running;
     Context context = factory.enterContext();
     try {
       running = script;
       values.accessBy(script);
-      limit.begin(seconds);
-      return code.apply(context);
+      if (before == null) {
+        limit.begin(starting ? limits.startSeconds() : limits.callSeconds());
+      }
+      T result = code.apply(context);
+      if (before == null) {
+        context.processMicrotasks(); // What promises have scheduled belongs to the call.
+        limit.end();
+      }
+      return result;
     } finally {
       running = before;
       values.accessBy(before);
@@ -93,39 +103,25 @@ final class RhinoEngine {
     }
   }
 
-  /** A context that rejects sources with BigInt literals, {@code eval} included. */
-  private static final class Bounded extends Context {
-    Bounded(ContextFactory factory) {
+  /** The context of scripts, which is under the limit of the running call. */
+  private final class Limited extends MeteredContext {
+    Limited(ContextFactory factory) {
       super(factory);
     }
 
     @Override
-    protected Object compileImpl(
-        @Nullable Scriptable scope,
-        String source,
-        String name,
-        int line,
-        @Nullable Object domain,
-        boolean function,
-        @Nullable Evaluator compiler,
-        @Nullable ErrorReporter reporter,
-        @Nullable Consumer<CompilerEnvirons> settings) {
-      BigIntLiteralDetector.line(source)
-          .ifPresent(
-              found -> {
-                throw ScriptRuntime.constructError(
-                    "SyntaxError", BigIntLiteralDetector.REFUSED, name, line + found - 1, null, 0);
-              });
-      return super.compileImpl(
-          scope, source, name, line, domain, function, compiler, reporter, settings);
+    protected void checkLimits(long bytes) {
+      if (running != null) {
+        limit.check(bytes);
+      }
     }
   }
 
   /** Makes contexts in which a script can neither access Java nor run for ever. */
-  private final class Limited extends ContextFactory {
+  private final class Factory extends ContextFactory {
     @Override
     protected Context makeContext() {
-      Context context = new Bounded(this);
+      Context context = new Limited(this);
       context.setInterpretedMode(true);
       context.setLanguageVersion(Context.VERSION_ES6);
       context.setMaximumInterpreterStackDepth(MAX_DEPTH);
@@ -136,7 +132,7 @@ final class RhinoEngine {
 
     @Override
     protected void observeInstructionCount(Context context, int count) {
-      limit.check();
+      limit.check(0);
     }
   }
 }

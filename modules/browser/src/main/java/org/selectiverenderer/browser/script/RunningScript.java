@@ -2,6 +2,8 @@ package org.selectiverenderer.browser.script;
 
 import java.util.Collections;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.Set;
 import java.util.WeakHashMap;
 import java.util.function.Function;
@@ -28,6 +30,9 @@ import org.selectiverenderer.x3d.script.ScriptProgram;
  * off for good.
  */
 final class RunningScript implements ScriptEventReceiver, NodeAccess {
+  /** The most characters of a printed line. */
+  private static final int MAX_PRINTED = 2000;
+
   /** The number of failures after which a script is switched off. */
   private static final int MAX_FAILURES = 20;
 
@@ -37,9 +42,6 @@ final class RunningScript implements ScriptEventReceiver, NodeAccess {
    */
   private static final int MAX_CALLS = 10_000;
 
-  private static final double CALL_SECONDS = 1;
-  private static final double START_SECONDS = 5;
-
   private final ScriptNode node;
   private final ScriptProgram program;
   private final Scene context;
@@ -47,7 +49,7 @@ final class RunningScript implements ScriptEventReceiver, NodeAccess {
   private final RhinoEngine engine;
   private final ScriptHost world;
   private final ScriptFieldValues own;
-  private final ScriptScope scope;
+  private ScriptScope scope;
   private final PendingWrites writes = new PendingWrites();
   private final Set<Node> made = Collections.newSetFromMap(new WeakHashMap<>());
   private final Set<String> told = new HashSet<>();
@@ -190,25 +192,7 @@ final class RunningScript implements ScriptEventReceiver, NodeAccess {
     }
     scripts.called();
     long began = System.nanoTime();
-    try {
-      engine.call(
-          this,
-          starting ? START_SECONDS : CALL_SECONDS,
-          cx -> {
-            code.apply(cx);
-            return this;
-          });
-    } catch (ScriptStoppedError e) {
-      switchOff(program.line(e.line()), e.getMessage());
-    } catch (OutOfMemoryError e) {
-      switchOff(program.start(), "it ran out of memory");
-    } catch (RhinoException e) {
-      failed(program.line(e.lineNumber()), e.details());
-    } catch (StackOverflowError e) {
-      failed(program.start(), "calls are nested too deeply");
-    } catch (RuntimeException e) {
-      failed(program.start(), "a function of the browser failed: " + e);
-    }
+    guarded(starting, code);
     double took = (System.nanoTime() - began) * 1e-9;
     if (!starting && scripts.together().add(cascade.time(), took)) {
       problem(
@@ -218,19 +202,55 @@ final class RunningScript implements ScriptEventReceiver, NodeAccess {
     }
   }
 
-  private void send(EventCascade cascade) {
+  /** Runs code under the limits of a call; whatever it does ends this script only. */
+  private void guarded(boolean starting, Function<Context, @Nullable Object> code) {
     try {
       engine.call(
           this,
-          CALL_SECONDS,
+          starting,
           cx -> {
-            own.send(cascade);
+            code.apply(cx);
             return this;
           });
+    } catch (ScriptStoppedError e) {
+      switchOff(program.line(e.line()), e.getMessage());
+    } catch (OutOfMemoryError e) {
+      switchOff(program.start(), "it ran out of memory");
+    } catch (StackOverflowError e) {
+      switchOff(program.start(), "calls are nested too deeply");
     } catch (RhinoException e) {
-      failed(program.start(), e.details());
+      failed(program.line(e.lineNumber()), e.details());
+    } catch (RuntimeException e) {
+      failed(program.start(), "a function of the browser failed: " + e);
+    } catch (InternalError | UnknownError e) {
+      throw e; // The virtual machine is broken, not the script.
+    } catch (Error e) {
+      switchOff(program.start(), "it broke the script engine: " + e);
     }
+  }
+
+  private void send(EventCascade cascade) {
+    Map<FieldDefinition, @Nullable Object> taken = new LinkedHashMap<>();
+    guarded(
+        false,
+        cx -> {
+          taken.putAll(own.take());
+          return null;
+        });
+    own.send(taken, cascade);
     writes.send(cascade);
+    if (off) {
+      release();
+    }
+  }
+
+  /** Drops what the program holds. */
+  private void release() {
+    own.clear();
+    writes.clear();
+    prepareEvents = null;
+    eventsProcessed = null;
+    scope = new ScriptScope(node.type(), own, engine.shared());
   }
 
   private boolean tooMany(EventCascade cascade) {
@@ -259,8 +279,10 @@ final class RunningScript implements ScriptEventReceiver, NodeAccess {
   }
 
   private void switchOff(SourceLocation at, String why) {
-    off = true;
-    problem(at, why + "; the Script is switched off");
+    if (!off) {
+      off = true;
+      problem(at, why + "; the Script is switched off");
+    }
   }
 
   /**
@@ -280,7 +302,8 @@ final class RunningScript implements ScriptEventReceiver, NodeAccess {
 
   /** Reports what the script prints. */
   void print(String text) {
-    scripts.print(node.location(), name() + " prints: " + text);
+    String shown = text.length() <= MAX_PRINTED ? text : text.substring(0, MAX_PRINTED) + "…";
+    scripts.print(node.location(), name() + " prints: " + shown);
   }
 
   /**

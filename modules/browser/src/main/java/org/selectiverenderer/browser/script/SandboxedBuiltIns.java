@@ -14,13 +14,9 @@ import org.mozilla.javascript.Undefined;
 /**
  * Replaces some of ECMAScript's built-in objects for scripts of a scene. Dates come from the
  * scene's time, and random numbers are the same in every run, so that the same walk gives the same
- * events. Built-in functions that run without interruption by the limits of a call are limited in
- * the length of their input.
+ * events.
  */
 final class SandboxedBuiltIns {
-  /** The most elements or characters that a built-in function may work on. */
-  private static final int MAX_LENGTH = 1 << 22;
-
   /** Removed: typed arrays, for which scripts of scenes have no use, and BigInt. */
   private static final List<String> LEFT_OUT =
       List.of(
@@ -46,9 +42,6 @@ final class SandboxedBuiltIns {
    */
   static void define(ScriptableObject scope, DoubleSupplier time) {
     LEFT_OUT.forEach(scope::delete);
-    bound(scope, ScriptableObject.getClassPrototype(scope, "Array"));
-    bound(scope, ScriptableObject.getClassPrototype(scope, "String"));
-    bound(scope, (Scriptable) ScriptableObject.getProperty(scope, "Array"));
     Random random = new Random(0);
     replace(
         scope,
@@ -71,55 +64,6 @@ final class SandboxedBuiltIns {
         name,
         new LambdaFunction(scope, name, count, (cx, from, self, args) -> body.call(args)),
         ScriptableObject.DONTENUM);
-  }
-
-  /** Wraps each method in a check of the length of its object and arguments. */
-  private static void bound(Scriptable scope, Scriptable owner) {
-    ScriptableObject object = (ScriptableObject) owner;
-    for (Object id : object.getAllIds()) {
-      if (id instanceof String name
-          && !name.equals("constructor")
-          && !name.equals("prototype")
-          && object.get(name, object) instanceof Function method) {
-        LambdaFunction bounded =
-            new LambdaFunction(
-                scope,
-                name,
-                0,
-                (cx, from, self, args) -> {
-                  check(name, self, args);
-                  return method.call(cx, from, self, args);
-                });
-        object.defineProperty(name, bounded, ScriptableObject.DONTENUM);
-      }
-    }
-  }
-
-  private static void check(String name, Object self, Object[] args) {
-    double length = length(self);
-    switch (name) {
-      case "repeat" -> length *= args.length > 0 ? ScriptRuntime.toNumber(args[0]) : 0;
-      case "padStart", "padEnd" -> length = args.length > 0 ? ScriptRuntime.toNumber(args[0]) : 0;
-      case "from" -> length = args.length > 0 ? length(args[0]) : 0;
-      default -> {
-        // All others iterate over their object.
-      }
-    }
-    if (length > MAX_LENGTH) {
-      throw ScriptRuntime.rangeError(
-          "%s works on at most %s elements or characters in a Script".formatted(name, MAX_LENGTH));
-    }
-  }
-
-  private static double length(Object object) {
-    if (object instanceof CharSequence text) {
-      return text.length();
-    }
-    if (object instanceof Scriptable list && !(object instanceof Function)) {
-      Object length = ScriptableObject.getProperty(list, "length");
-      return length instanceof Number number ? number.doubleValue() : 0;
-    }
-    return 0;
   }
 
   /** Makes {@code new Date()} and {@code Date.now()} return the scene's time. */

@@ -1,7 +1,10 @@
 package org.selectiverenderer.browser.script;
 
+import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.browser.nodes.script.ScriptNode;
@@ -54,20 +57,33 @@ final class ScriptFieldValues implements ScriptScope.Fields {
     changed.remove(field);
   }
 
-  /** Sends the values that have changed. */
-  void send(EventCascade cascade) {
-    if (changed.isEmpty()) {
-      return;
-    }
+  /** Returns the values that have changed, as fields have them, to send them with {@link #send}. */
+  Map<FieldDefinition, @Nullable Object> take() {
+    Map<FieldDefinition, @Nullable Object> taken = new LinkedHashMap<>();
     List<FieldDefinition> sent = List.copyOf(changed);
     changed = new LinkedHashSet<>();
     for (FieldDefinition field : sent) {
-      Object value = values.toField(field.type(), cells[field.index()]);
-      if (field.access() == AccessType.INITIALIZE_ONLY) {
-        node.init(field.index(), value);
-      } else {
-        node.emit(field.index(), value, cascade);
-      }
+      taken.put(field, values.toField(field.type(), cells[field.index()]));
     }
+    return taken;
+  }
+
+  /** Sends values. */
+  void send(Map<FieldDefinition, @Nullable Object> taken, EventCascade cascade) {
+    taken.forEach(
+        (field, value) -> {
+          if (field.access() == AccessType.INITIALIZE_ONLY) {
+            node.init(field.index(), value);
+          } else {
+            node.emit(field.index(), value, cascade);
+          }
+        });
+  }
+
+  /** Drops all values, so that none takes memory. */
+  void clear() {
+    Arrays.fill(cells, null);
+    Arrays.fill(known, false);
+    changed = new LinkedHashSet<>();
   }
 }

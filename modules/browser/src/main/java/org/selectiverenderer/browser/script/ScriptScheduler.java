@@ -30,6 +30,7 @@ public final class ScriptScheduler {
   private static final int MAX_LINES = 50;
 
   private final ScriptHost world;
+  private final ScriptLimits limits;
   private final Map<ScriptNode, RunningScript> running = new LinkedHashMap<>();
   private final List<RunningScript> waiting = new ArrayList<>();
   private final List<RunningScript> preparing = new ArrayList<>();
@@ -44,7 +45,12 @@ public final class ScriptScheduler {
   private long calls;
 
   public ScriptScheduler(ScriptHost world) {
+    this(world, ScriptLimits.standard());
+  }
+
+  ScriptScheduler(ScriptHost world, ScriptLimits limits) {
     this.world = world;
+    this.limits = limits;
   }
 
   /**
@@ -67,7 +73,7 @@ public final class ScriptScheduler {
       Scene context = node.context();
       if (program != null && context != null && !running.containsKey(node)) {
         if (engine == null) {
-          engine = new RhinoEngine(this, world);
+          engine = new RhinoEngine(this, world, limits);
         }
         RunningScript script = new RunningScript(node, program, context, this, engine, world);
         running.put(node, script);

@@ -10,10 +10,10 @@ class CallLimitTest {
   void callThatAllocatesTooMuchIsStopped() {
     CallLimit limit = new CallLimit(1 << 20);
     limit.begin(1000);
-    limit.check();
+    limit.check(0);
     byte[] much = new byte[8 << 20];
 
-    assertThatThrownBy(limit::check)
+    assertThatThrownBy(() -> limit.check(0))
         .isInstanceOf(ScriptStoppedError.class)
         .hasMessageContaining("more than 1 MB of memory");
     assertThat(much).hasSize(8 << 20);
@@ -24,9 +24,9 @@ class CallLimitTest {
     CallLimit limit = new CallLimit(64 << 20);
     for (int call = 0; call < 20; call++) {
       limit.begin(1000);
-      limit.check();
+      limit.check(0);
       byte[] much = new byte[8 << 20];
-      limit.check();
+      limit.check(0);
       assertThat(much).isNotEmpty();
     }
   }

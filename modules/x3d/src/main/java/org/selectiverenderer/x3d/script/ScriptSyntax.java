@@ -7,6 +7,7 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.mozilla.javascript.CompilerEnvirons;
 import org.mozilla.javascript.Context;
+import org.mozilla.javascript.ContextFactory;
 import org.mozilla.javascript.ErrorReporter;
 import org.mozilla.javascript.EvaluatorException;
 import org.mozilla.javascript.Node;
@@ -19,6 +20,7 @@ import org.mozilla.javascript.ast.FunctionNode;
 import org.mozilla.javascript.ast.Name;
 import org.mozilla.javascript.ast.VariableDeclaration;
 import org.mozilla.javascript.ast.VariableInitializer;
+import org.selectiverenderer.scriptengine.MeteredContext;
 
 /**
  * The result of parsing a program without running it.
@@ -29,6 +31,8 @@ import org.mozilla.javascript.ast.VariableInitializer;
 public record ScriptSyntax(List<Fault> faults, Set<String> names) {
   /** The maximum number of errors listed per program. */
   private static final int MOST = 3;
+
+  private static final int MOST_SECONDS = 10;
 
   /**
    * A syntax error.
@@ -44,6 +48,7 @@ public record ScriptSyntax(List<Fault> faults, Set<String> names) {
     settings.setLanguageVersion(Context.VERSION_ES6);
     settings.setRecoverFromErrors(false);
     AstRoot root = null;
+    new Reading().enterContext();
     try {
       root = new Parser(settings, faults).parse(program.text(), "script", 1);
     } catch (EvaluatorException e) {
@@ -58,11 +63,13 @@ public record ScriptSyntax(List<Fault> faults, Set<String> names) {
       }
     } catch (StackOverflowError e) {
       faults.add(1, "the program is nested too deeply");
+    } catch (TooLong e) {
+      faults.add(1, "reading the program takes more than %s s".formatted(MOST_SECONDS));
+    } finally {
+      Context.exit();
     }
     Set<String> names = new LinkedHashSet<>();
     if (root != null) {
-      BigIntLiteralDetector.line(program.text())
-          .ifPresent(line -> faults.add(line, BigIntLiteralDetector.REFUSED));
       for (Node statement : root) {
         names(statement, names);
       }
@@ -85,6 +92,31 @@ public record ScriptSyntax(List<Fault> faults, Set<String> names) {
       if (target instanceof Name name) {
         names.add(name.getIdentifier());
       }
+    }
+  }
+
+  /** Ends the reading of a program that takes too long. */
+  @SuppressWarnings("serial") // Never written to files.
+  private static final class TooLong extends Error {
+    TooLong() {
+      super(null, null, false, false);
+    }
+  }
+
+  /** Limits the time of reading. */
+  private static final class Reading extends ContextFactory {
+    private final long began = System.nanoTime();
+
+    @Override
+    protected Context makeContext() {
+      return new MeteredContext(this) {
+        @Override
+        protected void checkLimits(long bytes) {
+          if (System.nanoTime() - began > MOST_SECONDS * 1_000_000_000L) {
+            throw new TooLong();
+          }
+        }
+      };
     }
   }
 

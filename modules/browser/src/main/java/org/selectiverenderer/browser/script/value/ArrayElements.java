@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.IntFunction;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.scriptengine.ScriptMeter;
 import org.selectiverenderer.x3d.field.FieldType;
 
 /** Accesses the elements of MF values as {@link FieldType} represents them. */
@@ -49,6 +50,7 @@ final class ArrayElements {
   private static List<int[]> images(int[] all) {
     List<int[]> images = new ArrayList<>();
     for (int at = 0; at + 3 <= all.length; ) {
+      ScriptMeter.tick();
       long size = 3 + (all[at + 2] == 0 ? 0 : (long) all[at] * all[at + 1]);
       int end = (int) Math.min(all.length, at + size);
       images.add(Arrays.copyOfRange(all, at, end));
@@ -58,8 +60,14 @@ final class ArrayElements {
   }
 
   /** Builds an MF value from its elements; NULL is left out of an MFNode. */
-  static Object gather(FieldType type, int count, IntFunction<@Nullable Object> element) {
+  static Object gather(FieldType type, int count, IntFunction<@Nullable Object> elements) {
     int width = type.components();
+    ScriptMeter.allocate(count * width, 4);
+    IntFunction<@Nullable Object> element =
+        i -> {
+          ScriptMeter.tick();
+          return elements.apply(i);
+        };
     return switch (type.kind()) {
       case NODE -> {
         List<Object> nodes = new ArrayList<>(count);
@@ -117,12 +125,19 @@ final class ArrayElements {
       Arrays.setAll(numbers, i -> (Integer) element.apply(i));
       return numbers;
     }
-    int[] all = new int[0];
+    int length = 0;
+    List<int[]> images = new ArrayList<>();
     for (int i = 0; i < count; i++) {
       int[] image = (int[]) element.apply(i);
-      int at = all.length;
-      all = Arrays.copyOf(all, at + image.length);
+      length = Math.addExact(length, image.length);
+      images.add(image);
+    }
+    ScriptMeter.allocate(length, 4);
+    int[] all = new int[length];
+    int at = 0;
+    for (int[] image : images) {
       System.arraycopy(image, 0, all, at, image.length);
+      at += image.length;
     }
     return all;
   }

@@ -5,6 +5,7 @@ import org.jspecify.annotations.Nullable;
 import org.mozilla.javascript.ScriptRuntime;
 import org.mozilla.javascript.Scriptable;
 import org.mozilla.javascript.Undefined;
+import org.selectiverenderer.scriptengine.ScriptMeter;
 import org.selectiverenderer.x3d.field.FieldType;
 
 /**
@@ -89,10 +90,12 @@ final class ArrayValue extends FieldValue {
     int count = (int) wanted;
     if (count > made.length) {
       int room = Math.max(count, Math.min(MAX_LENGTH, 2 * made.length));
+      ScriptMeter.allocateReferences(room);
       made = Arrays.copyOf(made, room);
       known = Arrays.copyOf(known, room);
     }
     for (int i = length; i < count; i++) {
+      ScriptMeter.tick();
       made[i] = values.toScript(element, element.zero(), this::changed);
       known[i] = true;
     }
@@ -131,6 +134,7 @@ final class ArrayValue extends FieldValue {
   @Override
   public Object[] getIds() {
     Object[] own = super.getIds();
+    ScriptMeter.allocateReferences(length + own.length);
     Object[] ids = new Object[length + own.length];
     for (int i = 0; i < length; i++) {
       ids[i] = i;
@@ -155,6 +159,7 @@ final class ArrayValue extends FieldValue {
   String text() {
     StringBuilder text = new StringBuilder("[");
     for (int i = 0; i < length; i++) {
+      ScriptMeter.tick();
       text.append(i == 0 ? "" : ", ").append(values.text(element, get(i, this)));
     }
     return text.append(']').toString();

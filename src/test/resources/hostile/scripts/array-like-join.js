@@ -1,0 +1,2 @@
+// Array's join on something that says it has 9007199254740991 elements.
+function initialize() { Array.prototype.join.call({length: '9007199254740991'}); }

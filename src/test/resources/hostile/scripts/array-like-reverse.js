@@ -1,0 +1,2 @@
+// Array's reverse on something that says it has 9007199254740991 elements.
+function initialize() { Array.prototype.reverse.call({length: '9007199254740991'}); }

@@ -1,0 +1,2 @@
+// An integer of any length.
+function initialize() { (2n ** 100000000n).toString(); }

@@ -1,0 +1,2 @@
+// A generator without end, spread.
+function initialize() { function* g() { for (;;) yield 1; } [...g()]; }

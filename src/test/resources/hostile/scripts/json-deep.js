@@ -1,0 +1,2 @@
+// JSON with a million brackets.
+function initialize() { for (;;) { try { JSON.parse('['.repeat(1e6)); } catch (e) {} } }

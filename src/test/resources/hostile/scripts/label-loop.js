@@ -1,0 +1,2 @@
+// A loop that only jumps.
+function initialize() { a: for (;;) { b: for (;;) continue a; } }

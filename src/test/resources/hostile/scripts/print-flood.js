@@ -1,0 +1,2 @@
+// Lines printed without end.
+function initialize() { for (;;) print('x'.repeat(1e6)); }

@@ -1,0 +1,2 @@
+// A generator that delegates to itself.
+function initialize() { function* g() { yield* g(); } g().next(); }

@@ -1,0 +1,2 @@
+// Reflect.apply with two billion arguments.
+function initialize() { Reflect.apply(Math.max, null, {length: 2147483647}); }

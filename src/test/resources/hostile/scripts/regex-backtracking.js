@@ -1,0 +1,2 @@
+// An expression that tries all ways to divide a text.
+function initialize() { /^(a+)+$/.test('a'.repeat(40) + 'b'); }

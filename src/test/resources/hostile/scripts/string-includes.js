@@ -1,0 +1,3 @@
+// Whether a text of 4 MB has one of 2 MB.
+var a = 'a'.repeat(1 << 22), b = 'a'.repeat(1 << 21) + 'b';
+function initialize() { a.includes(b); }

@@ -1,0 +1,3 @@
+// A text of 2 MB sought backwards in one of 4 MB.
+var a = 'a'.repeat(1 << 22), b = 'a'.repeat(1 << 21) + 'b';
+function initialize() { a.lastIndexOf(b); }

@@ -1,0 +1,2 @@
+// Padding to two billion characters by short texts.
+function initialize() { for (;;) 'x'.padStart(2e7, 'abc').length; }
