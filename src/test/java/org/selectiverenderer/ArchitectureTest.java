@@ -228,7 +228,8 @@ class ArchitectureTest {
       noClasses()
           .that(
               are(resideInAPackage(OURS))
-                  .and(not(
+                  .and(
+                      not(
                           resideInAnyPackage(
                               of("x3d.script"), of("browser.script"), of("scriptengine")))))
           .should()

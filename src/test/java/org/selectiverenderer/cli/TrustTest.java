@@ -9,9 +9,9 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.base.files.SettingsFolder;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.trust.PermissionRequests;
 import org.selectiverenderer.base.trust.TrustStore;
-import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.study.definition.StudyPermissions;
 import org.selectiverenderer.study.definition.StudyReader;
 
@@ -46,7 +46,11 @@ class TrustTest extends CommandTestCase {
   private int paper(String... more) {
     String[] args = new String[5 + more.length];
     System.arraycopy(
-        new String[] {"experiment", "paper", study.toString(), "--participant", "001"}, 0, args, 0, 5);
+        new String[] {"experiment", "paper", study.toString(), "--participant", "001"},
+        0,
+        args,
+        0,
+        5);
     System.arraycopy(more, 0, args, 5, more.length);
     return execute(args);
   }
@@ -60,8 +64,7 @@ class TrustTest extends CommandTestCase {
         .contains(
             "%s asks for more than its own folder: \"form\" reads %s"
                 .formatted(study, folder.toRealPath().resolve("form.json")))
-        .endsWith(
-            "experiment paper %s --participant 001 --trust%n".formatted(study));
+        .endsWith("experiment paper %s --participant 001 --trust%n".formatted(study));
     assertThat(paper("--trust")).isZero();
     assertThat(printed()).contains("a secret");
     assertThat(paper()).as("--trust holds once").isEqualTo(2);

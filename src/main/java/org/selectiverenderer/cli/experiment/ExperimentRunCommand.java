@@ -196,9 +196,7 @@ final class ExperimentRunCommand extends CliCommand {
 
   /** Asks on the terminal, else by a window, as sessions have windows; never where unattended. */
   private TrustPrompt prompt() {
-    return unattended
-        ? TrustPrompt.NOBODY
-        : TrustPrompt.onTerminal(console()).or(TrustWindow::ask);
+    return unattended ? TrustPrompt.NOBODY : TrustPrompt.onTerminal(console()).or(TrustWindow::ask);
   }
 
   /** Returns the study's headset, checked before the session begins; empty for other displays. */

@@ -106,9 +106,7 @@ final class ExperimentThresholdCommand extends CliCommand {
     trust.require(
         study.file(),
         all,
-        unattended
-            ? TrustPrompt.NOBODY
-            : TrustPrompt.onTerminal(console()).or(TrustWindow::ask),
+        unattended ? TrustPrompt.NOBODY : TrustPrompt.onTerminal(console()).or(TrustWindow::ask),
         console());
     return session(study, problems);
   }

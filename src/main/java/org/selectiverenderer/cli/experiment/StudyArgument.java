@@ -36,10 +36,7 @@ final class StudyArgument {
         read -> {
           PermissionRequests all = StudyPermissions.of(read);
           trust.require(
-              file(),
-              all.of(Kind.FILE, Kind.FOLDER),
-              TrustPrompt.onTerminal(console),
-              console);
+              file(), all.of(Kind.FILE, Kind.FOLDER), TrustPrompt.onTerminal(console), console);
         },
         problems);
   }

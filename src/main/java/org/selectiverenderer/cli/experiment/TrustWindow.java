@@ -6,7 +6,9 @@ import org.selectiverenderer.command.LibraryProperties;
 import org.selectiverenderer.render.window.Monitors;
 import org.selectiverenderer.swing.TrustDialog;
 
-/** Asks by a window what a study may have beyond its own folder, before its session opens others. */
+/**
+ * Asks by a window what a study may have beyond its own folder, before its session opens others.
+ */
 final class TrustWindow {
   private TrustWindow() {}
 

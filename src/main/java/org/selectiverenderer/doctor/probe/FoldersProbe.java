@@ -15,8 +15,7 @@ final class FoldersProbe {
   private FoldersProbe() {}
 
   static void run(Consumer<Diagnosis> found) throws IOException {
-    Path settings =
-        SettingsFolder.ofUser();
+    Path settings = SettingsFolder.ofUser();
     found.accept(place("settings", settings));
     found.accept(place("temporary files", Path.of(System.getProperty("java.io.tmpdir", "."))));
   }

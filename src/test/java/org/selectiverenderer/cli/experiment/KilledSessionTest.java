@@ -59,7 +59,8 @@ class KilledSessionTest {
     try (OffscreenContext here = OffscreenContext.open()) {
       assumeTrue(here.info().renderer().contains("llvmpipe"), "only Mesa can be made older");
     }
-    ProcessBuilder run = command("run", study.toString(), "--participant", "001", "--unattended", "--trust");
+    ProcessBuilder run =
+        command("run", study.toString(), "--participant", "001", "--unattended", "--trust");
     run.environment().put("MESA_GL_VERSION_OVERRIDE", "2.1");
     assertThat(run.start().waitFor()).as(Files.readString(log)).isEqualTo(2);
     assertThat(Files.readString(log)).contains("OpenGL 3.3", "; nothing has begun").hasLineCount(1);
@@ -139,7 +140,15 @@ class KilledSessionTest {
   void aSessionKilledInTheMiddleKeepsItsLogAndGoesOnFromItsLastFinishedStep()
       throws IOException, InterruptedException {
     Process first =
-        start("run", study.toString(), "--participant", "001", "--unattended", "--trust", "--exposure", "5");
+        start(
+            "run",
+            study.toString(),
+            "--participant",
+            "001",
+            "--unattended",
+            "--trust",
+            "--exposure",
+            "5");
     Path head = session.resolve("head/exposure-lounge_run-01.csv");
     while (!Files.exists(head) || Files.readAllLines(head).size() < 3) {
       assertThat(first.waitFor(20, TimeUnit.MILLISECONDS)).as(Files.readString(log)).isFalse();
@@ -154,7 +163,8 @@ class KilledSessionTest {
         study.toString(),
         "--participant",
         "001",
-        "--unattended", "--trust",
+        "--unattended",
+        "--trust",
         "--exposure",
         "1",
         "--resume");
