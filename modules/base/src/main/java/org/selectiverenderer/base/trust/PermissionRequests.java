@@ -16,6 +16,7 @@ import org.selectiverenderer.base.files.Sha256;
  * @param list the requests, in the file's order
  */
 public record PermissionRequests(Path folder, List<PermissionRequest> list) {
+  /** Copies the list, so that nobody changes it later. */
   public PermissionRequests {
     list = List.copyOf(list);
   }
