@@ -77,6 +77,11 @@ public final class Console {
     err.println(ControlCharacterEscaper.line(line));
   }
 
+  /** Returns whether a user can be asked: input and output are a terminal. */
+  public boolean canAsk() {
+    return System.console() != null;
+  }
+
   /**
    * Asks the user a question, in one line.
    *

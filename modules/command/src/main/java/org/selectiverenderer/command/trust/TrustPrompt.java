@@ -27,13 +27,8 @@ public interface TrustPrompt {
 
   /** Returns a prompt on the terminal of the process; it asks nobody where there is none. */
   static TrustPrompt onTerminal(Console console) {
-    return (sentence, lines) -> {
-      java.io.Console terminal = System.console();
-      return terminal == null
-          ? Optional.empty()
-          : onTerminal(console, question -> Optional.ofNullable(terminal.readLine("%s", question)))
-              .ask(sentence, lines);
-    };
+    TrustPrompt prompt = onTerminal(console, console::ask);
+    return (sentence, lines) -> console.canAsk() ? prompt.ask(sentence, lines) : Optional.empty();
   }
 
   /**
