@@ -2,6 +2,7 @@ package org.selectiverenderer.base.files;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.file.FileSystemException;
 import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
@@ -45,10 +46,11 @@ public record FileFinder(String noun, List<String> endings) {
    * Returns a named file itself, whatever its ending; all files with the endings in a folder and
    * below it, except where a file or folder name begins with a dot; or all files that match a
    * pattern such as {@code scenes/**}{@code /*.x3d}, in which {@code **}{@code /} stands for zero
-   * or more folders. Links to folders are not followed. The files of a folder or pattern are sorted
-   * by path.
+   * or more folders. Devices and pipes are left out, and links to folders are not followed. The
+   * files of a folder or pattern are sorted by path.
    *
-   * @throws IOException if there is no such file, or a folder cannot be read, or nothing is found
+   * @throws IOException if there is no such file, or a folder cannot be read, or nothing is found,
+   *     or a link in a folder leads out of it
    */
   public List<Path> find(String name) throws IOException {
     Path path = path(name);
@@ -124,14 +126,38 @@ public record FileFinder(String noun, List<String> endings) {
   }
 
   private static List<Path> in(Path folder, Predicate<Path> wanted) throws IOException {
+    List<Path> found;
     try (Stream<Path> files = Files.walk(folder)) {
-      return files
-          .filter(file -> !Files.isDirectory(file) && !hidden(folder.relativize(file)))
-          .filter(wanted)
-          .sorted()
-          .toList();
+      found =
+          files
+              .filter(file -> isFile(file) && !hidden(folder.relativize(file)))
+              .filter(wanted)
+              .sorted()
+              .toList();
     } catch (UncheckedIOException e) {
       throw e.getCause();
+    }
+    for (Path file : found) {
+      requireInside(folder, file);
+    }
+    return found;
+  }
+
+  /** Returns whether a path is a file or a link that leads nowhere, not a folder or a device. */
+  private static boolean isFile(Path path) {
+    return Files.isRegularFile(path) || !Files.exists(path);
+  }
+
+  /**
+   * Requires a link to lead to a file of the folder. Else a stranger's folder could have files of
+   * the user reported, with lines of them: a link to {@code ~/.m2/settings.xml} named a.x3d.
+   */
+  private static void requireInside(Path folder, Path file) throws IOException {
+    if (Files.exists(file) && !file.toRealPath().startsWith(folder.toRealPath())) {
+      throw new FileSystemException(
+          file.toString(),
+          null,
+          "is a link to a file outside %s; to read that file, name it itself".formatted(folder));
     }
   }
 

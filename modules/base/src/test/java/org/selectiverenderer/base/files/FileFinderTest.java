@@ -10,6 +10,8 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 class FileFinderTest {
@@ -46,6 +48,37 @@ class FileFinderTest {
   void aPatternStandsForWhatMatchesAtAnyDepth() throws IOException {
     assertThat(find(dir + "/**/*.x3d")).containsExactly("b.x3d", "c/d/y.x3d");
     assertThat(find(dir + "/*.{x3d,txt}")).containsExactly("b.x3d", "notes.txt");
+  }
+
+  @Test
+  @DisabledOnOs(OS.WINDOWS)
+  void aLinkStaysInTheFolderOrIsNamedByTheUser() throws IOException {
+    Path secret = Files.writeString(dir.resolve("secret.xml"), "<password>1</password>");
+    Path inside = dir.resolve("c/inside.x3d");
+    Files.createSymbolicLink(inside, Path.of("d/y.x3d"));
+    assertThat(find(dir.resolve("c").toString()))
+        .containsExactly("c/d/y.x3d", "c/inside.x3d", "c/z.x3dz");
+
+    Path outside = dir.resolve("c/outside.x3d");
+    Files.createSymbolicLink(outside, secret);
+    assertThatThrownBy(() -> find(dir.resolve("c").toString()))
+        .isInstanceOf(IOException.class)
+        .hasMessageContaining(outside + ": is a link to a file outside " + dir.resolve("c"))
+        .hasMessageEndingWith("name it itself");
+    assertThatThrownBy(() -> find(dir + "/c/*.x3d")).hasMessageContaining("outside.x3d");
+    assertThat(find(outside.toString())).containsExactly("c/outside.x3d");
+
+    Files.delete(outside);
+    Files.createSymbolicLink(outside, Path.of("gone.x3d"));
+    assertThat(find(dir.resolve("c").toString())).contains("c/outside.x3d");
+  }
+
+  @Test
+  @DisabledOnOs(OS.WINDOWS)
+  void aFolderStandsForNoPipe() throws IOException, InterruptedException {
+    Path pipe = dir.resolve("pipe.x3d");
+    assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor()).isZero();
+    assertThat(find(dir.toString())).doesNotContain("pipe.x3d").contains("b.x3d");
   }
 
   @Test
