@@ -9,8 +9,9 @@ read_tables <- function(folder = ".") {
   read <- function(file) {
     table <- read.csv(file.path(folder, file), colClasses = "character", na.strings = "",
                       encoding = "UTF-8", check.names = FALSE)
-    # An apostrophe says to spreadsheets that a text with = + - @ is no formula.
-    table[] <- lapply(table, function(cells) sub("^'('*[[:space:]]*[=+@-].)", "\\1", cells))
+    # An apostrophe says to spreadsheets that a text with = + - @, wide ones too, is no formula.
+    formula <- "^'('*[ \t\n\v\f\r\u00a0\u3000]*[=+@\uff1d\uff0b\uff0d\uff20-].)"
+    table[] <- lapply(table, function(cells) sub(formula, "\\1", cells))
     table
   }
   book <- read("codebook.csv")

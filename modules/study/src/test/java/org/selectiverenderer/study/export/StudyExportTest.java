@@ -15,6 +15,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.formats.csv.SpreadsheetText;
 import org.selectiverenderer.formats.json.JsonTree;
 import org.selectiverenderer.study.dataset.RecordedStudy;
 import org.selectiverenderer.study.dataset.RecordedStudyFixture;
@@ -145,9 +146,17 @@ class StudyExportTest {
     return said.strip();
   }
 
+  /** Has somebody answer with what a spreadsheet would calculate, marked as tables mark it. */
+  private void answerByFormula() throws IOException {
+    Path answers = tables.resolve("answers.csv");
+    String cell = SpreadsheetText.marked("\u00a0\uff1dSUM(1)");
+    Files.writeString(answers, Files.readString(answers).replace("brown", cell));
+  }
+
   @Test
   @RequiresProgram("Rscript")
   void rReadsTheTablesWithTheirTypes() throws Exception {
+    answerByFormula();
     String said =
         run(
             "Rscript",
@@ -158,10 +167,13 @@ class StudyExportTest {
                 levels(t$participants$condition), sep = ",")
             cat("\\n", as.numeric(difftime(t$events$wall[2], t$events$wall[1], units = "secs")),
                 t$answers$value[3], is.na(t$gaze$first[2]), class(t$gaze$looks), sep = ",")
+            cat("\\n", utf8ToInt(t$answers$value[1])[1:2])
             """);
     assertThat(said.lines())
         .containsExactly(
-            "4,6,001,high,high-low,selective,random", ",1,long, \"but\" fine,TRUE,integer");
+            "4,6,001,high,high-low,selective,random",
+            ",1,long, \"but\" fine,TRUE,integer",
+            " 160 65309");
   }
 
   @Test
@@ -174,6 +186,7 @@ class StudyExportTest {
                 .waitFor()
             == 0,
         "python3 has no pandas");
+    answerByFormula();
     String said =
         run(
             "python3",
@@ -184,8 +197,13 @@ class StudyExportTest {
             print(len(t["gaze"]), t["gaze"]["dwell"].sum(), t["sessions"]["participant"][0])
             print(list(t["participants"]["condition"].cat.categories), t["gaze"]["looks"].dtype)
             print((t["events"]["wall"][1] - t["events"]["wall"][0]).total_seconds())
+            print([ord(letter) for letter in t["answers"]["value"][0][:2]])
             """);
     assertThat(said.lines())
-        .containsExactly("4 6.0 001", "['high', 'high-low', 'selective', 'random'] Int64", "1.0");
+        .containsExactly(
+            "4 6.0 001",
+            "['high', 'high-low', 'selective', 'random'] Int64",
+            "1.0",
+            "[160, 65309]");
   }
 }
