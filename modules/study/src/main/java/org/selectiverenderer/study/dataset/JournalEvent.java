@@ -14,6 +14,7 @@ import org.selectiverenderer.base.files.InputFileReader;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.formats.json.JsonTree;
+import org.selectiverenderer.study.session.JournalContent;
 
 /**
  * An event of a session: one line of its journal.
@@ -57,7 +58,7 @@ public record JournalEvent(OffsetDateTime time, String event, String step, JsonN
   private static Optional<JournalEvent> parse(String line) {
     try {
       JsonNode node = JsonTree.parse(line);
-      if (!node.isObject() || !node.has("event")) {
+      if (!JournalContent.isEvent(node)) {
         return Optional.empty();
       }
       return Optional.of(

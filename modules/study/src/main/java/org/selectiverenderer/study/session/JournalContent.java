@@ -62,6 +62,19 @@ public record JournalContent(
     return new JournalContent(events, damaged, line, kept, bytes.length - kept, last.isEmpty());
   }
 
+  /**
+   * Returns whether a line of a journal is an event: an object with the event's name. A head log
+   * that it names must lie in the session's folder, where the program writes them: a journal that
+   * somebody sends could name files elsewhere, which would be read and converted there.
+   */
+  public static boolean isEvent(JsonNode json) {
+    return json.isObject()
+        && json.path("event").isTextual()
+        && (!json.has("head_log")
+            || json.get("head_log").isTextual()
+                && SessionFolder.isHeadName(json.get("head_log").asText()));
+  }
+
   private static boolean blank(byte[] bytes, int begin, int end) {
     return new String(bytes, begin, end - begin, StandardCharsets.ISO_8859_1).isBlank();
   }
@@ -74,9 +87,7 @@ public record JournalContent(
               .decode(ByteBuffer.wrap(bytes, begin, end - begin))
               .toString();
       JsonNode json = JsonTree.parse(text);
-      return json instanceof ObjectNode event && event.path("event").isTextual()
-          ? Optional.of(event)
-          : Optional.empty();
+      return isEvent(json) ? Optional.of((ObjectNode) json) : Optional.empty();
     } catch (CharacterCodingException | JsonProcessingException e) {
       return Optional.empty(); // The caller reports the line's number.
     }

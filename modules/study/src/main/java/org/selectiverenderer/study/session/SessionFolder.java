@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.selectiverenderer.base.files.AtomicFileWriter;
 import org.selectiverenderer.base.files.FileOperations;
@@ -21,6 +22,8 @@ import org.selectiverenderer.study.definition.Study;
 public record SessionFolder(Path study, String participant, int number) {
   /** Pattern of a participant's id: a BIDS label. */
   public static final String LABEL = "[0-9A-Za-z]+";
+
+  private static final Pattern HEAD_NAME = Pattern.compile("[^/\\\\:\\p{Cntrl}]+_run-\\d{2,9}");
 
   /** Returns the folders of all sessions of a study, in order. */
   public static List<SessionFolder> all(Study study) throws IOException {
@@ -99,6 +102,11 @@ public record SessionFolder(Path study, String participant, int number) {
 
   static String headName(SessionStep step, int run) {
     return String.format(Locale.ROOT, "%s_run-%02d", step.id(), run);
+  }
+
+  /** Returns whether a text is the name of a head log: a step's id and the number of a run. */
+  static boolean isHeadName(String name) {
+    return HEAD_NAME.matcher(name).matches();
   }
 
   /** Returns the name of a head log's BIDS motion data, up to the suffix. */

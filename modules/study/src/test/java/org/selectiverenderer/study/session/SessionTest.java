@@ -19,9 +19,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.schema.Condition;
+import org.selectiverenderer.study.dataset.RecordedStudy;
 import org.selectiverenderer.study.questionnaire.Answer;
 import org.selectiverenderer.study.questionnaire.Question;
 
@@ -173,6 +176,28 @@ class SessionTest extends TwoRoomStudyFixture {
         CollectedAnswers.of(material(), OptionalInt.empty(), PaperAnswers.none(), collected);
     assertThat(answers.answers()).isEqualTo(1);
     assertThat(collected.list()).first().asString().contains(":" + (hit + 1) + ":1: this line");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"../../../elsewhere_run-01", "a_run-/../../../../elsewhere", "x"})
+  void aHeadLogThatAJournalNamesElsewhereIsNeitherReadNorConverted(String name) throws IOException {
+    begin("001").close();
+    Path events = folder.resolve("sub-001/ses-01/events.jsonl");
+    long lines = Files.readString(events).lines().count();
+    Files.writeString(
+        events,
+        "{\"time\":\"2026-03-01T12:00:01.000Z\",\"event\":\"step-began\",\"step\":\"form\","
+            + "\"run\":1,\"head_log\":\"%s\"}\n".formatted(name),
+        StandardOpenOption.APPEND);
+    ProblemCollector resumed = new ProblemCollector();
+    Session.resume(material(), "001", 1, OPTIONS, resumed).close();
+    assertThat(SessionHistory.read(events).headLogs()).isEmpty();
+    String place = events + ":" + (lines + 1) + ":1: this line is damaged";
+    assertThat(resumed.list()).singleElement().asString().startsWith(place);
+    ProblemCollector recorded = new ProblemCollector();
+    assertThat(RecordedStudy.read(material(), recorded).sessions())
+        .allMatch(session -> session.runs().isEmpty());
+    assertThat(recorded.list()).singleElement().asString().startsWith(place);
   }
 
   @Test
