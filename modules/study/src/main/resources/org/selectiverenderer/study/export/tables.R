@@ -10,8 +10,8 @@ read_tables <- function(folder = ".") {
     table <- read.csv(file.path(folder, file), colClasses = "character", na.strings = "",
                       encoding = "UTF-8", check.names = FALSE)
     # An apostrophe says to spreadsheets that a text with = + - @, wide ones too, is no formula.
-    formula <- "^'('*[ \t\n\v\f\r\u00a0\u3000]*[=+@\uff1d\uff0b\uff0d\uff20-].)"
-    table[] <- lapply(table, function(cells) sub(formula, "\\1", cells))
+    formula <- "(?s)(^|[;\t\r\n])'(?='*[ \v\f\u00a0\u3000]*[=+@\uff1d\uff0b\uff0d\uff20-].)"
+    table[] <- lapply(table, function(cells) gsub(formula, "\\1", cells, perl = TRUE))
     table
   }
   book <- read("codebook.csv")

@@ -21,7 +21,7 @@ def _read(file, columns):
     # An id such as 001 is a text, and a missing value is an empty cell, not the word "none" or "NA".
     table = pandas.read_csv(file, dtype=str, keep_default_na=False, na_values=[""])
     # An apostrophe says to spreadsheets that a text with = + - @, wide ones too, is no formula.
-    formula = r"(?s)^'('*[ \t\n\v\f\r\u00a0\u3000]*[=+@\uff1d\uff0b\uff0d\uff20-].)"
+    formula = r"(?s)(^|[;\t\r\n])'(?='*[ \v\f\u00a0\u3000]*[=+@\uff1d\uff0b\uff0d\uff20-].)"
     table = table.replace(formula, r"\1", regex=True)
     for name, column in columns.items():
         if column["type"] == "whole number":

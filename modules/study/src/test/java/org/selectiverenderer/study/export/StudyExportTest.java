@@ -149,7 +149,7 @@ class StudyExportTest {
   /** Has somebody answer with what a spreadsheet would calculate, marked as tables mark it. */
   private void answerByFormula() throws IOException {
     Path answers = tables.resolve("answers.csv");
-    String cell = SpreadsheetText.marked("\u00a0\uff1dSUM(1)");
+    String cell = SpreadsheetText.marked("\u00a0\uff1dSUM(1);=2");
     Files.writeString(answers, Files.readString(answers).replace("brown", cell));
   }
 
@@ -167,13 +167,13 @@ class StudyExportTest {
                 levels(t$participants$condition), sep = ",")
             cat("\\n", as.numeric(difftime(t$events$wall[2], t$events$wall[1], units = "secs")),
                 t$answers$value[3], is.na(t$gaze$first[2]), class(t$gaze$looks), sep = ",")
-            cat("\\n", utf8ToInt(t$answers$value[1])[1:2])
+            cat("\\n", utf8ToInt(t$answers$value[1]))
             """);
     assertThat(said.lines())
         .containsExactly(
             "4,6,001,high,high-low,selective,random",
             ",1,long, \"but\" fine,TRUE,integer",
-            " 160 65309");
+            " 160 65309 83 85 77 40 49 41 59 61 50");
   }
 
   @Test
@@ -197,13 +197,13 @@ class StudyExportTest {
             print(len(t["gaze"]), t["gaze"]["dwell"].sum(), t["sessions"]["participant"][0])
             print(list(t["participants"]["condition"].cat.categories), t["gaze"]["looks"].dtype)
             print((t["events"]["wall"][1] - t["events"]["wall"][0]).total_seconds())
-            print([ord(letter) for letter in t["answers"]["value"][0][:2]])
+            print([ord(letter) for letter in t["answers"]["value"][0]])
             """);
     assertThat(said.lines())
         .containsExactly(
             "4 6.0 001",
             "['high', 'high-low', 'selective', 'random'] Int64",
             "1.0",
-            "[160, 65309]");
+            "[160, 65309, 83, 85, 77, 40, 49, 41, 59, 61, 50]");
   }
 }
