@@ -37,6 +37,7 @@ final class StudyArgument {
           PermissionRequests all = StudyPermissions.of(read);
           trust.require(
               file(), all.of(Kind.FILE, Kind.FOLDER), TrustPrompt.onTerminal(console), console);
+          return false;
         },
         problems);
   }
@@ -54,6 +55,7 @@ final class StudyArgument {
         read -> {
           PermissionRequests all = StudyPermissions.of(read);
           trust.require(file(), all, prompt, console);
+          return true;
         },
         problems);
   }

@@ -62,12 +62,21 @@ public final class StudyPermissions {
             : tracker instanceof TrackerSpec.Fastrak serial
                 ? "opens the serial port " + serial.port()
                 : tracker instanceof TrackerSpec.OpenTrack socket
-                    ? "listens to the network at the UDP port " + socket.port()
+                    ? listens(socket)
                     : "connects to " + tracker;
     if (!(tracker instanceof TrackerSpec.None) && !(tracker instanceof TrackerSpec.Headset)) {
       requests.add(
           new PermissionRequest(Kind.TRACKER, "tracker", String.valueOf(tracker), meaning));
     }
+  }
+
+  private static String listens(TrackerSpec.OpenTrack socket) {
+    String port = "listens at the UDP port " + socket.port();
+    return switch (socket.host()) {
+      case "" -> port + " to programs of this computer";
+      case "*" -> port + " to the whole network";
+      default -> port + " of the address " + socket.host();
+    };
   }
 
   private static void streams(OutsideRequests requests, LslSettings streams) {

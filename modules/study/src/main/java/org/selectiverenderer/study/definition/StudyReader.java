@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Predicate;
 import org.selectiverenderer.apparatus.DisplayMode;
 import org.selectiverenderer.apparatus.DisplayProfileLoader;
 import org.selectiverenderer.apparatus.EyeGeometry;
@@ -25,6 +26,7 @@ import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.tracker.TrackerSpec;
 import org.selectiverenderer.x3d.url.ContentAccessKeys;
 import org.selectiverenderer.x3d.url.NetworkShare;
+import org.selectiverenderer.x3d.url.UrlResolver;
 
 /**
  * Reads a study file. Every fault (an unknown key, an invalid value, a missing file) is an error
@@ -49,13 +51,38 @@ public final class StudyReader {
   }
 
   /**
-   * Reads a file.
+   * Reads a file of one's own, and the text of its scenes for the DEFs that it names.
    *
    * @return empty if the file has faults, which are then in {@code problems}
    * @throws IOException if the file cannot be read
    */
   public static Optional<Study> read(Path file, ProblemCollector problems) throws IOException {
-    return JSON.read(file, problems, new StudyReader(file)::study);
+    return read(file, study -> true, problems);
+  }
+
+  /**
+   * Reads a file.
+   *
+   * @param check is called before any other file is read, if there are no faults so far; it throws
+   *     an exception if the study must not have what it asks for, and returns whether the text of
+   *     scenes outside of the study's folder and project may be read
+   * @return empty if the file has faults, which are then in {@code problems}
+   * @throws IOException if the file cannot be read
+   */
+  public static Optional<Study> read(Path file, Predicate<Study> check, ProblemCollector problems)
+      throws IOException {
+    StudyReader reader = new StudyReader(file);
+    ProblemCollector faults = new ProblemCollector(problems::add);
+    return JSON.read(
+        file,
+        faults,
+        keys -> {
+          Study study = reader.study(keys);
+          boolean all = !faults.any() && check.test(study);
+          UrlResolver own = new UrlResolver(study.folder());
+          viewpoints(keys, study, scene -> all || own.mayBeNamed(scene));
+          return study;
+        });
   }
 
   private Study study(JsonObjectReader keys) {
@@ -121,7 +148,6 @@ public final class StudyReader {
             StudyStreamsReader.read(keys),
             ContentAccessKeys.of(keys, file.toAbsolutePath()),
             keys.truth("mute", false));
-    viewpoints(keys, study);
     if (areas.isEmpty() && study.questionnaires().list().isEmpty()) {
       keys.fault("the study has neither areas nor questionnaires, so there is nothing to do");
     }
@@ -131,10 +157,13 @@ public final class StudyReader {
   /**
    * Checks that the text of the scene contains the DEFs of viewpoints and areas, so that a missing
    * one is found before the session.
+   *
+   * @param readable which scenes may be read
    */
-  private void viewpoints(JsonObjectReader keys, Study study) {
+  private static void viewpoints(JsonObjectReader keys, Study study, Predicate<Path> readable) {
     study
         .scene()
+        .filter(readable)
         .ifPresent(
             scene ->
                 study.areas().stream()
@@ -148,6 +177,7 @@ public final class StudyReader {
                                     + " needs")));
     study
         .scene()
+        .filter(readable)
         .ifPresent(
             scene ->
                 study.areas().stream()
@@ -161,6 +191,7 @@ public final class StudyReader {
                                     .formatted(area.within().orElse(""), area.name()))));
     study
         .practice()
+        .filter(practice -> readable.test(practice.scene()))
         .filter(practice -> !practice.viewpoint().isEmpty())
         .filter(practice -> lacks(practice.scene(), practice.viewpoint()))
         .ifPresent(

@@ -7,7 +7,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.Consumer;
+import java.util.function.Predicate;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.study.definition.Study;
@@ -39,24 +39,24 @@ public record LoadedStudy(
   /** Reads a study of one's own, which may have what it asks for. */
   public static Optional<LoadedStudy> read(Path file, ProblemCollector problems)
       throws IOException {
-    return read(file, study -> {}, problems);
+    return read(file, study -> true, problems);
   }
 
   /**
    * Reads a study file and the files that it refers to.
    *
-   * @param check is called before any other file is read, and throws an exception if the study must
-   *     not have what it asks for
+   * @param check is called before any other file is read; it throws an exception if the study must
+   *     not have what it asks for, and returns whether the text of scenes outside of its folder and
+   *     project may be read
    * @return empty if there are faults, which are then in {@code problems}
    * @throws IOException if a file cannot be read
    */
   public static Optional<LoadedStudy> read(
-      Path file, Consumer<Study> check, ProblemCollector problems) throws IOException {
-    Optional<Study> study = StudyReader.read(file, problems);
+      Path file, Predicate<Study> check, ProblemCollector problems) throws IOException {
+    Optional<Study> study = StudyReader.read(file, check, problems);
     if (study.isEmpty()) {
       return Optional.empty();
     }
-    check.accept(study.get());
     Optional<ParticipantMessages> wording =
         ParticipantMessages.of(study.get().language(), study.get().folder(), problems);
     if (wording.isEmpty()) {

@@ -1,6 +1,7 @@
 package org.selectiverenderer.study.definition;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -192,5 +193,26 @@ class StudyPermissionsTest {
         assertThat(found.list().toString()).contains("is on another computer");
       }
     }
+  }
+
+  @Test
+  void aSceneOutsideIsNotReadBeforeTheAnswer() throws IOException {
+    Path file =
+        write(
+            "\"scene\": \"../a.x3d\","
+                + " \"areas\": [{\"name\": \"a\", \"viewpoint\": \"Gone\", \"seconds\": 1}]");
+    assertThatThrownBy(
+            () ->
+                StudyReader.read(
+                    file,
+                    study -> {
+                      throw new IllegalStateException("refused");
+                    },
+                    problems))
+        .hasMessage("refused");
+    assertThat(StudyReader.read(file, study -> false, problems)).isPresent();
+    assertThat(problems.list()).isEmpty();
+    assertThat(StudyReader.read(file, study -> true, problems)).isEmpty();
+    assertThat(problems.list().toString()).contains("no Viewpoint with the DEF 'Gone'");
   }
 }
