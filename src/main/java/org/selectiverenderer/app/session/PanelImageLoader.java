@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import javax.imageio.ImageIO;
 import org.selectiverenderer.browser.camera.ArgbImage;
+import org.selectiverenderer.study.questionnaire.PictureFile;
 import org.selectiverenderer.study.questionnaire.Questionnaire;
 import org.selectiverenderer.study.questionnaire.QuestionnairePage;
 
@@ -37,6 +38,7 @@ final class PanelImageLoader {
   }
 
   private static ArgbImage read(Path file) throws IOException {
+    PictureFile.requireSound(file);
     BufferedImage read = ImageIO.read(file.toFile());
     if (read == null) {
       throw new IOException(file + " cannot be read as a picture; use PNG or JPEG");

@@ -94,7 +94,7 @@ public final class ThresholdStimuli {
   /** Returns the SHA-256 of all inputs of the pictures. */
   private static String key(ThresholdStudy study) throws IOException {
     StringBuilder all = new StringBuilder();
-    FileChecksumCalculator.ofScene(study.scene())
+    FileChecksumCalculator.ofScene(study.scene(), study.access())
         .forEach((name, sum) -> all.append(name).append(sum));
     study.objects().forEach(judged -> all.append('/').append(judged.object()));
     all.append('/').append(study.rungs()).append('/').append(study.fewest());

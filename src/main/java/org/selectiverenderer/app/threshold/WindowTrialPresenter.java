@@ -14,6 +14,7 @@ import org.selectiverenderer.app.window.TrialPage;
 import org.selectiverenderer.app.window.TrialWindow;
 import org.selectiverenderer.base.natives.FlatLafLibrary;
 import org.selectiverenderer.study.questionnaire.ParticipantMessages;
+import org.selectiverenderer.study.questionnaire.PictureFile;
 import org.selectiverenderer.study.threshold.ThresholdSession;
 import org.selectiverenderer.study.threshold.ThresholdStudy;
 import org.selectiverenderer.study.threshold.ThresholdTask;
@@ -106,6 +107,7 @@ public final class WindowTrialPresenter implements TrialPresenter {
   }
 
   private static BufferedImage read(Path file) throws IOException {
+    PictureFile.requireSound(file);
     BufferedImage image = ImageIO.read(file.toFile());
     if (image == null) {
       throw new IOException(

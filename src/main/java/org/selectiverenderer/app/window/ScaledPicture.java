@@ -10,6 +10,7 @@ import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import javax.imageio.ImageIO;
 import javax.swing.JComponent;
+import org.selectiverenderer.study.questionnaire.PictureFile;
 
 /** Shows a picture, scaled down to fit the available width. */
 final class ScaledPicture extends JComponent {
@@ -24,6 +25,7 @@ final class ScaledPicture extends JComponent {
    */
   ScaledPicture(Path file, int width) {
     try {
+      PictureFile.requireSound(file);
       BufferedImage read = ImageIO.read(file.toFile());
       if (read == null) {
         throw new IOException(file + " is not a picture that can be shown (PNG or JPEG)");

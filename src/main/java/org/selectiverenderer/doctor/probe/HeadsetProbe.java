@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
+import org.selectiverenderer.base.files.HomeFolder;
 import org.selectiverenderer.doctor.Diagnosis;
 import org.selectiverenderer.openxr.HeadsetUnavailableException;
 import org.selectiverenderer.openxr.RuntimeManifest;
@@ -44,8 +45,7 @@ final class HeadsetProbe {
   private static Optional<Path> manifest() {
     String system = System.getProperty("os.name", "").toLowerCase(Locale.ROOT);
     return system.startsWith("linux")
-        ? RuntimeManifest.find(
-            System.getenv(), Path.of(System.getProperty("user.home", "")), Path.of("/"))
+        ? RuntimeManifest.find(System.getenv(), HomeFolder.ofUser(), Path.of("/"))
         : Optional.empty();
   }
 }

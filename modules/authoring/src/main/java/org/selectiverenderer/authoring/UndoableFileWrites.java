@@ -9,6 +9,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.selectiverenderer.base.files.AtomicFileWriter;
+import org.selectiverenderer.base.files.FileNameLength;
 import org.selectiverenderer.base.files.FileTransaction;
 import org.selectiverenderer.x3d.source.Gzip;
 
@@ -157,13 +158,18 @@ final class UndoableFileWrites {
    * Writes a backup under the first name with {@code .bak} that is free or has the same content.
    */
   private static void keepBeside(Path file, byte[] content) throws IOException {
-    Path backup = file.resolveSibling(file.getFileName() + ".bak");
+    Path backup = backup(file, ".bak");
     for (int i = 2; Files.exists(backup, LinkOption.NOFOLLOW_LINKS); i++) {
       if (Files.isRegularFile(backup) && Arrays.equals(Files.readAllBytes(backup), content)) {
         return;
       }
-      backup = file.resolveSibling(file.getFileName() + "." + i + ".bak");
+      backup = backup(file, "." + i + ".bak");
     }
     AtomicFileWriter.replace(backup, content);
+  }
+
+  private static Path backup(Path file, String ending) {
+    String name = FileNameLength.shortened(file.getFileName().toString(), ending.length());
+    return file.resolveSibling(name + ending);
   }
 }

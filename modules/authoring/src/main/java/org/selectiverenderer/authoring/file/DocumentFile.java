@@ -10,6 +10,7 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.SceneDocument;
+import org.selectiverenderer.base.files.FileNameLength;
 import org.selectiverenderer.base.files.FileOperations;
 import org.selectiverenderer.base.files.InputFileReader;
 
@@ -108,7 +109,9 @@ public final class DocumentFile {
   }
 
   static Path backup(Path file, boolean sound) {
-    return file.resolveSibling(file.getFileName() + (sound ? ".bak" : ".faulty.bak"));
+    String ending = sound ? ".bak" : ".faulty.bak";
+    String name = FileNameLength.shortened(file.getFileName().toString(), ending.length());
+    return file.resolveSibling(name + ending);
   }
 
   private static FileState state(Path file, @Nullable FileFingerprint stamp) throws IOException {

@@ -1,6 +1,5 @@
 package org.selectiverenderer.base.files;
 
-import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.ByteBuffer;
@@ -55,11 +54,6 @@ public final class InputFileReader {
         .onUnmappableCharacter(CodingErrorAction.REPORT)
         .decode(ByteBuffer.wrap(bytes(path)))
         .toString();
-  }
-
-  /** Returns a stream of a file's bytes, with the conditions of {@link #bytes}. */
-  public static InputStream stream(Path path) throws IOException {
-    return new ByteArrayInputStream(bytes(path));
   }
 
   /**

@@ -12,10 +12,7 @@ public final class SettingsFolder {
 
   /** Returns the configuration folder of the user who runs this process. */
   public static Path ofUser() {
-    return of(
-        System.getProperty("os.name", ""),
-        Path.of(System.getProperty("user.home", "")),
-        System.getenv());
+    return of(System.getProperty("os.name", ""), HomeFolder.ofUser(), System.getenv());
   }
 
   /**
@@ -27,15 +24,13 @@ public final class SettingsFolder {
    */
   public static Path of(String system, Path home, Map<String, String> environment) {
     String name = system.toLowerCase(Locale.ROOT);
-    if (name.contains("win") && !name.contains("darwin")) {
-      String roaming = environment.getOrDefault("APPDATA", "");
-      return (roaming.isEmpty() ? home.resolve("AppData").resolve("Roaming") : Path.of(roaming))
-          .resolve(NAME);
-    }
     if (name.contains("mac") || name.contains("darwin")) {
       return home.resolve("Library").resolve("Application Support").resolve(NAME);
     }
-    String configured = environment.getOrDefault("XDG_CONFIG_HOME", "");
-    return (configured.isEmpty() ? home.resolve(".config") : Path.of(configured)).resolve(NAME);
+    boolean windows = name.contains("win");
+    Path usual = windows ? home.resolve("AppData").resolve("Roaming") : home.resolve(".config");
+    Path named = Path.of(environment.getOrDefault(windows ? "APPDATA" : "XDG_CONFIG_HOME", ""));
+    // A relative one is to be ignored (XDG): a stranger's repository could bring such a folder.
+    return (named.isAbsolute() ? named : usual).resolve(NAME);
   }
 }

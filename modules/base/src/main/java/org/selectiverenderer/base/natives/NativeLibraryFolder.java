@@ -14,6 +14,7 @@ import java.util.Optional;
 import java.util.zip.CRC32;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.files.CacheFolder;
+import org.selectiverenderer.base.files.HomeFolder;
 import org.selectiverenderer.base.files.PrivateFolder;
 import org.selectiverenderer.base.files.ProgramLocation;
 
@@ -38,8 +39,7 @@ public final class NativeLibraryFolder {
   public static NativeLibraryFolder ofUser() {
     String system = System.getProperty("os.name", "");
     return new NativeLibraryFolder(
-        CacheFolder.of(system, Path.of(System.getProperty("user.home", "")), System.getenv()),
-        CacheFolder.variable(system));
+        CacheFolder.of(system, HomeFolder.ofUser(), System.getenv()), CacheFolder.variable(system));
   }
 
   /**

@@ -13,6 +13,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.selectiverenderer.base.files.InputFileReader;
 import org.selectiverenderer.base.files.Sha256;
+import org.selectiverenderer.x3d.url.ContentAccessPolicy;
+import org.selectiverenderer.x3d.url.UrlResolver;
 
 /** Computes SHA-256 checksums of files, and of a scene with all files that it refers to. */
 public final class FileChecksumCalculator {
@@ -28,10 +30,15 @@ public final class FileChecksumCalculator {
   }
 
   /**
-   * Returns the checksums of a scene and, transitively, of all existing files that it refers to, by
-   * relative path.
+   * Returns the checksums of a scene and, transitively, of all existing files that it refers to and
+   * may read, by relative path. A checksum of another file would tell whoever gets the data what is
+   * in it.
+   *
+   * @param access what the user allows the scene to read beyond its own folder and project
    */
-  public static Map<String, String> ofScene(Path scene) throws IOException {
+  public static Map<String, String> ofScene(Path scene, ContentAccessPolicy access)
+      throws IOException {
+    UrlResolver own = new UrlResolver(scene.toAbsolutePath().getParent(), access);
     Map<String, String> sums = new TreeMap<>();
     Deque<Path> left = new ArrayDeque<>();
     left.add(scene.toAbsolutePath().normalize());
@@ -47,17 +54,17 @@ public final class FileChecksumCalculator {
       if (name.endsWith(".x3d")) {
         Matcher found = NAMED.matcher(new String(bytes, StandardCharsets.ISO_8859_1));
         while (found.find()) {
-          named(file, found.group(1), left);
+          named(file, found.group(1), own, left);
         }
       }
     }
     return sums;
   }
 
-  private static void named(Path from, String name, Deque<Path> left) {
+  private static void named(Path from, String name, UrlResolver own, Deque<Path> left) {
     try {
       Path file = from.resolveSibling(name).normalize();
-      if (Files.isRegularFile(file)) {
+      if (Files.isRegularFile(file) && own.mayBeNamed(file)) {
         left.add(file);
       }
     } catch (InvalidPathException e) {

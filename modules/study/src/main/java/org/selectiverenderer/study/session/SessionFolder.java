@@ -49,13 +49,21 @@ public record SessionFolder(Path study, String participant, int number) {
     return path.getFileName().toString().substring(4);
   }
 
+  /** Lists folders; a link to one would count the data of another study as this one's. */
   private static List<Path> named(Path folder, String pattern) throws IOException {
+    List<Path> named;
     try (Stream<Path> found = Files.list(folder)) {
-      return found
-          .filter(path -> path.getFileName().toString().matches(pattern) && Files.isDirectory(path))
-          .sorted()
-          .toList();
+      named =
+          found
+              .filter(path -> path.getFileName().toString().matches(pattern))
+              .filter(Files::isDirectory)
+              .sorted()
+              .toList();
     }
+    for (Path path : named) {
+      PrivateFiles.requireNoLink(path);
+    }
+    return named;
   }
 
   /** Returns the path of the folder. */

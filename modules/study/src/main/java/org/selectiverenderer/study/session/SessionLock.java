@@ -19,6 +19,7 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import org.selectiverenderer.base.files.AtomicFileWriter;
 import org.selectiverenderer.base.files.FileOperations;
+import org.selectiverenderer.base.files.InputFileReader;
 import org.selectiverenderer.base.files.PrivateFiles;
 import org.selectiverenderer.formats.json.JsonTree;
 import org.selectiverenderer.formats.json.JsonWriter;
@@ -81,6 +82,8 @@ public final class SessionLock implements AutoCloseable {
       throw held(folder); // Opening and closing the lock's file would release the lock.
     }
     PrivateFiles.requireNoLink(folder.resolve(LOCK));
+    InputFileReader.requireRegular(folder.resolve(LOCK)); // To open a pipe would wait for ever.
+    InputFileReader.requireRegular(holder);
     FileChannel channel =
         PrivateFiles.open(
             folder.resolve(LOCK), StandardOpenOption.CREATE, StandardOpenOption.WRITE);

@@ -17,6 +17,7 @@ import org.selectiverenderer.formats.json.JsonTree;
 import org.selectiverenderer.formats.json.JsonWriter;
 import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.study.definition.SessionFlag;
+import org.selectiverenderer.study.definition.Study;
 
 /**
  * Begins or resumes sessions, records this in their journals, and warns the experimenter of
@@ -202,12 +203,13 @@ final class SessionStarter {
 
     /** Returns the SHA-256 checksums of scenes and questionnaires, by the names of the files. */
     private Map<String, String> checksums() throws IOException {
+      Study study = material.study();
       Map<String, String> sums = new LinkedHashMap<>();
-      if (material.study().scene().isPresent()) {
-        sums.putAll(FileChecksumCalculator.ofScene(material.study().scene().get()));
+      if (study.scene().isPresent()) {
+        sums.putAll(FileChecksumCalculator.ofScene(study.scene().get(), study.access()));
       }
-      if (material.study().practice().isPresent()) {
-        sums.putAll(FileChecksumCalculator.ofScene(material.study().practice().get().scene()));
+      if (study.practice().isPresent()) {
+        sums.putAll(FileChecksumCalculator.ofScene(study.practice().get().scene(), study.access()));
       }
       for (Map.Entry<String, Path> file : material.study().questionnaires().files().entrySet()) {
         sums.put(file.getKey(), FileChecksumCalculator.of(file.getValue()));

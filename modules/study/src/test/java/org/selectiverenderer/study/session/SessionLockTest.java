@@ -2,12 +2,18 @@ package org.selectiverenderer.study.session;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Who may run a session; with other processes in {@link SessionProcessesTest}. */
 class SessionLockTest {
@@ -54,5 +60,20 @@ class SessionLockTest {
     first.close();
     SessionLock.take(folder, "test").close();
     assertThat(folder.resolve("running.json")).doesNotExist();
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"session.lock", "running.json"})
+  @DisabledOnOs(OS.WINDOWS)
+  void aPipeInTheirPlaceIsSaidAndNotWaitedFor(String name)
+      throws IOException, InterruptedException {
+    Path pipe = folder.resolve(name);
+    assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor()).isZero();
+    assertTimeoutPreemptively(
+        Duration.ofSeconds(20),
+        () ->
+            assertThatThrownBy(() -> SessionLock.take(folder, "test"))
+                .isInstanceOf(IOException.class)
+                .hasMessageContaining(pipe + ": is a device or a pipe"));
   }
 }

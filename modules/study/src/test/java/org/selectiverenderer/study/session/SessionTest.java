@@ -68,6 +68,10 @@ class SessionTest extends TwoRoomStudyFixture {
         .isInstanceOf(IOException.class)
         .hasMessageContaining("sub-002 is a link to " + elsewhere);
     assertThat(elsewhere).isEmptyDirectory();
+    assertThatThrownBy(() -> RecordedStudy.read(material(), new ProblemCollector()))
+        .isInstanceOf(IOException.class)
+        .hasMessageContaining("sub-002 is a link to " + elsewhere);
+    Files.delete(folder.resolve("sub-002"));
 
     begin("003").close();
     Path events = folder.resolve("sub-003/ses-01/events.jsonl");

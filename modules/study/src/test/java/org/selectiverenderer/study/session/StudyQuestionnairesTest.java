@@ -3,8 +3,11 @@ package org.selectiverenderer.study.session;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
@@ -14,6 +17,7 @@ import java.util.OptionalLong;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.zip.CRC32;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -233,11 +237,40 @@ class StudyQuestionnairesTest {
     assertThat(LoadedStudy.read(file, problems)).isEmpty();
     Files.writeString(folder.resolve("p.png"), "GIF89a");
     assertThat(LoadedStudy.read(file, problems)).isEmpty();
+    Files.write(folder.resolve("p.png"), png(30_000, 30_000));
+    assertThat(LoadedStudy.read(file, problems)).isEmpty();
+    Files.write(folder.resolve("p.png"), Arrays.copyOf(png(3, 3), 20));
+    assertThat(LoadedStudy.read(file, problems)).isEmpty();
     assertThat(problems.list())
         .extracting(Problem::toString)
         .satisfiesExactly(
             first -> assertThat(first).contains("own.json:1:", "there is no file 'p.png'"),
-            second -> assertThat(second).contains("neither a PNG nor a JPEG"));
+            second -> assertThat(second).contains("neither a PNG nor a JPEG"),
+            third ->
+                assertThat(third)
+                    .contains("own.json:1:", "the file 'p.png' has 30000 x 30000 pixels;"),
+            fourth -> assertThat(fourth).contains("the file 'p.png' is damaged"));
+  }
+
+  /** Returns the beginning of a PNG of a size. */
+  private static byte[] png(int width, int height) {
+    byte[] header =
+        ByteBuffer.allocate(17)
+            .put("IHDR".getBytes(StandardCharsets.US_ASCII))
+            .putInt(width)
+            .putInt(height)
+            .put(new byte[] {8, 2, 0, 0, 0})
+            .array();
+    CRC32 sum = new CRC32();
+    sum.update(header);
+    return ByteBuffer.allocate(41)
+        .put(new byte[] {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'})
+        .putInt(13)
+        .put(header)
+        .putInt((int) sum.getValue())
+        .putInt(0)
+        .put("IDAT".getBytes(StandardCharsets.US_ASCII))
+        .array();
   }
 
   @Test

@@ -61,10 +61,10 @@ final class VrpnMessageReader {
     int payload = stream.int32(0) - HEADER;
     int sender = stream.int32(12);
     int type = stream.int32(16);
-    int padded = (payload + 7) & ~7;
-    if (payload < 0 || padded > stream.capacity()) {
+    if (payload < 0 || payload > stream.capacity() - 7) { // The sum below would overflow.
       throw new TrackerException("the VRPN server sent a message of an impossible length");
     }
+    int padded = (payload + 7) & ~7;
     stream.skip(HEADER);
     if (stream.require(padded)) {
       message(sender, type, payload, System.nanoTime());

@@ -4,7 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
+import java.nio.ByteBuffer;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.tracker.HeadTracker;
 import org.selectiverenderer.tracker.Orientation;
 import org.selectiverenderer.tracker.RecordingTrackerListener;
@@ -87,14 +90,14 @@ class VrpnTest {
     }
   }
 
-  @Test
-  void anImpossibleLengthEndsTheConnection() throws IOException {
+  /** The second and third are near the ends of 32 bits, where sums overflow. */
+  @ParameterizedTest
+  @ValueSource(ints = {0x7f000000, 0x80000014, 0x7fffffff, 0x17, -1})
+  void anImpossibleLengthEndsTheConnection(int length) throws IOException {
     try (FakeVrpnServer server = new FakeVrpnServer();
         HeadTracker tracker = open(server, "Tracker0")) {
       server.welcome(COOKIE);
-      byte[] header = new byte[24];
-      header[0] = 0x7f;
-      server.raw(header);
+      server.raw(ByteBuffer.allocate(24).putInt(length).array());
       watching.problem("a message of an impossible length");
       assertThat(tracker.health().records()).isZero();
     }

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.regex.Pattern;
+import org.selectiverenderer.base.files.HomeFolder;
 
 /**
  * Resolves the urls of a scene, and decides whether the scene may read the files that they refer
@@ -93,7 +94,7 @@ public final class UrlResolver {
    * @param access what the user allows in addition
    */
   public UrlResolver(Path sceneFolder, ContentAccessPolicy access) {
-    this(sceneFolder, access, Path.of(System.getProperty("user.home", "")));
+    this(sceneFolder, access, HomeFolder.ofUser());
   }
 
   UrlResolver(Path sceneFolder, ContentAccessPolicy access, Path home) {

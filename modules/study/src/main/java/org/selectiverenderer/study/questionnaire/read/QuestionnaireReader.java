@@ -1,7 +1,6 @@
 package org.selectiverenderer.study.questionnaire.read;
 
 import java.io.IOException;
-import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -15,12 +14,12 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
 import org.selectiverenderer.apparatus.EyeGeometry;
-import org.selectiverenderer.base.files.InputFileReader;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SpellingSuggester;
 import org.selectiverenderer.formats.json.JsonObjectReader;
 import org.selectiverenderer.formats.json.JsonSettingsReader;
 import org.selectiverenderer.study.questionnaire.BranchingRule;
+import org.selectiverenderer.study.questionnaire.PictureFile;
 import org.selectiverenderer.study.questionnaire.Question;
 import org.selectiverenderer.study.questionnaire.QuestionKind;
 import org.selectiverenderer.study.questionnaire.Questionnaire;
@@ -158,20 +157,16 @@ public final class QuestionnaireReader {
               .formatted(name));
     } else if (file.isEmpty() || !Files.isRegularFile(file.get())) {
       keys.fault("picture", "there is no file '" + name + "' relative to the questionnaire's file");
-    } else if (!isPicture(file.get())) {
-      keys.fault(
-          "picture", "the file '" + name + "' is neither a PNG nor a JPEG, whatever its name");
+    } else {
+      fault(file.get())
+          .ifPresent(fault -> keys.fault("picture", "the file '%s' %s".formatted(name, fault)));
     }
     return file;
   }
 
-  /** Returns whether a file has the signature of a PNG (RFC 2083, 3.1) or a JPEG. */
-  private static boolean isPicture(Path file) {
-    try (InputStream in = InputFileReader.stream(file)) {
-      byte[] begin = in.readNBytes(4);
-      return begin.length == 4
-          && ((begin[0] & 0xff) == 0x89 && begin[1] == 'P' && begin[2] == 'N' && begin[3] == 'G'
-              || (begin[0] & 0xff) == 0xff && (begin[1] & 0xff) == 0xd8);
+  private static Optional<String> fault(Path picture) {
+    try {
+      return PictureFile.fault(picture);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
