@@ -79,7 +79,7 @@ final class ExperimentViewCommand extends CliCommand {
         .out()
         .print(format.json() ? HeadLogReport.json(analysis) : HeadLogReport.text(analysis));
     if (plot != null) {
-      OutputFile.write(plot, HeadLogPlot.svg(analysis));
+      OutputFile.writePrivate(plot, HeadLogPlot.svg(analysis));
     }
     if (bids != null) {
       console().message("BIDS motion data: " + BidsMotionFiles.write(read.get(), bids, subject));

@@ -2,6 +2,7 @@ package org.selectiverenderer.base.trust;
 
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.Comparator;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
@@ -33,9 +34,13 @@ public record PermissionRequests(Path folder, List<PermissionRequest> list) {
         folder, list.stream().filter(each -> kinds.contains(each.kind())).toList());
   }
 
-  /** Returns the lines that users read, each once. */
+  /** Returns the lines that users read, each once; what reaches farthest comes first. */
   public List<String> lines() {
-    return list.stream().map(PermissionRequest::toString).distinct().toList();
+    return list.stream()
+        .sorted(Comparator.comparing(PermissionRequest::kind))
+        .map(PermissionRequest::toString)
+        .distinct()
+        .toList();
   }
 
   /**

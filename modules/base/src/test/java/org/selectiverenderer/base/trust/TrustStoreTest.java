@@ -65,7 +65,9 @@ class TrustStoreTest {
 
   @Test
   void aLineShowsSignsThatWouldChangeIt() {
-    assertThat(new PermissionRequest(Kind.FILE, "items", "x", "reads /a\u001b[2J\n\u202eb"))
-        .hasToString("\"items\" reads /a\\u{1b}[2J\\u{a}\\u{202e}b");
+    assertThat(
+            new PermissionRequest(
+                Kind.FILE, "items", "x", "reads /a\u001b[2J\n\u202eb\u00a0\u2800\u3164c"))
+        .hasToString("\"items\" reads /a\\u{1b}[2J\\u{a}\\u{202e}b\\u{a0}\\u{2800}\\u{3164}c");
   }
 }

@@ -15,7 +15,7 @@ public interface TrustPrompt {
    * Asks.
    *
    * @param sentence what asks for more than its folder
-   * @param lines what is asked for
+   * @param lines what is asked for; what reaches farthest comes first
    * @return the answer; empty if nobody can be asked
    */
   Optional<Boolean> ask(String sentence, List<String> lines);
@@ -39,8 +39,13 @@ public interface TrustPrompt {
   static TrustPrompt onTerminal(Console console, Function<String, Optional<String>> read) {
     return (sentence, lines) -> {
       console.message(sentence + ":");
-      lines.forEach(line -> console.message("  " + line));
-      return read.apply("Agree? It is remembered until this list changes. [y/N] ")
+      // What reaches farthest comes last here: a list that is long scrolls away from its beginning.
+      for (int i = lines.size() - 1; i >= 0; i--) {
+        console.message("  " + lines.get(i));
+      }
+      String all = lines.size() == 1 ? "this" : "all " + lines.size();
+      return read.apply(
+              "Agree to %s? It is remembered until this list changes. [y/N] ".formatted(all))
           .map(answer -> answer.strip().matches("(?i)y(es)?"));
     };
   }

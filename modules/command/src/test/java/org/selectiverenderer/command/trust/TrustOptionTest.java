@@ -56,6 +56,29 @@ class TrustOptionTest {
   }
 
   @Test
+  void whatReachesFarthestStandsRightAboveTheQuestion() {
+    List<PermissionRequest> all = new ArrayList<>();
+    all.add(new PermissionRequest(Kind.FOLDER, "allow", "/", "lets scenes read /"));
+    for (int i = 0; i < 300; i++) {
+      all.add(new PermissionRequest(Kind.STREAM, "streams", "s" + i, "sends s" + i));
+    }
+    TrustPrompt prompt =
+        TrustPrompt.onTerminal(
+            console,
+            question -> {
+              questions.add(question);
+              return Optional.empty();
+            });
+    PermissionRequests requests = new PermissionRequests(Path.of("/a"), all);
+    assertThat(prompt.ask("study.json asks", requests.lines())).isEmpty();
+    assertThat(said.toString(StandardCharsets.UTF_8).lines())
+        .hasSize(302)
+        .last()
+        .isEqualTo("  \"allow\" lets scenes read /");
+    assertThat(questions).singleElement().asString().startsWith("Agree to all 301? ");
+  }
+
+  @Test
   void anythingButYesIsANoWhichIsNotRemembered() {
     for (String typed : List.of("", "n", "maybe yes")) {
       assertThatThrownBy(() -> require("a.org", typed))
