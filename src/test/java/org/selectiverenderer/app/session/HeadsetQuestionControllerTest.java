@@ -188,7 +188,7 @@ class HeadsetQuestionControllerTest {
     Files.writeString(folder.resolve("hall.png"), "no picture");
     assertThatThrownBy(() -> steps.next())
         .isInstanceOf(IOException.class)
-        .hasMessageContaining("hall.png cannot be read as a picture");
+        .hasMessageContaining("hall.png is neither a PNG nor a JPEG");
   }
 
   private static Primitive2D.Picture picture(RunController guide) {

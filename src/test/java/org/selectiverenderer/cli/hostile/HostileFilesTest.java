@@ -61,7 +61,16 @@ class HostileFilesTest {
 
   @ParameterizedTest
   @ValueSource(
-      strings = {"scenes", "scripts", "media", "models", "studies", "settings", "recordings"})
+      strings = {
+        "scenes",
+        "endless",
+        "scripts",
+        "media",
+        "models",
+        "studies",
+        "settings",
+        "recordings"
+      })
   void filesOfStrangersAreReadOrRefused(String kind) throws Exception {
     List<Path> files = copy(kind);
     for (Path file : files) {
@@ -148,6 +157,12 @@ class HostileFilesTest {
               List.of("simulate", "--rate", "2", "--path", PATH, name),
               List.of("polygons", name),
               List.of("convert", name, out(file, ".x3dv")));
+      case "endless" -> // Each takes all the time that scripts may take.
+          ALL
+              ? List.of(
+                  List.of("validate", name),
+                  List.of("simulate", "--rate", "2", "--path", PATH, name))
+              : List.of(List.of("validate", name));
       case "media" -> ofScene(file, medium(file));
       case "scripts" -> ofScene(file, script(file));
       case "models" ->

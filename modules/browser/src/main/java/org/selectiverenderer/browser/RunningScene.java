@@ -44,7 +44,7 @@ final class RunningScene {
             new LayerStack.Parts(files.assets(), world.meshes(), links::follow, cascade),
             world.viewer(),
             world.picture());
-    scripts = new ScriptScheduler(new ScriptsWorld(links));
+    scripts = new ScriptScheduler(new ScriptsWorld(links), world.scriptTime());
     world.keys().follow(List.of(), cascade);
     reportCutOff();
   }

@@ -17,6 +17,7 @@ import org.selectiverenderer.browser.nodes.bindable.BindingStacks;
 import org.selectiverenderer.browser.nodes.keyboard.KeyDevice;
 import org.selectiverenderer.browser.scene.EventCascade;
 import org.selectiverenderer.browser.scene.Scene;
+import org.selectiverenderer.browser.script.ScriptTimeBudget;
 import org.selectiverenderer.browser.sound.Voice;
 import org.selectiverenderer.browser.viewer.OrthographicExtent;
 import org.selectiverenderer.browser.viewer.Viewer;
@@ -45,6 +46,7 @@ public final class World {
   private final ViewpointNavigator views = new ViewpointNavigator(this);
   private final List<ReplaceListener> replaceListeners = new ArrayList<>();
   private final KeyDevice keys = new KeyDevice();
+  private final ScriptTimeBudget scriptTime = new ScriptTimeBudget();
   private final MeshBvhCache meshes = new MeshBvhCache();
   private final ConcurrentLinkedQueue<PointingDeviceState> pointed = new ConcurrentLinkedQueue<>();
 
@@ -168,6 +170,11 @@ public final class World {
   public void seenIn(double width, double height, Optional<OrthographicExtent> frustum) {
     picture = new DisplayMetrics(width, height, frustum);
     shown.layers.see(picture);
+  }
+
+  /** Returns the time that scripts may take, of this scene and of those that replace it. */
+  ScriptTimeBudget scriptTime() {
+    return scriptTime;
   }
 
   /** Returns the size of the picture in which the scene is seen. */

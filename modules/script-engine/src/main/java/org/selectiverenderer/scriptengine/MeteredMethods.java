@@ -166,22 +166,16 @@ public final class MeteredMethods {
   }
 
   public static String toLowerCase(String text, Locale locale) {
-    changed(text);
-    return text.toLowerCase(locale);
+    return TextParts.change(text, part -> part.toLowerCase(locale));
   }
 
   public static String toUpperCase(String text, Locale locale) {
-    changed(text);
-    return text.toUpperCase(locale);
-  }
-
-  private static void changed(String text) {
-    work(text.length() >> 2);
-    allocateCharacters(text.length());
+    return TextParts.change(text, part -> part.toUpperCase(locale));
   }
 
   public static String trim(String text) {
-    changed(text);
+    work(text.length() >> 2);
+    allocateCharacters(text.length());
     return text.trim();
   }
 
@@ -290,8 +284,24 @@ public final class MeteredMethods {
     return list.toArray();
   }
 
+  /**
+   * Compares the beginnings as the language does and what follows by character: the JDK's work
+   * grows with the square of the number of combining marks.
+   */
   public static int compare(Collator collator, String text, String other) {
-    work((long) text.length() + other.length());
-    return collator.compare(text, other);
+    if (text.equals(other)) {
+      bulk(text.length());
+      return 0;
+    }
+    String beginning = collated(text);
+    String otherBeginning = collated(other);
+    TextParts.work(Math.max(beginning.length(), otherBeginning.length()));
+    int order = collator.compare(beginning, otherBeginning);
+    boolean whole = beginning.equals(text) && otherBeginning.equals(other);
+    return order == 0 && !whole ? compareTo(text, other) : order;
+  }
+
+  private static String collated(String text) {
+    return text.length() > TextParts.LENGTH ? text.substring(0, TextParts.LENGTH) : text;
   }
 }

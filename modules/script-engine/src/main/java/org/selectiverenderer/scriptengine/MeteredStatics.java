@@ -103,8 +103,6 @@ public final class MeteredStatics {
   }
 
   public static String normalize(CharSequence text, Normalizer.Form form) {
-    allocateCharacters(text.length());
-    work((long) text.length() << 3);
-    return Normalizer.normalize(text, form);
+    return TextParts.change(text.toString(), part -> Normalizer.normalize(part, form));
   }
 }

@@ -187,18 +187,21 @@ final class RunningScript implements ScriptEventReceiver, NodeAccess {
 
   private void run(
       boolean starting, EventCascade cascade, Function<Context, @Nullable Object> code) {
-    if (tooMany(cascade) || !starting && scripts.together().over(cascade.time())) {
+    ScriptTimeBudget.Used budget =
+        starting ? scripts.budget().starting() : scripts.budget().calling();
+    if (budget.over(cascade.time())) {
+      off |= starting; // It cannot be called without having started.
+      return;
+    }
+    if (tooMany(cascade)) {
       return;
     }
     scripts.called();
     long began = System.nanoTime();
     guarded(starting, code);
     double took = (System.nanoTime() - began) * 1e-9;
-    if (!starting && scripts.together().add(cascade.time(), took)) {
-      problem(
-          program.start(),
-          "scripts ran for more than %s s at one time stamp; its further events are dropped"
-              .formatted(ScriptTimeBudget.MOST_SECONDS));
+    if (budget.add(cascade.time(), took)) {
+      scripts.overBudget(starting, program.start(), name());
     }
   }
 

@@ -30,6 +30,7 @@ public final class ScriptScheduler {
   private static final int MAX_LINES = 50;
 
   private final ScriptHost world;
+  private final ScriptTimeBudget budget;
   private final ScriptLimits limits;
   private final Map<ScriptNode, RunningScript> running = new LinkedHashMap<>();
   private final List<RunningScript> waiting = new ArrayList<>();
@@ -41,15 +42,20 @@ public final class ScriptScheduler {
   private double frameTime = Double.NaN;
   private double framesPerSecond;
   private double speed;
-  private final ScriptTimeBudget together = new ScriptTimeBudget();
   private long calls;
+  private boolean startsTooLong;
+  private boolean callsTooLong;
 
-  public ScriptScheduler(ScriptHost world) {
-    this(world, ScriptLimits.standard());
+  /**
+   * @param budget the time that all scripts may take, also those of scenes shown before
+   */
+  public ScriptScheduler(ScriptHost world, ScriptTimeBudget budget) {
+    this(world, budget, ScriptLimits.standard());
   }
 
-  ScriptScheduler(ScriptHost world, ScriptLimits limits) {
+  ScriptScheduler(ScriptHost world, ScriptTimeBudget budget, ScriptLimits limits) {
     this.world = world;
+    this.budget = budget;
     this.limits = limits;
   }
 
@@ -165,9 +171,36 @@ public final class ScriptScheduler {
     calls++;
   }
 
-  /** Returns the time budget that all scripts share at the present time stamp. */
-  ScriptTimeBudget together() {
-    return together;
+  /** Returns the time budget that all scripts share. */
+  ScriptTimeBudget budget() {
+    return budget;
+  }
+
+  /**
+   * Reports, once for each kind, that the scripts have used up their time.
+   *
+   * @param starting whether that is the time to start
+   * @param at the place of the script that ran last
+   * @param name that script's name
+   */
+  void overBudget(boolean starting, SourceLocation at, String name) {
+    if (starting && !startsTooLong) {
+      startsTooLong = true;
+      world
+          .problems()
+          .error(
+              at,
+              "%s: the scripts of the scene have taken more than %s s to start; those not started are switched off"
+                  .formatted(name, Math.round(budget.starting().most())));
+    } else if (!starting && !callsTooLong) {
+      callsTooLong = true;
+      world
+          .problems()
+          .error(
+              at,
+              "%s: the scripts of the scene have run for %s s more than its time allows; events to them are dropped until it has caught up"
+                  .formatted(name, Math.round(budget.calling().most())));
+    }
   }
 
   /** Returns the frame rate of the last frame in the scene's time. */

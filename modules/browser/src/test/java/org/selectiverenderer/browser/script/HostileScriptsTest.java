@@ -10,6 +10,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -54,6 +55,59 @@ class HostileScriptsTest {
       List<String> told =
           scene.told().stream().filter(line -> !line.contains(" prints: ")).toList();
       assertThat(told).as(name).singleElement().asString().contains("Script Hostile: ");
+    }
+  }
+
+  @Test
+  void scriptsThatAllStartForeverEndTogether() throws IOException {
+    String endless = "<Script><![CDATA[ecmascript: for (;;) { }]]></Script>";
+    String harmless =
+        "<Script><field name='go' type='SFInt32' accessType='inputOnly'/>"
+            + "<field name='out' type='SFString' accessType='outputOnly'/>"
+            + "<![CDATA[ecmascript: function go(v) { out = 'v' + v; } ]]></Script>";
+    try (ScriptFixture scene =
+        new ScriptFixture(harmless + endless.repeat(200), LIMITS, new ScriptTimeBudget(1, 0.12))) {
+      scene.go(7);
+
+      assertThat(scene.out()).isEqualTo("v7"); // It had started before.
+      assertThat(scene.told())
+          .hasSize(2) // The same problem at the same place is told once.
+          .last()
+          .asString()
+          .contains("the scripts of the scene have taken more than 0 s to start");
+    }
+  }
+
+  @Test
+  void aSceneThatReplacesAnotherHasOnlyTheTimeThatIsLeft() throws IOException {
+    String endless = "<Script><![CDATA[ecmascript: for (;;) { }]]></Script>";
+    ScriptTimeBudget budget = new ScriptTimeBudget(1, 0.12);
+    new ScriptFixture(endless.repeat(2), LIMITS, budget).close();
+    new ScriptFixture(endless.repeat(2), LIMITS, budget).close();
+
+    try (ScriptFixture third = new ScriptFixture(endless.repeat(2), LIMITS, budget)) {
+      assertThat(third.told()).isEmpty(); // Nothing ran that could be told of.
+    }
+  }
+
+  @Test
+  void callsThatAllTakeTheirTimeAreDroppedInTheEnd() throws IOException {
+    String slow =
+        "<Script><field name='go' type='SFInt32' accessType='inputOnly'/>"
+            + "<field name='out' type='SFInt32' accessType='outputOnly'/><![CDATA[ecmascript:"
+            + "var n = 0; function go() { out = ++n; var end = Date.now() + 20;"
+            + " while (Date.now() < end) { } }]]></Script>";
+    try (ScriptFixture scene =
+        new ScriptFixture(slow, new ScriptLimits(1, 5, 1 << 30), new ScriptTimeBudget(0.1, 1))) {
+      for (int call = 0; call < 50; call++) {
+        scene.go(call);
+      }
+
+      assertThat((int) scene.out()).isBetween(1, 6);
+      assertThat(scene.told())
+          .singleElement()
+          .asString()
+          .contains("events to them are dropped until it has caught up");
     }
   }
 }

@@ -34,7 +34,11 @@ final class ScriptFixture implements ScriptHost, AutoCloseable {
   }
 
   ScriptFixture(String body, ScriptLimits limits) throws IOException {
-    scripts = new ScriptScheduler(this, limits);
+    this(body, limits, new ScriptTimeBudget());
+  }
+
+  ScriptFixture(String body, ScriptLimits limits, ScriptTimeBudget budget) throws IOException {
+    scripts = new ScriptScheduler(this, budget, limits);
     String text = "<X3D version='4.0' profile='Full'><Scene>\n" + body + "</Scene></X3D>";
     loaded =
         loader.load(

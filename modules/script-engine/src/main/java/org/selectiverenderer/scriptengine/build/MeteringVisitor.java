@@ -232,6 +232,10 @@ final class MeteringVisitor extends ClassVisitor {
         super.visitMethodInsn(Opcodes.INVOKESTATIC, by[0], by[1], by[2], false);
         return;
       }
+      if (owner.equals(RHINO + "Kit") && name.equals("printStackTrace")) {
+        super.visitInsn(Opcodes.POP2); // A script's text could print it to the terminal.
+        return;
+      }
       if (name.equals("<init>")) {
         made(type, descriptor);
       }
