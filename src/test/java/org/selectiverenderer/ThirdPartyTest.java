@@ -16,6 +16,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import java.util.zip.ZipFile;
 import org.junit.jupiter.api.Test;
 
 /** META-INF/THIRD-PARTY.txt beside the libraries that the program is built with. */
@@ -81,6 +82,30 @@ class ThirdPartyTest {
                     Stream.of(heading.toLowerCase(Locale.ROOT).split("\\W+"))
                         .anyMatch(word -> word.length() > 3 && row.get(0).contains(word)));
       }
+    }
+  }
+
+  /** docs/native-libraries.md has a row for each library with machine code, and no other. */
+  @Test
+  void everyNativeLibraryIsListedWithItsVersion() throws IOException {
+    Map<String, String> found = new TreeMap<>();
+    for (String entry : System.getProperty("java.class.path").split(File.pathSeparator)) {
+      Matcher jar = JAR.matcher(entry.replace(File.separatorChar, '/'));
+      if (jar.matches() && hasNativeFiles(Path.of(entry))) {
+        found.put(jar.group(2), jar.group(3));
+      }
+    }
+    Map<String, String> listed =
+        Pattern.compile("(?m)^\\| `([\\w-]+)`.*?\\| ([\\d.]+) \\|")
+            .matcher(Files.readString(Path.of("docs/native-libraries.md")))
+            .results()
+            .collect(Collectors.toMap(row -> row.group(1), row -> row.group(2)));
+    assertThat(new TreeMap<>(listed)).isEqualTo(found);
+  }
+
+  private static boolean hasNativeFiles(Path jar) throws IOException {
+    try (ZipFile zip = new ZipFile(jar.toFile())) {
+      return zip.stream().anyMatch(file -> file.getName().matches(".+\\.(so|dll|dylib|jnilib)"));
     }
   }
 

@@ -407,4 +407,19 @@ class ModelReaderTest {
         .contains("damaged")
         .doesNotContain("suitable reader", folder.toString());
   }
+
+  /** Assimp would try its readers of all other formats. */
+  @Test
+  void aBinaryGltfOfAnotherVersionIsRefused() throws IOException {
+    byte[] text = "{\"asset\":{\"version\":\"2.0\"}}  ".getBytes(StandardCharsets.US_ASCII);
+    ByteBuffer glb = ByteBuffer.allocate(20 + text.length).order(ByteOrder.LITTLE_ENDIAN);
+    glb.put("glTF".getBytes(StandardCharsets.US_ASCII)).putInt(7).putInt(glb.capacity());
+    glb.putInt(text.length).put("JSON".getBytes(StandardCharsets.US_ASCII)).put(text);
+    Path file = folder.resolve("a.glb");
+    Files.write(file, glb.array());
+
+    assertThat(reader.read(file, problems)).isEmpty();
+
+    assertThat(messages()).singleElement().asString().contains("is not a glTF model");
+  }
 }

@@ -104,8 +104,9 @@ final class GltfStructureCheck {
       throw new ModelStructureException(DAMAGED);
     }
     // In version 1 the rest is the only buffer; in version 2 each chunk has a kind.
-    boolean chunks = numbers.getInt(4) != 1;
-    if (chunks && numbers.getInt(16) != CHUNK_OF_JSON) {
+    int version = numbers.getInt(4);
+    boolean chunks = version == 2;
+    if (version != 1 && !chunks || chunks && numbers.getInt(16) != CHUNK_OF_JSON) {
       throw new ModelStructureException(DAMAGED);
     }
     byte[] text = in.readNBytes((int) Math.min(first, Integer.MAX_VALUE - 8));
