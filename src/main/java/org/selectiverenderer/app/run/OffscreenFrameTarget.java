@@ -32,7 +32,7 @@ final class OffscreenFrameTarget implements FrameTarget {
             display.presentation().layout(),
             display.style())) {
       run.awaitScene();
-      run.started();
+      run.opening();
       for (int frame = 0; !run.finished(); frame++) {
         if (settings.tracker().tracked()) {
           view.awaitReady(); // The pose is read in the step; a late step reads a newer pose.

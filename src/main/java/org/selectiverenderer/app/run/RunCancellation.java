@@ -17,8 +17,8 @@ public final class RunCancellation {
   }
 
   /**
-   * Registers with JOGL's shutdown, once the window or the context is open, so that the run ends
-   * first when the process is ended.
+   * Registers with JOGL's shutdown, once the window exists or the context is open, so that the run
+   * ends first when the process is ended.
    */
   void drawing() {
     GlShutdownHook.before(this::stopAndWait);

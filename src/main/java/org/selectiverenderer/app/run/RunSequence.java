@@ -142,7 +142,7 @@ public final class RunSequence implements WorldController {
 
   /** Makes the windows close before the process ends, so that all files are complete. */
   @Override
-  public void started() {
+  public void opening() {
     stop.drawing();
   }
 

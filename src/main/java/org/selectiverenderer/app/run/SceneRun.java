@@ -121,7 +121,7 @@ final class SceneRun implements WorldController, AutoCloseable {
   }
 
   @Override
-  public void started() {
+  public void opening() {
     stop.drawing();
   }
 

@@ -31,8 +31,16 @@ final class InterruptedHeadsetRun implements RunListener, HeadSampleListener {
   static final String SHOWN = "shows frames";
   static final String ENDED = "ended";
 
+  private final int reported;
   private int frames;
 
+  private InterruptedHeadsetRun(int reported) {
+    this.reported = reported;
+  }
+
+  /**
+   * @param args the scene, and the number of the frame to be reported
+   */
   public static void main(String[] args) throws Exception {
     LibraryProperties.set();
     HeadsetViewSettings shown = HeadsetViewSettings.standing();
@@ -47,7 +55,7 @@ final class InterruptedHeadsetRun implements RunListener, HeadSampleListener {
     FakeHeadset headset = new FakeHeadset().paced();
     headset.wear();
     RunCancellation stop = new RunCancellation();
-    InterruptedHeadsetRun run = new InterruptedHeadsetRun();
+    InterruptedHeadsetRun run = new InterruptedHeadsetRun(Integer.parseInt(args[1]));
     InterruptHandler.stops(
         stop::stop,
         () -> {
@@ -69,7 +77,7 @@ final class InterruptedHeadsetRun implements RunListener, HeadSampleListener {
   @Override
   public void sampled(HeadSample sample, long nanos) {
     frames++;
-    if (frames == 30) {
+    if (frames == reported) {
       System.out.println(SHOWN);
     }
   }

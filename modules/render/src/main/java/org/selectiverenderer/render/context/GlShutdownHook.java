@@ -13,8 +13,9 @@ public final class GlShutdownHook {
    * Runs an action before JOGL destroys its windows and contexts.
    *
    * @param ending waits until no thread draws; called once, on another thread. To be registered
-   *     when the window or the context is open: JOGL's parts register their own actions when they
-   *     are first used, and the last one registered runs first
+   *     when a window exists, even if it is not shown yet, or when the context is open: JOGL's
+   *     parts register their own actions when they are first used, and the last one registered runs
+   *     first
    */
   public static void before(Runnable ending) {
     NativeWindowFactory.addCustomShutdownHook(true, ending);

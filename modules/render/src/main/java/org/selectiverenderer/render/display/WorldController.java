@@ -13,10 +13,10 @@ import org.selectiverenderer.render.window.InputEvent;
  */
 public interface WorldController {
   /**
-   * Called once when all windows are open, before their first picture. A headset may have shown
-   * frames before.
+   * Called once before the windows are shown, on the thread that opens them. An action that shall
+   * run before the windows are taken away at the end of the process can be registered from here on.
    */
-  default void started() {}
+  default void opening() {}
 
   /** Handles the user's input; called before the next {@link #step()}. */
   void input(InputEvent event);

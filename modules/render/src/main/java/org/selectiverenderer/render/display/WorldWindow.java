@@ -102,9 +102,13 @@ public final class WorldWindow implements WorldDisplay {
     }
 
     @Override
+    public void opening() {
+      host.opening();
+    }
+
+    @Override
     public void start(GL3 gl) {
       info = GlInfo.of(gl);
-      host.started();
     }
 
     @Override

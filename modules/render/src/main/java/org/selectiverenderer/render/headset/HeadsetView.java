@@ -68,7 +68,7 @@ public final class HeadsetView implements WorldDisplay {
     this.host = host;
     this.screen = screen;
     mirror = new MirrorReadback(side);
-    desk = new MirrorWindow(mirror, () -> lines, () -> over, host::closing);
+    desk = new MirrorWindow(mirror, host::opening, () -> lines, () -> over, host::closing);
     operator = stage.operator().isPresent() ? new MirrorOperatorWindow(mirror) : null;
   }
 
@@ -150,7 +150,6 @@ public final class HeadsetView implements WorldDisplay {
     private Optional<World> world = Optional.empty();
     private HeadsetDisplay.@Nullable Due size;
     private @Nullable World ready;
-    private boolean told;
 
     Frames(GL3 gl) {
       this.gl = gl;
@@ -160,7 +159,6 @@ public final class HeadsetView implements WorldDisplay {
     void run() {
       while (!windowsClosed) {
         drain();
-        started();
         Optional<HeadsetDisplay.Due> due = screen.next();
         host.presented(screen.visible());
         world = host.step();
@@ -180,18 +178,6 @@ public final class HeadsetView implements WorldDisplay {
         if (operator != null) {
           operator.update(host);
         }
-      }
-    }
-
-    /**
-     * Tells the host once that the windows are open. Frames do not wait for them; but a host that
-     * wants to hear of the end of the process must ask for it after all windows, or JOGL takes them
-     * away first.
-     */
-    private void started() {
-      if (!told && desk.open()) {
-        told = true;
-        host.started();
       }
     }
 

@@ -16,15 +16,16 @@ import org.selectiverenderer.x3d.tessellate.TextMesher;
  */
 final class MirrorWindow implements WindowContent {
   private final MirrorReadback mirror;
+  private final Runnable opening;
   private final Supplier<List<String>> lines;
   private final BooleanSupplier over;
   private final BooleanSupplier closing;
   private final CrossContextImage picture = new CrossContextImage();
   private final TextOverlay overlay = new TextOverlay(new TextMesher());
   private long shown;
-  private volatile boolean open;
 
   /**
+   * @param opening called before the window is shown, on the thread that opens it
    * @param lines the text lines over the picture
    * @param over returns whether the run has ended
    * @param closing asked whether a window that the user closes may close; called by the window
@@ -32,23 +33,25 @@ final class MirrorWindow implements WindowContent {
    */
   MirrorWindow(
       MirrorReadback mirror,
+      Runnable opening,
       Supplier<List<String>> lines,
       BooleanSupplier over,
       BooleanSupplier closing) {
     this.mirror = mirror;
+    this.opening = opening;
     this.lines = lines;
     this.over = over;
     this.closing = closing;
   }
 
   @Override
-  public void start(GL3 gl) {
-    open = true;
+  public void opening() {
+    opening.run();
   }
 
-  /** Returns whether this window and those beside it have been opened; any thread. */
-  boolean open() {
-    return open;
+  @Override
+  public void start(GL3 gl) {
+    // The picture is uploaded when there is one.
   }
 
   @Override

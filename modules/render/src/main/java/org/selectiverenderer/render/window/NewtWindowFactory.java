@@ -29,11 +29,11 @@ final class NewtWindowFactory {
   }
 
   /**
-   * Opens a window whose input goes to a queue.
+   * Creates a window whose input goes to a queue. It is not shown before {@link #show}.
    *
    * @param onClose called on a thread of NEWT when the user closes it
    */
-  static GLWindow open(
+  static GLWindow create(
       WindowOptions options,
       GLCapabilities wanted,
       InputQueue queue,
@@ -63,6 +63,15 @@ final class NewtWindowFactory {
     window.setExclusiveContextThread(Thread.currentThread());
     // All windows are drawn before any is shown, so that both eyes change together.
     window.setAutoSwapBufferMode(false);
+    return window;
+  }
+
+  /**
+   * Shows a window; frees it if that fails.
+   *
+   * @throws GLException if there is no such OpenGL
+   */
+  static void show(GLWindow window, WindowOptions options) {
     try {
       if (options.fullScreen()) {
         fill(window, options);
@@ -72,7 +81,6 @@ final class NewtWindowFactory {
       window.destroy();
       throw e;
     }
-    return window;
   }
 
   /** Makes a window fill its monitor; returns whether it does. */

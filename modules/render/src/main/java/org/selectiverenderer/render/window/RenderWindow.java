@@ -34,6 +34,7 @@ public final class RenderWindow {
   private final AtomicBoolean fullScreenWanted = new AtomicBoolean();
   private @Nullable Throwable failure;
   private long drawn;
+  private boolean announced;
   private volatile boolean stopping;
 
   /**
@@ -150,7 +151,12 @@ public final class RenderWindow {
   private GLWindow open(GLCapabilities wanted) {
     fullScreenWanted.set(options.fullScreen());
     GLWindow window =
-        NewtWindowFactory.open(options, wanted, queue, this::closeAsked, new Drawing());
+        NewtWindowFactory.create(options, wanted, queue, this::closeAsked, new Drawing());
+    if (!announced) {
+      announced = true; // It is opened again without smoothed edges where there are none.
+      source.opening();
+    }
+    NewtWindowFactory.show(window, options);
     window.addKeyListener(
         new KeyAdapter() {
           @Override

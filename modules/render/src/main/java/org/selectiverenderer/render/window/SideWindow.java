@@ -24,12 +24,13 @@ final class SideWindow {
     listener = side.input();
     queue = listener.isPresent() ? new InputQueue() : shared;
     window =
-        NewtWindowFactory.open(
+        NewtWindowFactory.create(
             side.options(),
             NewtWindowFactory.capabilities(side.options()),
             queue,
             onClose,
             new Drawing());
+    NewtWindowFactory.show(window, side.options());
   }
 
   /** Delivers the input of this window to its own listener, if it has one. */

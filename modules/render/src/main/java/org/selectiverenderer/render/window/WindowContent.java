@@ -7,6 +7,12 @@ import com.jogamp.opengl.GL3;
  * thread.
  */
 public interface WindowContent {
+  /**
+   * Called once before the window is shown. An action that shall run before the window is taken
+   * away at the end of the process can be registered from here on.
+   */
+  default void opening() {}
+
   /** Called once, with the context current, before the first frame. */
   void start(GL3 gl);
 
