@@ -15,6 +15,9 @@ import org.selectiverenderer.base.problem.Problem;
  * however many instances there are.
  */
 final class ExternProtoResolver {
+  /** Longer than any chain seen in real scenes, and short enough for a thread's stack. */
+  private static final int MAX_CHAIN = 32;
+
   private final ReadContext reading;
   private final Map<ExternProtoDeclaration, Optional<ProtoDeclaration>> known =
       new IdentityHashMap<>();
@@ -76,6 +79,13 @@ final class ExternProtoResolver {
       ExternProtoDeclaration extern, ExternProtoDeclaration further) {
     if (open.contains(further)) {
       leaveOut(extern, "its ExternProtoDeclares refer to one another, and no file declares it");
+      return null;
+    }
+    if (open.size() == MAX_CHAIN) {
+      leaveOut(
+          extern,
+          "more than %d ExternProtoDeclares refer to one another before a file declares it"
+              .formatted(MAX_CHAIN));
       return null;
     }
     return find(further);

@@ -20,13 +20,14 @@ import org.selectiverenderer.base.files.HomeFolder;
  *       {@value #INLINE_FOLDER} beside that folder, where the thesis keeps the versions of objects
  *       ({@code scenes/} and {@code inlineNodes/} are siblings);
  *   <li>files of its project, which is the nearest folder above that contains a marker ({@code
- *       .git}, {@code x3d-project}), except below folders whose name begins with a dot. The user's
- *       home folder is never a project;
+ *       .git}, {@code x3d-project}). The user's home folder is never a project;
  *   <li>files in folders and on hosts that the user allows;
  *   <li>the data in data: urls.
  * </ul>
  *
- * The same holds for urls in those files. Symbolic links are followed and must not lead outside.
+ * Files and folders whose name begins with a dot are left out, except where the scene lies in such
+ * a folder or the user allows it: they hold what programs and users keep to themselves. The same
+ * holds for urls in those files. Symbolic links are followed and must not lead outside.
  *
  * <p>Messages name a file relative to the scene's folder as the user wrote it. Thread-safe.
  */
@@ -245,9 +246,9 @@ public final class UrlResolver {
   /** Returns whether a scene may read a local file, or files in a folder. */
   public boolean mayBeNamed(Path path) {
     Path real = LocalPathResolver.real(path);
-    return real.startsWith(folder) && (!wide || open(folder, real))
-        || real.startsWith(inlineFolder)
-        || project.filter(top -> real.startsWith(top) && open(top, real)).isPresent()
+    return open(folder, real)
+        || open(inlineFolder, real)
+        || project.filter(top -> open(top, real)).isPresent()
         || allowed.stream().anyMatch(real::startsWith);
   }
 
@@ -256,8 +257,14 @@ public final class UrlResolver {
     return wide;
   }
 
-  /** Returns whether no name on the path begins with a dot, which marks private content. */
+  /**
+   * Returns whether a file is in or below a folder, and no name on the path between them begins
+   * with a dot, which marks private content.
+   */
   private static boolean open(Path top, Path real) {
+    if (!real.startsWith(top)) {
+      return false;
+    }
     for (Path part : top.relativize(real)) {
       if (part.toString().startsWith(".")) {
         return false;

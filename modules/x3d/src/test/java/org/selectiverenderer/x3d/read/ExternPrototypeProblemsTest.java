@@ -88,6 +88,25 @@ class ExternPrototypeProblemsTest extends AbstractExternPrototypesTest {
   }
 
   @Test
+  void aChainOfPrototypesThatIsTooLongEnds() throws IOException {
+    StringBuilder links = new StringBuilder(RED);
+    for (int i = 1; i < 5000; i++) {
+      links.append(extern("P" + i, "\"chain.x3d#" + (i == 1 ? "Red" : "P" + (i - 1)) + "\""));
+    }
+    write("chain.x3d", links.toString());
+    X3dFile file =
+        scene(
+            extern("P31", "\"chain.x3d#P31\"")
+                + extern("P4999", "\"chain.x3d#P4999\"")
+                + "<Shape><Appearance><ProtoInstance name='P31'/></Appearance></Shape>"
+                + "<ProtoInstance name='P4999'/>");
+    assertTold(
+        "chain.x3d:4973:1: the prototype P4969 cannot be loaded: more than 32 ExternProtoDeclares"
+            + " refer to one another before a file declares it; its instances are left out");
+    assertThat(file.nodes()).hasSize(1);
+  }
+
+  @Test
   void aLibraryOfWhichNothingIsReadIsOneProblem() throws IOException {
     Files.write(folder.resolve("picture.x3d"), new byte[] {(byte) 0x89, 'P', 'N', 'G', 0, 1, 2, 3});
     scene(extern("Red", "\"picture.x3d#Red\"") + "<ProtoInstance name='Red'/>");

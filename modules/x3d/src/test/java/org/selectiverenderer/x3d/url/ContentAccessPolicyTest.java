@@ -84,6 +84,24 @@ class ContentAccessPolicyTest {
   }
 
   @Test
+  void whatBeginsWithADotBelowTheScenesFolderIsNotOpened() throws IOException {
+    for (String file : List.of(".git/config", "lib/.venv/a.js", "plain.js")) {
+      Path path = scenes.resolve(file);
+      Files.createDirectories(path.getParent());
+      Files.writeString(path, file);
+    }
+    Files.createDirectories(scenes.resolveSibling("inlineNodes/.git"));
+    Files.writeString(scenes.resolveSibling("inlineNodes/.git/config"), "");
+    Files.createSymbolicLink(scenes.resolve("g"), scenes.resolve(".git"));
+    assertRead(resolve("plain.js"), "plain.js");
+    assertOutside(resolve(".git/config"));
+    assertOutside(resolve("g/config"));
+    assertOutside(resolve("lib/.venv/a.js"));
+    assertOutside(resolve("../inlineNodes/.git/config"));
+    assertRead(resolve(".git/config", scenes.resolve(".git")), ".git/config");
+  }
+
+  @Test
   void aUsersHomeIsNoProjectAndNorIsWhatIsAboveIt() throws IOException {
     Files.createDirectory(top.resolve("home/.git"));
     Files.createDirectory(top.resolve(".git"));
