@@ -6,7 +6,11 @@ import org.selectiverenderer.render.context.GlShutdownHook;
 
 /** Asks a run to end after its present frame, as when its window is closed; from any thread. */
 public final class RunCancellation {
-  private static final long PATIENCE_MS = 2000;
+  /**
+   * How long JOGL waits for a picture in progress. Commands end the process before, since it
+   * crashes with pages of messages when JOGL takes away what a driver is still drawing to.
+   */
+  private static final long PATIENCE_MS = 8000;
 
   private final CountDownLatch ended = new CountDownLatch(1);
   private volatile boolean asked;
@@ -34,7 +38,7 @@ public final class RunCancellation {
     ended.countDown();
   }
 
-  /** Ends the run and waits until nothing is drawn any more, or for two seconds. */
+  /** Ends the run and waits until nothing is drawn any more, or for some seconds. */
   private void stopAndWait() {
     stop();
     try {

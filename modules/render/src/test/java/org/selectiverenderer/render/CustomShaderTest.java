@@ -231,4 +231,23 @@ class CustomShaderTest {
         .containsExactly(
             "S.isSelected false", "S.isValid false", "S.isSelected true", "S.isValid true");
   }
+
+  @Test
+  void oneThatTheDriverWouldNotSurviveIsToldAndNotUsed() throws IOException {
+    StringBuilder doubled = new StringBuilder("float f0(float x) { return sin(x); }\n");
+    for (int i = 1; i <= 40; i++) {
+      doubled.append(
+          "float f%d(float x) { return f%d(x) + f%d(x * 1.1); }\n".formatted(i, i - 1, i - 1));
+    }
+    doubled.append("void main() { gl_FragColor = vec4(f40(gl_FragCoord.x)); }");
+    Seen seen = see(shader("S", PROGRAM.formatted(doubled)));
+    assertThat(seen.middle()).isEqualTo(BLUE);
+    assertThat(seen.told()).hasSize(1);
+    assertThat(seen.told().get(0)) // Time or memory, whichever is exhausted first.
+        .startsWith(
+            "s.x3d:3:39: ComposedShader S is not used, since the graphics driver, which tried it in a"
+                + " process of its own, took more than ")
+        .endsWith("; the shape is drawn by its material");
+    assertThat(seen.sent()).containsExactly("S.isSelected false", "S.isValid false");
+  }
 }

@@ -25,6 +25,9 @@ public final class ChildProcessCommand {
           "-D" + DESKTOP + "=",
           ParentProcessWatcher.FLAG);
 
+  /** The first version of Java that warns of native code unless it is allowed. */
+  private static final int WARNS_OF_NATIVE_CODE = 24;
+
   private ChildProcessCommand() {}
 
   /**
@@ -45,9 +48,46 @@ public final class ChildProcessCommand {
   }
 
   /**
-   * Returns a command with the Java command and class path of this process, but none of its JVM
-   * flags. Unlike {@link #of} it need not load Java's management classes, which takes longer than
-   * the start of a small child.
+   * Returns a command for a small child that gives untrusted data to native code. It has the Java
+   * command and class path of this process, but none of its JVM flags: the child ends with this
+   * process, starts quickly, has a heap of 128 MiB, and leaves nothing behind when it crashes.
+   * Unlike {@link #of} this need not load Java's management classes, which takes longer than the
+   * start of such a child.
+   *
+   * @param mainClass the main class of the child
+   * @param properties prefixes of the names of the system properties that it has from this process
+   */
+  public static List<String> contained(String mainClass, List<String> properties) {
+    List<String> flags =
+        new ArrayList<>(
+            List.of(
+                "-XX:+IgnoreUnrecognizedVMOptions",
+                "-Xlog:disable",
+                "-XX:+DisplayVMOutputToStderr",
+                // A crash is one line of this program, and leaves no file behind.
+                "-XX:+SuppressFatalErrorMessage",
+                "-XX:-CreateCoredumpOnCrash",
+                "-Xmx128m",
+                "-Xss4m",
+                "-XX:TieredStopAtLevel=1",
+                "-XX:+UseSerialGC",
+                "-XX:-UsePerfData",
+                ParentProcessWatcher.flag(),
+                "-Djava.io.tmpdir=" + System.getProperty("java.io.tmpdir"),
+                "-Duser.home=" + System.getProperty("user.home")));
+    if (Runtime.version().feature() >= WARNS_OF_NATIVE_CODE) {
+      flags.add("--enable-native-access=ALL-UNNAMED");
+      flags.add("--sun-misc-unsafe-memory-access=allow");
+    }
+    System.getProperties().stringPropertyNames().stream()
+        .filter(name -> properties.stream().anyMatch(name::startsWith))
+        .forEach(name -> flags.add("-D" + name + "=" + System.getProperty(name)));
+    return minimal(mainClass, flags);
+  }
+
+  /**
+   * Returns a command with the Java command and class path of this process, and JVM flags of its
+   * own.
    *
    * @param mainClass the main class of the child
    * @param flags its JVM flags

@@ -7,10 +7,16 @@ import java.util.concurrent.atomic.AtomicReference;
 
 /**
  * Lets a command end orderly when the user presses Ctrl-C: asks it to stop, and delays the end of
- * the process until it has, or for two seconds.
+ * the process until it has, or for two seconds. Three seconds later the process ends whatever still
+ * goes on: a graphics driver that is busy with an endless picture would keep JOGL, and so Java,
+ * from ending.
  */
 public final class InterruptHandler {
   private static final double PATIENCE = 2;
+  private static final double MORE_PATIENCE = 3;
+
+  /** The exit status of a process that Ctrl-C has ended. */
+  private static final int INTERRUPTED = 130;
 
   private InterruptHandler() {}
 
@@ -31,7 +37,9 @@ public final class InterruptHandler {
         new Thread(
             () -> {
               stop.run();
-              await(done, PATIENCE);
+              if (!await(done, PATIENCE)) {
+                haltLater();
+              }
             },
             "interruption");
     Runtime.getRuntime().addShutdownHook(hook);
@@ -71,6 +79,19 @@ public final class InterruptHandler {
     return result.get();
   }
 
+  /** Ends the process after a time, which its other hooks have to end it before. */
+  private static void haltLater() {
+    Thread end =
+        new Thread(
+            () -> {
+              await(new CountDownLatch(1), MORE_PATIENCE);
+              Runtime.getRuntime().halt(INTERRUPTED);
+            },
+            "interruption-end");
+    end.setDaemon(true);
+    end.start();
+  }
+
   private static void remove(Thread hook) {
     try {
       Runtime.getRuntime().removeShutdownHook(hook);
@@ -79,12 +100,13 @@ public final class InterruptHandler {
     }
   }
 
-  /** Waits until the latch is open, or for a number of seconds. */
-  public static void await(CountDownLatch latch, double seconds) {
+  /** Waits until the latch is open, or for a number of seconds; returns whether it is open. */
+  public static boolean await(CountDownLatch latch, double seconds) {
     try {
-      latch.await((long) Math.min(1e15, seconds * 1000), TimeUnit.MILLISECONDS);
+      return latch.await((long) Math.min(1e15, seconds * 1000), TimeUnit.MILLISECONDS);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
+      return latch.getCount() == 0;
     }
   }
 }

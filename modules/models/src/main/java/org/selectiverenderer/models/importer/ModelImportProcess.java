@@ -6,12 +6,11 @@ import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.platform.ChildProcessCommand;
-import org.selectiverenderer.base.platform.ParentProcessWatcher;
+import org.selectiverenderer.base.platform.ChildProcessWatchdog;
 
 /**
  * Reads models of other programs in a child process, one after another. The process is started when
@@ -20,49 +19,20 @@ import org.selectiverenderer.base.platform.ParentProcessWatcher;
 public final class ModelImportProcess implements AutoCloseable {
   private static final int BUFFER = 1 << 16;
 
-  /** The first version of Java that warns of native code unless it is allowed. */
-  private static final int WARNS_OF_NATIVE_CODE = 24;
-
   private final ImportLimits limits;
   private final List<String> command;
   private @Nullable Connection connection;
 
   /** Creates a reader that starts no process yet. */
   public ModelImportProcess(ImportLimits limits) {
-    this(limits, ChildProcessCommand.minimal(ModelImportMain.class.getName(), flags()));
+    this(
+        limits,
+        ChildProcessCommand.contained(ModelImportMain.class.getName(), List.of("org.lwjgl.")));
   }
 
   ModelImportProcess(ImportLimits limits, List<String> command) {
     this.limits = limits;
     this.command = command;
-  }
-
-  private static List<String> flags() {
-    List<String> flags =
-        new ArrayList<>(
-            List.of(
-                "-XX:+IgnoreUnrecognizedVMOptions",
-                "-Xlog:disable",
-                "-XX:+DisplayVMOutputToStderr",
-                // A crash is one line of this program, and leaves no file behind.
-                "-XX:+SuppressFatalErrorMessage",
-                "-XX:-CreateCoredumpOnCrash",
-                "-Xmx128m",
-                "-Xss4m",
-                "-XX:TieredStopAtLevel=1",
-                "-XX:+UseSerialGC",
-                "-XX:-UsePerfData",
-                ParentProcessWatcher.flag(),
-                "-Djava.io.tmpdir=" + System.getProperty("java.io.tmpdir"),
-                "-Duser.home=" + System.getProperty("user.home")));
-    if (Runtime.version().feature() >= WARNS_OF_NATIVE_CODE) {
-      flags.add("--enable-native-access=ALL-UNNAMED");
-      flags.add("--sun-misc-unsafe-memory-access=allow");
-    }
-    System.getProperties().stringPropertyNames().stream()
-        .filter(name -> name.startsWith("org.lwjgl."))
-        .forEach(name -> flags.add("-D" + name + "=" + System.getProperty(name)));
-    return flags;
   }
 
   /**
@@ -101,7 +71,9 @@ public final class ModelImportProcess implements AutoCloseable {
       throw new IllegalStateException("the process has just been started");
     }
     boolean done = false;
-    try (Watchdog watchdog = new Watchdog(child.process, limits)) {
+    try (ChildProcessWatchdog watchdog =
+        new ChildProcessWatchdog(
+            child.process, "the model reader", limits.time(0), limits.memory(0))) {
       try {
         Optional<ImportedModel> model = new Dialogue(child, files, watchdog).model(name);
         done = true;
@@ -250,11 +222,11 @@ public final class ModelImportProcess implements AutoCloseable {
   private final class Dialogue {
     private final Connection child;
     private final ModelFileSource files;
-    private final Watchdog watchdog;
+    private final ChildProcessWatchdog watchdog;
     private int openings;
     private long total;
 
-    Dialogue(Connection child, ModelFileSource files, Watchdog watchdog) {
+    Dialogue(Connection child, ModelFileSource files, ChildProcessWatchdog watchdog) {
       this.child = child;
       this.files = files;
       this.watchdog = watchdog;
@@ -292,7 +264,7 @@ public final class ModelImportProcess implements AutoCloseable {
         total += file.get().size();
         check(file.get().size(), limits.maxFileBytes(), "a file of the model is");
         check(total, limits.maxTotalBytes(), "the files of the model are together");
-        watchdog.serves(total);
+        watchdog.allow(limits.time(total), limits.memory(total));
         child.serve(new ModelFileSource.OpenFile(file.get().size(), content));
       }
     }

@@ -26,6 +26,7 @@ import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.render.glsl.GlslTranslator;
 import org.selectiverenderer.render.gpu.CustomShaderProgram;
 import org.selectiverenderer.render.gpu.GpuTexture;
+import org.selectiverenderer.render.trial.ShaderTrialProcess;
 
 /**
  * The compiled custom shaders, each once however many shapes and nodes share its text. Chooses for
@@ -41,7 +42,8 @@ final class CustomShaderCache {
   private static final CubeTexture NO_CUBE =
       new CubeTexture(List.of(face(), face(), face(), face(), face(), face()), null);
 
-  private final Map<Key, CustomShaderProgram.Outcome> outcomes = new HashMap<>();
+  private final Map<Key, Outcome> outcomes = new HashMap<>();
+  private final ShaderTrialProcess trial = new ShaderTrialProcess();
   private final Map<ShaderNode, Set<Key>> told = new WeakHashMap<>();
   private @Nullable GlslTranslator translator;
 
@@ -51,6 +53,16 @@ final class CustomShaderCache {
    * @param attributes the locations of vertex attributes beyond position, normal and colour
    */
   private record Key(List<ShaderProgramSource.Part> parts, Map<String, Integer> attributes) {}
+
+  /**
+   * What became of a program.
+   *
+   * @param refusal why it was not compiled in this process, a clause; empty if it was
+   */
+  private record Outcome(
+      Optional<CustomShaderProgram> program,
+      Optional<CustomShaderProgram.Failure> failure,
+      String refusal) {}
 
   private static CubeTexture.Face face() {
     return new CubeTexture.Face(BLACK, 0);
@@ -67,7 +79,7 @@ final class CustomShaderCache {
     CustomShaderBinding chosen = null;
     List<ShaderProgramSource> refused = new ArrayList<>();
     for (ShaderProgramSource program : shape.programs()) {
-      CustomShaderProgram.Outcome outcome = outcome(gl, key(program, drawn));
+      Outcome outcome = outcome(gl, key(program, drawn));
       if (outcome.program().isPresent()) {
         chosen = look(outcome.program().get(), program, textures);
         break;
@@ -76,7 +88,7 @@ final class CustomShaderCache {
     }
     for (ShaderProgramSource program : refused) {
       Key key = key(program, drawn);
-      CustomShaderProgram.Failure failure = outcomes.get(key).failure().orElseThrow();
+      Outcome failure = outcomes.get(key);
       shape.judged(
           program.node(),
           false,
@@ -136,15 +148,15 @@ final class CustomShaderCache {
           Map.entry("castle_TexCoord0", 3),
           Map.entry("texcoord", 3));
 
-  private CustomShaderProgram.Outcome outcome(GL3 gl, Key key) {
-    CustomShaderProgram.Outcome known = outcomes.get(key);
+  private Outcome outcome(GL3 gl, Key key) {
+    Outcome known = outcomes.get(key);
     if (known == null) {
       GlslTranslator translating = translator == null ? new GlslTranslator() : translator;
       translator = translating;
       Map<String, Integer> attributes = new HashMap<>(USUAL);
       attributes.putAll(key.attributes());
       known =
-          CustomShaderProgram.of(
+          tried(
               gl,
               translating.translate(
                   key.parts().stream()
@@ -156,8 +168,27 @@ final class CustomShaderCache {
     return known;
   }
 
-  private static Problem problem(
-      ShaderProgramSource program, CustomShaderProgram.Failure failure, boolean another) {
+  private Outcome tried(GL3 gl, List<GlslTranslator.Unit> units, Map<String, Integer> attributes) {
+    Optional<String> refusal = trial.refusal(units, attributes);
+    if (refusal.isPresent()) {
+      return new Outcome(Optional.empty(), Optional.empty(), refusal.get());
+    }
+    CustomShaderProgram.Outcome compiled = CustomShaderProgram.of(gl, units, attributes);
+    return new Outcome(compiled.program(), compiled.failure(), "");
+  }
+
+  private static Problem problem(ShaderProgramSource program, Outcome outcome, boolean another) {
+    String consequence =
+        another
+            ? "the next shader of the Appearance is used"
+            : "the shape is drawn by its material";
+    if (outcome.failure().isEmpty()) {
+      return new Problem(
+          Problem.Severity.ERROR,
+          program.node().location(),
+          "%s is not used, since %s; %s".formatted(program.node(), outcome.refusal(), consequence));
+    }
+    CustomShaderProgram.Failure failure = outcome.failure().get();
     GlslTranslator.Unit unit = failure.unit().filter(of -> of.part() >= 0).orElse(null);
     int line = unit == null ? 0 : failure.log().line() - unit.head();
     return new Problem(
@@ -171,9 +202,7 @@ final class CustomShaderCache {
                     ? "the shader stages of " + program.node() + " do not link"
                     : "the " + unit.stage() + " shader of " + program.node() + " does not compile",
                 failure.log().message(),
-                another
-                    ? "the next shader of the Appearance is used"
-                    : "the shape is drawn by its material"));
+                consequence));
   }
 
   /** Returns a warning for each field whose type differs from that of the uniform of its name. */
@@ -280,6 +309,11 @@ final class CustomShaderCache {
 
   private static boolean sameKind(TextureSource one, TextureSource other) {
     return one.cube() ? other.cube() : one.getClass() == other.getClass();
+  }
+
+  /** Ends the process that tries programs. To be called after {@link #keepOnly}, at the end. */
+  void close() {
+    trial.close();
   }
 
   /** Frees the programs that none of the items uses. */

@@ -315,6 +315,7 @@ final class DrawStateCache {
 
   void dispose(GL3 gl) {
     keepOnly(gl, List.of());
+    authors.close();
     programs.dispose(gl);
   }
 

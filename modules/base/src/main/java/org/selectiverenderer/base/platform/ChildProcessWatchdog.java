@@ -1,4 +1,4 @@
-package org.selectiverenderer.models.importer;
+package org.selectiverenderer.base.platform;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -9,36 +9,46 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Ends a child process that takes too long for a model, or too much memory, in a thread {@code
- * model-import-watch}. The memory is known on Linux only.
+ * Ends a child process that takes too long for a piece of work, or too much memory, in a thread
+ * {@code child-watch}. The memory is known on Linux only.
  */
-final class Watchdog implements AutoCloseable {
+public final class ChildProcessWatchdog implements AutoCloseable {
   /** The interval between two checks, in which a process can take some 100 MB. */
   private static final long PAUSE_MS = 20;
 
   private final Process process;
-  private final ImportLimits limits;
+  private final String subject;
   private final Path status;
   private final long start = System.nanoTime();
-  private final Thread thread = new Thread(this::watch, "model-import-watch");
-  private volatile long served;
+  private final Thread thread = new Thread(this::watch, "child-watch");
+  private volatile Duration time;
+  private volatile long memory;
   private volatile @Nullable String verdict;
 
-  Watchdog(Process process, ImportLimits limits) {
+  /**
+   * Begins to watch; the time counts from now.
+   *
+   * @param subject what the process is, for messages: "the model reader"
+   * @param memory the resident memory in bytes that it may take
+   */
+  public ChildProcessWatchdog(Process process, String subject, Duration time, long memory) {
     this.process = process;
-    this.limits = limits;
+    this.subject = subject;
+    this.time = time;
+    this.memory = memory;
     status = Path.of("/proc", Long.toString(process.pid()), "status");
     thread.setDaemon(true);
     thread.start();
   }
 
-  /** Raises the limits for files of so many bytes. */
-  void serves(long bytes) {
-    served = bytes;
+  /** Replaces the limits; the time still counts from the beginning. */
+  public void allow(Duration time, long memory) {
+    this.time = time;
+    this.memory = memory;
   }
 
   /** Returns what the process was ended for; empty if it was not. */
-  Optional<String> verdict() {
+  public Optional<String> verdict() {
     return Optional.ofNullable(verdict);
   }
 
@@ -53,18 +63,18 @@ final class Watchdog implements AutoCloseable {
         Thread.sleep(PAUSE_MS);
       }
     } catch (InterruptedException e) {
-      Thread.currentThread().interrupt(); // the model has been read
+      Thread.currentThread().interrupt(); // the work is done
     }
   }
 
   private @Nullable String reason() {
-    Duration time = limits.time(served);
-    if (System.nanoTime() - start > time.toNanos()) {
-      return "the model reader took more than %d s".formatted(time.toSeconds());
+    Duration most = time;
+    if (System.nanoTime() - start > most.toNanos()) {
+      return "%s took more than %d s".formatted(subject, most.toSeconds());
     }
-    long memory = limits.memory(served);
-    return resident() > memory
-        ? "the model reader took more than %d MiB of memory".formatted(memory >> 20)
+    long bytes = memory;
+    return resident() > bytes
+        ? "%s took more than %d MiB of memory".formatted(subject, bytes >> 20)
         : null;
   }
 
@@ -82,6 +92,7 @@ final class Watchdog implements AutoCloseable {
     return 0;
   }
 
+  /** Ends the watch. The process goes on. */
   @Override
   public void close() {
     thread.interrupt();
