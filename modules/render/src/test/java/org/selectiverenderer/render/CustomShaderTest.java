@@ -234,13 +234,15 @@ class CustomShaderTest {
 
   @Test
   void oneThatTheDriverWouldNotSurviveIsToldAndNotUsed() throws IOException {
-    StringBuilder doubled = new StringBuilder("float f0(float x) { return sin(x); }\n");
-    for (int i = 1; i <= 40; i++) {
-      doubled.append(
-          "float f%d(float x) { return f%d(x) + f%d(x * 1.1); }\n".formatted(i, i - 1, i - 1));
-    }
-    doubled.append("void main() { gl_FragColor = vec4(f40(gl_FragCoord.x)); }");
-    Seen seen = see(shader("S", PROGRAM.formatted(doubled)));
+    String large =
+        """
+        void main() {
+          float all[200000000];
+          all[int(gl_FragCoord.x)] = 1.0;
+          gl_FragColor = vec4(all[int(gl_FragCoord.y)]);
+        }
+        """;
+    Seen seen = see(shader("S", PROGRAM.formatted(large)));
     assertThat(seen.middle()).isEqualTo(BLUE);
     assertThat(seen.told()).hasSize(1);
     assertThat(seen.told().get(0)) // Time or memory, whichever is exhausted first.
