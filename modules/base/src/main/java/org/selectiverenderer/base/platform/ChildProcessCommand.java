@@ -73,6 +73,7 @@ public final class ChildProcessCommand {
                 "-XX:+UseSerialGC",
                 "-XX:-UsePerfData",
                 ParentProcessWatcher.flag(),
+                "-Djava.awt.headless=true",
                 "-Djava.io.tmpdir=" + System.getProperty("java.io.tmpdir"),
                 "-Duser.home=" + System.getProperty("user.home")));
     if (Runtime.version().feature() >= WARNS_OF_NATIVE_CODE) {

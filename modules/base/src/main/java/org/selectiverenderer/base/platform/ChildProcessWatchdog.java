@@ -25,6 +25,9 @@ public final class ChildProcessWatchdog implements AutoCloseable {
   private volatile long memory;
   private volatile @Nullable String verdict;
 
+  /** Guarded by this object, so that a process whose work is done is not ended. */
+  private boolean closed;
+
   /**
    * Begins to watch; the time counts from now.
    *
@@ -57,13 +60,19 @@ public final class ChildProcessWatchdog implements AutoCloseable {
       while (process.isAlive()) {
         String reason = reason();
         if (reason != null) {
-          verdict = reason;
-          process.destroyForcibly();
+          end(reason);
         }
         Thread.sleep(PAUSE_MS);
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt(); // the work is done
+    }
+  }
+
+  private synchronized void end(String reason) {
+    if (!closed) {
+      verdict = reason;
+      process.destroyForcibly();
     }
   }
 
@@ -94,7 +103,8 @@ public final class ChildProcessWatchdog implements AutoCloseable {
 
   /** Ends the watch. The process goes on. */
   @Override
-  public void close() {
+  public synchronized void close() {
+    closed = true;
     thread.interrupt();
   }
 }

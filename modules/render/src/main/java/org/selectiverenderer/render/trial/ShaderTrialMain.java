@@ -33,6 +33,9 @@ public final class ShaderTrialMain {
   /** Beyond the time after which the parent starts a new process. */
   private static final long MOST_IDLE = 2 * ShaderTrialProcess.IDLE.toNanos();
 
+  /** The length of a message to the parent. */
+  private static final int LONGEST = 1000;
+
   private volatile boolean busy;
   private volatile long idleSince;
 
@@ -42,11 +45,11 @@ public final class ShaderTrialMain {
   public static void main(String[] arguments) throws IOException {
     ParentProcessWatcher.whenItEnds(() -> Runtime.getRuntime().halt(1));
     new ShaderTrialMain().run();
-    Runtime.getRuntime().halt(0); // A driver may hang when it is asked to tidy up.
+    Runtime.getRuntime().halt(0); // Without the shutdown of JOGL, in which a driver may hang.
   }
 
   private void run() throws IOException {
-    // Not System.in and System.out, of which drivers could make use.
+    // Not System.in and System.out, which libraries in Java could use.
     try (DataInputStream in =
             new DataInputStream(
                 new BufferedInputStream(new FileInputStream(FileDescriptor.in), BUFFER));
@@ -56,24 +59,27 @@ public final class ShaderTrialMain {
   }
 
   private void serve(DataInputStream in, DataOutputStream out) throws IOException {
-    try (OffscreenContext context = OffscreenContext.open()) {
-      GL3 gl = context.gl();
-      new OffscreenFramebuffer(gl, 1, 1, 0).bind(gl);
-      int[] array = new int[1];
-      gl.glGenVertexArrays(1, array, 0);
-      gl.glBindVertexArray(array[0]);
-      out.writeByte(ShaderTrialProcess.READY);
-      endWhenIdle();
-      while (in.read() == ShaderTrialProcess.PROGRAM) {
-        busy = true;
-        attempt(gl, in);
-        idleSince = System.nanoTime();
-        busy = false;
-        out.writeByte(ShaderTrialProcess.TRIED);
-      }
+    GL3 gl;
+    try {
+      gl = OffscreenContext.open().gl(); // Not closed: a driver may hang when it is to tidy up.
     } catch (GlUnavailableException e) {
+      String message = String.valueOf(e.getMessage());
       out.writeByte(ShaderTrialProcess.UNABLE);
-      out.writeUTF(String.valueOf(e.getMessage()));
+      out.writeUTF(message.substring(0, Math.min(message.length(), LONGEST)));
+      return;
+    }
+    new OffscreenFramebuffer(gl, 1, 1, 0).bind(gl);
+    int[] array = new int[1];
+    gl.glGenVertexArrays(1, array, 0);
+    gl.glBindVertexArray(array[0]);
+    out.writeByte(ShaderTrialProcess.READY);
+    endWhenIdle();
+    while (in.read() == ShaderTrialProcess.PROGRAM) {
+      busy = true;
+      attempt(gl, in);
+      idleSince = System.nanoTime();
+      busy = false;
+      out.writeByte(ShaderTrialProcess.TRIED);
     }
   }
 

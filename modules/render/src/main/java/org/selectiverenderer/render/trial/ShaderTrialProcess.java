@@ -4,6 +4,7 @@ import java.io.BufferedOutputStream;
 import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.List;
@@ -23,17 +24,22 @@ public final class ShaderTrialProcess implements AutoCloseable {
   /** The first byte of each program that the child is given. */
   static final int PROGRAM = 1;
 
+  // The child's answers are bytes that no text in UTF-8 has, since drivers may print beside them.
+
   /** The child's answer when it can try programs. */
-  static final int READY = 2;
+  static final int READY = 0xfd;
 
   /** The child's answer when it has tried a program, whatever the compiler said. */
-  static final int TRIED = 3;
+  static final int TRIED = 0xfe;
 
   /** The child's answer, before a text, when it cannot try programs. */
-  static final int UNABLE = 4;
+  static final int UNABLE = 0xff;
 
-  /** The time without a program after which the process is replaced, as it ends itself. */
-  static final Duration IDLE = Duration.ofSeconds(5);
+  /**
+   * The time without a program after which the process is replaced, as it ends itself. Long, since
+   * scripts may bring in programs while the scene runs, which then waits for a start.
+   */
+  static final Duration IDLE = Duration.ofMinutes(5);
 
   private static final int BUFFER = 1 << 16;
 
@@ -45,23 +51,31 @@ public final class ShaderTrialProcess implements AutoCloseable {
 
   private final List<String> command;
   private final Duration time;
+  private final Duration all;
   private final long memory;
   private @Nullable Process process;
   private long used;
+  private long spent;
+  private @Nullable String unable;
 
-  /** Creates a trial of 10 seconds and 2 GiB for each program. Starts no process yet. */
+  /**
+   * Creates a trial of 10 seconds and 2 GiB for each program, and 30 seconds for all. Starts no
+   * process yet.
+   */
   public ShaderTrialProcess() {
     this(
         ChildProcessCommand.contained(
             ShaderTrialMain.class.getName(),
-            List.of("jogl.", "jogamp.common.", "newt.", "nativewindow.", "java.awt.headless")),
+            List.of("jogl.", "jogamp.common.", "newt.", "nativewindow.")),
         Duration.ofSeconds(10),
+        Duration.ofSeconds(30),
         2L << 30);
   }
 
-  ShaderTrialProcess(List<String> command, Duration time, long memory) {
+  ShaderTrialProcess(List<String> command, Duration time, Duration all, long memory) {
     this.command = command;
     this.time = time;
+    this.all = all;
     this.memory = memory;
   }
 
@@ -75,28 +89,56 @@ public final class ShaderTrialProcess implements AutoCloseable {
    */
   public Optional<String> refusal(
       List<GlslTranslator.Unit> units, Map<String, Integer> attributes) {
+    if (unable != null) {
+      return Optional.of(unable);
+    }
+    if (spent > all.toNanos()) {
+      return Optional.of(
+          "the scene's shaders together took more than %d s to try".formatted(all.toSeconds()));
+    }
+    Process child;
     try {
-      Process child = running();
-      try (ChildProcessWatchdog watchdog = new ChildProcessWatchdog(child, CHILD, time, memory)) {
-        try {
-          DataOutputStream out =
-              new DataOutputStream(new BufferedOutputStream(child.getOutputStream(), BUFFER));
-          write(out, units, attributes);
-          if (child.getInputStream().read() == TRIED) {
-            used = System.nanoTime();
-            return Optional.empty();
-          }
-          close();
-          return Optional.of(watchdog.verdict().orElse(CHILD + " ended unexpectedly"));
-        } catch (IOException e) {
-          close();
-          return Optional.of(watchdog.verdict().orElse(CHILD + " ended unexpectedly"));
-        }
-      }
+      child = running();
     } catch (IOException e) {
       close();
-      return Optional.of("the process that tries it cannot be started: " + e.getMessage());
+      unable = "the process that tries it cannot be started: " + e.getMessage();
+      return Optional.of(unable);
     }
+    long start = System.nanoTime();
+    try {
+      return answer(child, units, attributes);
+    } finally {
+      used = System.nanoTime();
+      spent += used - start;
+    }
+  }
+
+  private Optional<String> answer(
+      Process child, List<GlslTranslator.Unit> units, Map<String, Integer> attributes) {
+    try (ChildProcessWatchdog watchdog = new ChildProcessWatchdog(child, CHILD, time, memory)) {
+      try {
+        write(
+            new DataOutputStream(new BufferedOutputStream(child.getOutputStream(), BUFFER)),
+            units,
+            attributes);
+        if (answer(child.getInputStream()) == TRIED) {
+          return Optional.empty();
+        }
+      } catch (IOException e) {
+        // The process has ended, of itself or by the watchdog.
+      }
+      close();
+      return Optional.of(watchdog.verdict().orElse(CHILD + " ended unexpectedly"));
+    }
+  }
+
+  /** Returns the child's next answer; -1 when it has ended. */
+  private static int answer(InputStream in) throws IOException {
+    int answer = in.read();
+    while (answer >= 0 && answer < READY) {
+      answer = in.read(); // Something that the driver printed.
+    }
+    return answer;
   }
 
   private Process running() throws IOException {
@@ -109,7 +151,7 @@ public final class ShaderTrialProcess implements AutoCloseable {
     process = child;
     try (ChildProcessWatchdog watchdog = new ChildProcessWatchdog(child, "it", START, memory)) {
       DataInputStream in = new DataInputStream(child.getInputStream());
-      int answer = in.read();
+      int answer = answer(in);
       if (answer == UNABLE) {
         throw new IOException(in.readUTF());
       }

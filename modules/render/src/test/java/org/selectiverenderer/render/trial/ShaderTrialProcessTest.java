@@ -19,6 +19,7 @@ import org.selectiverenderer.testing.RequiresDisplay;
 @RequiresDisplay
 class ShaderTrialProcessTest {
   private static final String PLAIN = "void main() { gl_FragColor = vec4(1.0); }";
+  private static final Duration AMPLE = Duration.ofMinutes(1);
   private static final Map<String, Integer> ATTRIBUTES = Map.of("sr_Vertex", 0);
 
   private static List<GlslTranslator.Unit> program(String fragment) {
@@ -35,19 +36,19 @@ class ShaderTrialProcessTest {
         .collect(Collectors.joining("", "", use));
   }
 
-  private static ShaderTrialProcess brief(String... command) {
+  private static ShaderTrialProcess brief(Duration all, String... command) {
     return new ShaderTrialProcess(
         command.length > 0
             ? List.of(command)
-            : ChildProcessCommand.contained(
-                ShaderTrialMain.class.getName(), List.of("jogl.", "java.awt.headless")),
+            : ChildProcessCommand.contained(ShaderTrialMain.class.getName(), List.of("jogl.")),
         Duration.ofSeconds(2),
+        all,
         1L << 30);
   }
 
   @Test
   void aProgramThatNeverEndsIsRefusedAndTheNextOneIsTried() {
-    try (ShaderTrialProcess trial = brief()) {
+    try (ShaderTrialProcess trial = brief(AMPLE)) {
       assertThat(trial.refusal(program(PLAIN), ATTRIBUTES)).isEmpty();
       for (String endless :
           List.of(
@@ -72,7 +73,7 @@ class ShaderTrialProcessTest {
   @Test
   void aProcessThatTriesNothingRefuses() {
     Path java = Path.of(System.getProperty("java.home"), "bin", "java");
-    try (ShaderTrialProcess trial = brief(java.toString(), "-version")) {
+    try (ShaderTrialProcess trial = brief(AMPLE, java.toString(), "-version")) {
       assertThat(trial.refusal(program(PLAIN), ATTRIBUTES))
           .contains("the process that tries it cannot be started: it ended unexpectedly");
     }
@@ -83,12 +84,29 @@ class ShaderTrialProcessTest {
     List<String> command =
         ChildProcessCommand.minimal(
             ShaderTrialMain.class.getName(), List.of("-Djogl.disable.opengldesktop=true"));
-    try (ShaderTrialProcess trial = brief(command.toArray(String[]::new))) {
+    try (ShaderTrialProcess trial = brief(AMPLE, command.toArray(String[]::new))) {
       assertThat(trial.refusal(program(PLAIN), ATTRIBUTES))
           .get()
           .asString()
           .startsWith("the process that tries it cannot be started: ")
           .contains("OpenGL");
+    }
+  }
+
+  @Test
+  void allProgramsTogetherHaveATimeToo() {
+    List<GlslTranslator.Unit> endless =
+        program(
+            doubled(
+                "#define A%s A%s + A%s",
+                "#define A0 1.0\nvoid main() { gl_FragColor = vec4(A40); }"));
+    try (ShaderTrialProcess trial = brief(Duration.ofSeconds(2))) {
+      String said = "";
+      for (int i = 0; i < 100 && !said.contains("together"); i++) {
+        said = trial.refusal(endless, ATTRIBUTES).orElse("");
+      }
+      assertThat(said).isEqualTo("the scene's shaders together took more than 2 s to try");
+      assertThat(trial.refusal(program(PLAIN), ATTRIBUTES)).contains(said);
     }
   }
 }
