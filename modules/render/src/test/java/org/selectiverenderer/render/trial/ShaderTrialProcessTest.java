@@ -41,7 +41,7 @@ class ShaderTrialProcessTest {
         command.length > 0
             ? List.of(command)
             : ChildProcessCommand.contained(ShaderTrialMain.class.getName(), List.of("jogl.")),
-        Duration.ofSeconds(2),
+        Duration.ofSeconds(5), // More than any of the plain programs takes on a busy machine.
         all,
         1L << 30);
   }
