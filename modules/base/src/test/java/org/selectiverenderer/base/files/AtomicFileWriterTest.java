@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.testing.RequiresSymbolicLinks;
 
 class AtomicFileWriterTest {
   @TempDir Path folder;
@@ -57,6 +58,7 @@ class AtomicFileWriterTest {
   }
 
   @Test
+  @RequiresSymbolicLinks
   void theFolderOfALinksTargetIsNotMadeAnew() throws IOException {
     Path link = Files.createSymbolicLink(folder.resolve("a.txt"), Path.of("unplugged/a.txt"));
 
@@ -68,6 +70,7 @@ class AtomicFileWriterTest {
   }
 
   @Test
+  @RequiresSymbolicLinks
   void aLinkToItselfIsNotWritten() throws IOException {
     Path link = Files.createSymbolicLink(folder.resolve("a.txt"), Path.of("a.txt"));
 

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.testing.RequiresSymbolicLinks;
 
 class FileFinderTest {
   @TempDir Path dir;
@@ -46,12 +47,17 @@ class FileFinderTest {
 
   @Test
   void aPatternStandsForWhatMatchesAtAnyDepth() throws IOException {
-    assertThat(find(dir + "/**/*.x3d")).containsExactly("b.x3d", "c/d/y.x3d");
+    // On Windows a pattern matches names of either case, as names there do.
+    assertThat(find(dir + "/**/*.x3d"))
+        .isEqualTo(
+            OS.WINDOWS.isCurrentOs()
+                ? List.of("a.X3D", "b.x3d", "c/d/y.x3d")
+                : List.of("b.x3d", "c/d/y.x3d"));
     assertThat(find(dir + "/*.{x3d,txt}")).containsExactly("b.x3d", "notes.txt");
   }
 
   @Test
-  @DisabledOnOs(OS.WINDOWS)
+  @RequiresSymbolicLinks
   void aLinkStaysInTheFolderOrIsNamedByTheUser() throws IOException {
     Path secret = Files.writeString(dir.resolve("secret.xml"), "<password>1</password>");
     Path inside = dir.resolve("c/inside.x3d");
@@ -74,7 +80,7 @@ class FileFinderTest {
   }
 
   @Test
-  @DisabledOnOs(OS.WINDOWS)
+  @DisabledOnOs(value = OS.WINDOWS, disabledReason = "its folders hold no pipes")
   void aFolderStandsForNoPipe() throws IOException, InterruptedException {
     Path pipe = dir.resolve("pipe.x3d");
     assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor()).isZero();

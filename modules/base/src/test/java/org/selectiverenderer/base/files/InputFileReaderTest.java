@@ -30,7 +30,7 @@ class InputFileReaderTest {
   }
 
   @Test
-  @DisabledOnOs(OS.WINDOWS)
+  @DisabledOnOs(value = OS.WINDOWS, disabledReason = "its folders hold no devices and pipes")
   void devicesAndPipesAreRefused() throws IOException, InterruptedException {
     Path pipe = folder.resolve("pipe.csv");
     new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor();
