@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.regex.Pattern;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
@@ -22,6 +23,7 @@ import org.selectiverenderer.x3d.url.UrlResolver;
  */
 final class ModelFileAccess implements ModelFileSource {
   private static final int SHOWN = 80;
+  private static final Pattern SLASHES = Pattern.compile("[/\\\\]+");
 
   private record Refusal(UrlResolver.Cause cause, String reason) {}
 
@@ -62,10 +64,16 @@ final class ModelFileAccess implements ModelFileSource {
 
   /**
    * Returns whether a url is not the file's own: for a file that it does not get, Assimp asks again
-   * with a dot before the url, and with a part of it.
+   * with a dot before the url, and with a part of it. On Windows it does so with backslashes.
    */
   private boolean guessed(String url) {
-    return refused.keySet().stream().anyMatch(known -> url.startsWith("./") || known.endsWith(url));
+    String attempt = withSingleSlashes(url);
+    return refused.keySet().stream()
+        .anyMatch(known -> attempt.startsWith("./") || withSingleSlashes(known).endsWith(attempt));
+  }
+
+  private static String withSingleSlashes(String url) {
+    return SLASHES.matcher(url).replaceAll("/");
   }
 
   private static OpenFile open(Path path) throws IOException {

@@ -100,7 +100,7 @@ class RadiosityJobTest {
     try (Stream<Path> files = Files.walk(folder)) {
       for (Path file : files.filter(Files::isRegularFile).toList()) {
         texts.put(
-            folder.relativize(file).toString(),
+            folder.relativize(file).toString().replace('\\', '/'),
             Files.readString(file, StandardCharsets.ISO_8859_1));
       }
     }

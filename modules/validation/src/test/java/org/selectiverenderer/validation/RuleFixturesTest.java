@@ -2,6 +2,7 @@ package org.selectiverenderer.validation;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -31,6 +32,9 @@ import org.selectiverenderer.validation.settings.ValidationSettingsReader;
 class RuleFixturesTest {
   private static final Path FOLDER =
       Path.of("modules/validation/src/test/resources/org/selectiverenderer/validation/fixtures");
+
+  /** As the reports have it, on Windows too. */
+  private static final String REPORTED_FOLDER = FOLDER.toString().replace('\\', '/') + "/";
 
   // ID-severity, and a word where a rule has several fixtures.
   private static final Pattern NAME =
@@ -115,7 +119,7 @@ class RuleFixturesTest {
                     + finding.rule().id()
                     + (finding.node().isEmpty() ? "" : " [" + finding.node() + "]")
                     + " "
-                    + finding.message()
+                    + finding.message().replace(FOLDER + File.separator, REPORTED_FOLDER)
                     + "\n")
         .collect(Collectors.joining());
   }

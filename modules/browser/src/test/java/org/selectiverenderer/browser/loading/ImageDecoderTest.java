@@ -54,7 +54,7 @@ class ImageDecoderTest {
 
   /** A pipe can be read once: whoever opens it again waits for ever. */
   @Test
-  @DisabledOnOs(OS.WINDOWS)
+  @DisabledOnOs(value = OS.WINDOWS, disabledReason = "its folders hold no pipes")
   void aJpegIsOpenedOnce() throws Exception {
     ByteArrayOutputStream jpeg = new ByteArrayOutputStream();
     ImageIO.write(new BufferedImage(8, 8, BufferedImage.TYPE_INT_RGB), "jpeg", jpeg);

@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.base.files.FileOperations;
+import org.selectiverenderer.testing.RequiresSymbolicLinks;
 
 class OutputFileTest {
   private static final FileOperations FOREIGN_FOLDER =
@@ -43,6 +44,7 @@ class OutputFileTest {
   }
 
   @Test
+  @RequiresSymbolicLinks
   void aLinkToAFileWhoseNameNothingCanTakeStaysOne() throws IOException {
     Path file =
         Files.writeString(

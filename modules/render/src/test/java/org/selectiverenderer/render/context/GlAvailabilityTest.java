@@ -16,6 +16,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 class GlAvailabilityTest {
@@ -37,6 +39,7 @@ class GlAvailabilityTest {
   }
 
   @Test
+  @DisabledOnOs(value = OS.WINDOWS, disabledReason = "no X server draws there")
   void aServerThatNobodyRunsIsNamed() throws IOException {
     Map<String, String> environment = Map.of("DISPLAY", ":5.0");
     assertThat(GlAvailability.check(environment, "Linux", sockets, ONCE))
@@ -61,6 +64,7 @@ class GlAvailabilityTest {
   }
 
   @Test
+  @DisabledOnOs(value = OS.WINDOWS, disabledReason = "no X server draws there")
   void aServerThatDoesNotAnswerYetIsWaitedFor() throws Exception {
     Map<String, String> environment = Map.of("DISPLAY", ":5.0");
     try (ServerSocketChannel server = ServerSocketChannel.open(StandardProtocolFamily.UNIX)) {

@@ -177,6 +177,7 @@ class StudyExportTest {
   }
 
   @Test
+  @RequiresProgram("python3")
   void pandasReadsTheTablesWithTheirTypes() throws Exception {
     Assumptions.assumeTrue(
         new ProcessBuilder("python3", "-c", "import pandas")

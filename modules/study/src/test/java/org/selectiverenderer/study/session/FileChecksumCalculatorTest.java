@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.testing.RequiresSymbolicLinks;
 import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 import org.selectiverenderer.x3d.url.HttpFetcher;
 
@@ -15,6 +16,7 @@ class FileChecksumCalculatorTest {
   @TempDir Path dir;
 
   @Test
+  @RequiresSymbolicLinks
   void aFileThatTheSceneMayNotReadHasNoChecksum() throws IOException {
     Path folder = Files.createDirectory(dir.resolve("study"));
     Path scene =

@@ -64,7 +64,7 @@ class SessionLockTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"session.lock", "running.json"})
-  @DisabledOnOs(OS.WINDOWS)
+  @DisabledOnOs(value = OS.WINDOWS, disabledReason = "its folders hold no pipes")
   void aPipeInTheirPlaceIsSaidAndNotWaitedFor(String name)
       throws IOException, InterruptedException {
     Path pipe = folder.resolve(name);

@@ -27,6 +27,7 @@ import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.study.dataset.RecordedStudy;
 import org.selectiverenderer.study.questionnaire.Answer;
 import org.selectiverenderer.study.questionnaire.Question;
+import org.selectiverenderer.testing.RequiresSymbolicLinks;
 
 /** Sessions that are begun, cut off, resumed and finished. */
 class SessionTest extends TwoRoomStudyFixture {
@@ -43,7 +44,7 @@ class SessionTest extends TwoRoomStudyFixture {
   }
 
   @Test
-  @DisabledOnOs(OS.WINDOWS)
+  @DisabledOnOs(value = OS.WINDOWS, disabledReason = "its files have no modes")
   void onlyTheAccountThatRunsASessionReadsIt() throws IOException {
     try (Session session = begin("001")) {
       form(session);
@@ -61,7 +62,7 @@ class SessionTest extends TwoRoomStudyFixture {
   }
 
   @Test
-  @DisabledOnOs(OS.WINDOWS)
+  @RequiresSymbolicLinks
   void aLinkTakesNoDataElsewhere(@TempDir Path elsewhere) throws IOException {
     Files.createSymbolicLink(folder.resolve("sub-002"), elsewhere);
     assertThatThrownBy(() -> begin("002"))

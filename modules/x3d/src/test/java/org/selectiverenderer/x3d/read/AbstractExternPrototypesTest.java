@@ -3,6 +3,7 @@ package org.selectiverenderer.x3d.read;
 import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -82,7 +83,9 @@ abstract class AbstractExternPrototypesTest {
 
   void assertTold(String... expected) {
     assertThat(problems.list())
-        .extracting(problem -> problem.toString().replace(folder + "/", ""))
+        .extracting(
+            problem ->
+                problem.toString().replace(folder + File.separator, "").replace("lib\\", "lib/"))
         .containsExactly(expected);
   }
 }
