@@ -19,6 +19,14 @@ class VersionNamesTest extends VaseScene {
     assertThat(folder.resolve("inlineNodes/a_.._b_c_v1.x3d")).exists();
   }
 
+  /** Windows opens the serial port of that name instead, whatever follows the dot. */
+  @Test
+  void aNameOfADeviceIsMadeAnother() throws IOException {
+    make(scene(SCENE.replace("'Vase'", "'Com1.left'")), "Com1.left");
+
+    assertThat(folder.resolve("inlineNodes/_Com1.left_v1.x3d")).exists();
+  }
+
   @Test
   void anotherScenesObjectOfTheSameNameKeepsItsFiles() throws IOException {
     Path a = other("a.x3d", shape("Sh", "<Sphere/>"));
