@@ -7,19 +7,15 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import org.selectiverenderer.base.files.FileNameLength;
+import org.selectiverenderer.base.files.WindowsDeviceName;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /** Determines the files of an object's versions. */
 final class VersionFileNames {
   /** Bytes for the number of an attempt, that of a version, and the ending. */
   private static final int ROOM = 32;
-
-  /** The start of a name that Windows takes for a device, whatever follows the dot. */
-  private static final Pattern DEVICE =
-      Pattern.compile("(?i)(con|prn|aux|nul|com[0-9]|lpt[0-9])(\\.|$)");
 
   private final ElementNodeMapping scene;
   private final ObjectElements site;
@@ -126,7 +122,7 @@ final class VersionFileNames {
             c ->
                 safe.appendCodePoint(
                     Character.isLetterOrDigit(c) || c == '_' || c == '-' || c == '.' ? c : '_'));
-    if (DEVICE.matcher(safe).lookingAt()) {
+    if (WindowsDeviceName.matches(safe.toString())) {
       safe.insert(0, '_');
     }
     return FileNameLength.shortened(safe.toString(), ending);
