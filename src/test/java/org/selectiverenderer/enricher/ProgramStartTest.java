@@ -13,6 +13,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.cli.Main;
@@ -64,6 +66,7 @@ class ProgramStartTest {
   }
 
   @Test
+  @DisabledOnOs(value = OS.WINDOWS, disabledReason = "there is no DISPLAY there")
   void aDisplayThatCannotBeReachedIsToldInOneLine() throws IOException, InterruptedException {
     Process process = enricher(":4711").start();
     String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
