@@ -275,6 +275,7 @@ static wchar_t *archive(const wchar_t *home, const wchar_t *jar) {
     run_silently(text(L"\"%ls\\runtime\\bin\\javaw.exe\" -Xshare:dump -Xlog:disable -XX:SharedClassListFile=\"%ls\""
                       L" -XX:SharedArchiveFile=\"%ls\" -cp \"%ls\"",
                       home, list, temporary, jar));
+    SetFileAttributesW(temporary, FILE_ATTRIBUTE_NORMAL); /* Java makes it read only, so that nothing could delete it. */
     if (!MoveFileExW(temporary, path, MOVEFILE_REPLACE_EXISTING)) {
       DeleteFileW(temporary);
     }
