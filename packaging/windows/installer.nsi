@@ -29,7 +29,8 @@ RequestExecutionLevel user
 
 Name "${NAME}"
 OutFile "${OUTPUT}"
-InstallDir "$LOCALAPPDATA\Programs\${NAME}"
+; Without a space: Java 21 keeps only its own classes in the archive of classes where the path of the jar has one.
+InstallDir "$LOCALAPPDATA\Programs\SelectiveRenderer"
 ; An update goes where the program is.
 InstallDirRegKey HKCU "${OWN}" "Folder"
 BrandingText "${NAME} ${VERSION}"
