@@ -183,7 +183,7 @@ Section "$(ProgramSection)" Program
   Pop $0
 SectionEnd
 
-; A type of files: its extension and its name. $R0 becomes what opens the extension now.
+; A type of files: its extension and its name. $R0 becomes what opens the extension now, for this user or for all.
 !macro Type EXTENSION DESCRIPTION
   WriteRegStr HKCU "${CLASSES}\SelectiveRenderer.${EXTENSION}" "" "${DESCRIPTION}"
   WriteRegStr HKCU "${CLASSES}\SelectiveRenderer.${EXTENSION}\DefaultIcon" "" "$INSTDIR\${VIEWER},0"
@@ -191,7 +191,10 @@ SectionEnd
   WriteRegStr HKCU "${CLASSES}\SelectiveRenderer.${EXTENSION}\shell\enrich" "" "$(EditVerb)"
   WriteRegStr HKCU "${CLASSES}\SelectiveRenderer.${EXTENSION}\shell\enrich\command" "" '"$INSTDIR\${ENRICHER}" "%1"'
   WriteRegNone HKCU "${CLASSES}\.${EXTENSION}\OpenWithProgids" "SelectiveRenderer.${EXTENSION}"
-  ReadRegStr $R0 HKCR ".${EXTENSION}" ""
+  ReadRegStr $R0 HKCU "${CLASSES}\.${EXTENSION}" ""
+  ${If} $R0 == ""
+    ReadRegStr $R0 HKLM "${CLASSES}\.${EXTENSION}" ""
+  ${EndIf}
   ${If} $R0 == ""
     WriteRegStr HKCU "${CLASSES}\.${EXTENSION}" "" "SelectiveRenderer.${EXTENSION}"
   ${EndIf}
