@@ -89,11 +89,11 @@ class PackagedWindowsLauncherTest {
     assertThat(rows.get(0)).isEqualTo("platform\tarchive\tsha256");
     assertThat(rows.stream().skip(1))
         .allMatch(
-            row ->
-                row.matches(
-                    "\\w+-\\w+\tjdk4py-[\\d.]+-py3-none-[\\w]+\\.whl\t[0-9a-f]{64}"));
+            row -> row.matches("\\w+-\\w+\tjdk4py-[\\d.]+-py3-none-[\\w]+\\.whl\t[0-9a-f]{64}"));
     Set<String> platforms =
-        found("\"(?:linux|windows|macos)-\\w+64\"", Files.readString(Path.of("packaging/SlimJar.java")));
+        found(
+            "\"(?:linux|windows|macos)-\\w+64\"",
+            Files.readString(Path.of("packaging/SlimJar.java")));
     assertThat(rows.stream().skip(1).map(row -> '"' + row.split("\t")[0] + '"'))
         .containsExactlyElementsOf(platforms);
   }
