@@ -46,7 +46,7 @@ class PackagedWindowsLauncherTest {
 
   @Test
   void givesJavaTheFlagsOfTheOtherLauncher() throws IOException {
-    String flag = "(?<=[ ,=\"])-(?:X[X:+\\w]+|D(?:joml|selective)[.\\w-]+)(?:=[\\w-]+)?";
+    String flag = "(?<=[ ,=\"])-(?:X[X:+\\w]+|D(?:joml|selective)[.\\w-]+)(?:=(?!-)[\\w-]+)?";
     Set<String> wanted = found(flag, script());
     wanted.removeIf(
         each -> each.matches(".*(ClassList|Archive|ErrorFile|Xshare|XshowSettings|Xmx4g).*"));
