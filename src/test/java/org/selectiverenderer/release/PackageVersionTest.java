@@ -12,7 +12,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 @DisabledOnOs(OS.WINDOWS)
 class PackageVersionTest {
   private static final String ASK =
-      "eval \"$(sed -n '/^plain_version()/,/^}/p' packaging/package)\"; version=$1; plain_version";
+      "eval \"$(sed -n '/^plain_version()/,/^}/p' packaging/parts/linux)\"; version=$1; plain_version";
 
   @ParameterizedTest
   @CsvSource({

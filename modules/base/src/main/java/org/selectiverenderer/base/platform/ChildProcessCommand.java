@@ -101,9 +101,15 @@ public final class ChildProcessCommand {
     return command;
   }
 
-  /** Returns those of a process's JVM flags that it may pass to a child. */
+  /**
+   * Returns those of a process's JVM flags that it may pass to a child. A launcher that makes the
+   * JVM by JNI has functions among its flags, with names such as {@code exit}: these it cannot pass
+   * on.
+   */
   static List<String> shared(List<String> flags) {
-    return flags.stream().filter(flag -> OWN.stream().noneMatch(flag::startsWith)).toList();
+    return flags.stream()
+        .filter(flag -> flag.startsWith("-") && OWN.stream().noneMatch(flag::startsWith))
+        .toList();
   }
 
   private static String java() {

@@ -32,6 +32,13 @@ class ChildProcessCommandTest {
         .containsExactly("-Xlog:disable", "-Da=b");
   }
 
+  /** The launcher for Windows gives the JVM functions by these names, which are told as flags. */
+  @Test
+  void functionsOfALauncherAreNotPassedOn() {
+    assertThat(ChildProcessCommand.shared(List.of("vfprintf", "exit", "abort", "-Xmx1g")))
+        .containsExactly("-Xmx1g");
+  }
+
   /** Windows opens a terminal for each java.exe that a process without one starts. */
   @Test
   void aStartFromWindowsDesktopOpensNoTerminal(@TempDir Path folder) throws IOException {

@@ -1,0 +1,527 @@
+/*
+ * Starts the program on Windows, on the Java that lies beside it.
+ *
+ * java.exe is not good enough: it reads its command line in the code page of the system, so that on an English
+ * Windows a file called "σκηνή.x3d" arrives as "?????.x3d". This launcher makes the Java virtual machine (JVM) itself,
+ * by JNI's invocation API, and hands the arguments over as Windows has them, in UTF-16.
+ *
+ * It is compiled four times (packaging/parts/windows):
+ *
+ *   selective-renderer.exe              the command line
+ *   Selective Renderer.exe              -DDESKTOP=L"run": has no console; opens a file in the viewer
+ *   Selective Renderer Enricher.exe     -DDESKTOP=L"enrich": likewise, in the enricher
+ *   runtime\bin\java.exe, javaw.exe     -DJAVA: in place of Java's own, with the arguments of these as far as the
+ *                                       program uses them. It starts itself again for some work, and names files there.
+ *
+ * Which flags Java gets stands in app\launcher.cfg. The environment variables are those of the launcher for other
+ * systems: SELECTIVE_RENDERER_JAVA_OPTS, SELECTIVE_RENDERER_SAI.
+ */
+#include <windows.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <wchar.h>
+
+#include <jni.h>
+
+#ifndef DESKTOP
+#define DESKTOP NULL
+#endif
+#ifdef JAVA
+static const int java = 1;
+#else
+static const int java = 0;
+#endif
+#define MAIN L"org.selectiverenderer.cli.Main"
+/* The longest path that Windows knows. */
+#define PATH 32768
+
+/* The command line's launcher expands patterns of file names, as java.exe does: here no shell does it. */
+int _dowildcard = EXPAND;
+
+/* --- Memory and messages ------------------------------------------------------------------------------------------ */
+
+static int windowed(void) {
+  return GetConsoleWindow() == NULL && GetFileType(GetStdHandle(STD_ERROR_HANDLE)) == FILE_TYPE_UNKNOWN;
+}
+
+static void write_error(const wchar_t *text) {
+  char utf8[4 * 4096];
+  DWORD written;
+  int length = WideCharToMultiByte(CP_UTF8, 0, text, -1, utf8, sizeof utf8, NULL, NULL);
+  if (length > 1) {
+    WriteFile(GetStdHandle(STD_ERROR_HANDLE), utf8, length - 1, &written, NULL);
+  }
+}
+
+/* Says in one sentence why the program cannot start, in a window where there is no terminal, and ends. */
+static void fail(const wchar_t *format, ...) {
+  wchar_t text[4096] = L"selective-renderer: ";
+  size_t prefix = wcslen(text);
+  va_list values;
+  va_start(values, format);
+  _vsnwprintf(text + prefix, 4096 - prefix - 2, format, values);
+  va_end(values);
+  if (DESKTOP || windowed()) {
+    MessageBoxW(NULL, text + prefix, L"Selective Renderer", MB_OK | MB_ICONERROR | MB_SETFOREGROUND);
+  }
+  wcscat(text, L"\n");
+  write_error(text);
+  ExitProcess(2);
+}
+
+static void *checked(void *memory) {
+  if (memory == NULL) {
+    fail(L"there is no memory left to start; close other programs");
+  }
+  return memory;
+}
+
+/* A new string of a printf format. */
+static wchar_t *text(const wchar_t *format, ...) {
+  wchar_t *result;
+  int length;
+  va_list values;
+  va_start(values, format);
+  length = _vscwprintf(format, values);
+  va_end(values);
+  result = checked(calloc(length + 1, sizeof(wchar_t)));
+  va_start(values, format);
+  _vsnwprintf(result, length, format, values);
+  va_end(values);
+  return result;
+}
+
+/* The value of an environment variable, or NULL where it is not set or empty. */
+static wchar_t *environment(const wchar_t *name) {
+  DWORD size = GetEnvironmentVariableW(name, NULL, 0);
+  wchar_t *value;
+  if (size <= 1) {
+    return NULL;
+  }
+  value = checked(calloc(size, sizeof(wchar_t)));
+  GetEnvironmentVariableW(name, value, size);
+  return value;
+}
+
+/* --- Flags of Java ------------------------------------------------------------------------------------------------ */
+
+static JavaVMOption *options;
+static int option_count;
+
+/* Properties (-DNAME=VALUE) that the code page cannot hold; they are set once Java runs. */
+static wchar_t **late;
+static int late_count;
+
+/* In the code page of the system, in which Java takes its flags and names its own folder; NULL where letters lack. */
+static char *narrow(const wchar_t *wide) {
+  BOOL lost = FALSE;
+  int utf8 = GetACP() == CP_UTF8;
+  DWORD flags = utf8 ? 0 : WC_NO_BEST_FIT_CHARS;
+  int size = WideCharToMultiByte(CP_ACP, flags, wide, -1, NULL, 0, NULL, utf8 ? NULL : &lost);
+  char *result;
+  if (size == 0 || lost) {
+    return NULL;
+  }
+  result = checked(malloc(size));
+  WideCharToMultiByte(CP_ACP, flags, wide, -1, result, size, NULL, NULL);
+  return result;
+}
+
+static void raw_option(char *flag, void *extra) {
+  options = checked(realloc(options, (option_count + 1) * sizeof *options));
+  options[option_count].optionString = flag;
+  options[option_count++].extraInfo = extra;
+}
+
+static void option(const wchar_t *flag) {
+  char *narrowed = narrow(flag);
+  if (narrowed != NULL) {
+    raw_option(narrowed, NULL);
+  } else if (wcsncmp(flag, L"-D", 2) == 0) {
+    late = checked(realloc(late, (late_count + 1) * sizeof *late));
+    late[late_count++] = text(L"%ls", flag + 2);
+  } else {
+    fail(L"Java cannot be given the flag %ls: the code page of this Windows lacks some of its letters", flag);
+  }
+}
+
+/* Those of a text, between its spaces. */
+static void options_of(wchar_t *words) {
+  wchar_t *rest;
+  wchar_t *word = words == NULL ? NULL : wcstok_s(words, L" \t\r\n", &rest);
+  for (; word != NULL; word = wcstok_s(NULL, L" \t\r\n", &rest)) {
+    option(word);
+  }
+}
+
+/* Whether a list with commas has a word. */
+static int has(const wchar_t *list, const wchar_t *word) {
+  size_t length = wcslen(word);
+  const wchar_t *at;
+  for (at = list; at != NULL && length > 0; at = wcschr(at, L',')) {
+    at += *at == L',';
+    if (wcsncmp(at, word, length) == 0 && (at[length] == 0 || at[length] == L',')) {
+      return 1;
+    }
+  }
+  return 0;
+}
+
+/* Lines "COMMAND,COMMAND FLAG FLAG": flags for some commands, or for "all". */
+static void options_of_file(const wchar_t *path, const wchar_t *command) {
+  wchar_t line[4096];
+  FILE *file = _wfopen(path, L"r");
+  if (file == NULL) {
+    fail(L"%ls is missing; install the program again", path);
+  }
+  while (fgetws(line, 4096, file) != NULL) {
+    size_t length = wcscspn(line, L" \t\r\n");
+    wchar_t *flags = line + length + (line[length] != 0);
+    line[length] = 0;
+    if (length > 0 && line[0] != L'#' && (has(line, L"all") || has(line, command))) {
+      options_of(flags);
+    }
+  }
+  fclose(file);
+}
+
+/* --- Where things are --------------------------------------------------------------------------------------------- */
+
+static int is_file(const wchar_t *path) {
+  DWORD attributes = GetFileAttributesW(path);
+  return attributes != INVALID_FILE_ATTRIBUTES && !(attributes & FILE_ATTRIBUTE_DIRECTORY);
+}
+
+/*
+ * The program's folder. Java finds its own files by a name in the system's code page; where that lacks letters of the
+ * folder's name, the short name will do that Windows gives most folders ("SELECT~1").
+ */
+static wchar_t *home_folder(void) {
+  static wchar_t path[PATH], brief[PATH];
+  int up;
+  GetModuleFileNameW(NULL, path, PATH);
+  for (up = java ? 3 : 1; up > 0; up--) {
+    wchar_t *end = wcsrchr(path, L'\\');
+    if (end != NULL) {
+      *end = 0;
+    }
+  }
+  if (narrow(path) != NULL) {
+    return path;
+  }
+  if (GetShortPathNameW(path, brief, PATH) > 0 && narrow(brief) != NULL) {
+    return brief;
+  }
+  fail(L"Java cannot run from the folder %ls, since the code page of this Windows lacks some of its letters; move the"
+       L" program to a folder with a plain name",
+       path);
+  return NULL;
+}
+
+/* --- The archive of classes --------------------------------------------------------------------------------------- */
+
+/* Runs a program without a window and without output, and waits for it. */
+static void run_silently(wchar_t *command_line) {
+  STARTUPINFOW start = {.cb = sizeof start};
+  PROCESS_INFORMATION process;
+  start.dwFlags = STARTF_USESTDHANDLES;
+  if (CreateProcessW(NULL, command_line, NULL, NULL, FALSE, CREATE_NO_WINDOW, NULL, NULL, &start, &process)) {
+    WaitForSingleObject(process.hProcess, INFINITE);
+    CloseHandle(process.hThread);
+    CloseHandle(process.hProcess);
+  }
+}
+
+static int has_bytes(const wchar_t *path) {
+  WIN32_FILE_ATTRIBUTE_DATA file;
+  return GetFileAttributesExW(path, GetFileExInfoStandard, &file) && (file.nFileSizeLow | file.nFileSizeHigh) != 0;
+}
+
+/* Deletes the archives of other versions of the jar; those that another process uses stay. */
+static void delete_archives(const wchar_t *app) {
+  WIN32_FIND_DATAW found;
+  HANDLE search = FindFirstFileW(text(L"%ls\\classes-*.jsa", app), &found);
+  if (search != INVALID_HANDLE_VALUE) {
+    do {
+      DeleteFileW(text(L"%ls\\%ls", app, found.cFileName));
+    } while (FindNextFileW(search, &found));
+    FindClose(search);
+  }
+}
+
+/*
+ * The classes that a start needs, parsed and verified once for each jar: the first start makes that archive, where the
+ * folder can be written to, and the installer makes a first start. An empty one says that it cannot be made. The name
+ * is of the jar's size and time.
+ */
+static wchar_t *archive(const wchar_t *home, const wchar_t *jar) {
+  WIN32_FILE_ATTRIBUTE_DATA file = {0};
+  wchar_t *app = text(L"%ls\\app", home);
+  wchar_t *list = text(L"%ls\\classes.list", app);
+  wchar_t *path, *temporary;
+  HANDLE made;
+  GetFileAttributesExW(jar, GetFileExInfoStandard, &file);
+  path = text(L"%ls\\classes-%08lx%08lx%08lx.jsa", app, file.nFileSizeLow, file.ftLastWriteTime.dwHighDateTime,
+              file.ftLastWriteTime.dwLowDateTime);
+  if (!is_file(path) && is_file(list)) {
+    temporary = text(L"%ls.%lu", path, GetCurrentProcessId());
+    made = CreateFileW(temporary, GENERIC_WRITE, 0, NULL, CREATE_NEW, FILE_ATTRIBUTE_NORMAL, NULL);
+    if (made == INVALID_HANDLE_VALUE) {
+      return NULL;
+    }
+    CloseHandle(made);
+    delete_archives(app);
+    run_silently(text(L"\"%ls\\runtime\\bin\\javaw.exe\" -Xshare:dump -Xlog:disable -XX:SharedClassListFile=\"%ls\""
+                      L" -XX:SharedArchiveFile=\"%ls\" -cp \"%ls\"",
+                      home, list, temporary, jar));
+    SetFileAttributesW(temporary, FILE_ATTRIBUTE_NORMAL); /* Java makes it read only, so that nothing could delete it. */
+    if (!MoveFileExW(temporary, path, MOVEFILE_REPLACE_EXISTING)) {
+      DeleteFileW(temporary);
+    }
+  }
+  return has_bytes(path) ? path : NULL;
+}
+
+/* --- The virtual machine ------------------------------------------------------------------------------------------ */
+
+static JavaVM *vm;
+
+/* What Java said before it came up, which is why it did not. */
+static char said[4096];
+
+/* Java's messages. Before it has come up they are kept, since it may end the process then. */
+static jint JNICALL hear(FILE *stream, const char *format, va_list values) {
+  char line[4096];
+  int length = vsnprintf(line, sizeof line, format, values);
+  (void)stream; /* It is of another C library. */
+  if (vm == NULL) {
+    strncat(said, line, sizeof said - strlen(said) - 1);
+  } else {
+    DWORD written;
+    WriteFile(GetStdHandle(STD_ERROR_HANDLE), line, strlen(line), &written, NULL);
+  }
+  return length;
+}
+
+/* Says what kept Java from coming up: the last line that it wrote. */
+static void fail_by_java(void) {
+  char *end = said + strlen(said);
+  char *line;
+  while (end > said && (end[-1] == '\n' || end[-1] == '\r')) {
+    *--end = 0;
+  }
+  line = strrchr(said, '\n');
+  fail(L"Java cannot start: %hs; see SELECTIVE_RENDERER_JAVA_OPTS where you have set it",
+       *said == 0 ? "it gives no reason" : line == NULL ? said : line + 1);
+}
+
+/* The code page of the console before this program, whose output is UTF-8; 0 where it is to stay. */
+static UINT console_before;
+
+static void speak_utf8(void) {
+  DWORD mode;
+  if (GetConsoleMode(GetStdHandle(STD_OUTPUT_HANDLE), &mode) || GetConsoleMode(GetStdHandle(STD_ERROR_HANDLE), &mode)) {
+    UINT page = GetConsoleOutputCP();
+    if (page != CP_UTF8 && SetConsoleOutputCP(CP_UTF8)) {
+      console_before = page;
+    }
+  }
+}
+
+static void JNICALL leave(jint status) {
+  if (vm == NULL && *said != 0) {
+    fail_by_java();
+  }
+  if (console_before != 0) {
+    SetConsoleOutputCP(console_before);
+  }
+  ExitProcess(status);
+}
+
+static void JNICALL abandon(void) {
+  leave(1);
+}
+
+static jstring string(JNIEnv *env, const wchar_t *wide) {
+  return checked((*env)->NewString(env, (const jchar *)wide, wcslen(wide)));
+}
+
+static void set_property(JNIEnv *env, wchar_t *property) {
+  wchar_t *equals = wcschr(property, L'=');
+  jclass system = checked((*env)->FindClass(env, "java/lang/System"));
+  jmethodID set = checked((*env)->GetStaticMethodID(env, system, "setProperty",
+                                                    "(Ljava/lang/String;Ljava/lang/String;)Ljava/lang/String;"));
+  if (equals != NULL) {
+    *equals = 0;
+    (*env)->CallStaticObjectMethod(env, system, set, string(env, property), string(env, equals + 1));
+  }
+}
+
+/* What the thread of main needs. */
+struct program {
+  const wchar_t *main;
+  int count;
+  wchar_t **arguments;
+};
+
+static DWORD WINAPI run(void *given) {
+  struct program *program = given;
+  JavaVMInitArgs wanted = {JNI_VERSION_1_8, option_count, options, JNI_FALSE};
+  HMODULE library = GetModuleHandleW(L"jvm.dll");
+  jint(JNICALL * create)(JavaVM **, void **, void *) = (void *)GetProcAddress(library, "JNI_CreateJavaVM");
+  JavaVM *made;
+  JNIEnv *env;
+  jclass type;
+  jmethodID method;
+  jobjectArray array;
+  char *class;
+  char *at;
+  int i, status;
+
+  if (create == NULL || create(&made, (void **)&env, &wanted) != JNI_OK) {
+    fail_by_java();
+  }
+  vm = made;
+  for (i = 0; i < late_count; i++) {
+    set_property(env, late[i]);
+  }
+  class = checked(narrow(program->main));
+  for (at = class; *at != 0; at++) {
+    *at = *at == '.' ? '/' : *at;
+  }
+  type = (*env)->FindClass(env, class);
+  method = type == NULL ? NULL : (*env)->GetStaticMethodID(env, type, "main", "([Ljava/lang/String;)V");
+  if (method == NULL) {
+    fail(L"the class %ls is missing; install the program again", program->main);
+  }
+  array = checked((*env)->NewObjectArray(env, program->count, (*env)->FindClass(env, "java/lang/String"), NULL));
+  for (i = 0; i < program->count; i++) {
+    jstring argument = string(env, program->arguments[i]);
+    (*env)->SetObjectArrayElement(env, array, i, argument);
+    (*env)->DeleteLocalRef(env, argument);
+  }
+  (*env)->CallStaticVoidMethod(env, type, method, array);
+  status = (*env)->ExceptionCheck(env);
+  if (status) {
+    (*env)->ExceptionDescribe(env);
+  }
+  (*vm)->DetachCurrentThread(vm);
+  (*vm)->DestroyJavaVM(vm); /* Waits for the other threads. */
+  leave(status);
+  return status;
+}
+
+/* The bytes of the last flag -Xss, which java.exe heeds for the main thread; 0 for the default. */
+static SIZE_T stack_size(void) {
+  SIZE_T size = 0;
+  int i;
+  for (i = 0; i < option_count; i++) {
+    if (strncmp(options[i].optionString, "-Xss", 4) == 0) {
+      char *unit;
+      size = strtoul(options[i].optionString + 4, &unit, 10);
+      size *= *unit == 'g' || *unit == 'G'   ? 1 << 30
+              : *unit == 'm' || *unit == 'M' ? 1 << 20
+              : *unit == 'k' || *unit == 'K' ? 1 << 10
+                                             : 1;
+    }
+  }
+  return size;
+}
+
+/* --- Arguments ---------------------------------------------------------------------------------------------------- */
+
+/* The jars of another browser: a class path, or a folder of jars. */
+static wchar_t *class_path_of(wchar_t *browser, const wchar_t *jar) {
+  WIN32_FIND_DATAW found;
+  HANDLE search = FindFirstFileW(text(L"%ls\\*.jar", browser), &found);
+  wchar_t *path = NULL;
+  if (search == INVALID_HANDLE_VALUE) {
+    return text(L"%ls;%ls", browser, jar);
+  }
+  do {
+    path = path == NULL ? text(L"%ls\\%ls", browser, found.cFileName)
+                        : text(L"%ls;%ls\\%ls", path, browser, found.cFileName);
+  } while (FindNextFileW(search, &found));
+  FindClose(search);
+  return text(L"%ls;%ls", path, jar);
+}
+
+/* The flags for one of the program's commands. */
+static void prepare(const wchar_t *home, const wchar_t *command, const wchar_t *subcommand) {
+  wchar_t *jar = text(L"%ls\\app\\selective-renderer.jar", home);
+  wchar_t *browser = environment(L"SELECTIVE_RENDERER_SAI");
+  wchar_t *classes = NULL;
+  if (!is_file(jar)) {
+    fail(L"%ls is missing; install the program again", jar);
+  }
+  options_of_file(text(L"%ls\\app\\launcher.cfg", home), command);
+  if (browser != NULL && (wcscmp(command, L"sai") == 0 || wcscmp(subcommand, L"sai") == 0)) {
+    jar = class_path_of(browser, jar);
+  } else {
+    if (browser != NULL && (wcscmp(command, L"run") == 0 || wcscmp(command, L"simulate") == 0)) {
+      write_error(text(L"selective-renderer: %ls runs in the embedded browser; SELECTIVE_RENDERER_SAI is for the"
+                       L" command sai\n",
+                       command));
+    }
+    classes = archive(home, jar);
+  }
+  options_of(environment(L"SELECTIVE_RENDERER_JAVA_OPTS"));
+  if (classes != NULL) {
+    option(text(L"-XX:SharedArchiveFile=%ls", classes));
+  }
+  if (narrow(jar) == NULL) {
+    fail(L"Java cannot be given the class path %ls: the code page of this Windows lacks some of its letters", jar);
+  }
+  option(text(L"-Djava.class.path=%ls", jar));
+  if (DESKTOP != NULL) {
+    option(text(L"-Dselective-renderer.desktop=%ls", DESKTOP));
+  }
+}
+
+/* As java.exe reads them, flags, the main class and its arguments; returns the place of the class. */
+static int prepare_java(int count, wchar_t **arguments) {
+  int at;
+  for (at = 1; at < count && arguments[at][0] == L'-'; at++) {
+    int path = wcscmp(arguments[at], L"-cp") == 0 || wcscmp(arguments[at], L"-classpath") == 0;
+    if (path && at + 1 < count) {
+      option(text(L"-Djava.class.path=%ls", arguments[++at]));
+    } else {
+      option(arguments[at]);
+    }
+  }
+  return at;
+}
+
+int wmain(int count, wchar_t **arguments) {
+  wchar_t *home = home_folder();
+  wchar_t *library = text(L"%ls\\runtime\\bin\\server\\jvm.dll", home);
+  struct program program = {MAIN, count - 1, arguments + 1};
+  HANDLE thread;
+
+  raw_option("vfprintf", hear);
+  raw_option("exit", leave);
+  raw_option("abort", abandon);
+  if (java) {
+    int at = prepare_java(count, arguments);
+    program.main = at < count ? arguments[at] : L"";
+    program.count = at < count ? count - at - 1 : 0;
+    program.arguments = arguments + at + 1;
+  } else {
+    const wchar_t *first = count > 1 ? arguments[1] : L"";
+    const wchar_t *command = DESKTOP == NULL ? first : count > 1 ? DESKTOP : L"enrich";
+    prepare(home, command, count > 2 ? arguments[2] : L"");
+    speak_utf8();
+  }
+  /* Where jvm.dll and what it loads find each other; the folder that the user is in is no such place. */
+  SetDllDirectoryW(text(L"%ls\\runtime\\bin", home));
+  if (LoadLibraryW(library) == NULL) {
+    fail(is_file(library) ? L"%ls cannot be loaded; install the program again"
+                          : L"%ls is missing; install the program again",
+         library);
+  }
+  /* As java.exe does: main has a thread of its own, with a stack of the size that Java's flags ask for. */
+  thread = CreateThread(NULL, stack_size(), run, &program, STACK_SIZE_PARAM_IS_A_RESERVATION, NULL);
+  WaitForSingleObject(checked(thread), INFINITE);
+  return 1; /* The thread ends the process. */
+}
