@@ -31,17 +31,31 @@ public final class Main {
     // Messages and reports are parsed by other programs, so numbers do not depend on the
     // machine's locale.
     Locale.setDefault(Locale.Category.FORMAT, Locale.ROOT);
-    boolean colours = Ansi.AUTO.enabled();
+    boolean terminal = Console.terminal();
+    // In the shell of Git for Windows picocli takes pipes for terminals.
+    boolean colours =
+        Ansi.AUTO.enabled() && (terminal || !TerminalEncoding.windows(System.getProperties()));
     // UTF-8 whatever the platform's charset, because other programs read the output.
     PrintStream out =
         new PrintStream(
             new BufferedOutputStream(
-                new StandardOutputStream(new FileOutputStream(FileDescriptor.out)), 1 << 16),
+                new StandardOutputStream(
+                    TerminalEncoding.of(
+                        System.getProperties(),
+                        "stdout",
+                        terminal,
+                        new FileOutputStream(FileDescriptor.out))),
+                1 << 16),
             colours,
             StandardCharsets.UTF_8);
     PrintStream err =
         new PrintStream(
-            desktop.messages(new FileOutputStream(FileDescriptor.err)),
+            desktop.messages(
+                TerminalEncoding.of(
+                    System.getProperties(),
+                    "stderr",
+                    terminal,
+                    new FileOutputStream(FileDescriptor.err))),
             true,
             StandardCharsets.UTF_8);
     StandardErrorSilencer.silence(args, new Console(out, err, colours));

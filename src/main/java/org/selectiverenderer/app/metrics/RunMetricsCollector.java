@@ -92,7 +92,8 @@ public final class RunMetricsCollector {
     }
 
     private static Optional<Double> linux(String key) {
-      if (!Files.isReadable(STATUS)) {
+      // On Windows the path would be one of the current drive, where anybody's file may lie.
+      if (!System.getProperty("os.name", "").equals("Linux") || !Files.isReadable(STATUS)) {
         return Optional.empty();
       }
       List<String> lines;

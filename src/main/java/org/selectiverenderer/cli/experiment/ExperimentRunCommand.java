@@ -143,6 +143,12 @@ final class ExperimentRunCommand extends CliCommand {
   @Override
   public ExitStatus run() throws IOException {
     check();
+    if (!unattended && System.getProperty("os.name", "").startsWith("Windows")) {
+      // Java for Windows asks whether it may open windows when it reads the first picture of a
+      // questionnaire, and remembers the answer; elsewhere it asks when the first window opens.
+      Monitors.all(); // This starts JOGL; Swing may start only afterwards.
+      LibraryProperties.allowSwing();
+    }
     ProblemCollector problems = new ProblemCollector(console()::problem);
     Optional<LoadedStudy> found = study.readForSession(trust, prompt(), console(), problems);
     if (found.isEmpty()) {

@@ -154,7 +154,8 @@ public final class TrackCommand extends CliCommand {
 
   private TrackerSpec tracker() {
     if (spec == null) {
-      throw CommandException.usage("no tracker given; name one, such as intertrax2:/dev/ttyUSB0");
+      throw CommandException.usage(
+          ProgramInvocation.in("no tracker given; name one, such as intertrax2:/dev/ttyUSB0"));
     }
     try {
       return TrackerSpec.parse(spec);

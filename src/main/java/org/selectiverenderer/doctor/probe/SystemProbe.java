@@ -40,7 +40,8 @@ final class SystemProbe {
   }
 
   private static Optional<String> release() throws IOException {
-    if (!Files.isReadable(RELEASE)) {
+    // On Windows the path would be one of the current drive, where anybody's file may lie.
+    if (!System.getProperty("os.name", "").equals("Linux") || !Files.isReadable(RELEASE)) {
       return Optional.empty();
     }
     try (Stream<String> lines = Files.lines(RELEASE)) {
@@ -59,21 +60,40 @@ final class SystemProbe {
   }
 
   static void language(Consumer<Diagnosis> found) {
-    String names = System.getProperty("sun.jnu.encoding", Charset.defaultCharset().name());
+    found.accept(
+        language(
+            System.getProperty("os.name", ""),
+            System.getProperty("sun.jnu.encoding", Charset.defaultCharset().name())));
+  }
+
+  /**
+   * Checks that names may be Greek.
+   *
+   * @param system the name of the operating system, as in {@code os.name}
+   * @param names charset in which Java passes names of files to the system; on Windows, where files
+   *     have their names in Unicode, it is the charset of what is typed behind a command
+   */
+  static Diagnosis language(String system, String names) {
+    boolean windows = system.toLowerCase(Locale.ROOT).startsWith("windows");
     String language =
-        "%s, names of files in %s, texts in %s"
+        "%s, %s in %s, texts in %s"
             .formatted(
                 Locale.getDefault(Locale.Category.DISPLAY).toLanguageTag(),
+                windows ? "what is typed behind a command" : "names of files",
                 names,
                 Charset.defaultCharset());
-    found.accept(
-        encodesGreek(names)
-            ? Diagnosis.ok("language", language)
-            : Diagnosis.warning(
-                "language",
-                language,
-                "files with Greek names cannot be opened: set LC_ALL=C.UTF-8 or another language with"
-                    + " UTF-8"));
+    if (encodesGreek(names)) {
+      return Diagnosis.ok("language", language);
+    }
+    return Diagnosis.warning(
+        "language",
+        language,
+        windows
+            ? "files with Greek names can be opened by windows and as part of a folder, but not"
+                + " named behind a command: choose Greek, or UTF-8, as the language for non-Unicode"
+                + " programs (Settings, Time & language, Administrative language settings)"
+            : "files with Greek names cannot be opened: set LC_ALL=C.UTF-8 or another language with"
+                + " UTF-8");
   }
 
   /** Returns whether a charset can encode Greek; true for a charset unknown to Java. */

@@ -50,6 +50,16 @@ class InProcessProbesTest {
   }
 
   @Test
+  void adviceOnGreekNamesFitsTheSystem() {
+    assertThat(SystemProbe.language("Linux", "US-ASCII").todo()).contains("LC_ALL=C.UTF-8");
+    assertThat(SystemProbe.language("Windows 11", "Cp1252").todo())
+        .contains("can be opened by windows")
+        .contains("language for non-Unicode programs")
+        .doesNotContain("LC_ALL");
+    assertThat(SystemProbe.language("Windows 11", "Cp1253").todo()).isEmpty();
+  }
+
+  @Test
   void javaAndTheSystemAreNamed() throws IOException {
     List<Diagnosis> lines = new ArrayList<>();
     JavaProbe.run(lines::add);

@@ -16,11 +16,15 @@ public final class ProgramInvocation {
 
   private static final String HERE = "./" + ProgramVersion.PROGRAM;
 
+  /** A serial port in examples; on Windows and macOS they have other names. */
+  private static final String LINUX_PORT = "/dev/ttyUSB0";
+
   private ProgramInvocation() {}
 
   /**
    * Adapts a text with commands as typed in the source tree to this process's user. On Windows a
-   * command that a backslash continues in the next line becomes one line.
+   * command that a backslash continues in the next line becomes one line. A serial port is named as
+   * on the user's system.
    */
   public static String in(String text) {
     return in(text, System.getProperties());
@@ -33,7 +37,17 @@ public final class ProgramInvocation {
 
   static String in(String text, Properties properties) {
     String lines = windows(properties) ? text.replaceAll(" \\\\\\R +", " ") : text;
-    return here(properties) ? lines : lines.replace(HERE, ProgramVersion.PROGRAM);
+    String ports = lines.replace(LINUX_PORT, serialPort(properties));
+    return here(properties) ? ports : ports.replace(HERE, ProgramVersion.PROGRAM);
+  }
+
+  private static String serialPort(Properties properties) {
+    if (windows(properties)) {
+      return "COM3";
+    }
+    return properties.getProperty("os.name", "").toLowerCase(Locale.ROOT).startsWith("mac")
+        ? "/dev/cu.usbserial-10"
+        : LINUX_PORT;
   }
 
   private static boolean here(Properties properties) {

@@ -41,4 +41,11 @@ class ProgramInvocationTest {
         .isEqualTo("  selective-renderer run room.x3d --mute\r\n");
     assertThat(ProgramInvocation.in(example, of("os.name", "Linux"))).isEqualTo(example);
   }
+
+  @ParameterizedTest
+  @CsvSource({"Linux, /dev/ttyUSB0", "Mac OS X, /dev/cu.usbserial-10", "Windows 11, COM3"})
+  void aSerialPortIsNamedAsOnTheSystem(String system, String port) {
+    assertThat(ProgramInvocation.in("track intertrax2:/dev/ttyUSB0", of("os.name", system)))
+        .isEqualTo("track intertrax2:" + port);
+  }
 }

@@ -41,7 +41,8 @@ final class XrConnection implements AutoCloseable {
         throw new HeadsetUnavailableException(
             "the OpenXR runtime of this computer does not support OpenGL (it lacks "
                 + OPENGL
-                + "): make another one the active runtime, such as SteamVR or Monado");
+                + "): make another one the active runtime, such as "
+                + runtimes(System.getProperty("os.name", "")));
       }
       Set<String> enabled = new LinkedHashSet<>(WANTED);
       enabled.retainAll(offered);
@@ -87,13 +88,33 @@ final class XrConnection implements AutoCloseable {
 
   private static String missing(XrResultException failure) {
     return switch (failure.code()) {
-      case XrResultException.RUNTIME_UNAVAILABLE, -32 ->
-          "no OpenXR runtime is set up on this computer: install the headset's runtime, SteamVR or"
-              + " Monado and make it the active one, or name its manifest file in XR_RUNTIME_JSON";
+      case XrResultException.RUNTIME_UNAVAILABLE, -32 -> missing(System.getProperty("os.name", ""));
       default ->
           "the OpenXR runtime of this computer does not answer (%s): start it, and see that its headset is connected"
               .formatted(failure.getMessage());
     };
+  }
+
+  /**
+   * Returns what to do where there is no runtime.
+   *
+   * @param system the name of the operating system, as in {@code os.name}
+   */
+  static String missing(String system) {
+    return "no OpenXR runtime is set up on this computer: install "
+        + (windows(system)
+            ? "the runtime of the headset's maker or SteamVR"
+            : "the headset's runtime, SteamVR or Monado")
+        + " and make it the active one, or name its manifest file in XR_RUNTIME_JSON";
+  }
+
+  /** Returns runtimes that support OpenGL on a system. */
+  private static String runtimes(String system) {
+    return windows(system) ? "SteamVR" : "SteamVR or Monado";
+  }
+
+  private static boolean windows(String system) {
+    return system.toLowerCase(Locale.ROOT).startsWith("windows");
   }
 
   XrInstance instance() {

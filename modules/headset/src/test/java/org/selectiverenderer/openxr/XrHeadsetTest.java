@@ -396,4 +396,11 @@ class XrHeadsetTest {
     }
     assertEquals(0, runtime.open);
   }
+
+  @Test
+  void adviceWithoutARuntimeFitsTheSystem() {
+    assertTrue(XrConnection.missing("Linux").contains("SteamVR or Monado and make it"));
+    assertTrue(XrConnection.missing("Windows 11").contains("headset's maker or SteamVR and make"));
+    assertFalse(XrConnection.missing("Windows 11").contains("Monado"));
+  }
 }

@@ -22,7 +22,7 @@ public sealed interface TrackerSpec {
    * @throws IllegalArgumentException with a message that says what is wrong and shows an example
    */
   static TrackerSpec parse(String text) {
-    return new TrackerSpecParser(text).parse();
+    return new TrackerSpecParser(text, System.getProperty("os.name", "")).parse();
   }
 
   /** No tracker: {@code none}. */

@@ -10,17 +10,32 @@ final class TrackerSpecParser {
   private final String kind;
   private final String rest;
 
-  TrackerSpecParser(String text) {
+  /** An example of a serial port's name. */
+  private final String port;
+
+  /**
+   * @param system the name of the operating system, as in {@code os.name}
+   */
+  TrackerSpecParser(String text, String system) {
     this.text = text;
     int colon = text.indexOf(':');
     kind = (colon < 0 ? text : text.substring(0, colon)).strip().toLowerCase(Locale.ROOT);
     rest = colon < 0 ? "" : text.substring(colon + 1).strip();
+    port = serialPortExample(system);
+  }
+
+  private static String serialPortExample(String system) {
+    String name = system.toLowerCase(Locale.ROOT);
+    if (name.startsWith("windows")) {
+      return "COM3";
+    }
+    return name.startsWith("mac") ? "/dev/cu.usbserial-10" : "/dev/ttyUSB0";
   }
 
   TrackerSpec parse() {
     return switch (kind) {
       case "none" -> none();
-      case "intertrax2" -> new TrackerSpec.InterTrax2(serialPort(rest, "intertrax2:/dev/ttyUSB0"));
+      case "intertrax2" -> new TrackerSpec.InterTrax2(serialPort(rest, "intertrax2:" + port));
       case "fastrak" -> fastrak();
       case "opentrack" -> opentrack();
       case "vrpn" -> vrpn();
@@ -45,7 +60,7 @@ final class TrackerSpecParser {
   }
 
   private TrackerSpec fastrak() {
-    String example = "fastrak:/dev/ttyUSB0@9600";
+    String example = "fastrak:" + port + "@9600";
     int at = rest.lastIndexOf('@');
     int baud =
         at < 0
@@ -144,9 +159,10 @@ final class TrackerSpecParser {
     throw refusal("'%s' is not %s (%d to %d)".formatted(digits, what, least, most), example);
   }
 
-  private static String kinds() {
-    return "intertrax2:/dev/ttyUSB0, fastrak:/dev/ttyUSB0@9600, opentrack:4242,"
-        + " vrpn:Tracker0@host:3883, tcp:host:port, replay:FILE.csv or none";
+  private String kinds() {
+    return "intertrax2:%s, fastrak:%s@9600, opentrack:4242, vrpn:Tracker0@host:3883, tcp:host:port,"
+            .formatted(port, port)
+        + " replay:FILE.csv or none";
   }
 
   private IllegalArgumentException refusal(String reason, String example) {

@@ -61,7 +61,7 @@ class TrackerSpecTest {
       value = {
         "interstellar:/dev/x | there is no tracker of the kind 'interstellar'; write it like inter",
         "openxr | a headset brings its own tracker; leave --tracker out with run SCENE --display",
-        "intertrax2 | the serial port is missing; write it like intertrax2:/dev/ttyUSB0",
+        "intertrax2 | the serial port is missing; write it like intertrax2:",
         "fastrak:/dev/x@fast | 'fast' is not a speed in bits per second (110 to 4000000)",
         "fastrak:@9600 | the serial port is missing",
         "opentrack:0 | '0' is not a port (1 to 65535); write it like opentrack:4242",
@@ -79,5 +79,20 @@ class TrackerSpecTest {
         .isThrownBy(() -> TrackerSpec.parse(text))
         .withMessageStartingWith("'" + text + "' is not a tracker: ")
         .withMessageContaining(sentence);
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "Linux, /dev/ttyUSB0",
+    "Mac OS X, /dev/cu.usbserial-10",
+    "Windows 11, COM3",
+  })
+  void theExampleOfAPortIsOneOfTheSystem(String system, String port) {
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> new TrackerSpecParser("fastrak", system).parse())
+        .withMessageEndingWith("write it like fastrak:" + port + "@9600");
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> new TrackerSpecParser("intertrax:1", system).parse())
+        .withMessageContaining("write it like intertrax2:" + port + ", fastrak:" + port + "@9600,");
   }
 }

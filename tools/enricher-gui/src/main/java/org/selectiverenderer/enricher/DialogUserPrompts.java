@@ -1,7 +1,6 @@
 package org.selectiverenderer.enricher;
 
 import java.awt.Window;
-import java.io.File;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -13,6 +12,7 @@ import javax.swing.filechooser.FileNameExtensionFilter;
 import org.selectiverenderer.authoring.file.ThreeWayMerge;
 import org.selectiverenderer.base.files.FileFinder;
 import org.selectiverenderer.base.markup.MarkupEscaper;
+import org.selectiverenderer.enricher.component.NamedFileChooser;
 import org.selectiverenderer.enricher.diff.DiffDialog;
 import org.selectiverenderer.enricher.diff.MergeDialog;
 import org.selectiverenderer.enricher.session.EnricherSession;
@@ -130,8 +130,8 @@ final class DialogUserPrompts implements UserPrompts {
         .orElse(false);
   }
 
-  private static JFileChooser chooser(Optional<Path> near) {
-    JFileChooser chooser = new JFileChooser();
+  private static NamedFileChooser chooser(Optional<Path> near) {
+    NamedFileChooser chooser = new NamedFileChooser();
     chooser.setFileFilter(new FileNameExtensionFilter(Texts.of("window.scenes"), endings()));
     near.ifPresent(path -> chooser.setSelectedFile(path.toAbsolutePath().toFile()));
     return chooser;
@@ -148,22 +148,21 @@ final class DialogUserPrompts implements UserPrompts {
         .toArray(String[]::new);
   }
 
-  private static Optional<Path> chosen(JFileChooser chooser, int answer) {
-    File file = chooser.getSelectedFile();
-    return answer == JFileChooser.APPROVE_OPTION && file != null
-        ? Optional.of(file.toPath())
+  private static Optional<Path> chosen(NamedFileChooser chooser, int answer) {
+    return answer == JFileChooser.APPROVE_OPTION && chooser.getSelectedFile() != null
+        ? Optional.of(chooser.chosen())
         : Optional.empty();
   }
 
   @Override
   public Optional<Path> fileToOpen(Optional<Path> near) {
-    JFileChooser chooser = chooser(near);
+    NamedFileChooser chooser = chooser(near);
     return chosen(chooser, chooser.showOpenDialog(owner));
   }
 
   @Override
   public Optional<Path> fileToSave(Path near) {
-    JFileChooser chooser = chooser(Optional.of(near));
+    NamedFileChooser chooser = chooser(Optional.of(near));
     return chosen(chooser, chooser.showSaveDialog(owner));
   }
 

@@ -5,6 +5,7 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Path;
+import java.util.Locale;
 
 /** Thrown if a file cannot be written; its one-line message names the file, cause and outcome. */
 public final class FileWriteException extends IOException {
@@ -14,8 +15,15 @@ public final class FileWriteException extends IOException {
   private final String reason;
 
   FileWriteException(Path file, Exception cause, String outcome) {
-    super("%s cannot be written (%s); %s".formatted(file, reason(cause), outcome), cause);
-    reason = reason(cause);
+    this(file, cause, outcome, System.getProperty("os.name", ""));
+  }
+
+  /**
+   * @param system the name of the operating system, as in {@code os.name}
+   */
+  FileWriteException(Path file, Exception cause, String outcome, String system) {
+    super("%s cannot be written (%s); %s".formatted(file, reason(cause, system), outcome), cause);
+    reason = reason(cause, system);
   }
 
   /** Returns the cause for use in a message: {@code permission denied}, {@code it is a folder}. */
@@ -28,9 +36,11 @@ public final class FileWriteException extends IOException {
     return e instanceof FileSystemException ? e : new IOException(file + ": " + e.getMessage(), e);
   }
 
-  private static String reason(Exception e) {
+  private static String reason(Exception e, String system) {
     if (e instanceof AccessDeniedException) {
-      return "permission denied";
+      return system.toLowerCase(Locale.ROOT).startsWith("windows")
+          ? "permission denied, or another program has it open"
+          : "permission denied";
     }
     if (e instanceof FileAlreadyExistsException) {
       return "another program has just made it";

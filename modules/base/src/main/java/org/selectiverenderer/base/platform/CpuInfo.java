@@ -3,6 +3,7 @@ package org.selectiverenderer.base.platform;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Map;
 import java.util.stream.Stream;
 
 /** Names the computer's processor. */
@@ -13,7 +14,18 @@ public final class CpuInfo {
 
   /** Returns the model name of the CPU as reported by the system, else {@code unknown}. */
   public static String name() throws IOException {
-    if (Files.isReadable(PROCESSORS)) {
+    return name(System.getProperty("os.name", ""), System.getenv());
+  }
+
+  /**
+   * Returns the same for an operating system.
+   *
+   * @param system the name of the operating system, as in {@code os.name}
+   * @param environment variables of the process
+   */
+  static String name(String system, Map<String, String> environment) throws IOException {
+    // On Windows the path would be one of the current drive, where anybody's file may lie.
+    if (system.equals("Linux") && Files.isReadable(PROCESSORS)) {
       try (Stream<String> lines = Files.lines(PROCESSORS)) {
         return lines
             .filter(line -> line.startsWith("model name"))
@@ -22,7 +34,6 @@ public final class CpuInfo {
             .orElse("unknown");
       }
     }
-    String named = System.getenv("PROCESSOR_IDENTIFIER");
-    return named == null ? "unknown" : named;
+    return environment.getOrDefault("PROCESSOR_IDENTIFIER", "unknown");
   }
 }

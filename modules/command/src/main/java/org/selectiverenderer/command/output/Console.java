@@ -9,7 +9,7 @@ import org.selectiverenderer.base.problem.Problem;
 /**
  * The output streams of a command. Data goes to {@code out}, which is buffered: a command that
  * streams lines to a waiting reader flushes after each. Messages and progress go to {@code err},
- * which is not buffered.
+ * which is not buffered. Lines of data end with LF on every system, as in files.
  *
  * <p>All that the program prints comes through here, and names and texts of scenes are other
  * people's. So both streams write control characters as {@link ControlCharacterEscaper} does: no
@@ -32,13 +32,13 @@ public final class Console {
   public Console(PrintStream out, PrintStream err, boolean colours) {
     plainOut = out;
     plainErr = err;
-    this.out = filtered(out);
-    this.err = filtered(err);
+    this.out = filtered(out, true);
+    this.err = filtered(err, false);
     this.colours = colours;
   }
 
-  private static PrintStream filtered(PrintStream stream) {
-    return new PrintStream(new ControlCharacterFilter(stream), false, StandardCharsets.UTF_8);
+  private static PrintStream filtered(PrintStream stream, boolean data) {
+    return new PrintStream(new ControlCharacterFilter(stream, data), false, StandardCharsets.UTF_8);
   }
 
   /** Returns the stream for data; it makes control characters visible. */
@@ -79,7 +79,21 @@ public final class Console {
 
   /** Returns whether a user can be asked: input and output are a terminal. */
   public boolean canAsk() {
-    return System.console() != null;
+    return terminal();
+  }
+
+  /** Returns whether this process's input and output are a terminal. */
+  public static boolean terminal() {
+    java.io.Console console = System.console();
+    if (console == null) {
+      return false;
+    }
+    try {
+      // Since Java 22 there is a console without a terminal, too.
+      return (boolean) java.io.Console.class.getMethod("isTerminal").invoke(console);
+    } catch (ReflectiveOperationException e) {
+      return true;
+    }
   }
 
   /**
@@ -88,10 +102,10 @@ public final class Console {
    * @return the answer; empty where input or output is no terminal, or it was closed
    */
   public Optional<String> ask(String question) {
-    java.io.Console terminal = System.console();
-    return terminal == null
-        ? Optional.empty()
-        : Optional.ofNullable(terminal.readLine("%s", ControlCharacterEscaper.line(question)));
+    return canAsk()
+        ? Optional.ofNullable(
+            System.console().readLine("%s", ControlCharacterEscaper.line(question)))
+        : Optional.empty();
   }
 
   /** Prints a message over the current line, and stays on it. */

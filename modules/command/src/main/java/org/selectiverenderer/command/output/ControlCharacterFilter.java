@@ -15,11 +15,17 @@ import org.selectiverenderer.base.markup.ControlCharacterEscaper;
 final class ControlCharacterFilter extends FilterOutputStream {
   private static final int CUT_OFF = -1;
 
+  private final boolean unix;
+
   /** The start of a character, or a CR whose LF may follow. */
   private byte[] held = {};
 
-  ControlCharacterFilter(OutputStream target) {
+  /**
+   * @param unix whether lines end with LF alone; else as they are given
+   */
+  ControlCharacterFilter(OutputStream target, boolean unix) {
     super(target);
+    this.unix = unix;
   }
 
   @Override
@@ -37,6 +43,10 @@ final class ControlCharacterFilter extends FilterOutputStream {
     while (at < all.length) {
       int control = control(all, at);
       if (control == 0) {
+        if (unix && all[at] == '\r') {
+          out.write(all, start, at - start); // LF follows
+          start = at + 1;
+        }
         at++;
         continue;
       }

@@ -21,8 +21,7 @@ class ConsoleTest {
     console.out().flush();
 
     assertThat(out.toString(UTF_8))
-        .isEqualTo(
-            "desk\\u001b]0;title\\u0007 \\u009b2J\\u202e\r\nTür \ud83d\ude00\t\u20ac\\u000d.");
+        .isEqualTo("desk\\u001b]0;title\\u0007 \\u009b2J\\u202e\nTür \ud83d\ude00\t\u20ac\\u000d.");
   }
 
   @Test
@@ -33,7 +32,7 @@ class ConsoleTest {
     console.out().write('\r');
     console.out().flush();
 
-    assertThat(out.toString(UTF_8)).isEqualTo("\\u202eA\\u009b\u20ac\r\n\\u061c\\u000d");
+    assertThat(out.toString(UTF_8)).isEqualTo("\\u202eA\\u009b\u20ac\n\\u061c\\u000d");
   }
 
   @Test
@@ -56,5 +55,18 @@ class ConsoleTest {
 
     assertThat(out.toString(UTF_8)).isEqualTo("first \u001b[1mbold\u001b[0m\n");
     assertThat(err.toString(UTF_8)).isEqualTo("\r50 %\\u001b[2J");
+  }
+
+  /** On Windows {@code println} and {@code %n} write CR and LF; what programs read is the same. */
+  @Test
+  void linesOfDataEndAlikeOnEverySystem() {
+    console.out().print("one\r\ntwo\r\n");
+    console.out().print("three\r");
+    console.out().print("\n");
+    console.err().print("told\r\n");
+    console.out().flush();
+
+    assertThat(out.toString(UTF_8)).isEqualTo("one\ntwo\nthree\n");
+    assertThat(err.toString(UTF_8)).isEqualTo("told\r\n");
   }
 }

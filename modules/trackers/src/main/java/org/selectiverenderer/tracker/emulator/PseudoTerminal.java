@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.selectiverenderer.tracker.TrackerException;
@@ -59,12 +60,21 @@ public final class PseudoTerminal implements AutoCloseable {
         Stream.of(Maker.values())
             .filter(Maker::installed)
             .findFirst()
-            .orElseThrow(
-                () ->
-                    new TrackerException(
-                        "a pseudo-terminal needs the program socat or script; install socat (on"
-                            + " Debian and Ubuntu: sudo apt install socat)"));
+            .orElseThrow(() -> new TrackerException(noMaker(System.getProperty("os.name", ""))));
     return open(link, maker);
+  }
+
+  /**
+   * Returns what to do where no program makes a pseudo-terminal.
+   *
+   * @param system the name of the operating system, as in {@code os.name}
+   */
+  static String noMaker(String system) {
+    return system.toLowerCase(Locale.ROOT).startsWith("windows")
+        ? "Windows has no pseudo-terminals for an emulated tracker: play a recording instead"
+            + " (replay:FILE.csv), or emulate on Linux or macOS"
+        : "a pseudo-terminal needs the program socat or script; install socat (on Debian and"
+            + " Ubuntu: sudo apt install socat)";
   }
 
   /** Creates a terminal with the given program. */

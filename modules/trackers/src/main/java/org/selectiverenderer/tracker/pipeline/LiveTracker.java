@@ -20,6 +20,9 @@ public final class LiveTracker extends PublishingTracker {
   /** Interval between attempts to reconnect. */
   private static final long RETRY_MS = 100;
 
+  /** The time after which a driver that does not return from reading is left to itself. */
+  private static final long CLOSE_MS = 5000;
+
   private final PoseSource source;
   private final TrackerHealthMonitor meter = new TrackerHealthMonitor();
   private final CountDownLatch closing = new CountDownLatch(1);
@@ -70,9 +73,10 @@ public final class LiveTracker extends PublishingTracker {
   public void close() {
     closing.countDown();
     boolean interrupted = false;
-    while (thread.isAlive()) {
+    long end = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(CLOSE_MS);
+    while (thread.isAlive() && System.nanoTime() < end) {
       try {
-        thread.join();
+        thread.join(RETRY_MS);
       } catch (InterruptedException e) {
         interrupted = true; // Restored after the device is closed.
       }

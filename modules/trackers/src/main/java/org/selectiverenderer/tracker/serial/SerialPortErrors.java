@@ -6,6 +6,7 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFileAttributes;
 import java.nio.file.attribute.PosixFilePermission;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
@@ -33,6 +34,24 @@ final class SerialPortErrors {
    * @param code error code of the operating system
    */
   static String refused(String port, int code) {
+    return refused(port, code, System.getProperty("os.name", ""));
+  }
+
+  /**
+   * Returns the same for an operating system.
+   *
+   * @param system the name of the operating system, as in {@code os.name}
+   */
+  static String refused(String port, int code, String system) {
+    if (windows(system)) {
+      // The system's code is that of the last call, not always of the one that failed.
+      return SerialPorts.names().contains(port)
+          ? "the serial port "
+              + port
+              + " cannot be opened: another program uses it, or its device does not answer; close"
+              + " that program, or pull the cable and plug it in again"
+          : absent(port);
+    }
     try {
       Path device = Path.of(port);
       if (Files.exists(device)) {
@@ -51,8 +70,13 @@ final class SerialPortErrors {
   /**
    * Returns the message for a port whose file this user may not read and write; empty for other
    * ports.
+   *
+   * @param system the name of the operating system, as in {@code os.name}
    */
-  static Optional<String> denied(String port) {
+  static Optional<String> denied(String port, String system) {
+    if (windows(system)) {
+      return Optional.empty(); // Every user may use a port, and asking would open it.
+    }
     try {
       Path device = Path.of(port);
       return Files.exists(device) && !(Files.isReadable(device) && Files.isWritable(device))
@@ -83,7 +107,7 @@ final class SerialPortErrors {
       Set<PosixFilePermission> may = attributes.permissions();
       return may.contains(PosixFilePermission.GROUP_READ)
               && may.contains(PosixFilePermission.GROUP_WRITE)
-          ? denied(port, attributes.group().getName())
+          ? forGroup(port, attributes.group().getName())
           : unusable(port)
               + ": only its owner, "
               + attributes.owner().getName()
@@ -91,6 +115,10 @@ final class SerialPortErrors {
     } catch (IOException | UnsupportedOperationException e) {
       return unusable(port); // Not a POSIX system, or the device has just disappeared.
     }
+  }
+
+  private static boolean windows(String system) {
+    return system.toLowerCase(Locale.ROOT).startsWith("windows");
   }
 
   private static String unusable(String port) {
@@ -102,7 +130,7 @@ final class SerialPortErrors {
    *
    * @param group group with permission
    */
-  static String denied(String port, String group) {
+  static String forGroup(String port, String group) {
     return unusable(port)
         + ": join the group "
         + group

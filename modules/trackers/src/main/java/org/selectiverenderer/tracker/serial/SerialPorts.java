@@ -2,23 +2,37 @@ package org.selectiverenderer.tracker.serial;
 
 import com.fazecast.jSerialComm.SerialPort;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 
 /** The serial ports of this machine. */
 public final class SerialPorts {
+  /** What Windows' programs put before the name of a port to open it; users leave it out. */
+  private static final String DEVICE = "\\\\.\\";
+
   private SerialPorts() {}
 
   /**
-   * Returns the names of the ports in alphabetical order, as in a tracker's SPEC.
+   * Returns the names of the ports as in a tracker's SPEC: in alphabetical order, but COM2 before
+   * COM10.
    *
    * @throws java.io.UncheckedIOException with one line, if the library for ports cannot be loaded
    */
   public static List<String> names() {
     SerialLibrary.load();
-    return Arrays.stream(SerialPort.getCommPorts())
-        .map(SerialPort::getSystemPortPath)
-        .sorted()
+    return names(
+        Arrays.stream(SerialPort.getCommPorts()).map(SerialPort::getSystemPortPath).toList());
+  }
+
+  /** Returns the names of ports, sorted, that are opened by some paths. */
+  static List<String> names(List<String> paths) {
+    return paths.stream()
+        .map(path -> path.startsWith(DEVICE) ? path.substring(DEVICE.length()) : path)
+        .sorted(
+            Comparator.comparing((String name) -> name.replaceFirst("\\d+$", ""))
+                .thenComparing(String::length)
+                .thenComparing(Comparator.naturalOrder()))
         .toList();
   }
 
@@ -29,6 +43,6 @@ public final class SerialPorts {
    * @return empty if the user may use the port, or the permissions are unknown
    */
   public static Optional<String> denied(String name) {
-    return SerialPortErrors.denied(name);
+    return SerialPortErrors.denied(name, System.getProperty("os.name", ""));
   }
 }

@@ -3,7 +3,9 @@ package org.selectiverenderer.tracker.pipeline;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.testing.Eventually;
 import org.selectiverenderer.tracker.PoseSample;
@@ -52,5 +54,39 @@ class LiveTrackerTest {
       assertThat(tracker.read(pose)).isTrue();
       assertThat(pose.yaw()).isEqualTo(30);
     }
+  }
+
+  /** As of a serial port on Windows whose adapter is gone. */
+  @Test
+  void aDriverThatNeverReturnsDoesNotKeepTheProgram() throws IOException, InterruptedException {
+    CountDownLatch reading = new CountDownLatch(1);
+    CountDownLatch never = new CountDownLatch(1);
+    PoseSource source =
+        new PoseSource() {
+          @Override
+          public void open() {
+            // Nothing is opened.
+          }
+
+          @Override
+          public void read(PoseSink intake) {
+            reading.countDown();
+            while (never.getCount() > 0) {
+              LockSupport.park(never);
+            }
+          }
+
+          @Override
+          public void close() {
+            // Nothing is open.
+          }
+        };
+    TrackerSpec spec = new TrackerSpec.Tcp("here", 1);
+    LiveTracker tracker = LiveTracker.open(spec, source, TrackerOptions.NONE, watching);
+    reading.await();
+    Thread closing = new Thread(tracker::close, "closing");
+    closing.start();
+    Eventually.await("the end of close", () -> !closing.isAlive());
+    never.countDown();
   }
 }

@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.tracker.RecordingTrackerListener;
@@ -53,7 +54,7 @@ class SerialPortErrorsTest {
 
   @Test
   void whoMayNotIsToldWhichGroupMay() {
-    assertThat(SerialPortErrors.denied("/dev/ttyUSB0", "uucp"))
+    assertThat(SerialPortErrors.forGroup("/dev/ttyUSB0", "uucp"))
         .isEqualTo(
             "permission denied for the serial port /dev/ttyUSB0: join the group uucp"
                 + " (sudo usermod -aG uucp $USER) and log in again");
@@ -78,6 +79,29 @@ class SerialPortErrorsTest {
     Path file = Files.writeString(folder.resolve("ttyS9"), "");
     assertThat(SerialPorts.denied(file.toString())).isEmpty();
     assertThat(SerialPorts.denied("\\\\.\\COM12\0")).isEmpty();
+  }
+
+  @Test
+  void portsOfWindowsAreNamedAsItsUsersKnowThem() {
+    assertThat(SerialPorts.names(List.of("\\\\.\\COM10", "\\\\.\\COM1", "\\\\.\\COM2")))
+        .containsExactly("COM1", "COM2", "COM10");
+    assertThat(SerialPorts.names(List.of("/dev/ttyUSB0", "/dev/ttyACM1", "/dev/ttyUSB10")))
+        .containsExactly("/dev/ttyACM1", "/dev/ttyUSB0", "/dev/ttyUSB10");
+  }
+
+  /** To ask whether a port may be read would open it there. */
+  @Test
+  void onWindowsEveryUserMay() throws IOException {
+    Path file = Files.writeString(folder.resolve("ttyS9"), "");
+    Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("---------"));
+    assertThat(SerialPortErrors.denied(file.toString(), "Windows 11")).isEmpty();
+  }
+
+  @Test
+  void aPortThatWindowsDoesNotHaveIsNamed() {
+    assertThat(SerialPortErrors.refused("COM97", 2, "Windows 11"))
+        .startsWith("there is no serial port COM97 (")
+        .doesNotContain("permission");
   }
 
   private static void open(Path port) throws IOException {

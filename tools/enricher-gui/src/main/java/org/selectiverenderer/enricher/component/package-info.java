@@ -1,9 +1,10 @@
 /**
  * Swing components and layouts that several views share: {@code WrapLayout} wraps components into
  * as many lines as the width needs, {@code AccessibleCanvas} is a custom-painted component that is
- * accessible as a canvas, {@code TextChangeListener} listens to every change of a text.
+ * accessible as a canvas, {@code TextChangeListener} listens to every change of a text, {@code
+ * NamedFileChooser} accepts only what can be the name of a file.
  *
- * <p>Uses nothing of ours. For the event dispatch thread.
+ * <p>Uses {@code text}. For the event dispatch thread.
  */
 @NullMarked
 package org.selectiverenderer.enricher.component;

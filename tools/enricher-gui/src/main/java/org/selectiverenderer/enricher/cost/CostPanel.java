@@ -24,6 +24,7 @@ import javax.swing.table.DefaultTableCellRenderer;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.authoring.enrichment.EnrichedSwitch;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
+import org.selectiverenderer.enricher.component.NamedFileChooser;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
 import org.selectiverenderer.enricher.text.Texts;
@@ -337,12 +338,13 @@ public final class CostPanel extends JPanel {
   }
 
   private void choose() {
-    JFileChooser chooser = new JFileChooser(place.file().getParent().toFile());
+    NamedFileChooser chooser = new NamedFileChooser();
+    chooser.setCurrentDirectory(place.file().getParent().toFile());
     chooser.setDialogTitle(Texts.of("cost.chooser"));
     chooser.setFileHidingEnabled(false);
     chooser.setSelectedFile(new File(place.file().toString()));
     if (chooser.showDialog(this, Texts.of("cost.use")) == JFileChooser.APPROVE_OPTION) {
-      use(chooser.getSelectedFile().toPath());
+      use(chooser.chosen());
     }
   }
 

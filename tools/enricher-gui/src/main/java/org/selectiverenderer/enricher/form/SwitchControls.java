@@ -17,6 +17,7 @@ import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.enrichment.EnrichedSwitch;
 import org.selectiverenderer.enricher.area.NodeCommands;
+import org.selectiverenderer.enricher.component.NamedFileChooser;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.MnemonicText;
 import org.selectiverenderer.enricher.text.Texts;
@@ -122,10 +123,11 @@ final class SwitchControls {
 
   private void addFile() {
     Path scene = session.file().path().toAbsolutePath().getParent();
-    JFileChooser chooser = new JFileChooser(scene == null ? null : scene.toFile());
+    NamedFileChooser chooser = new NamedFileChooser();
+    chooser.setCurrentDirectory(scene == null ? null : scene.toFile());
     chooser.setDialogTitle(Texts.of("area.switch.inline.title"));
     if (chooser.showOpenDialog(panel) == JFileChooser.APPROVE_OPTION) {
-      add(chooser.getSelectedFile());
+      add(chooser.chosen().toFile());
     }
   }
 

@@ -27,6 +27,7 @@ import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.base.files.InputFileReader;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.enricher.component.NamedFileChooser;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Mnemonics;
 import org.selectiverenderer.enricher.text.Texts;
@@ -143,11 +144,12 @@ public final class RatingsDialog extends JDialog {
 
   private void browse() {
     File scene = session.file().path().toAbsolutePath().toFile();
-    JFileChooser chooser = new JFileChooser(scene.getParentFile());
+    NamedFileChooser chooser = new NamedFileChooser();
+    chooser.setCurrentDirectory(scene.getParentFile());
     chooser.setDialogTitle(Texts.of("ratings.chooser"));
     chooser.setFileFilter(new FileNameExtensionFilter(Texts.of("ratings.tables"), "csv"));
     if (chooser.showOpenDialog(this) == JFileChooser.APPROVE_OPTION) {
-      open(chooser.getSelectedFile().toPath());
+      open(chooser.chosen());
     }
   }
 
