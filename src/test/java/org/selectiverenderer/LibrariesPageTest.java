@@ -1,6 +1,7 @@
 package org.selectiverenderer;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.ByteArrayOutputStream;
 import java.io.File;
@@ -84,6 +85,7 @@ class LibrariesPageTest {
   })
   void theExampleCompilesAndPrintsWhatItIsToPrint(
       String library, String example, String arguments, @TempDir Path folder) throws Exception {
+    assumeTrue(ToolProvider.getSystemJavaCompiler() != null, "this Java has no compiler");
     Path consumer = CONSUMERS.resolve(library);
     compile(consumer.resolve("src/main/java/example"), folder);
     List<String> command =

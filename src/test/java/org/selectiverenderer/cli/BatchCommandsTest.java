@@ -74,8 +74,7 @@ class BatchCommandsTest extends CommandTestCase {
 
     assertThat(execute("simulate", scene(3), scene(1), "--path", at("path.csv"))).isZero();
 
-    String end = System.lineSeparator();
-    assertThat(printed()).isEqualTo(scene(3) + end + third + "\n" + scene(1) + end + first);
+    assertThat(printed()).isEqualTo(scene(3) + "\n" + third + "\n" + scene(1) + "\n" + first);
   }
 
   @Test

@@ -197,7 +197,7 @@ class CommandRunnerTest {
   }
 
   private static String line(String text) {
-    return text + System.lineSeparator();
+    return text + "\n";
   }
 
   private static OutputStream failing(String message) {

@@ -31,7 +31,7 @@ class PolygonsCommandTest extends CommandTestCase {
     assertThat(execute("polygons", TRASH_CAN, "--chart", chart.toString())).isZero();
 
     assertThat(chart).content().contains("TrashCan");
-    assertThat(text(out)).startsWith(TRASH_CAN + ": ");
+    assertThat(text(out)).startsWith(Path.of(TRASH_CAN) + ": ");
   }
 
   @Test

@@ -137,7 +137,7 @@ class RunDisplayTest extends CommandTestCase {
         .isEqualTo(2);
     assertThat(messages()).contains("p02.json: is written by --stats");
     assertThat(run("--offscreen", "--head-log", "/proc/p03.csv")).isEqualTo(2);
-    assertThat(messages()).contains("/proc/p03.csv").doesNotContain("json");
+    assertThat(messages()).contains(Path.of("/proc/p03.csv").toString()).doesNotContain("json");
   }
 
   @Test

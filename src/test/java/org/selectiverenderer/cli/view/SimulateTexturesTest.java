@@ -65,7 +65,7 @@ class SimulateTexturesTest {
     assertLeftOut(
         image("../a.png"),
         "ImageTexture url '../a.png' points outside the folders this scene may name; --allow "
-            + folder.path("..").normalize()
+            + folder.path("..").normalize().toString().replace('\\', '/')
             + " would allow it");
   }
 

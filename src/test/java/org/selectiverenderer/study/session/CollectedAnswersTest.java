@@ -76,7 +76,7 @@ class CollectedAnswersTest extends TwoRoomStudyFixture {
     assertThat(collecting(OptionalInt.empty(), 4))
         .singleElement()
         .asString()
-        .contains("ses-01/events.jsonl: ")
+        .contains(Path.of("ses-01/events.jsonl") + ": ")
         .endsWith(
             "2 answers of session 1 of the participant 001 are left out, because "
                 + "session 2 counts; --session 1 uses them");

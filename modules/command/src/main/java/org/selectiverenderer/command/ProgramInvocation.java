@@ -35,6 +35,23 @@ public final class ProgramInvocation {
     return in(HERE);
   }
 
+  /**
+   * Quotes a word of a command line that the user is told to type, if that needs it: for a POSIX
+   * shell, and on Windows for {@code cmd} and PowerShell. Control characters become question marks.
+   */
+  public static String quoted(String word) {
+    return quoted(word, System.getProperties());
+  }
+
+  static String quoted(String word, Properties properties) {
+    String plain = word.replaceAll("\\p{Cntrl}", "?");
+    if (windows(properties)) {
+      // No file's name holds a double quote there.
+      return plain.matches("[\\p{L}\\p{N}_+=:./\\\\-]+") ? plain : '"' + plain + '"';
+    }
+    return plain.matches("[\\w@%+=:,./-]+") ? plain : "'" + plain.replace("'", "'\\''") + "'";
+  }
+
   static String in(String text, Properties properties) {
     String lines = windows(properties) ? text.replaceAll(" \\\\\\R +", " ") : text;
     String ports = lines.replace(LINUX_PORT, serialPort(properties));

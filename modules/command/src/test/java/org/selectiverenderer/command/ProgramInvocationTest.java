@@ -48,4 +48,21 @@ class ProgramInvocationTest {
     assertThat(ProgramInvocation.in("track intertrax2:/dev/ttyUSB0", of("os.name", system)))
         .isEqualTo("track intertrax2:" + port);
   }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      quoteCharacter = '`',
+      value = {
+        "Linux | /home/a/b.x3d | /home/a/b.x3d",
+        "Linux | my room.x3d | 'my room.x3d'",
+        "Linux | it's | 'it'\\''s'",
+        "Windows 11 | C:\\a\\b.x3d | C:\\a\\b.x3d",
+        "Windows 11 | C:\\σκηνή.x3d | C:\\σκηνή.x3d",
+        "Windows 11 | C:\\my room\\b.x3d | \"C:\\my room\\b.x3d\"",
+        "Windows 11 | a&b.x3d | \"a&b.x3d\"",
+      })
+  void aWordIsQuotedAsTheSystemsShellWantsIt(String system, String word, String quoted) {
+    assertThat(ProgramInvocation.quoted(word, of("os.name", system))).isEqualTo(quoted);
+  }
 }

@@ -9,7 +9,7 @@ import org.selectiverenderer.base.problem.Problem;
 /**
  * The output streams of a command. Data goes to {@code out}, which is buffered: a command that
  * streams lines to a waiting reader flushes after each. Messages and progress go to {@code err},
- * which is not buffered. Lines of data end with LF on every system, as in files.
+ * which is not buffered. Lines end with LF on every system, as in files.
  *
  * <p>All that the program prints comes through here, and names and texts of scenes are other
  * people's. So both streams write control characters as {@link ControlCharacterEscaper} does: no
@@ -32,13 +32,13 @@ public final class Console {
   public Console(PrintStream out, PrintStream err, boolean colours) {
     plainOut = out;
     plainErr = err;
-    this.out = filtered(out, true);
-    this.err = filtered(err, false);
+    this.out = filtered(out);
+    this.err = filtered(err);
     this.colours = colours;
   }
 
-  private static PrintStream filtered(PrintStream stream, boolean data) {
-    return new PrintStream(new ControlCharacterFilter(stream, data), false, StandardCharsets.UTF_8);
+  private static PrintStream filtered(PrintStream stream) {
+    return new PrintStream(new ControlCharacterFilter(stream), false, StandardCharsets.UTF_8);
   }
 
   /** Returns the stream for data; it makes control characters visible. */

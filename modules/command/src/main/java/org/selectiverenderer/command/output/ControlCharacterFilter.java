@@ -10,22 +10,16 @@ import org.selectiverenderer.base.markup.ControlCharacterEscaper;
 /**
  * A stream of UTF-8 text in which control characters other than tabs and line ends are written as
  * their escapes, such as {@code \u001b}. In JSON, which has them in strings only, these mean the
- * same.
+ * same. Lines end with LF on every system, which console windows of Windows understand too.
  */
 final class ControlCharacterFilter extends FilterOutputStream {
   private static final int CUT_OFF = -1;
 
-  private final boolean unix;
-
   /** The start of a character, or a CR whose LF may follow. */
   private byte[] held = {};
 
-  /**
-   * @param unix whether lines end with LF alone; else as they are given
-   */
-  ControlCharacterFilter(OutputStream target, boolean unix) {
+  ControlCharacterFilter(OutputStream target) {
     super(target);
-    this.unix = unix;
   }
 
   @Override
@@ -43,7 +37,7 @@ final class ControlCharacterFilter extends FilterOutputStream {
     while (at < all.length) {
       int control = control(all, at);
       if (control == 0) {
-        if (unix && all[at] == '\r') {
+        if (all[at] == '\r') {
           out.write(all, start, at - start); // LF follows
           start = at + 1;
         }

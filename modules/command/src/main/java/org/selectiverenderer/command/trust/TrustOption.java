@@ -72,16 +72,9 @@ public final class TrustOption {
         line.append(" --trust");
         added = true;
       }
-      line.append(' ').append(quoted(word));
+      line.append(' ').append(ProgramInvocation.quoted(word));
     }
     return added ? line.toString() : line + " --trust";
-  }
-
-  /** Quotes a word for a POSIX shell, if it needs that. */
-  private static String quoted(String word) {
-    return word.matches("[\\w@%+=:,./-]+")
-        ? word
-        : "'" + word.replaceAll("\\p{Cntrl}", "?").replace("'", "'\\''") + "'";
   }
 
   private static String name(Path file) {
