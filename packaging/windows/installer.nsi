@@ -289,6 +289,10 @@ Section "Uninstall"
   DeleteRegValue HKCU "Software\RegisteredApplications" "${NAME}"
   System::Call 'shell32::SHChangeNotify(i 0x08000000, i 0, p 0, p 0)'
 
+  ; What the program has unpacked for itself, and can unpack again.
+  RMDir /r "$LOCALAPPDATA\selective-renderer\natives"
+  RMDir "$LOCALAPPDATA\selective-renderer"
+
   Delete "$SMPROGRAMS\${NAME}\*.lnk"
   RMDir "$SMPROGRAMS\${NAME}"
 

@@ -41,10 +41,6 @@ int _dowildcard = EXPAND;
 
 /* --- Memory and messages ------------------------------------------------------------------------------------------ */
 
-static int windowed(void) {
-  return GetConsoleWindow() == NULL && GetFileType(GetStdHandle(STD_ERROR_HANDLE)) == FILE_TYPE_UNKNOWN;
-}
-
 static void write_error(const wchar_t *text) {
   char utf8[4 * 4096];
   DWORD written;
@@ -54,7 +50,7 @@ static void write_error(const wchar_t *text) {
   }
 }
 
-/* Says in one sentence why the program cannot start, in a window where there is no terminal, and ends. */
+/* Says in one sentence why the program cannot start, in a window where nobody sees a terminal, and ends. */
 static void fail(const wchar_t *format, ...) {
   wchar_t text[4096] = L"selective-renderer: ";
   size_t prefix = wcslen(text);
@@ -62,7 +58,7 @@ static void fail(const wchar_t *format, ...) {
   va_start(values, format);
   _vsnwprintf(text + prefix, 4096 - prefix - 2, format, values);
   va_end(values);
-  if (DESKTOP || windowed()) {
+  if (DESKTOP != NULL) {
     MessageBoxW(NULL, text + prefix, L"Selective Renderer", MB_OK | MB_ICONERROR | MB_SETFOREGROUND);
   }
   wcscat(text, L"\n");
@@ -194,11 +190,11 @@ static int is_file(const wchar_t *path) {
 }
 
 /*
- * The program's folder. Java finds its own files by a name in the system's code page; where that lacks letters of the
- * folder's name, the short name will do that Windows gives most folders ("SELECT~1").
+ * The program's folder. Java loads its own libraries by names in the system's code page, and expands short names
+ * ("SELECT~1") before; so a folder with letters that the code page lacks is of no use.
  */
 static wchar_t *home_folder(void) {
-  static wchar_t path[PATH], brief[PATH];
+  static wchar_t path[PATH];
   int up;
   GetModuleFileNameW(NULL, path, PATH);
   for (up = java ? 3 : 1; up > 0; up--) {
@@ -209,9 +205,6 @@ static wchar_t *home_folder(void) {
   }
   if (narrow(path) != NULL) {
     return path;
-  }
-  if (GetShortPathNameW(path, brief, PATH) > 0 && narrow(brief) != NULL) {
-    return brief;
   }
   fail(L"Java cannot run from the folder %ls, since the code page of this Windows lacks some of its letters; move the"
        L" program to a folder with a plain name",
@@ -393,6 +386,7 @@ static DWORD WINAPI run(void *given) {
   type = (*env)->FindClass(env, class);
   method = type == NULL ? NULL : (*env)->GetStaticMethodID(env, type, "main", "([Ljava/lang/String;)V");
   if (method == NULL) {
+    (*env)->ExceptionDescribe(env);
     fail(L"the class %ls is missing; install the program again", program->main);
   }
   array = checked((*env)->NewObjectArray(env, program->count, (*env)->FindClass(env, "java/lang/String"), NULL));
