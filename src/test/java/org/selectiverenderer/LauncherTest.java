@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.FileTime;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Instant;
@@ -160,6 +161,58 @@ class LauncherTest {
               "x3d-sai.jar",
               "classes.list",
               "selective-renderer-17.0.2.jsa");
+    }
+  }
+
+  /** Else it would change where it is installed, which macOS may ask the user about. */
+  @Test
+  void anApplicationOfMacOsKeepsItsArchiveInTheUsersCaches() throws Exception {
+    aPackage();
+    Files.writeString(home.resolve("Info.plist"), "");
+    Files.writeString(home.resolve("app/classes.list"), "java/lang/Object");
+    tool(
+        "runtime/bin/java",
+        """
+        for word in "$@"; do
+          echo "packaged $word" >>"$NOTES"
+          case $word in
+            -Xshare:dump) dump=yes ;;
+            -XX:SharedArchiveFile=*) [ -z "${dump:-}" ] || echo classes >"${word#*=}" ;;
+          esac
+        done
+        """);
+    Files.move(
+        tools.resolve("runtime/bin/java"),
+        home.resolve("runtime/bin/java"),
+        StandardCopyOption.REPLACE_EXISTING);
+    Path user = Files.createDirectories(folder.resolve("a user"));
+    environment.put("HOME", user.toString());
+    launch("--version");
+    launch("--version");
+    assertThat(notes()).filteredOn("packaged -Xshare:dump"::equals).hasSize(1);
+    Path caches = user.resolve("Library/Caches/selective-renderer/classes");
+    Path archive = onlyFile(caches);
+    assertThat(archive.getFileName().toString()).endsWith("-17.0.2.jsa");
+    assertThat(notes())
+        .contains(
+            "packaged -XX:SharedArchiveFile=" + archive,
+            "packaged -Xdock:name=Selective Renderer",
+            "packaged -Xdock:icon=" + home.resolve("Resources/selective-renderer.icns"));
+    assertThat(home.resolve("app")).isDirectoryNotContaining("glob:**.jsa*");
+
+    // Another version's archive takes its place.
+    Files.writeString(home.resolve("app/selective-renderer.jar"), "another version");
+    Files.setLastModifiedTime(
+        home.resolve("app/selective-renderer.jar"), FileTime.from(LONG_AGO));
+    launch("--version");
+    assertThat(onlyFile(caches)).isNotEqualTo(archive);
+  }
+
+  private static Path onlyFile(Path folder) throws IOException {
+    try (Stream<Path> files = Files.list(folder)) {
+      List<Path> all = files.toList();
+      assertThat(all).hasSize(1);
+      return all.get(0);
     }
   }
 
