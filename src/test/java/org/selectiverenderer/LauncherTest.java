@@ -130,6 +130,34 @@ class LauncherTest {
     }
   }
 
+  /** Java 21 refuses a list in which two classes have one number. */
+  @Test
+  void theListsOfSeveralRunsAreOneListWhoseClassesHaveNoNumbers() throws Exception {
+    tool(
+        "jdk/bin/java",
+        """
+        for word in "$@"; do
+          case $word in
+            -XX:DumpLoadedClassList=*)
+              case $word in *drawing*) id=7 ;; *) id=0 ;; esac
+              { echo "java/lang/Object id: $id"
+                echo "own/$id id: 1"
+                echo "@lambda-proxy own/A run ()V"
+                echo "loaded/Elsewhere id: 2 super: 0 source: other.jar"; } >"${word#*=}" ;;
+            -XX:SharedClassListFile=*) sed 's/^/listed /' "${word#*=}" >>"$NOTES" ;;
+          esac
+        done
+        """);
+    launch("--version");
+    assertThat(notes())
+        .filteredOn(note -> note.startsWith("listed "))
+        .containsExactly(
+            "listed java/lang/Object",
+            "listed own/0",
+            "listed @lambda-proxy own/A run ()V",
+            "listed own/7");
+  }
+
   @Test
   void inAPackageTheJavaAndTheJarBesideItRun() throws Exception {
     Path runtime = aPackage();
