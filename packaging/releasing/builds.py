@@ -5,7 +5,7 @@ import os
 import re
 import shutil
 
-from . import Refusal, files
+from . import Refusal, files, packages
 from .commands import HOME, asked, git, run, say
 
 JARS = ("selective-renderer.jar", "x3d-sai.jar")
@@ -36,7 +36,7 @@ def remove(work):
 
 
 def twice(work, commit, version):
-    """Builds in both places, and refuses what has other bytes in the second; returns the first's folder."""
+    """Builds in both places, and refuses what has other bytes in the second; returns their folders."""
     one, other = (_build(work, commit, *place) for place in PLACES)
     for name in (*JARS, SBOM, LIBRARIES.format(version)):
         difference = files.difference(one / "target" / name, other / "target" / name)
@@ -44,10 +44,10 @@ def twice(work, commit, version):
             raise Refusal(f"two builds differ, so there is no release: {difference}")
     say("using the libraries as other projects do")
     run(LIBRARIES_USED, cwd=one)
-    return one
+    return one, other
 
 
-def recipe(version, tag, commit):
+def recipe(version, tag, commit, platforms=()):
     """How to make the same bytes again."""
     time = datetime.datetime.fromtimestamp(int(git("log", "-1", "--format=%ct", commit)), datetime.timezone.utc)
     maven = run("mvn", "-B", "--version", env=os.environ | {"MAVEN_ARGS": ""})
@@ -60,6 +60,17 @@ def recipe(version, tag, commit):
         + f"\nWith the same Java one gets these bytes again:\n\n  git checkout {tag}\n"
         + "  mvn -Plibraries -DskipTests clean package\n"
         + "  sha256sum " + " ".join(f"target/{file}" for file in (*JARS, LIBRARIES.format(version))) + "\n"
+        + (_packages(platforms) if platforms else "")
+    )
+
+
+def _packages(platforms):
+    """How to make the packages again."""
+    return (
+        "\nPackages were made twice with the same bytes. They hold a list of the classes that a start loads, which is\n"
+        "another one each time; with that of a package (app/classes.list of one for Linux) as target/classes-pinned.list,\n"
+        "and with the same versions of the programs that pack, one gets their bytes again:\n\n"
+        + "".join(f"  packaging/package --for {platform} {' '.join(packages.TYPES[platform])}\n" for platform in platforms)
     )
 
 

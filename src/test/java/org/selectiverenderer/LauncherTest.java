@@ -230,8 +230,7 @@ class LauncherTest {
 
     // Another version's archive takes its place.
     Files.writeString(home.resolve("app/selective-renderer.jar"), "another version");
-    Files.setLastModifiedTime(
-        home.resolve("app/selective-renderer.jar"), FileTime.from(LONG_AGO));
+    Files.setLastModifiedTime(home.resolve("app/selective-renderer.jar"), FileTime.from(LONG_AGO));
     launch("--version");
     assertThat(onlyFile(caches)).isNotEqualTo(archive);
   }

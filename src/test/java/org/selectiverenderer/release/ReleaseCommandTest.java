@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -41,6 +42,19 @@ class ReleaseCommandTest {
       ## [1.0.0] - 2024-02-03
 
       [1.1.0]: https://example.org/compare/v1.0.0...v1.1.0
+      """;
+
+  private static final List<String> PACKERS =
+      List.of("dpkg-deb", "readelf", "rpmbuild", "zip", "makensis", "x86_64-w64-mingw32-gcc");
+
+  private static final String TRIED =
+      """
+
+      ### What was tried on which system
+
+      | system | package |
+      | --- | --- |
+      | Linux | `doors_%s.deb` |
       """;
 
   private static final String MODULE = "modules/door/pom.xml";
@@ -79,7 +93,32 @@ class ReleaseCommandTest {
         "[ -z \"${UNUSABLE:-}\" ] || { echo no method close in Door; exit 1; }\n");
     script(
         "packaging/package",
-        "mkdir -p target/packages; for t; do echo $t >target/packages/a.$t; done\n");
+        """
+        platform=$2
+        shift 2
+        mkdir -p target/packages
+        for type; do
+          echo $type >"target/packages/$platform.$type"
+          [ "${DIFFERENT_PACKAGE:-}" != $type ] || pwd >>"target/packages/$platform.$type"
+        done
+        """);
+    scripts.write("packaging/runtimes.tsv", "platform\tarchive\tsha256\nlinux-x64\ta.whl\t0\n");
+    for (String tool : PACKERS) {
+      scripts.tool(tool, "");
+    }
+    scripts.write(
+        "docs/install.md",
+        """
+        # Install
+
+        <!-- The table is written from packaging/systems.tsv by a test. -->
+
+        | system | package |
+        | --- | --- |
+        | Linux | `doors_VERSION.deb` |
+
+        <!-- End of the table -->
+        """);
     scripts.write(".gitignore", "target/\n__pycache__/\n");
     // Jars that hold the POM, and with $DIFFERENT the folder that they are built in.
     scripts.tool(
@@ -120,7 +159,7 @@ class ReleaseCommandTest {
   }
 
   @Test
-  void theNotesAreTheVersionsSectionOfTheChangelog() throws Exception {
+  void theNotesAreTheVersionsSectionOfTheChangelogAndWhatWasTried() throws Exception {
     scripts.git("remote", "set-url", "origin", "https://example.org/doors.git");
     assertThat(release("1.2.0", "--notes").out())
         .isEqualTo(
@@ -131,11 +170,13 @@ class ReleaseCommandTest {
             ### Added
 
             - Hinges.
-            """);
+            """
+                + TRIED.formatted("1.2.0"));
     String notes = release("1.2.0", "--notes").out();
     scripts.git("remote", "set-url", "origin", "https://me:secret@example.org/doors.git");
     assertThat(release("1.2.0", "--notes").out()).isEqualTo(notes);
-    assertThat(release("1.1.0", "--notes").out()).isEqualTo("### Fixed\n\n- Windows close.\n");
+    assertThat(release("1.1.0", "--notes").out())
+        .isEqualTo("### Fixed\n\n- Windows close.\n" + TRIED.formatted("1.1.0"));
   }
 
   @Test
@@ -193,7 +234,7 @@ class ReleaseCommandTest {
     String before = scripts.git("rev-parse", "HEAD");
     Path extra = Files.createDirectories(folder.resolve("other systems"));
     Files.writeString(extra.resolve("doors.msi"), "an installer");
-    Run run = release("1.2.0", "--packages", "deb,rpm", "--add", extra.toString());
+    Run run = release("1.2.0", "--add", extra.toString());
     assertThat(run.err()).doesNotContain("failed");
     assertThat(run.status()).isZero();
     assertThat(run.out())
@@ -240,8 +281,16 @@ class ReleaseCommandTest {
               "LICENSE",
               "CITATION.cff",
               "BUILD.txt",
-              "a.deb",
-              "a.rpm",
+              "linux-x64.deb",
+              "linux-x64.rpm",
+              "linux-x64.tar",
+              "linux-arm64.deb",
+              "linux-arm64.rpm",
+              "linux-arm64.tar",
+              "windows-x64.nsis",
+              "windows-x64.zip",
+              "macos-x64.app",
+              "macos-arm64.app",
               "doors.msi",
               "SHA256SUMS")
           .hasSize(1 + Files.readAllLines(made.resolve("SHA256SUMS")).size());
@@ -251,7 +300,63 @@ class ReleaseCommandTest {
             "Apache Maven 3.9.9",
             scripts.git("rev-parse", "v1.2.0^{}"),
             "  git checkout v1.2.0\n  mvn -Plibraries -DskipTests clean package\n",
-            "target/x3d-sai.jar target/selective-renderer-libraries-1.2.0.zip\n");
+            "target/x3d-sai.jar target/selective-renderer-libraries-1.2.0.zip\n",
+            "  packaging/package --for windows-x64 nsis zip\n");
+  }
+
+  @Test
+  void packagesAreThoseOfTheNamedPlatforms() throws Exception {
+    assertThat(release("1.2.0", "--packages", "macos-arm64,linux-x64", "--dry-run").out())
+        .contains("compare the bytes: macos-arm64 (app), linux-x64 (deb, rpm, tar)");
+    assertThat(release("1.2.0", "--packages", "none", "--dry-run").out())
+        .doesNotContain("packages");
+    Run run = release("1.2.0", "--packages", "deb");
+    assertThat(run.status()).isEqualTo(2);
+    assertThat(run.err()).contains("there are no packages for 'deb'").hasLineCount(1);
+  }
+
+  @Test
+  void whatPackagesNeedAndIsNotInstalledIsSaidBeforeAnythingIsBuilt() throws Exception {
+    for (String tool : List.of("git", "python3")) {
+      scripts.tool(tool, "exec " + which(tool) + " \"$@\"");
+    }
+    scripts.environment.put("PATH", scripts.tools().toString());
+    Files.delete(scripts.tools().resolve("makensis"));
+    Run run = release("1.2.0");
+    assertThat(run.status()).isEqualTo(2);
+    assertThat(run.err())
+        .contains("makensis for windows-x64 nsis", "install Debian's nsis,")
+        .hasLineCount(1);
+    assertThat(scripts.notes()).isEmpty();
+    assertThat(release("1.2.0", "--packages", "macos-x64", "--dry-run").status()).isZero();
+  }
+
+  @Test
+  void twoPackagesThatDifferAreNoRelease() throws Exception {
+    String before = state();
+    scripts.environment.put("DIFFERENT_PACKAGE", "rpm");
+    Run run = release("1.2.0");
+    assertThat(run.status()).isEqualTo(2);
+    assertThat(run.err())
+        .contains("two builds differ, so there is no release: linux-arm64.rpm differs");
+    assertThat(state()).isEqualTo(before);
+  }
+
+  @Test
+  void anAddedFileThatIsMadeHereTooIsNoRelease() throws Exception {
+    Path extra = Files.createDirectories(folder.resolve("more"));
+    Files.writeString(extra.resolve("linux-x64.deb"), "another");
+    Run run = release("1.2.0", "--add", extra.toString());
+    assertThat(run.status()).isEqualTo(2);
+    assertThat(run.err()).contains("linux-x64.deb was made here too");
+  }
+
+  private static Path which(String tool) {
+    return Stream.of("/usr/bin", "/bin", "/usr/local/bin")
+        .map(folder -> Path.of(folder, tool))
+        .filter(Files::isExecutable)
+        .findFirst()
+        .orElseThrow();
   }
 
   @Test
