@@ -8,7 +8,7 @@ import org.selectiverenderer.statistics.anova.FactorialDesign;
  *
  * @param source the file
  * @param design the design of the subjects with complete data; it may still have an {@link
- *     Design#obstacle}
+ *     FactorialDesign#obstacle}
  * @param exclusions rows and subjects that the design leaves out
  */
 public record Observations(DataSource source, FactorialDesign design, List<Exclusion> exclusions) {
