@@ -70,6 +70,7 @@ def _packages(platforms):
         "\nPackages were made twice with the same bytes. They hold a list of the classes that a start loads, which is\n"
         "another one each time; with that of a package (app/classes.list of one for Linux) as target/classes-pinned.list,\n"
         "and with the same versions of the programs that pack, one gets their bytes again:\n\n"
+        + "".join(f"  # {line}\n" for line in packages.packers(platforms))
         + "".join(f"  packaging/package --for {platform} {' '.join(packages.TYPES[platform])}\n" for platform in platforms)
     )
 

@@ -72,6 +72,14 @@ def make(platforms, one, other):
     return made
 
 
+def packers(platforms):
+    """What has packed, a line for each program, since another version packs to other bytes."""
+    programs = {program for platform in platforms for kind in TYPES[platform] for program, _ in _PROGRAMS[kind]}
+    said = [(program, run(program, "-VERSION" if program == "makensis" else "--version")) for program in sorted(programs)]
+    # zip says it in the second line.
+    return [f"{program}: {text.splitlines()[1 if program == 'zip' else 0].strip()}" for program, text in said if text]
+
+
 def _folder():
     """Where the pinned archives of Java are kept between releases."""
     return (HOME / os.environ.get("RUNTIMES", "target/runtimes")).absolute()

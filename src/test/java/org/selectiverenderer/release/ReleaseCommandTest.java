@@ -104,7 +104,7 @@ class ReleaseCommandTest {
         """);
     scripts.write("packaging/runtimes.tsv", "platform\tarchive\tsha256\nlinux-x64\ta.whl\t0\n");
     for (String tool : PACKERS) {
-      scripts.tool(tool, "");
+      scripts.tool(tool, "echo " + tool + " of the doors; echo in two lines");
     }
     scripts.write(
         "docs/install.md",
@@ -301,6 +301,7 @@ class ReleaseCommandTest {
             scripts.git("rev-parse", "v1.2.0^{}"),
             "  git checkout v1.2.0\n  mvn -Plibraries -DskipTests clean package\n",
             "target/x3d-sai.jar target/selective-renderer-libraries-1.2.0.zip\n",
+            "  # makensis: makensis of the doors\n",
             "  packaging/package --for windows-x64 nsis zip\n");
   }
 
