@@ -49,7 +49,7 @@ class PackagedWindowsLauncherTest {
     String flag = "(?<=[ ,=\"])-(?:X[X:+\\w]+|D(?:joml|selective)[.\\w-]+)(?:=(?!-)[\\w-]+)?";
     Set<String> wanted = found(flag, script());
     wanted.removeIf(
-        each -> each.matches(".*(ClassList|Archive|ErrorFile|Xshare|XshowSettings|Xmx4g).*"));
+        each -> each.matches(".*(ClassList|Archive|ErrorFile|Xshare|XshowSettings|Xmx4g|Xdock).*"));
     Set<String> own = found(flag, String.join("\n", settings()));
     assertThat(own).contains("-Dselective-renderer.installed=true").isEqualTo(wanted);
   }
