@@ -54,12 +54,14 @@ final class TextTableWriter {
 
   /** Splits the columns into as few parts as fit the page, of about the same width. */
   private List<List<Integer>> parts() {
-    int width = LineWrapper.WIDTH;
-    List<List<Integer>> parts = parts(width);
-    for (List<List<Integer>> next = parts;
-        parts.size() > 1 && next.size() == parts.size();
-        next = parts(--width)) {
-      parts = next;
+    List<List<Integer>> parts = parts(LineWrapper.WIDTH);
+    // Where each column has a part of its own, no width makes more of them.
+    for (int width = LineWrapper.WIDTH - 1; parts.size() > 1 && width > 0; width--) {
+      List<List<Integer>> narrower = parts(width);
+      if (narrower.size() > parts.size()) {
+        break;
+      }
+      parts = narrower;
     }
     return parts;
   }

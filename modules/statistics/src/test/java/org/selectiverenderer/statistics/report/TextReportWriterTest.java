@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 
 class TextReportWriterTest {
   private static final String LONG = "a sentence of seven words is repeated ".repeat(10).strip();
@@ -51,6 +52,24 @@ class TextReportWriterTest {
       assertThat(text).containsOnlyOnce("a column " + i + (i == 1 ? " " : ""));
       assertThat(text).containsOnlyOnce("1234567890." + i + (i == 1 ? " " : ""));
     }
+  }
+
+  /** A path may be longer than a line, and then each further column is a part of its own. */
+  @Test
+  @Timeout(value = 20, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+  void aNameThatIsLongerThanALineEnds() {
+    String path = "/home/" + "folder/".repeat(30) + "d.csv:9:9";
+    String text =
+        TextReportWriter.of(
+            "T",
+            List.of(
+                new ReportBlock.Table(
+                    "caption",
+                    List.of("place", "one", "two"),
+                    List.of(List.of(path, "1", "2")),
+                    List.of())),
+            true);
+    assertThat(text).contains("d.csv:9:9", "one", "two");
   }
 
   @Test
