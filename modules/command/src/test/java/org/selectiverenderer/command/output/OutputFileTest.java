@@ -62,7 +62,7 @@ class OutputFileTest {
     Path file = folder.resolve("report.html");
     assertThatThrownBy(() -> OutputFile.write(file, "new", FOREIGN_FOLDER))
         .isInstanceOf(IOException.class)
-        .hasMessage(file + ": permission denied");
+        .hasMessageStartingWith(file + ": permission denied");
     assertThat(folder).isEmptyDirectory();
   }
 
