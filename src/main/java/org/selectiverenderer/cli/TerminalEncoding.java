@@ -13,6 +13,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.charset.UnsupportedCharsetException;
 import java.util.Locale;
 import java.util.Properties;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Encodes the program's UTF-8 for Windows' console windows, which show text in a code page such as
@@ -39,12 +40,16 @@ final class TerminalEncoding {
    * 17 tells none, and newer ones tell the system's.
    */
   static Charset charset(Properties properties, String stream, boolean terminal) {
-    String name =
-        properties.getProperty(
-            stream + ".encoding", properties.getProperty("sun." + stream + ".encoding"));
+    String name = named(properties, stream);
+    // Whether the stream for messages is the terminal is not known: it is where both have one
+    // charset.
+    boolean shown =
+        terminal
+            && (stream.equals("stdout")
+                || name != null && name.equals(named(properties, "stdout")));
     if (!windows(properties)
         || name == null
-        || (!terminal && name.equalsIgnoreCase(properties.getProperty("native.encoding")))) {
+        || (!shown && name.equalsIgnoreCase(properties.getProperty("native.encoding")))) {
       return StandardCharsets.UTF_8;
     }
     try {
@@ -52,6 +57,11 @@ final class TerminalEncoding {
     } catch (IllegalCharsetNameException | UnsupportedCharsetException e) {
       return StandardCharsets.UTF_8;
     }
+  }
+
+  private static @Nullable String named(Properties properties, String stream) {
+    return properties.getProperty(
+        stream + ".encoding", properties.getProperty("sun." + stream + ".encoding"));
   }
 
   static boolean windows(Properties properties) {

@@ -44,6 +44,19 @@ class TerminalEncodingTest {
     assertThat(charset(true, "os.name", "Linux", "stdout.encoding", "ISO-8859-7")).isEqualTo(UTF_8);
   }
 
+  /**
+   * In {@code validate x 2>log.txt} standard output is a console window and messages are a file.
+   */
+  @Test
+  void messagesInAFileAreUtf8ThoughDataAreShown() {
+    Properties file =
+        of("os.name", "Windows 11", "stdout.encoding", "cp737", "stderr.encoding", "Cp1253");
+    assertThat(TerminalEncoding.charset(file, "stderr", true)).isEqualTo(UTF_8);
+    Properties shown =
+        of("os.name", "Windows 11", "stdout.encoding", "cp737", "stderr.encoding", "cp737");
+    assertThat(TerminalEncoding.charset(shown, "stderr", true)).isEqualTo(Charset.forName("Cp737"));
+  }
+
   @Test
   void textIsEncodedHoweverItIsCut() throws IOException {
     ByteArrayOutputStream shown = new ByteArrayOutputStream();

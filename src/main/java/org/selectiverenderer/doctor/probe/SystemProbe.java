@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.nio.charset.Charset;
 import java.nio.charset.IllegalCharsetNameException;
+import java.nio.charset.StandardCharsets;
 import java.nio.charset.UnsupportedCharsetException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -20,6 +21,13 @@ final class SystemProbe {
   private static final Path RELEASE = Path.of("/etc/os-release");
 
   private static final String NAME = "PRETTY_NAME=";
+
+  /**
+   * The property by which the launcher of the packages for Windows says how it passes arguments.
+   */
+  private static final String ARGUMENTS = "selective-renderer.arguments";
+
+  private static final String UNICODE = "unicode";
 
   private SystemProbe() {}
 
@@ -63,7 +71,9 @@ final class SystemProbe {
     found.accept(
         language(
             System.getProperty("os.name", ""),
-            System.getProperty("sun.jnu.encoding", Charset.defaultCharset().name())));
+            UNICODE.equals(System.getProperty(ARGUMENTS))
+                ? StandardCharsets.UTF_8.name()
+                : System.getProperty("sun.jnu.encoding", Charset.defaultCharset().name())));
   }
 
   /**
@@ -71,7 +81,7 @@ final class SystemProbe {
    *
    * @param system the name of the operating system, as in {@code os.name}
    * @param names charset in which Java passes names of files to the system; on Windows, where files
-   *     have their names in Unicode, it is the charset of what is typed behind a command
+   *     have their names in Unicode, it is the charset of the arguments of commands
    */
   static Diagnosis language(String system, String names) {
     boolean windows = system.toLowerCase(Locale.ROOT).startsWith("windows");
@@ -79,7 +89,7 @@ final class SystemProbe {
         "%s, %s in %s, texts in %s"
             .formatted(
                 Locale.getDefault(Locale.Category.DISPLAY).toLanguageTag(),
-                windows ? "what is typed behind a command" : "names of files",
+                windows ? "arguments of commands" : "names of files",
                 names,
                 Charset.defaultCharset());
     if (encodesGreek(names)) {
@@ -89,8 +99,8 @@ final class SystemProbe {
         "language",
         language,
         windows
-            ? "files with Greek names can be opened by windows and as part of a folder, but not"
-                + " named behind a command: choose Greek, or UTF-8, as the language for non-Unicode"
+            ? "files with Greek names can be opened from file dialogs and as part of a folder, but not"
+                + " as the argument of a command: choose Greek, or UTF-8, as the language for non-Unicode"
                 + " programs (Settings, Time & language, Administrative language settings)"
             : "files with Greek names cannot be opened: set LC_ALL=C.UTF-8 or another language with"
                 + " UTF-8");

@@ -53,7 +53,7 @@ class InProcessProbesTest {
   void adviceOnGreekNamesFitsTheSystem() {
     assertThat(SystemProbe.language("Linux", "US-ASCII").todo()).contains("LC_ALL=C.UTF-8");
     assertThat(SystemProbe.language("Windows 11", "Cp1252").todo())
-        .contains("can be opened by windows")
+        .contains("can be opened from file dialogs")
         .contains("language for non-Unicode programs")
         .doesNotContain("LC_ALL");
     assertThat(SystemProbe.language("Windows 11", "Cp1253").todo()).isEmpty();

@@ -1,7 +1,9 @@
 package org.selectiverenderer.command;
 
 import java.util.Locale;
+import java.util.Optional;
 import java.util.Properties;
+import java.util.regex.Pattern;
 
 /**
  * The program's name as the user types it: {@code ./selective-renderer} in the source tree; without
@@ -13,6 +15,12 @@ public final class ProgramInvocation {
 
   /** The system property that the launchers of jpackage set. */
   private static final String BUNDLED = "jpackage.app-path";
+
+  private static final Pattern RUN_WITHIN_QUOTES =
+      Pattern.compile("[$`%!\"\\x{201c}\\x{201d}\\x{201e}]");
+
+  /** Before a closing quote the last of them would quote that. */
+  private static final Pattern TRAILING_BACKSLASHES = Pattern.compile("\\\\+$");
 
   private static final String HERE = "./" + ProgramVersion.PROGRAM;
 
@@ -37,19 +45,29 @@ public final class ProgramInvocation {
 
   /**
    * Quotes a word of a command line that the user is told to type, if that needs it: for a POSIX
-   * shell, and on Windows for {@code cmd} and PowerShell. Control characters become question marks.
+   * shell, and on Windows for {@code cmd} and PowerShell alike. Control characters become question
+   * marks.
+   *
+   * @return empty for a word of which one of the two shells of Windows would run a part or replace
+   *     it by something else
    */
-  public static String quoted(String word) {
+  public static Optional<String> quoted(String word) {
     return quoted(word, System.getProperties());
   }
 
-  static String quoted(String word, Properties properties) {
-    String plain = word.replaceAll("\\p{Cntrl}", "?");
-    if (windows(properties)) {
-      // No file's name holds a double quote there.
-      return plain.matches("[\\p{L}\\p{N}_+=:./\\\\-]+") ? plain : '"' + plain + '"';
+  static Optional<String> quoted(String word, Properties properties) {
+    String plain = word.replaceAll("[\\p{Cntrl}\\p{Cf}]", "?");
+    if (!windows(properties)) {
+      return Optional.of(
+          plain.matches("[\\w@%+=:,./-]+") ? plain : "'" + plain.replace("'", "'\\''") + "'");
     }
-    return plain.matches("[\\w@%+=:,./-]+") ? plain : "'" + plain.replace("'", "'\\''") + "'";
+    if (plain.matches("[\\p{L}\\p{N}_+=:./\\\\-]+")) {
+      return Optional.of(plain);
+    }
+    // PowerShell takes curly quotes for straight ones.
+    return RUN_WITHIN_QUOTES.matcher(plain).find()
+        ? Optional.empty()
+        : Optional.of('"' + TRAILING_BACKSLASHES.matcher(plain).replaceFirst("$0$0") + '"');
   }
 
   static String in(String text, Properties properties) {

@@ -6,6 +6,7 @@ import java.util.Properties;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** An example can be copied as it is printed. */
 class ProgramInvocationTest {
@@ -61,8 +62,23 @@ class ProgramInvocationTest {
         "Windows 11 | C:\\σκηνή.x3d | C:\\σκηνή.x3d",
         "Windows 11 | C:\\my room\\b.x3d | \"C:\\my room\\b.x3d\"",
         "Windows 11 | a&b.x3d | \"a&b.x3d\"",
+        "Windows 11 | C:\\my room\\ | \"C:\\my room\\\\\"",
       })
   void aWordIsQuotedAsTheSystemsShellWantsIt(String system, String word, String quoted) {
-    assertThat(ProgramInvocation.quoted(word, of("os.name", system))).isEqualTo(quoted);
+    assertThat(ProgramInvocation.quoted(word, of("os.name", system))).hasValue(quoted);
+  }
+
+  /** The name of a file by a stranger is not run by whoever types the line. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "a$(calc).x3d",
+        "%PATH%.x3d",
+        "a `b.x3d",
+        "a! b.x3d",
+        "a \u201d; calc; \u201c.x3d"
+      })
+  void aWordThatAShellOfWindowsRunsIsNotWritten(String word) {
+    assertThat(ProgramInvocation.quoted(word, of("os.name", "Windows 11"))).isEmpty();
   }
 }

@@ -136,12 +136,15 @@ public final class FileTransaction {
 
   /** Returns whether a path is a pipe, terminal or device, which is written to in place. */
   public static boolean sink(Path file) {
-    return WindowsDeviceName.leadsToDevice(file)
+    return WindowsDeviceName.leadsToDevice(file) && !WindowsDeviceName.hasEnding(file)
         || Files.exists(file) && !Files.isRegularFile(file) && !Files.isDirectory(file);
   }
 
   private void stage(Content content, List<Staged> staged) throws IOException {
     Path target = actions.target(at);
+    if (WindowsDeviceName.leadsToDevice(at)) {
+      throw new IOException("Windows takes this name for a device; choose another name");
+    }
     if (Files.isDirectory(target)) {
       throw new IOException("it is a folder");
     }

@@ -1,5 +1,6 @@
 package org.selectiverenderer.base.files;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.regex.Pattern;
@@ -10,7 +11,8 @@ import java.util.regex.Pattern;
  */
 public final class WindowsDeviceName {
   private static final Pattern DEVICE =
-      Pattern.compile("(?i)(con|prn|aux|nul|com[0-9]|lpt[0-9]) *(\\..*)?");
+      Pattern.compile(
+          "(?i)(con|prn|aux|nul|conin\\$|conout\\$|(com|lpt)[0-9\u00b9\u00b2\u00b3]) *(\\..*)?");
 
   private WindowsDeviceName() {}
 
@@ -21,9 +23,18 @@ public final class WindowsDeviceName {
 
   /**
    * Returns whether a path leads to a device because of its name, which it does on Windows only.
+   * Windows 11 has files of such names in folders.
    */
   static boolean leadsToDevice(Path file) {
-    return onWindows() && file.getFileName() != null && matches(file.getFileName().toString());
+    return onWindows()
+        && file.getFileName() != null
+        && matches(file.getFileName().toString())
+        && !Files.isRegularFile(file);
+  }
+
+  /** Returns whether a path that leads to a device has an ending, so that a file was meant. */
+  static boolean hasEnding(Path file) {
+    return file.getFileName().toString().indexOf('.') >= 0;
   }
 
   private static boolean onWindows() {

@@ -1,6 +1,7 @@
 package org.selectiverenderer.base.files;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 
 import java.io.IOException;
 import java.nio.file.Path;
@@ -15,7 +16,8 @@ class WindowsDeviceNameTest {
   @TempDir private Path folder;
 
   @ParameterizedTest
-  @ValueSource(strings = {"NUL", "con", "Aux.x3d", "com1.left.x3d", "LPT9", "nul "})
+  @ValueSource(
+      strings = {"NUL", "con", "Aux.x3d", "com1.left.x3d", "LPT9", "nul ", "com\u00b2", "CONOUT$"})
   void aDeviceHasItsNameWhateverItsCaseAndEnding(String name) {
     assertThat(WindowsDeviceName.matches(name)).isTrue();
   }
@@ -32,6 +34,17 @@ class WindowsDeviceNameTest {
     AtomicFileWriter.write(Path.of("NUL"), new byte[3]);
     AtomicFileWriter.write(folder.resolve("nul"), new byte[3]);
     assertThat(folder).isEmptyDirectory();
+  }
+
+  /** What is saved as a file would be gone. */
+  @Test
+  @EnabledOnOs(OS.WINDOWS)
+  void aSceneIsNotWrittenToADevice() {
+    Path file = folder.resolve("nul.x3d");
+    assertThatExceptionOfType(FileWriteException.class)
+        .isThrownBy(() -> AtomicFileWriter.write(file, new byte[3]))
+        .satisfies(
+            failure -> assertThat(failure.reason()).contains("takes this name for a device"));
   }
 
   @Test

@@ -54,12 +54,18 @@ public final class TrustOption {
   }
 
   private String unasked(Path file, PermissionRequests needed) {
-    return "%s asks for more than its own folder: %s; nobody can be asked here, so look at it and type: %s"
-        .formatted(name(file), String.join("; ", needed.lines()), again());
+    return "%s asks for more than its own folder: %s; nobody can be asked here, so look at it and type%s"
+        .formatted(
+            name(file),
+            String.join("; ", needed.lines()),
+            again().map(line -> ": " + line).orElse(" the same command again with --trust"));
   }
 
-  /** Returns the command line that the user has typed, with {@code --trust}. */
-  private String again() {
+  /**
+   * Returns the command line that the user has typed, with {@code --trust}; empty where a shell
+   * could take a word of it for something else.
+   */
+  private Optional<String> again() {
     CommandLine root = command == null ? null : command.root().commandLine();
     List<String> typed =
         root == null || root.getParseResult() == null
@@ -72,9 +78,13 @@ public final class TrustOption {
         line.append(" --trust");
         added = true;
       }
-      line.append(' ').append(ProgramInvocation.quoted(word));
+      Optional<String> quoted = ProgramInvocation.quoted(word);
+      if (quoted.isEmpty()) {
+        return Optional.empty();
+      }
+      line.append(' ').append(quoted.get());
     }
-    return added ? line.toString() : line + " --trust";
+    return Optional.of(added ? line.toString() : line + " --trust");
   }
 
   private static String name(Path file) {

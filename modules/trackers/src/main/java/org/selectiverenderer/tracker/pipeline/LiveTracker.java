@@ -93,7 +93,9 @@ public final class LiveTracker extends PublishingTracker {
       do {
         try {
           source.read(reading);
-          state = State.ENDED;
+          if (reading()) {
+            state = State.ENDED;
+          }
           return;
         } catch (IOException e) {
           lost(e.getMessage());
@@ -201,6 +203,9 @@ public final class LiveTracker extends PublishingTracker {
     }
 
     private void take(long arrival) {
+      if (!reading()) {
+        return; // A driver that returns after it was left has nobody to tell.
+      }
       sample.set(++number, arrival, sample.yaw(), sample.pitch(), sample.roll());
       filter.apply(sample);
       publish(sample);

@@ -45,7 +45,8 @@ final class SerialPortErrors {
   static String refused(String port, int code, String system) {
     if (windows(system)) {
       // The system's code is that of the last call, not always of the one that failed.
-      return SerialPorts.names().contains(port)
+      String plain = port.replace("\\\\.\\", "");
+      return SerialPorts.names().stream().anyMatch(plain::equalsIgnoreCase)
           ? "the serial port "
               + port
               + " cannot be opened: another program uses it, or its device does not answer; close"
