@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicInteger;
-import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.testing.Eventually;
 import org.selectiverenderer.tracker.PoseSample;
@@ -72,7 +71,11 @@ class LiveTrackerTest {
           public void read(PoseSink intake) {
             reading.countDown();
             while (never.getCount() > 0) {
-              LockSupport.park(never);
+              try {
+                never.await();
+              } catch (InterruptedException e) {
+                // A driver takes no notice of an interrupt.
+              }
             }
           }
 
