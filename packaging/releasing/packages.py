@@ -2,6 +2,7 @@
 
 import importlib.util
 import os
+import re
 import shutil
 
 from . import Refusal, files
@@ -15,17 +16,24 @@ TYPES = {
     "macos-x64": ("app",),
     "macos-arm64": ("app",),
 }
+_MINGW = (
+    ("x86_64-w64-mingw32-gcc", "gcc-mingw-w64-x86-64"),
+    ("x86_64-w64-mingw32-windres", "binutils-mingw-w64-x86-64"),
+)
 # The programs that each type takes, with the package of Debian that has them.
 _PROGRAMS = {
     "deb": (("dpkg-deb", "dpkg"), ("readelf", "binutils")),
     "rpm": (("rpmbuild", "rpm"), ("readelf", "binutils")),
     "tar": (),
-    "nsis": (("makensis", "nsis"), ("x86_64-w64-mingw32-gcc", "gcc-mingw-w64-x86-64")),
-    "zip": (("x86_64-w64-mingw32-gcc", "gcc-mingw-w64-x86-64"), ("zip", "zip")),
+    "nsis": (("makensis", "nsis"), *_MINGW),
+    "zip": (*_MINGW, ("zip", "zip")),
     "app": (("zip", "zip"),),
 }
 _CLASSES = "target/classes-pinned.list"
 _RUNTIMES = "packaging/runtimes.tsv"
+# It names the libraries that a package for Debian asks for; which package of Debian has one, it finds out on this
+# system, so they must be here.
+_LINUX = "packaging/parts/linux"
 
 
 def chosen(text):
@@ -47,8 +55,16 @@ def check(platforms):
                     missing.setdefault(program, (package, []))[1].append(f"{platform} {kind}")
     if platforms and not (shutil.which("pip3") or importlib.util.find_spec("pip")) and _unfetched(platforms):
         missing["pip"] = ("python3-pip", [f"the Java of {', '.join(_unfetched(platforms))}"])
+    debs = [f"{platform} deb" for platform in platforms if "deb" in TYPES[platform]]
+    for library in _unknown_libraries() if debs else ():
+        # As Debian names packages of libraries: libX11.so.6 is in libx11-6, libGL.so.1 in libgl1.
+        name, number = library.lower().split(".so.")
+        missing[library] = (f"{name}-{number}" if name[-1].isdigit() else name + number, debs)
     if missing:
-        lacks = "; ".join(f"{program} for {', '.join(uses)}" for program, (_, uses) in missing.items())
+        together = {}
+        for name, (_, uses) in missing.items():
+            together.setdefault(", ".join(uses), []).append(name)
+        lacks = "; ".join(f"{', '.join(names)} for {uses}" for uses, names in together.items())
         install = " ".join(sorted({package for package, _ in missing.values()}))
         raise Refusal(f"packages need what is not installed: {lacks}: install Debian's {install}, or leave some out by --packages")
 
@@ -83,6 +99,14 @@ def packers(platforms):
 def _folder():
     """Where the pinned archives of Java are kept between releases."""
     return (HOME / os.environ.get("RUNTIMES", "target/runtimes")).absolute()
+
+
+def _unknown_libraries():
+    """Those named libraries of packages for Debian that this system does not have."""
+    named = set(re.findall(r"\blib\w+\.so\.\d+", (HOME / _LINUX).read_text(encoding="utf-8")))
+    ldconfig = shutil.which("ldconfig", path=os.environ.get("PATH", "") + ":/sbin")
+    known = set(re.findall(r"^\t(\S+) \(", run(ldconfig, "-p"), re.MULTILINE)) if ldconfig else set()
+    return sorted(named - known)
 
 
 def _unfetched(platforms):

@@ -16,6 +16,8 @@ Target amd64-unicode
 SetCompressor /SOLID lzma
 ManifestDPIAware true
 RequestExecutionLevel user
+; A file that cannot be written ends the installation; without questions it would be left out, and nobody would know.
+AllowSkipFiles off
 
 !include MUI2.nsh
 !include LogicLib.nsh
@@ -23,7 +25,7 @@ RequestExecutionLevel user
 !define NAME "Selective Renderer"
 !define VIEWER "Selective Renderer.exe"
 !define ENRICHER "Selective Renderer Enricher.exe"
-!define OWN "Software\SelectiveRenderer"
+!define REGISTRY_KEY "Software\SelectiveRenderer"
 !define CLASSES "Software\Classes"
 !define UNINSTALL "Software\Microsoft\Windows\CurrentVersion\Uninstall\SelectiveRenderer"
 
@@ -32,7 +34,7 @@ OutFile "${OUTPUT}"
 ; Without a space: Java 21 keeps only its own classes in the archive of classes where the path of the jar has one.
 InstallDir "$LOCALAPPDATA\Programs\SelectiveRenderer"
 ; An update goes where the program is.
-InstallDirRegKey HKCU "${OWN}" "Folder"
+InstallDirRegKey HKCU "${REGISTRY_KEY}" "Folder"
 BrandingText "${NAME} ${VERSION}"
 VIProductVersion "${VERSION_NUMBERS}"
 VIAddVersionKey /LANG=0 "ProductName" "${NAME}"
@@ -65,10 +67,10 @@ LangString ProgramText ${LANG_ENGLISH} "The viewer, the enricher and the command
 LangString ProgramText ${LANG_GREEK} "Η προβολή σκηνών, ο επεξεργαστής και η γραμμή εντολών, με δική τους Java."
 LangString TypesSection ${LANG_ENGLISH} "Scene files"
 LangString TypesSection ${LANG_GREEK} "Αρχεία σκηνών"
-LangString TypesText ${LANG_ENGLISH} "Offers the viewer and the enricher for .x3d, .x3dv and .wrl files. A program that opens \
-  them already goes on doing so."
-LangString TypesText ${LANG_GREEK} "Προτείνει την προβολή και τον επεξεργαστή για αρχεία .x3d, .x3dv και .wrl. Όποιο \
-  πρόγραμμα τα ανοίγει ήδη συνεχίζει να το κάνει."
+LangString TypesText ${LANG_ENGLISH} "Offers the viewer and the enricher for .x3d, .x3dv and .wrl files, and for the \
+  compressed kinds .x3dz, .x3dvz and .wrz. A program that opens them already goes on doing so."
+LangString TypesText ${LANG_GREEK} "Προτείνει την προβολή και τον επεξεργαστή για αρχεία .x3d, .x3dv και .wrl, και \
+  για τις συμπιεσμένες μορφές .x3dz, .x3dvz και .wrz. Όποιο πρόγραμμα τα ανοίγει ήδη συνεχίζει να το κάνει."
 LangString MenuSection ${LANG_ENGLISH} "Start menu"
 LangString MenuSection ${LANG_GREEK} "Μενού Έναρξη"
 LangString MenuText ${LANG_ENGLISH} "Shortcuts to the enricher and to the command line."
@@ -94,6 +96,14 @@ LangString OldStays ${LANG_ENGLISH} "The version that is installed could not be 
   it in Windows' settings, then retry."
 LangString OldStays ${LANG_GREEK} "Δεν ήταν δυνατή η κατάργηση της εγκατεστημένης έκδοσης και τίποτα δεν άλλαξε. \
   Καταργήστε την από τις ρυθμίσεις των Windows και δοκιμάστε ξανά."
+LangString NotComplete ${LANG_ENGLISH} "Not all files could be written to $INSTDIR. Make room or choose another folder, then \
+  retry."
+LangString NotComplete ${LANG_GREEK} "Δεν ήταν δυνατή η εγγραφή όλων των αρχείων στον φάκελο $INSTDIR. Ελευθερώστε χώρο ή \
+  επιλέξτε άλλον φάκελο και δοκιμάστε ξανά."
+LangString NotOnPath ${LANG_ENGLISH} "The program is installed, but your PATH could not be changed. Add the folder $INSTDIR \
+  to it in Windows' settings."
+LangString NotOnPath ${LANG_GREEK} "Το πρόγραμμα εγκαταστάθηκε, αλλά δεν ήταν δυνατή η αλλαγή του PATH σας. Προσθέστε σε \
+  αυτό τον φάκελο $INSTDIR από τις ρυθμίσεις των Windows."
 
 ; A library that a program uses cannot be opened for writing.
 !macro AskToClose un
@@ -120,18 +130,19 @@ FunctionEnd
 
 ; --- Install --------------------------------------------------------------------------------------
 
-Var Made ; Whether the program's folder was made by an installer.
+Var FolderIsOurs ; Whether the program's folder was made by an installer.
 
 Section "$(ProgramSection)" Program
   SectionIn RO
   Call AskToClose
-  ReadRegDWORD $Made HKCU "${OWN}" "MadeFolder"
-  ReadRegStr $1 HKCU "${OWN}" "Folder"
+  ReadRegDWORD $FolderIsOurs HKCU "${REGISTRY_KEY}" "MadeFolder"
+  ReadRegStr $1 HKCU "${REGISTRY_KEY}" "Folder"
+  StrCpy $3 $FolderIsOurs ; That of the version before.
   ${If} $1 != $INSTDIR
-    StrCpy $Made 0
+    StrCpy $FolderIsOurs 0
   ${EndIf}
   ${IfNot} ${FileExists} "$INSTDIR\*.*"
-    StrCpy $Made 1
+    StrCpy $FolderIsOurs 1
   ${EndIf}
 
   ClearErrors
@@ -156,17 +167,24 @@ Section "$(ProgramSection)" Program
     ${EndIf}
     Delete "$1\uninstall.exe"
     ${If} $1 != $INSTDIR
+    ${AndIf} $3 = 1
       RMDir "$1"
     ${EndIf}
   ${EndIf}
 
   SetOverwrite on
+  ClearErrors
   !include "${FILES}/install.nsh"
   SetOutPath "$INSTDIR"
   WriteUninstaller "$INSTDIR\uninstall.exe"
+  ${If} ${Errors}
+    MessageBox MB_OK|MB_ICONSTOP "$(NotComplete)" /SD IDOK
+    SetErrorLevel 2
+    Abort "$(NotComplete)"
+  ${EndIf}
 
-  WriteRegStr HKCU "${OWN}" "Folder" "$INSTDIR"
-  WriteRegDWORD HKCU "${OWN}" "MadeFolder" $Made
+  WriteRegStr HKCU "${REGISTRY_KEY}" "Folder" "$INSTDIR"
+  WriteRegDWORD HKCU "${REGISTRY_KEY}" "MadeFolder" $FolderIsOurs
   WriteRegStr HKCU "${UNINSTALL}" "DisplayName" "${NAME}"
   WriteRegStr HKCU "${UNINSTALL}" "DisplayVersion" "${VERSION}"
   WriteRegStr HKCU "${UNINSTALL}" "DisplayIcon" "$INSTDIR\${VIEWER}"
@@ -179,7 +197,7 @@ Section "$(ProgramSection)" Program
   WriteRegDWORD HKCU "${UNINSTALL}" "NoRepair" 1
 
   ; Its first start makes the archive of classes.
-  nsExec::Exec '"$INSTDIR\selective-renderer.exe" --version'
+  nsExec::Exec /TIMEOUT=180000 '"$INSTDIR\selective-renderer.exe" --version'
   Pop $0
 SectionEnd
 
@@ -200,7 +218,7 @@ SectionEnd
   ${EndIf}
   WriteRegStr HKCU "${CLASSES}\Applications\${VIEWER}\SupportedTypes" ".${EXTENSION}" ""
   WriteRegStr HKCU "${CLASSES}\Applications\${ENRICHER}\SupportedTypes" ".${EXTENSION}" ""
-  WriteRegStr HKCU "${OWN}\Capabilities\FileAssociations" ".${EXTENSION}" "SelectiveRenderer.${EXTENSION}"
+  WriteRegStr HKCU "${REGISTRY_KEY}\Capabilities\FileAssociations" ".${EXTENSION}" "SelectiveRenderer.${EXTENSION}"
 !macroend
 
 ; As Windows wants it: offered in "Open with" and in the settings, and the default only where there is none.
@@ -215,9 +233,10 @@ Section "$(TypesSection)" Types
   WriteRegStr HKCU "${CLASSES}\Applications\${VIEWER}\shell\open\command" "" '"$INSTDIR\${VIEWER}" "%1"'
   WriteRegStr HKCU "${CLASSES}\Applications\${ENRICHER}" "FriendlyAppName" "Selective Renderer Enricher"
   WriteRegStr HKCU "${CLASSES}\Applications\${ENRICHER}\shell\open\command" "" '"$INSTDIR\${ENRICHER}" "%1"'
-  WriteRegStr HKCU "${OWN}\Capabilities" "ApplicationName" "${NAME}"
-  WriteRegStr HKCU "${OWN}\Capabilities" "ApplicationDescription" "Shows X3D and VRML scenes"
-  WriteRegStr HKCU "Software\RegisteredApplications" "${NAME}" "${OWN}\Capabilities"
+  WriteRegStr HKCU "${REGISTRY_KEY}\Capabilities" "ApplicationName" "${NAME}"
+  WriteRegStr HKCU "${REGISTRY_KEY}\Capabilities" "ApplicationDescription" "Shows X3D and VRML scenes"
+  WriteRegStr HKCU "Software\RegisteredApplications" "${NAME}" "${REGISTRY_KEY}\Capabilities"
+  WriteRegDWORD HKCU "${REGISTRY_KEY}" "SceneFiles" 1
   System::Call 'shell32::SHChangeNotify(i 0x08000000, i 0, p 0, p 0)'
 SectionEnd
 
@@ -228,18 +247,30 @@ Section "$(MenuSection)" Menu
   CreateShortcut "$SMPROGRAMS\${NAME}\$(CommandLine).lnk" "$SYSDIR\cmd.exe" \
     '/k set "PATH=$INSTDIR;%PATH%" & selective-renderer --help' "$INSTDIR\selective-renderer.exe"
   SetOutPath "$INSTDIR"
+  WriteRegDWORD HKCU "${REGISTRY_KEY}" "StartMenu" 1
 SectionEnd
 
 Section "$(PathSection)" Path
   nsExec::Exec '"$INSTDIR\app\user-path.exe" add "$INSTDIR"'
   Pop $0
-  WriteRegDWORD HKCU "${OWN}" "OnPath" 1
+  ${If} $0 == 0
+    WriteRegDWORD HKCU "${REGISTRY_KEY}" "OnPath" 1
+  ${Else}
+    MessageBox MB_OK|MB_ICONEXCLAMATION "$(NotOnPath)" /SD IDOK
+    SetErrorLevel 2
+  ${EndIf}
 SectionEnd
 
-Section
-  ${IfNot} ${SectionIsSelected} ${Path}
-    WriteRegDWORD HKCU "${OWN}" "OnPath" 0
+; What the user leaves out is written down, and an update leaves it out too (.onInit).
+!macro WriteLeftOut VALUE SECTION
+  ${IfNot} ${SectionIsSelected} ${SECTION}
+    WriteRegDWORD HKCU "${REGISTRY_KEY}" "${VALUE}" 0
   ${EndIf}
+!macroend
+Section
+  !insertmacro WriteLeftOut "SceneFiles" ${Types}
+  !insertmacro WriteLeftOut "StartMenu" ${Menu}
+  !insertmacro WriteLeftOut "OnPath" ${Path}
 SectionEnd
 
 !insertmacro MUI_FUNCTION_DESCRIPTION_BEGIN
@@ -249,14 +280,18 @@ SectionEnd
   !insertmacro MUI_DESCRIPTION_TEXT ${Path} "$(PathText)"
 !insertmacro MUI_FUNCTION_DESCRIPTION_END
 
-; An update leaves PATH as the user chose.
-Function .onInit
+!macro UnselectLeftOut VALUE SECTION
   ClearErrors
-  ReadRegDWORD $0 HKCU "${OWN}" "OnPath"
+  ReadRegDWORD $0 HKCU "${REGISTRY_KEY}" "${VALUE}"
   ${IfNot} ${Errors}
   ${AndIf} $0 = 0
-    !insertmacro UnselectSection ${Path}
+    !insertmacro UnselectSection ${SECTION}
   ${EndIf}
+!macroend
+Function .onInit
+  !insertmacro UnselectLeftOut "SceneFiles" ${Types}
+  !insertmacro UnselectLeftOut "StartMenu" ${Menu}
+  !insertmacro UnselectLeftOut "OnPath" ${Path}
 FunctionEnd
 
 ; --- Uninstall ------------------------------------------------------------------------------------
@@ -299,11 +334,11 @@ Section "Uninstall"
   Delete "$INSTDIR\app\classes-*.jsa*"
   !include "${FILES}/uninstall.nsh"
   Delete "$INSTDIR\uninstall.exe"
-  ReadRegDWORD $Made HKCU "${OWN}" "MadeFolder"
+  ReadRegDWORD $FolderIsOurs HKCU "${REGISTRY_KEY}" "MadeFolder"
   SetOutPath "$TEMP"
-  ${If} $Made = 1
+  ${If} $FolderIsOurs = 1
     RMDir "$INSTDIR"
   ${EndIf}
   DeleteRegKey HKCU "${UNINSTALL}"
-  DeleteRegKey HKCU "${OWN}"
+  DeleteRegKey HKCU "${REGISTRY_KEY}"
 SectionEnd

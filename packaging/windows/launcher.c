@@ -106,8 +106,8 @@ static JavaVMOption *options;
 static int option_count;
 
 /* Properties (-DNAME=VALUE) that the code page cannot hold; they are set once Java runs. */
-static wchar_t **late;
-static int late_count;
+static wchar_t **deferred_properties;
+static int deferred_count;
 
 /* In the code page of the system, in which Java takes its flags and names its own folder; NULL where letters lack. */
 static char *narrow(const wchar_t *wide) {
@@ -135,8 +135,8 @@ static void option(const wchar_t *flag) {
   if (narrowed != NULL) {
     raw_option(narrowed, NULL);
   } else if (wcsncmp(flag, L"-D", 2) == 0) {
-    late = checked(realloc(late, (late_count + 1) * sizeof *late));
-    late[late_count++] = text(L"%ls", flag + 2);
+    deferred_properties = checked(realloc(deferred_properties, (deferred_count + 1) * sizeof *deferred_properties));
+    deferred_properties[deferred_count++] = text(L"%ls", flag + 2);
   } else {
     fail(L"Java cannot be given the flag %ls: the code page of this Windows lacks some of its letters", flag);
   }
@@ -152,7 +152,7 @@ static void options_of(wchar_t *words) {
 }
 
 /* Whether a list with commas has a word. */
-static int has(const wchar_t *list, const wchar_t *word) {
+static int list_contains(const wchar_t *list, const wchar_t *word) {
   size_t length = wcslen(word);
   const wchar_t *at;
   for (at = list; at != NULL && length > 0; at = wcschr(at, L',')) {
@@ -175,7 +175,7 @@ static void options_of_file(const wchar_t *path, const wchar_t *command) {
     size_t length = wcscspn(line, L" \t\r\n");
     wchar_t *flags = line + length + (line[length] != 0);
     line[length] = 0;
-    if (length > 0 && line[0] != L'#' && (has(line, L"all") || has(line, command))) {
+    if (length > 0 && line[0] != L'#' && (list_contains(line, L"all") || list_contains(line, command))) {
       options_of(flags);
     }
   }
@@ -214,16 +214,38 @@ static wchar_t *home_folder(void) {
 
 /* --- The archive of classes --------------------------------------------------------------------------------------- */
 
-/* Runs a program without a window and without output, and waits for it. */
-static void run_silently(wchar_t *command_line) {
+/* How long Java may take for the archive, and then to be gone once it has been ended, in milliseconds. */
+#define ARCHIVE_LIMIT 120000
+#define END_LIMIT 10000
+
+/* Runs a program without a window and without output, and ends it when it is late; returns whether it succeeded. */
+static int run_silently(wchar_t *command_line) {
   STARTUPINFOW start = {.cb = sizeof start};
   PROCESS_INFORMATION process;
+  DWORD status = 1;
   start.dwFlags = STARTF_USESTDHANDLES;
-  if (CreateProcessW(NULL, command_line, NULL, NULL, FALSE, CREATE_NO_WINDOW, NULL, NULL, &start, &process)) {
-    WaitForSingleObject(process.hProcess, INFINITE);
-    CloseHandle(process.hThread);
-    CloseHandle(process.hProcess);
+  if (!CreateProcessW(NULL, command_line, NULL, NULL, FALSE, CREATE_NO_WINDOW, NULL, NULL, &start, &process)) {
+    return 0;
   }
+  if (WaitForSingleObject(process.hProcess, ARCHIVE_LIMIT) == WAIT_OBJECT_0) {
+    GetExitCodeProcess(process.hProcess, &status);
+  } else {
+    TerminateProcess(process.hProcess, 1);
+    WaitForSingleObject(process.hProcess, END_LIMIT); /* It holds its files until then. */
+  }
+  CloseHandle(process.hThread);
+  CloseHandle(process.hProcess);
+  return status == 0;
+}
+
+/* Makes a file without bytes; returns whether that can be done. */
+static int make_empty(const wchar_t *path, DWORD disposition) {
+  HANDLE made = CreateFileW(path, GENERIC_WRITE, 0, NULL, disposition, FILE_ATTRIBUTE_NORMAL, NULL);
+  if (made == INVALID_HANDLE_VALUE) {
+    return 0;
+  }
+  CloseHandle(made);
+  return 1;
 }
 
 static int has_bytes(const wchar_t *path) {
@@ -245,31 +267,30 @@ static void delete_archives(const wchar_t *app) {
 
 /*
  * The classes that a start needs, parsed and verified once for each jar: the first start makes that archive, where the
- * folder can be written to, and the installer makes a first start. An empty one says that it cannot be made. The name
- * is of the jar's size and time.
+ * folder can be written to, and the installer makes a first start. An empty one says that it cannot be made, so that no
+ * start tries it again. The name is of the jar's size and time.
  */
 static wchar_t *archive(const wchar_t *home, const wchar_t *jar) {
   WIN32_FILE_ATTRIBUTE_DATA file = {0};
   wchar_t *app = text(L"%ls\\app", home);
   wchar_t *list = text(L"%ls\\classes.list", app);
   wchar_t *path, *temporary;
-  HANDLE made;
+  int made;
   GetFileAttributesExW(jar, GetFileExInfoStandard, &file);
   path = text(L"%ls\\classes-%08lx%08lx%08lx.jsa", app, file.nFileSizeLow, file.ftLastWriteTime.dwHighDateTime,
               file.ftLastWriteTime.dwLowDateTime);
   if (!is_file(path) && is_file(list)) {
     temporary = text(L"%ls.%lu", path, GetCurrentProcessId());
-    made = CreateFileW(temporary, GENERIC_WRITE, 0, NULL, CREATE_NEW, FILE_ATTRIBUTE_NORMAL, NULL);
-    if (made == INVALID_HANDLE_VALUE) {
+    if (!make_empty(temporary, CREATE_NEW)) {
       return NULL;
     }
-    CloseHandle(made);
     delete_archives(app);
-    run_silently(text(L"\"%ls\\runtime\\bin\\javaw.exe\" -Xshare:dump -Xlog:disable -XX:SharedClassListFile=\"%ls\""
-                      L" -XX:SharedArchiveFile=\"%ls\" -cp \"%ls\"",
-                      home, list, temporary, jar));
+    made = run_silently(text(L"\"%ls\\runtime\\bin\\javaw.exe\" -Xshare:dump -Xlog:disable"
+                             L" -XX:SharedClassListFile=\"%ls\" -XX:SharedArchiveFile=\"%ls\" -cp \"%ls\"",
+                             home, list, temporary, jar));
     SetFileAttributesW(temporary, FILE_ATTRIBUTE_NORMAL); /* Java makes it read only, so that nothing could delete it. */
-    if (!MoveFileExW(temporary, path, MOVEFILE_REPLACE_EXISTING)) {
+    if (!(made || make_empty(temporary, CREATE_ALWAYS)) ||
+        !MoveFileExW(temporary, path, made ? MOVEFILE_REPLACE_EXISTING : 0)) {
       DeleteFileW(temporary);
     }
   }
@@ -281,15 +302,15 @@ static wchar_t *archive(const wchar_t *home, const wchar_t *jar) {
 static JavaVM *vm;
 
 /* What Java said before it came up, which is why it did not. */
-static char said[4096];
+static char startup_messages[4096];
 
 /* Java's messages. Before it has come up they are kept, since it may end the process then. */
-static jint JNICALL hear(FILE *stream, const char *format, va_list values) {
+static jint JNICALL on_vm_message(FILE *stream, const char *format, va_list values) {
   char line[4096];
   int length = vsnprintf(line, sizeof line, format, values);
   (void)stream; /* It is of another C library. */
   if (vm == NULL) {
-    strncat(said, line, sizeof said - strlen(said) - 1);
+    strncat(startup_messages, line, sizeof startup_messages - strlen(startup_messages) - 1);
   } else {
     DWORD written;
     WriteFile(GetStdHandle(STD_ERROR_HANDLE), line, strlen(line), &written, NULL);
@@ -299,14 +320,14 @@ static jint JNICALL hear(FILE *stream, const char *format, va_list values) {
 
 /* Says what kept Java from coming up: the last line that it wrote. */
 static void fail_by_java(void) {
-  char *end = said + strlen(said);
+  char *end = startup_messages + strlen(startup_messages);
   char *line;
-  while (end > said && (end[-1] == '\n' || end[-1] == '\r')) {
+  while (end > startup_messages && (end[-1] == '\n' || end[-1] == '\r')) {
     *--end = 0;
   }
-  line = strrchr(said, '\n');
+  line = strrchr(startup_messages, '\n');
   fail(L"Java cannot start: %hs; see SELECTIVE_RENDERER_JAVA_OPTS where you have set it",
-       *said == 0 ? "it gives no reason" : line == NULL ? said : line + 1);
+       *startup_messages == 0 ? "it gives no reason" : line == NULL ? startup_messages : line + 1);
 }
 
 /* The code page of the console before this program, whose output is UTF-8; 0 where it is to stay. */
@@ -322,8 +343,9 @@ static void speak_utf8(void) {
   }
 }
 
-static void JNICALL leave(jint status) {
-  if (vm == NULL && *said != 0) {
+/* Java calls this at its end, which may come before it is up; with JAVA_TOOL_OPTIONS it has a message even in success. */
+static void JNICALL on_vm_exit(jint status) {
+  if (vm == NULL && status != 0 && *startup_messages != 0) {
     fail_by_java();
   }
   if (console_before != 0) {
@@ -332,8 +354,8 @@ static void JNICALL leave(jint status) {
   ExitProcess(status);
 }
 
-static void JNICALL abandon(void) {
-  leave(1);
+static void JNICALL on_vm_abort(void) {
+  on_vm_exit(1);
 }
 
 static jstring string(JNIEnv *env, const wchar_t *wide) {
@@ -376,8 +398,8 @@ static DWORD WINAPI run(void *given) {
     fail_by_java();
   }
   vm = made;
-  for (i = 0; i < late_count; i++) {
-    set_property(env, late[i]);
+  for (i = 0; i < deferred_count; i++) {
+    set_property(env, deferred_properties[i]);
   }
   class = checked(narrow(program->main));
   for (at = class; *at != 0; at++) {
@@ -402,7 +424,7 @@ static DWORD WINAPI run(void *given) {
   }
   (*vm)->DetachCurrentThread(vm);
   (*vm)->DestroyJavaVM(vm); /* Waits for the other threads. */
-  leave(status);
+  on_vm_exit(status);
   return status;
 }
 
@@ -493,9 +515,9 @@ int wmain(int count, wchar_t **arguments) {
   struct program program = {MAIN, count - 1, arguments + 1};
   HANDLE thread;
 
-  raw_option("vfprintf", hear);
-  raw_option("exit", leave);
-  raw_option("abort", abandon);
+  raw_option("vfprintf", on_vm_message);
+  raw_option("exit", on_vm_exit);
+  raw_option("abort", on_vm_abort);
   if (java) {
     int at = prepare_java(count, arguments);
     program.main = at < count ? arguments[at] : L"";

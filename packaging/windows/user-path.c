@@ -12,7 +12,7 @@
 #include <wchar.h>
 
 /* The length of a folder without quotes around it and backslashes at its end; *start is set to its first letter. */
-static size_t bare(const wchar_t *entry, size_t length, const wchar_t **start) {
+static size_t trimmed(const wchar_t *entry, size_t length, const wchar_t **start) {
   while (length > 0 && (*entry == L'"' || *entry == L' ')) {
     entry++;
     length--;
@@ -24,19 +24,19 @@ static size_t bare(const wchar_t *entry, size_t length, const wchar_t **start) {
   return length;
 }
 
-static int same(const wchar_t *one, size_t one_length, const wchar_t *other) {
+static int same_folder(const wchar_t *one, size_t one_length, const wchar_t *other) {
   const wchar_t *a, *b;
-  size_t length = bare(one, one_length, &a);
-  return length == bare(other, wcslen(other), &b) && _wcsnicmp(a, b, length) == 0;
+  size_t length = trimmed(one, one_length, &a);
+  return length == trimmed(other, wcslen(other), &b) && _wcsnicmp(a, b, length) == 0;
 }
 
 /* Copies the entries of a PATH that are not the folder; returns how many were. */
-static int without(const wchar_t *path, const wchar_t *folder, wchar_t *result) {
+static int remove_entries(const wchar_t *path, const wchar_t *folder, wchar_t *result) {
   int found = 0;
   wchar_t *end = result;
   for (;;) {
     size_t length = wcscspn(path, L";");
-    if (same(path, length, folder)) {
+    if (same_folder(path, length, folder)) {
       found++;
     } else {
       wmemcpy(end, path, length);
@@ -82,7 +82,7 @@ int wmain(int count, wchar_t **arguments) {
       (status == 0 && RegQueryValueExW(key, L"Path", NULL, &type, (BYTE *)path, &size) != 0)) {
     return 1;
   }
-  found = without(path, arguments[2], changed);
+  found = remove_entries(path, arguments[2], changed);
   if (add ? found > 0 : found == 0) {
     return 0;
   }
