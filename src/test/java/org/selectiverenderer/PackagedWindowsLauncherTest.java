@@ -50,6 +50,7 @@ class PackagedWindowsLauncherTest {
     Set<String> wanted = found(flag, script());
     wanted.removeIf(
         each -> each.matches(".*(ClassList|Archive|ErrorFile|Xshare|XshowSettings|Xmx4g|Xdock).*"));
+    wanted.add("-Dselective-renderer.arguments=unicode"); // Of this launcher alone.
     Set<String> own = found(flag, String.join("\n", settings()));
     assertThat(own).contains("-Dselective-renderer.installed=true").isEqualTo(wanted);
   }
