@@ -11,6 +11,9 @@ from .commands import HOME, asked, git, run, say
 JARS = ("selective-renderer.jar", "x3d-sai.jar")
 SBOM = "bom.json"
 LIBRARIES = "selective-renderer-libraries-{}.zip"
+# Scenes to begin with, which the packages leave out for their size.
+EXAMPLES = "selective-renderer-examples-{}.zip"
+EXAMPLE_FOLDERS = ("scenes", "inlineNodes", "docs/examples")
 LIBRARIES_USED = "packaging/libraries/check"
 # Nothing that differs between two machines may show in the bytes.
 PLACES = (

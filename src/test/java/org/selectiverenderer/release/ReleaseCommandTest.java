@@ -88,6 +88,9 @@ class ReleaseCommandTest {
     scripts.write(MODULE, OF_MODULE.formatted("1.2.0-SNAPSHOT"));
     scripts.write(CONSUMER, "<project>\n  <version>1</version>\n</project>\n");
     scripts.write("LICENSE", "MIT\n");
+    for (String example : List.of("scenes/a.x3d", "inlineNodes/b.x3d", "docs/examples/c.x3d")) {
+      scripts.write(example, "<X3D/>\n");
+    }
     script(
         "packaging/libraries/check",
         "[ -z \"${UNUSABLE:-}\" ] || { echo no method close in Door; exit 1; }\n");
@@ -276,6 +279,7 @@ class ReleaseCommandTest {
               "selective-renderer.jar",
               "x3d-sai.jar",
               "selective-renderer-libraries-1.2.0.zip",
+              "selective-renderer-examples-1.2.0.zip",
               "selective-renderer-1.2.0.cdx.json",
               "THIRD-PARTY.txt",
               "LICENSE",

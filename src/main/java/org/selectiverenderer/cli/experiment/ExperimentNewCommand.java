@@ -60,7 +60,11 @@ final class ExperimentNewCommand extends CliCommand {
     Path shown = scene == null ? usual() : scene;
     for (Path needed : List.of(shown, shown.resolveSibling("practice.x3d"))) {
       if (!Files.isRegularFile(needed)) {
-        throw CommandException.usage("there is no scene " + needed + "; name another with --scene");
+        throw CommandException.usage(
+            scene == null
+                ? "there is no scene " + needed + "; type this in the folder of the example scenes,"
+                    + " or name a scene of your own with --scene"
+                : "--scene: there is no scene " + needed);
       }
     }
     Path study = StudyTemplate.write(folder, shown);

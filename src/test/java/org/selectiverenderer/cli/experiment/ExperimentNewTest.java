@@ -56,7 +56,7 @@ class ExperimentNewTest {
   void aSceneThatIsNotThereIsNamed() throws IOException, InterruptedException {
     assertThat(run("new", "mine", "--scene", "rooms.x3d"))
         .startsWith("2: ")
-        .contains("there is no scene rooms.x3d; name another with --scene");
+        .contains("--scene: there is no scene rooms.x3d");
     assertThat(Files.exists(folder.resolve("mine"))).isFalse();
   }
 }
