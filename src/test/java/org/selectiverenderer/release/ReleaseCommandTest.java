@@ -45,7 +45,14 @@ class ReleaseCommandTest {
       """;
 
   private static final List<String> PACKERS =
-      List.of("dpkg-deb", "readelf", "rpmbuild", "zip", "makensis", "x86_64-w64-mingw32-gcc");
+      List.of(
+          "dpkg-deb",
+          "readelf",
+          "rpmbuild",
+          "zip",
+          "makensis",
+          "x86_64-w64-mingw32-gcc",
+          "x86_64-w64-mingw32-windres");
 
   private static final String TRIED =
       """
@@ -106,6 +113,8 @@ class ReleaseCommandTest {
         done
         """);
     scripts.write("packaging/runtimes.tsv", "platform\tarchive\tsha256\nlinux-x64\ta.whl\t0\n");
+    scripts.write("packaging/parts/linux", "printf '%s' libdoor.so.1\n");
+    scripts.tool("ldconfig", "printf '1 lib found\\n\\tlibdoor.so.%s (libc6) => /lib\\n' ${DOORS:-1}");
     for (String tool : PACKERS) {
       scripts.tool(tool, "echo " + tool + " of the doors; echo in two lines");
     }
@@ -318,6 +327,15 @@ class ReleaseCommandTest {
     Run run = release("1.2.0", "--packages", "deb");
     assertThat(run.status()).isEqualTo(2);
     assertThat(run.err()).contains("there are no packages for 'deb'").hasLineCount(1);
+  }
+
+  @Test
+  void aLibraryThatADebianPackageAsksForIsMissedBeforeAnythingIsBuilt() throws Exception {
+    scripts.environment.put("DOORS", "2");
+    Run run = release("1.2.0");
+    assertThat(run.status()).isEqualTo(2);
+    assertThat(run.err()).contains("libdoor.so.1 for linux-x64 deb").hasLineCount(1);
+    assertThat(scripts.notes()).isEmpty();
   }
 
   @Test
