@@ -114,7 +114,8 @@ class ReleaseCommandTest {
         """);
     scripts.write("packaging/runtimes.tsv", "platform\tarchive\tsha256\nlinux-x64\ta.whl\t0\n");
     scripts.write("packaging/parts/linux", "printf '%s' libdoor.so.1\n");
-    scripts.tool("ldconfig", "printf '1 lib found\\n\\tlibdoor.so.%s (libc6) => /lib\\n' ${DOORS:-1}");
+    scripts.tool(
+        "ldconfig", "printf '1 lib found\\n\\tlibdoor.so.%s (libc6) => /lib\\n' ${DOORS:-1}");
     for (String tool : PACKERS) {
       scripts.tool(tool, "echo " + tool + " of the doors; echo in two lines");
     }

@@ -62,7 +62,9 @@ final class ExperimentNewCommand extends CliCommand {
       if (!Files.isRegularFile(needed)) {
         throw CommandException.usage(
             scene == null
-                ? "there is no scene " + needed + "; type this in the folder of the example scenes,"
+                ? "there is no scene "
+                    + needed
+                    + "; type this in the folder of the example scenes,"
                     + " or name a scene of your own with --scene"
                 : "--scene: there is no scene " + needed);
       }
