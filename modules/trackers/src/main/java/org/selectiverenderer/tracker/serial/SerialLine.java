@@ -17,6 +17,9 @@ final class SerialLine {
    */
   static final int READ_MS = 100;
 
+  /** The error as which Wine reports a timeout, where Windows reports no bytes. */
+  private static final int TIMED_OUT = 1460;
+
   /** Maximum time to discard old bytes, as a streaming device is never quiet. */
   private static final long STALE_NANOS = 100_000_000;
 
@@ -48,7 +51,8 @@ final class SerialLine {
     }
     port.setComPortParameters(baud, 8, SerialPort.ONE_STOP_BIT, SerialPort.NO_PARITY);
     port.setFlowControl(SerialPort.FLOW_CONTROL_DISABLED);
-    port.setComPortTimeouts(SerialPort.TIMEOUT_READ_SEMI_BLOCKING, READ_MS, 0);
+    // Semi-blocking would do the same in one call, but never times out under Wine.
+    port.setComPortTimeouts(SerialPort.TIMEOUT_READ_BLOCKING, READ_MS, 0);
     if (!port.openPort(0)) {
       throw new TrackerException(SerialPortErrors.refused(name, port.getLastErrorCode()));
     }
@@ -82,17 +86,18 @@ final class SerialLine {
   }
 
   /**
-   * Reads available bytes, or waits for some up to {@link #READ_MS}.
+   * Reads available bytes, or waits for one up to {@link #READ_MS}.
    *
    * @return the number of bytes read, 0 after a timeout
    * @throws TrackerException if the port has disappeared
    */
   int read(byte[] bytes) throws TrackerException {
-    int count = port.readBytes(bytes, bytes.length);
-    if (count < 0) {
+    int waiting = Math.max(1, port.bytesAvailable());
+    int count = port.readBytes(bytes, Math.min(waiting, bytes.length));
+    if (count < 0 && port.getLastErrorCode() != TIMED_OUT) {
       throw gone();
     }
-    return count;
+    return Math.max(0, count);
   }
 
   /**

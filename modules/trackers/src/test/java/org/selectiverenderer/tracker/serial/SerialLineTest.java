@@ -2,6 +2,7 @@ package org.selectiverenderer.tracker.serial;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.ByteArrayOutputStream;
 import java.io.FileInputStream;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -37,6 +38,23 @@ class SerialLineTest {
       }
       assertThat(count).isEqualTo(1);
       assertThat(bytes[0]).isEqualTo((byte) 'b');
+      line.close();
+    }
+  }
+
+  @Test
+  void aReadOfASilentPortEndsAndAReadDoesNotWaitForMoreThanHasArrived() throws IOException {
+    Path link = folder.resolve("tracker");
+    try (FakeSerialDevice device = new FakeSerialDevice(link, (command, far) -> {})) {
+      SerialLine line = SerialLine.open(link.toString(), 38400);
+      byte[] bytes = new byte[100];
+      assertThat(line.read(bytes)).isZero();
+      device.says(1, 2, 3);
+      ByteArrayOutputStream heard = new ByteArrayOutputStream();
+      while (heard.size() < 3) {
+        heard.write(bytes, 0, line.read(bytes));
+      }
+      assertThat(heard.toByteArray()).containsExactly(1, 2, 3);
       line.close();
     }
   }
