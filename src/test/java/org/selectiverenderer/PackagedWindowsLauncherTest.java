@@ -15,7 +15,10 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-/** What can be said of the launcher in the packages for Windows by reading it and its settings. */
+/**
+ * Holds what can be said of the launcher in the packages for Windows by reading it and its
+ * settings.
+ */
 class PackagedWindowsLauncherTest {
   private static String script() throws IOException {
     return Files.readString(Path.of("selective-renderer"));

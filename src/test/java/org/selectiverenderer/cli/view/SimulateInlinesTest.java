@@ -54,7 +54,7 @@ class SimulateInlinesTest {
             .formatted(shown(folder.path(hint)).replace(shown(folder.path("")) + "/", "")));
   }
 
-  /** As the messages of the test case show a path on every system. */
+  /** Returns a path as the messages of the test case show it on every system. */
   private static String shown(Path path) {
     return path.toAbsolutePath().normalize().toString().replace('\\', '/');
   }

@@ -33,7 +33,7 @@ class RuleFixturesTest {
   private static final Path FOLDER =
       Path.of("modules/validation/src/test/resources/org/selectiverenderer/validation/fixtures");
 
-  /** As the reports have it, on Windows too. */
+  /** The folder as the reports write it, on Windows too. */
   private static final String REPORTED_FOLDER = FOLDER.toString().replace('\\', '/') + "/";
 
   // ID-severity, and a word where a rule has several fixtures.

@@ -36,7 +36,7 @@ class WindowsDeviceNameTest {
     assertThat(folder).isEmptyDirectory();
   }
 
-  /** What is saved as a file would be gone. */
+  /** A scene that is saved to a device would be gone. */
   @Test
   @EnabledOnOs(OS.WINDOWS)
   void aSceneIsNotWrittenToADevice() {

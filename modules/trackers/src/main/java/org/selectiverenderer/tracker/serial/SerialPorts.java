@@ -8,7 +8,9 @@ import java.util.Optional;
 
 /** The serial ports of this machine. */
 public final class SerialPorts {
-  /** What Windows' programs put before the name of a port to open it; users leave it out. */
+  /**
+   * The prefix that Windows' programs put before the name of a port to open it; users leave it out.
+   */
   private static final String DEVICE = "\\\\.\\";
 
   private SerialPorts() {}

@@ -55,7 +55,7 @@ class LiveTrackerTest {
     }
   }
 
-  /** As of a serial port on Windows whose adapter is gone. */
+  /** The driver of a serial port on Windows may do so when its adapter is gone. */
   @Test
   void aDriverThatNeverReturnsDoesNotKeepTheProgram() throws IOException, InterruptedException {
     CountDownLatch reading = new CountDownLatch(1);
