@@ -140,6 +140,6 @@ class TrustTest extends CommandTestCase {
         .as(messages())
         .isZero();
     assertThat(execute("validate", "--config", settings.toString(), "--", scene)).isEqualTo(2);
-    assertThat(messages()).endsWith("--config %s --trust -- %s%n".formatted(settings, scene));
+    assertThat(messages()).endsWith("--config %s --trust -- %s\n".formatted(settings, scene));
   }
 }

@@ -8,6 +8,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.testing.ShowsWindows;
@@ -16,6 +18,7 @@ import org.selectiverenderer.testing.ShowsWindows;
 @ShowsWindows
 @Timeout(value = 120, unit = TimeUnit.SECONDS)
 class HeadsetInterruptTest {
+  @DisabledOnOs(value = OS.WINDOWS, disabledReason = "a process cannot be asked to end there")
   @ParameterizedTest(name = "after frame {0}")
   @ValueSource(ints = {1, 4, 30}) // The window on the desktop opens during the first frames.
   void endsAsIfItsWindowWereClosed(int frame) throws IOException, InterruptedException {

@@ -13,6 +13,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.cli.CommandTestCase;
+import org.selectiverenderer.command.ProgramInvocation;
 import org.selectiverenderer.tracker.emulator.EmulatedInterTrax2;
 import org.selectiverenderer.tracker.emulator.InterTrax2Emulator.Settings;
 import org.selectiverenderer.tracker.emulator.PseudoTerminal.Maker;
@@ -127,7 +128,7 @@ class TrackCommandTest extends CommandTestCase {
 
   private void assertFails(String sentence, String... arguments) {
     assertThat(track(arguments)).isEqualTo(2);
-    assertThat(text(err)).contains(sentence).doesNotContain("\tat ");
+    assertThat(text(err)).contains(ProgramInvocation.in(sentence)).doesNotContain("\tat ");
   }
 
   private int track(String... arguments) {
