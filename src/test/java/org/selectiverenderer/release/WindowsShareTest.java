@@ -64,7 +64,7 @@ class WindowsShareTest {
               String[] words = line.split(" +", 2);
               assertThat(words).as("a test and a reason").hasSize(2);
               String name = words[0].replaceFirst("#.*", "");
-              assertThat(classes).anyMatch(each -> each.endsWith("." + name));
+              assertThat(classes).anyMatch(each -> ("." + each).endsWith("." + name));
             });
   }
 }

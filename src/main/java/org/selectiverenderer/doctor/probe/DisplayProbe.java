@@ -1,5 +1,6 @@
 package org.selectiverenderer.doctor.probe;
 
+import java.io.UncheckedIOException;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -19,7 +20,13 @@ final class DisplayProbe {
       found.accept(Diagnosis.lacking("display", reason.get(), ""));
       return;
     }
-    List<MonitorMode> modes = Monitors.modes();
+    List<MonitorMode> modes;
+    try {
+      modes = Monitors.modes();
+    } catch (UncheckedIOException e) {
+      found.accept(Diagnosis.lacking("display", e.getCause().getMessage(), ""));
+      return;
+    }
     if (modes.isEmpty()) {
       found.accept(Diagnosis.lacking("display", "no monitor found", "connect a monitor"));
     }

@@ -30,10 +30,7 @@ public final class GlProfiles {
         Optional<String> best = best();
         if (best.isPresent()) {
           throw new GlUnavailableException(
-              ("the display's driver has no OpenGL 3.3, only %s: install a newer driver, or draw "
-                      + "in software with LIBGL_ALWAYS_SOFTWARE=1")
-                  .formatted(best.get()),
-              e);
+              tooOld(best.get(), System.getProperty("os.name", "")), e);
         }
         if (tries == TRIES) {
           throw new GlUnavailableException(
@@ -60,11 +57,34 @@ public final class GlProfiles {
       if (e.getClass() == RuntimeException.class && message.startsWith("Waited ")) {
         throw new GlUnavailableException(
             "OpenGL did not start in time: the machine is very busy or its driver hangs; try again "
-                + "when fewer programs run, or with LIBGL_ALWAYS_SOFTWARE=1",
+                + "when fewer programs run"
+                + (System.getProperty("os.name", "").equals("Linux")
+                    ? ", or with LIBGL_ALWAYS_SOFTWARE=1"
+                    : ", or update the driver"),
             e);
       }
       throw e;
     }
+  }
+
+  /**
+   * Says what to do about an OpenGL that is too old.
+   *
+   * @param best the newest profile, as JOGL names it
+   * @param system the name of the operating system, as in {@code os.name}
+   */
+  static String tooOld(String best, String system) {
+    String advice;
+    if (system.startsWith("Windows")) {
+      advice =
+          "install the driver of the graphics card's maker; Windows' own has none, and a remote"
+              + " desktop may offer none";
+    } else if (system.startsWith("Mac")) {
+      advice = "use a newer version of macOS or a newer computer";
+    } else {
+      advice = "install a newer driver, or draw in software with LIBGL_ALWAYS_SOFTWARE=1";
+    }
+    return "the display's driver has no OpenGL 3.3, only " + best + ": " + advice;
   }
 
   private static void askAgain() {

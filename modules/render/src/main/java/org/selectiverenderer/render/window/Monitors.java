@@ -1,5 +1,6 @@
 package org.selectiverenderer.render.window;
 
+import com.jogamp.nativewindow.NativeWindowException;
 import com.jogamp.nativewindow.NativeWindowFactory;
 import com.jogamp.nativewindow.util.RectangleImmutable;
 import com.jogamp.newt.Display;
@@ -7,9 +8,12 @@ import com.jogamp.newt.MonitorDevice;
 import com.jogamp.newt.NewtFactory;
 import com.jogamp.newt.Screen;
 import com.jogamp.newt.util.EDTUtil;
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.function.Supplier;
 import jogamp.nativewindow.x11.X11Lib;
 import org.selectiverenderer.render.context.JoglNativeLibraries;
 
@@ -17,14 +21,44 @@ import org.selectiverenderer.render.context.JoglNativeLibraries;
 public final class Monitors {
   private Monitors() {}
 
-  /** Returns all monitors, sorted by screen, from left to right and from top to bottom. */
+  /**
+   * Returns all monitors, sorted by screen, from left to right and from top to bottom.
+   *
+   * @throws UncheckedIOException if the system describes a monitor in a way that JOGL cannot use
+   */
   public static List<Monitor> all() {
     return modes().stream().map(MonitorMode::monitor).toList();
   }
 
-  /** Returns all monitors with refresh rate and scale, in the same order. */
+  /**
+   * Returns all monitors with refresh rate and scale, in the same order.
+   *
+   * @throws UncheckedIOException if the system describes a monitor in a way that JOGL cannot use
+   */
   public static List<MonitorMode> modes() {
     JoglNativeLibraries.use();
+    return explained(Monitors::list);
+  }
+
+  /**
+   * Says in a sentence what is wrong where JOGL refuses a description of a monitor, such as that of
+   * Wine, whose monitors joined to one have modes without a size.
+   */
+  static List<MonitorMode> explained(Supplier<List<MonitorMode>> list) {
+    try {
+      return list.get();
+    } catch (IllegalArgumentException | NativeWindowException e) {
+      throw new UncheckedIOException(
+          new IOException(
+              "the monitors cannot be listed, since the system or its driver describes one that"
+                  + " cannot be ("
+                  + e.getMessage()
+                  + "); set them up anew in the system's display settings, or update the driver",
+              e));
+    }
+  }
+
+  private static List<MonitorMode> list() {
     List<MonitorMode> monitors = new ArrayList<>();
     Display display = NewtFactory.createDisplay(null);
     int screens = 1;

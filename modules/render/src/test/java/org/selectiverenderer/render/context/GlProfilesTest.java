@@ -1,5 +1,6 @@
 package org.selectiverenderer.render.context;
 
+import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import com.jogamp.opengl.GLException;
@@ -36,5 +37,16 @@ class GlProfilesTest {
                       throw other;
                     }))
         .isSameAs(other);
+  }
+
+  @Test
+  void adviceFitsTheSystem() {
+    assertThat(GlProfiles.tooOld("GL2", "Linux"))
+        .startsWith("the display's driver has no OpenGL 3.3, only GL2: ")
+        .contains("LIBGL_ALWAYS_SOFTWARE=1");
+    assertThat(GlProfiles.tooOld("GL2", "Windows 11"))
+        .contains("graphics card's maker")
+        .doesNotContain("LIBGL");
+    assertThat(GlProfiles.tooOld("GL2", "Mac OS X")).contains("macOS").doesNotContain("LIBGL");
   }
 }
