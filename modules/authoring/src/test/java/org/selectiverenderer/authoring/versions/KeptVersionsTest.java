@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -66,8 +67,8 @@ class KeptVersionsTest extends VaseScene {
     assertThat(plan.versions().get(1).error()).isNaN();
     assertThat(plan.files()).extracting(PlannedFile::file).containsExactly(third);
     applied(request().keeping(Set.of(2)));
-    assertThat(second).hasContent(BY_HAND);
-    assertThat(scene).hasContent(CHANGED);
+    assertThat(second).usingCharset(StandardCharsets.UTF_8).hasContent(BY_HAND);
+    assertThat(scene).usingCharset(StandardCharsets.UTF_8).hasContent(CHANGED);
     assertThat(plan(request().keeping(Set.of(2, 3))).orElseThrow().isEmpty()).isTrue();
   }
 
@@ -83,7 +84,9 @@ class KeptVersionsTest extends VaseScene {
     SceneDocument document = applied(request());
     Map<Path, String> after = files();
     assertThat(after.get(second)).isNotEqualTo(BY_HAND);
-    assertThat(folder.resolve("inlineNodes/Vase_v2.x3d.bak")).hasContent(BY_HAND);
+    assertThat(folder.resolve("inlineNodes/Vase_v2.x3d.bak"))
+        .usingCharset(StandardCharsets.UTF_8)
+        .hasContent(BY_HAND);
     assertThat(document.history().names()).containsExactly("Make versions of Vase");
     document.history().undo();
     assertThat(files()).containsAllEntriesOf(before);
@@ -120,11 +123,13 @@ class KeptVersionsTest extends VaseScene {
     assertThatThrownBy(() -> document.history().undo())
         .isInstanceOf(EditRejectedException.class)
         .hasMessageContaining("Vase_v3.x3d: another program has changed the file");
-    assertThat(third).hasContent("theirs");
+    assertThat(third).usingCharset(StandardCharsets.UTF_8).hasContent("theirs");
     assertThat(document.text().toString()).isEqualTo(text);
     assertThat(document.history().undo(true)).isTrue();
-    assertThat(second).hasContent(BY_HAND);
-    assertThat(folder.resolve("inlineNodes/Vase_v3.x3d.bak")).hasContent("theirs");
+    assertThat(second).usingCharset(StandardCharsets.UTF_8).hasContent(BY_HAND);
+    assertThat(folder.resolve("inlineNodes/Vase_v3.x3d.bak"))
+        .usingCharset(StandardCharsets.UTF_8)
+        .hasContent("theirs");
   }
 
   @Test
@@ -133,7 +138,7 @@ class KeptVersionsTest extends VaseScene {
     SceneDocument document = applied(request().keeping(Set.of(3)).named("Slim Vase"));
     assertThat(document.text().toString())
         .isEqualTo(CHANGED.replace("inlineNodes/Vase_v2.x3d", "inlineNodes/Slim_Vase_v2.x3d"));
-    assertThat(second).hasContent(BY_HAND);
+    assertThat(second).usingCharset(StandardCharsets.UTF_8).hasContent(BY_HAND);
     assertThat(folder.resolve("inlineNodes/Slim_Vase_v2.x3d")).exists();
     document.history().undo();
     assertThat(files()).isEqualTo(before);
@@ -144,6 +149,6 @@ class KeptVersionsTest extends VaseScene {
     Path taken = Files.writeString(folder.resolve("inlineNodes/Slim_v2.x3d"), "theirs");
     assertThat(plan(request().named("Slim"))).isEmpty();
     assertThat(problems.list().get(0).toString()).contains("Slim_v2.x3d", "exists already");
-    assertThat(taken).hasContent("theirs");
+    assertThat(taken).usingCharset(StandardCharsets.UTF_8).hasContent("theirs");
   }
 }

@@ -32,7 +32,10 @@ class VersionCreationTest extends VaseScene {
 
     VersionsEdit plan = make(scene, "Vase");
 
-    assertThat(scene).hasContent(CHANGED).hasBinaryContent(CHANGED.getBytes(UTF_8));
+    assertThat(scene)
+        .usingCharset(UTF_8)
+        .hasContent(CHANGED)
+        .hasBinaryContent(CHANGED.getBytes(UTF_8));
     assertThat(plan.versions())
         .extracting(ObjectVersion::polygons)
         .startsWith(960)
@@ -91,6 +94,7 @@ class VersionCreationTest extends VaseScene {
     make(scene, "Table");
 
     assertThat(scene)
+        .usingCharset(UTF_8)
         .hasContent(CHANGED.replace("Switch_Vase", "Switch_Table").replace("Vase_v", "Table_v"));
   }
 
@@ -104,6 +108,7 @@ class VersionCreationTest extends VaseScene {
     make(scene, "Set", new SimplificationTarget.Polygons(100));
 
     assertThat(scene)
+        .usingCharset(UTF_8)
         .hasContent(
             "<X3D version='3.3'><Scene>\n  <Group DEF='Set'>\n"
                 + "    <Switch DEF='Switch_Set' whichChoice='0'>\n"
@@ -211,8 +216,8 @@ class VersionCreationTest extends VaseScene {
         .orElseThrow()
         .write();
 
-    assertThat(scene).hasContent(SCENE);
-    assertThat(output).hasContent(CHANGED);
+    assertThat(scene).usingCharset(UTF_8).hasContent(SCENE);
+    assertThat(output).usingCharset(UTF_8).hasContent(CHANGED);
   }
 
   @Test

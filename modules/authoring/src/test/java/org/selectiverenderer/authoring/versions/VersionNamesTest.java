@@ -3,6 +3,7 @@ package org.selectiverenderer.authoring.versions;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
@@ -36,7 +37,9 @@ class VersionNamesTest extends VaseScene {
 
     make(b, "Sh", new SimplificationTarget.VertexPercent(50));
 
-    assertThat(folder.resolve("inlineNodes/Sh_v1.x3d")).hasContent(original);
+    assertThat(folder.resolve("inlineNodes/Sh_v1.x3d"))
+        .usingCharset(StandardCharsets.UTF_8)
+        .hasContent(original);
     assertThat(folder.resolve("inlineNodes/Sh2_v1.x3d")).content().contains("<Cone");
     assertThat(b).content().contains("\"inlineNodes/Sh2_v1.x3d\"", "\"inlineNodes/Sh2_v2.x3d\"");
     assertThat(problems.list().toString()).contains("Sh_v1.x3d", "Sh2_v1.x3d");
@@ -62,7 +65,7 @@ class VersionNamesTest extends VaseScene {
 
     make(scene(SCENE), "Vase");
 
-    assertThat(hand).hasContent("by hand");
+    assertThat(hand).usingCharset(StandardCharsets.UTF_8).hasContent("by hand");
     assertThat(folder.resolve("inlineNodes/Vase2_v3.x3d")).exists();
   }
 
@@ -93,7 +96,7 @@ class VersionNamesTest extends VaseScene {
         .isEmpty();
 
     assertThat(problems.list().toString()).contains("Vase_v3.x3d");
-    assertThat(hand).hasContent("by hand");
+    assertThat(hand).usingCharset(StandardCharsets.UTF_8).hasContent("by hand");
   }
 
   @Test

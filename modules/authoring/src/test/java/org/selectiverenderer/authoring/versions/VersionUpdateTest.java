@@ -3,6 +3,7 @@ package org.selectiverenderer.authoring.versions;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
@@ -29,8 +30,10 @@ class VersionUpdateTest extends VaseScene {
     make(
         scene, name, new SimplificationTarget.Polygons(200), new SimplificationTarget.Polygons(40));
 
-    assertThat(scene).hasContent(CHANGED);
-    assertThat(folder.resolve("inlineNodes/Vase_v1.x3d")).hasContent(original);
+    assertThat(scene).usingCharset(StandardCharsets.UTF_8).hasContent(CHANGED);
+    assertThat(folder.resolve("inlineNodes/Vase_v1.x3d"))
+        .usingCharset(StandardCharsets.UTF_8)
+        .hasContent(original);
     assertThat(polygons("inlineNodes/Vase_v2.x3d")).isBetween(198, 202);
     assertThat(polygons("inlineNodes/Vase_v3.x3d")).isBetween(38, 42);
   }
@@ -55,10 +58,10 @@ class VersionUpdateTest extends VaseScene {
     String third = "        <Inline DEF='Inline_Vase_v3' url='\"inlineNodes/Vase_v3.x3d\"'/>\n";
 
     make(scene, "Vase", new SimplificationTarget.Polygons(200));
-    assertThat(scene).hasContent(CHANGED.replace(third, ""));
+    assertThat(scene).usingCharset(StandardCharsets.UTF_8).hasContent(CHANGED.replace(third, ""));
 
     make(scene, "Vase");
-    assertThat(scene).hasContent(CHANGED);
+    assertThat(scene).usingCharset(StandardCharsets.UTF_8).hasContent(CHANGED);
   }
 
   @Test

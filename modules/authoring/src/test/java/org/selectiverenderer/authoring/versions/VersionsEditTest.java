@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -46,7 +47,7 @@ class VersionsEditTest {
     assertThat(folder.resolve("inlineNodes")).doesNotExist();
     versions.apply(document);
     assertThat(folder.resolve("inlineNodes/Ball_v2.x3d")).exists();
-    assertThat(file.path()).hasContent(SCENE);
+    assertThat(file.path()).usingCharset(StandardCharsets.UTF_8).hasContent(SCENE);
     assertThat(new DocumentEnrichment(document, NodeCatalogue.load()).switches().get(0).choices())
         .extracting(choice -> choice.url())
         .containsExactly("inlineNodes/Ball_v1.x3d", "inlineNodes/Ball_v2.x3d");
