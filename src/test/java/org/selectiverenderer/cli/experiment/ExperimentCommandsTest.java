@@ -2,7 +2,6 @@ package org.selectiverenderer.cli.experiment;
 
 import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
@@ -16,6 +15,8 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.base.files.Sha256;
 import org.selectiverenderer.cli.CommandTestCase;
@@ -382,8 +383,8 @@ class ExperimentCommandsTest extends CommandTestCase {
   }
 
   @Test
+  @EnabledOnOs(OS.LINUX)
   void aFullDiskAndAFolderAreNamed() throws IOException {
-    assumeTrue(Files.exists(Path.of("/dev/full")));
     Files.writeString(folder.resolve("r.csv"), simulated(12));
     String answers = folder.resolve("r.csv").toString();
     assertThat(execute("experiment", "analyse", answers, "--output", "/dev/full")).isEqualTo(2);

@@ -14,6 +14,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.base.problem.ProblemCollector;
 
@@ -174,6 +176,7 @@ class HeadLogTest {
   }
 
   @Test
+  @EnabledOnOs(OS.LINUX)
   void aDiskThatTakesNothingIsToldAtTheBeginning() throws IOException {
     Path full = Path.of("/dev/full");
     org.junit.jupiter.api.Assumptions.assumeTrue(Files.exists(full));

@@ -194,7 +194,7 @@ class CostPanelTest {
     show();
     GuiRobot.onEdt(
         () -> {
-          frame.setSize(280, 300);
+          frame.setSize(200, 300);
           frame.validate();
           return true;
         });
