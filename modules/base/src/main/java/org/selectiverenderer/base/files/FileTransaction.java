@@ -136,8 +136,10 @@ public final class FileTransaction {
 
   /** Returns whether a path is a pipe, terminal or device, which is written to in place. */
   public static boolean sink(Path file) {
-    return WindowsDeviceName.leadsToDevice(file) && !WindowsDeviceName.hasEnding(file)
-        || Files.exists(file) && !Files.isRegularFile(file) && !Files.isDirectory(file);
+    if (WindowsDeviceName.leadsToDevice(file)) {
+      return !WindowsDeviceName.hasEnding(file);
+    }
+    return Files.exists(file) && !Files.isRegularFile(file) && !Files.isDirectory(file);
   }
 
   private void stage(Content content, List<Staged> staged) throws IOException {

@@ -1,12 +1,9 @@
 package org.selectiverenderer.base.files;
 
-import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.regex.Pattern;
-import java.util.stream.Stream;
 
 /**
  * File names that Windows takes for a device in every folder, such as {@code NUL} and {@code
@@ -26,27 +23,13 @@ public final class WindowsDeviceName {
 
   /**
    * Returns whether a path leads to a device because of its name, which it does on Windows only.
-   * Windows 11 has files of such names in folders. Such a file is looked for in the list of its
-   * folder, since Java 17 takes a device for a regular file.
+   * Windows 11 has files of such names in folders.
    */
   static boolean leadsToDevice(Path file) {
     return onWindows()
         && file.getFileName() != null
         && matches(file.getFileName().toString())
-        && !isListed(file);
-  }
-
-  private static boolean isListed(Path file) {
-    String name = file.getFileName().toString();
-    Path folder = file.toAbsolutePath().getParent();
-    if (folder == null) {
-      return false;
-    }
-    try (Stream<Path> files = Files.list(folder)) {
-      return files.anyMatch(each -> name.equalsIgnoreCase(String.valueOf(each.getFileName())));
-    } catch (IOException | UncheckedIOException e) {
-      return false; // What cannot be listed is not known to hold a file of that name.
-    }
+        && !Files.isRegularFile(file);
   }
 
   /** Returns whether a path that leads to a device has an ending, so that a file was meant. */
