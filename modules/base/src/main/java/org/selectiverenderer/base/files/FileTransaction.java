@@ -143,10 +143,10 @@ public final class FileTransaction {
   }
 
   private void stage(Content content, List<Staged> staged) throws IOException {
-    Path target = actions.target(at);
     if (WindowsDeviceName.leadsToDevice(at)) {
       throw new IOException("Windows takes this name for a device; choose another name");
     }
+    Path target = actions.target(at);
     if (Files.isDirectory(target)) {
       throw new IOException("it is a folder");
     }
