@@ -18,6 +18,9 @@ final class TargetPaths {
 
   /** Returns the file itself, or the target of a link, even if that does not exist yet. */
   static Path target(Path file) throws IOException {
+    if (WindowsDeviceName.leadsToDevice(file)) {
+      return file.toAbsolutePath().normalize(); // Windows does not tell the real path of a device.
+    }
     if (Files.exists(file)) {
       return file.toRealPath();
     }
