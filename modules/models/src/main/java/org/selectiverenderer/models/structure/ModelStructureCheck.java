@@ -37,4 +37,15 @@ public record ModelStructureCheck(long maxModelBytes) {
       }
     }
   }
+
+  /**
+   * Checks a glTF file, in JSON or binary, without closing the stream.
+   *
+   * @param size the number of bytes of the stream
+   * @throws IOException if it cannot be read
+   * @throws ModelStructureException if its structure is not one to be read
+   */
+  public void checkGltf(InputStream in, long size) throws IOException, ModelStructureException {
+    new GltfStructureCheck(maxModelBytes).check(in, size);
+  }
 }
