@@ -18,6 +18,7 @@ import org.selectiverenderer.command.output.ExitStatus;
 import org.selectiverenderer.command.output.OutputFile;
 import org.selectiverenderer.command.output.UndeletedFilesWarning;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.read.PrototypeLibraryLoader;
 import org.selectiverenderer.x3d.read.X3dReader;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.DocumentError;
@@ -33,8 +34,8 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "convert",
     description = {
-      "Writes a scene in another encoding: X3D XML, ClassicVRML or X3D JSON.",
-      "What the scene is written in is seen from its content: one of these, or VRML97. What OUT is "
+      "Writes a scene, or a model in glTF, in another encoding: X3D XML, ClassicVRML or X3D JSON.",
+      "What the scene is written in is seen from its content: one of these, VRML97 or glTF. What OUT is "
           + "written in follows from its ending; .x3dz, .x3dvz, .x3djz and .gz are compressed."
     },
     footer = {
@@ -76,11 +77,11 @@ public final class ConvertCommand extends CliCommand {
     NodeCatalogue catalogue = NodeCatalogue.load();
     XmlDocument document;
     try (InputStream in = Files.newInputStream(scene)) {
-      document = new X3dReader(catalogue).document(scene.toString(), in, Files.size(scene));
+      document = reader(catalogue).document(scene.toString(), in, Files.size(scene));
     }
     ProblemCollector problems = new ProblemCollector(console()::problem);
     for (DocumentError fault : document.faults()) {
-      if (fault.kind() == DocumentError.Kind.ENCODING) {
+      if (fault.kind() == DocumentError.Kind.ENCODING || fault.kind() == DocumentError.Kind.MODEL) {
         problems.warning(fault.location(), fault.message());
       } else {
         problems.error(fault.location(), fault.message() + "; nothing is written");
@@ -101,6 +102,15 @@ public final class ConvertCommand extends CliCommand {
             output.toAbsolutePath().getParent());
     MissingFilesWarning.tell(left, output, console());
     return ExitStatus.of(problems);
+  }
+
+  /** Returns the reader of the scene, which as a model may have files in its folder. */
+  private X3dReader reader(NodeCatalogue catalogue) {
+    X3dReader reader = new X3dReader(catalogue);
+    Path parent = scene.toAbsolutePath().getParent();
+    Path folder = parent == null ? scene.toAbsolutePath() : parent;
+    return reader.with(
+        new PrototypeLibraryLoader(reader, new UrlResolver(folder)), BaseUrl.folder(folder));
   }
 
   /** Rejects an output that would overwrite a file to which the scene refers. */

@@ -135,6 +135,17 @@ public final class XmlRules {
           .good("<Group><!-- the table --></Group>")
           .see("ISO/IEC 19776-1, 4.3");
 
+  static final Rule MODEL =
+      Rule.warning("SR012", "{fault}")
+          .about("a part of a model, such as one in glTF, that is left out")
+          .because(
+              """
+              A model of another program is translated into X3D when it is read. What X3D has no \
+              word for, or what the translation does not read, is missing in the scene.""")
+          .bad("nodes[2].skin: a mesh in glTF that is bent by a skeleton")
+          .good("nodes[2].mesh: a mesh whose nodes move")
+          .see("docs/models.md");
+
   private XmlRules() {}
 
   /** The rules and their checks. */
@@ -152,7 +163,8 @@ public final class XmlRules {
             LIMIT,
             NAME_OF_COMPRESSED,
             COMMENT,
-            TEXT),
+            TEXT,
+            MODEL),
         List.of(
             new ParseFaultCheck(),
             new PrologCheck(),
