@@ -44,7 +44,8 @@ final class GltfFile {
   static GltfFile of(ModelFile model) throws IOException {
     try {
       new ModelStructureCheck(model.limits().maxBytes())
-          .checkGltf(new ByteArrayInputStream(model.bytes(), 0, model.length()), model.length());
+          .check(
+              ".gltf", new ByteArrayInputStream(model.bytes(), 0, model.length()), model.length());
     } catch (ModelStructureException e) {
       throw new IOException(e.getMessage(), e);
     }
