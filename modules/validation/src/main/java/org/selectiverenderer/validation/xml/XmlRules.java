@@ -142,8 +142,12 @@ public final class XmlRules {
               """
               A model of another program is translated into X3D when it is read. What X3D has no \
               word for, or what the translation does not read, is missing in the scene.""")
-          .bad("nodes[2].skin: a mesh in glTF that is bent by a skeleton")
-          .good("nodes[2].mesh: a mesh whose nodes move")
+          .bad(
+              """
+              {"asset": {"version": "2.0"}, "meshes": [{}], "nodes": [{"mesh": 0, "skin": 0}]}""")
+          .good(
+              """
+              {"asset": {"version": "2.0"}, "meshes": [{}], "nodes": [{"mesh": 0}]}""")
           .see("docs/models.md");
 
   private XmlRules() {}
