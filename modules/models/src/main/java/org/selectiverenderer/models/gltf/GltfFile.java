@@ -20,6 +20,7 @@ import org.selectiverenderer.x3d.url.UrlResolver;
 
 /** The JSON of a glTF file, and its buffers, which are read when they are first needed. */
 final class GltfFile {
+  private static final String MESHOPT = "EXT_meshopt_compression";
   private static final int HEADER = 12;
   private static final int CHUNK_HEADER = 8;
 
@@ -27,6 +28,7 @@ final class GltfFile {
   private final JsonNode root;
   private final ByteBuffer binary;
   private final Map<Integer, ByteBuffer> buffers = new HashMap<>();
+  private final Map<Integer, ByteBuffer> unpacked = new HashMap<>();
   private long left;
 
   private GltfFile(ModelFile model, JsonNode root, ByteBuffer binary) {
@@ -140,6 +142,22 @@ final class GltfFile {
   /** Returns the bytes of a bufferView. */
   ByteBuffer view(int index) throws IOException {
     JsonNode view = part("bufferViews", index);
+    JsonNode packed = view.path("extensions").path(MESHOPT);
+    return packed.isObject() ? unpacked(index, packed) : slice(index, view);
+  }
+
+  private ByteBuffer unpacked(int index, JsonNode packed) throws IOException {
+    ByteBuffer known = unpacked.get(index);
+    if (known == null) {
+      String path = "bufferViews[%d].extensions.%s".formatted(index, MESHOPT);
+      known = new MeshoptDecoder(packed, path).decode(slice(index, packed), left);
+      left -= known.capacity();
+      unpacked.put(index, known);
+    }
+    return known.duplicate().order(ByteOrder.LITTLE_ENDIAN);
+  }
+
+  private ByteBuffer slice(int index, JsonNode view) throws IOException {
     ByteBuffer buffer = buffer(index(view, "buffer"));
     long offset = view.path("byteOffset").asLong(0);
     long length = view.path("byteLength").asLong(0);

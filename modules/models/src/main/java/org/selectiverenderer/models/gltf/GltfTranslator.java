@@ -32,6 +32,7 @@ public final class GltfTranslator {
           "KHR_texture_transform",
           "KHR_lights_punctual",
           "KHR_mesh_quantization",
+          "EXT_meshopt_compression",
           "KHR_draco_mesh_compression", // told where it is used
           "EXT_texture_webp");
 

@@ -5,7 +5,7 @@
  * and problems with the path in the model. The JSON is read with Jackson and the numbers by {@code
  * GltfAccessors}, after {@code structure} has found that they lie in the file: libraries for glTF
  * trust what a file announces. Uses {@code structure}, {@code x3d.model}, {@code x3d.url}, {@code
- * x3d.write} and {@code base}.
+ * x3d.write}, {@code base}, and meshoptimizer for compressed buffers.
  */
 @NullMarked
 package org.selectiverenderer.models.gltf;

@@ -10,11 +10,14 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Base64;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.lwjgl.system.MemoryUtil;
+import org.lwjgl.util.meshoptimizer.MeshOptimizer;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
@@ -365,6 +368,59 @@ class GltfTranslatorTest {
         .singleElement()
         .asString()
         .startsWith("meshes[0].primitives[0]: its indices name vertex 9, but it has 3");
+  }
+
+  private static byte[] packed(float... values) {
+    ByteBuffer vertices = MemoryUtil.memAlloc(4 * values.length);
+    ByteBuffer packed = MemoryUtil.memAlloc(1000);
+    try {
+      vertices.asFloatBuffer().put(values);
+      int size =
+          (int) MeshOptimizer.meshopt_encodeVertexBuffer(packed, vertices, values.length / 3, 12);
+      byte[] bytes = new byte[size];
+      packed.get(bytes);
+      return bytes;
+    } finally {
+      MemoryUtil.memFree(vertices);
+      MemoryUtil.memFree(packed);
+    }
+  }
+
+  private X3dFile compressed(byte[] packed) throws IOException {
+    String data = Base64.getEncoder().encodeToString(packed);
+    return read(
+        """
+        {"asset":{"version":"2.0"},%s,
+         "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],
+         "bufferViews":[{"buffer":1,"byteLength":36,"extensions":{"EXT_meshopt_compression":
+           {"buffer":0,"byteLength":%d,"byteStride":12,"count":3,"mode":"ATTRIBUTES"}}}],
+         "buffers":[{"byteLength":%d,"uri":"data:application/octet-stream;base64,%s"},
+           {"byteLength":36}]}
+        """
+            .formatted(
+                ONE_NODE.formatted("", "{\"attributes\":{\"POSITION\":0}}"),
+                packed.length,
+                packed.length,
+                data));
+  }
+
+  @Test
+  void buffersCompressedByMeshoptimizerAreRead() throws IOException {
+    X3dFile file = compressed(packed(0, 0, 0, 1, 0, 0, 0, 1, 0));
+
+    assertThat(first(file, "Coordinate").floats("point"))
+        .containsExactly(0, 0, 0, 1, 0, 0, 0, 1, 0);
+    assertThat(messages()).isEmpty();
+  }
+
+  @Test
+  void damagedCompressedBuffersAreTold() throws IOException {
+    compressed(new byte[] {1, 2, 3});
+
+    assertThat(messages())
+        .singleElement()
+        .asString()
+        .contains("EXT_meshopt_compression is damaged");
   }
 
   @Test
