@@ -70,7 +70,7 @@ final class GltfAnimations {
     if (channels.isEmpty() || !(duration > 0)) {
       return;
     }
-    String name = animation.path("name").asText("");
+    String name = GltfFile.text(animation, "name");
     String clock = names.unique(name, "animation" + index);
     out.open("TimeSensor", "DEF", clock, "cycleInterval", Numbers.of(duration), "loop", "true");
     if (!name.isBlank()) {

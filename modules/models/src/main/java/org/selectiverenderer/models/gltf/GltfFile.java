@@ -117,6 +117,26 @@ final class GltfFile {
         : -1;
   }
 
+  /** Returns the text of a member, without characters that XML forbids (1.0, 2.2). */
+  static String text(JsonNode from, String member) {
+    StringBuilder text = new StringBuilder();
+    from.path(member)
+        .asText("")
+        .codePoints()
+        .map(c -> isXml(c) ? c : 0xfffd)
+        .forEach(text::appendCodePoint);
+    return text.toString();
+  }
+
+  private static boolean isXml(int c) {
+    return c >= 0x20 && c < 0xd800
+        || c > 0xdfff && c < 0xfffe
+        || c > 0xffff
+        || c == '\t'
+        || c == '\n'
+        || c == '\r';
+  }
+
   /** Returns a number that a member has, if it is finite. */
   static double number(JsonNode from, String member, double otherwise) {
     double value = from.path(member).asDouble(otherwise);

@@ -79,7 +79,7 @@ final class GltfTextures {
           path, "the texture has no picture in PNG or JPEG, so the surface has none here");
       return "";
     }
-    String uri = part.path("uri").asText("");
+    String uri = GltfFile.text(part, "uri");
     if (!uri.isEmpty()) {
       return uri.replace("\\", "%5C").replace("\"", "%22");
     }

@@ -71,11 +71,11 @@ public final class GltfTranslator {
     loadBuffers();
     findMorphs();
     out.file("Full", "4.0").open("head");
-    String generator = file.root().path("asset").path("generator").asText("");
+    String generator = GltfFile.text(file.root().path("asset"), "generator");
     if (!generator.isBlank()) {
       out.meta("reference", "glTF written by " + generator);
     }
-    String copyright = file.root().path("asset").path("copyright").asText("");
+    String copyright = GltfFile.text(file.root().path("asset"), "copyright");
     if (!copyright.isBlank()) {
       out.meta("rights", copyright);
     }
@@ -154,7 +154,7 @@ public final class GltfTranslator {
       problems.tell(path, "nodes are nested too deep; those below are left out");
       return;
     }
-    String name = node.path("name").asText("");
+    String name = GltfFile.text(node, "name");
     String def = names.unique(name, "node" + index);
     transforms.put(index, def);
     NodeTransform place = NodeTransform.of(node);

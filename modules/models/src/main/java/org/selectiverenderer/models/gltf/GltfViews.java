@@ -28,7 +28,7 @@ final class GltfViews {
   void write(JsonNode node, String path, String name) {
     JsonNode camera = file.referred(node, "camera", "cameras");
     if (camera.isObject()) {
-      camera(camera, camera.path("name").asText(name));
+      camera(camera, camera.has("name") ? GltfFile.text(camera, "name") : name);
     }
     int light = GltfFile.index(node.path("extensions").path("KHR_lights_punctual"), "light");
     JsonNode lights = file.root().path("extensions").path("KHR_lights_punctual").path("lights");

@@ -370,6 +370,39 @@ class GltfTranslatorTest {
         .startsWith("meshes[0].primitives[0]: its indices name vertex 9, but it has 3");
   }
 
+  @Test
+  void namesMayHaveWhatXmlForbids() throws IOException {
+    X3dFile file =
+        read(
+            new GltfBuilder()
+                .triangle()
+                .json(
+                    ONE_NODE.formatted(
+                        ",\"name\":\"\\u0000<&\\\"'>\\u001b\"",
+                        "{\"attributes\":{\"POSITION\":0}}")));
+
+    assertThat(messages()).isEmpty();
+    assertThat(first(file, "MetadataString").strings("value"))
+        .containsExactly("\ufffd<&\"'>\ufffd");
+  }
+
+  @Test
+  void referencesToNothingAreTold() throws IOException {
+    X3dFile file =
+        mesh(
+            new GltfBuilder().triangle(),
+            "{\"attributes\":{\"POSITION\":0},\"material\":0}",
+            """
+            ,"materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":9,"texCoord":7}}}],
+             "animations":[{"channels":[{"sampler":5,"target":{"node":0,"path":"rotation"}}]}]""");
+
+    assertThat(first(file, "IndexedTriangleSet").ints("index")).hasSize(3);
+    assertThat(messages())
+        .anyMatch(message -> message.contains("TEXCOORD_7, which it lacks"))
+        .anyMatch(message -> message.contains("the texture has no picture"))
+        .anyMatch(message -> message.startsWith("animations[0].channels[0]"));
+  }
+
   private static byte[] packed(float... values) {
     ByteBuffer vertices = MemoryUtil.memAlloc(4 * values.length);
     ByteBuffer packed = MemoryUtil.memAlloc(1000);
