@@ -43,6 +43,7 @@ import org.jspecify.annotations.NullMarked;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.command.CommandProvider;
 import org.selectiverenderer.command.output.Console;
+import org.selectiverenderer.x3d.model.ModelTranslator;
 
 /**
  * Holds the code against ARCHITECTURE.md: its drawing of the modules, and those of its boundaries
@@ -380,6 +381,7 @@ class ArchitectureTest {
             .filter(found -> !found.isInterface()) // a lambda of another package may be one
             .filter(found -> found.tryGetMethod("main", String[].class).isEmpty())
             .filter(found -> !found.isAssignableTo(CommandProvider.class)) // found by ServiceLoader
+            .filter(found -> !found.isAssignableTo(ModelTranslator.class)) // likewise
             .filter(found -> !isUsedFromOutside(found))
             .map(JavaClass::getName)
             .filter(found -> !PUBLIC_ALL_THE_SAME.contains(found));

@@ -18,6 +18,8 @@ import org.selectiverenderer.command.output.ExitStatus;
 import org.selectiverenderer.command.output.OutputFile;
 import org.selectiverenderer.command.output.UndeletedFilesWarning;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.model.ModelFormat;
+import org.selectiverenderer.x3d.read.PrototypeLibraryLoader;
 import org.selectiverenderer.x3d.read.X3dReader;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.DocumentError;
@@ -28,20 +30,25 @@ import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 import org.selectiverenderer.x3d.url.UrlResolver;
 import org.selectiverenderer.x3d.write.SceneFormat;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
 @Command(
     name = "convert",
     description = {
-      "Writes a scene in another encoding: X3D XML, ClassicVRML or X3D JSON.",
-      "What the scene is written in is seen from its content: one of these, or VRML97. What OUT is "
+      "Writes a scene, or a model in glTF, in another encoding: X3D XML, ClassicVRML or X3D JSON.",
+      "What the scene is written in is seen from its content: one of these, VRML97 or glTF. What OUT is "
           + "written in follows from its ending; .x3dz, .x3dvz, .x3djz and .gz are compressed."
     },
     footer = {
       "  ./selective-renderer convert house.wrl house.x3d",
-      "  ./selective-renderer convert scenes/trashcan.x3d scenes/trashcan.x3dv"
+      "  ./selective-renderer convert scenes/trashcan.x3d scenes/trashcan.x3dv",
+      "  ./selective-renderer convert chair.glb chair.x3d"
     })
 public final class ConvertCommand extends CliCommand {
+  /** The number of bytes by which a model is recognised. */
+  private static final int HEAD = 4096;
+
   @Parameters(paramLabel = "IN", index = "0", description = "scene to read")
   private Path scene = Path.of("");
 
@@ -50,6 +57,11 @@ public final class ConvertCommand extends CliCommand {
       index = "1",
       description = "file to write: .x3d, .x3dz, .x3dv, .x3dvz, .x3dj, .x3djz or .json")
   private Path output = Path.of("");
+
+  @Option(
+      names = "--embed",
+      description = "keeps the pictures inside of a model in OUT, instead of in files beside it")
+  private boolean embed;
 
   public ConvertCommand(Console console) {
     super(console);
@@ -76,11 +88,11 @@ public final class ConvertCommand extends CliCommand {
     NodeCatalogue catalogue = NodeCatalogue.load();
     XmlDocument document;
     try (InputStream in = Files.newInputStream(scene)) {
-      document = new X3dReader(catalogue).document(scene.toString(), in, Files.size(scene));
+      document = reader(catalogue).document(scene.toString(), in, Files.size(scene));
     }
     ProblemCollector problems = new ProblemCollector(console()::problem);
     for (DocumentError fault : document.faults()) {
-      if (fault.kind() == DocumentError.Kind.ENCODING) {
+      if (fault.kind() == DocumentError.Kind.ENCODING || fault.kind() == DocumentError.Kind.MODEL) {
         problems.warning(fault.location(), fault.message());
       } else {
         problems.error(fault.location(), fault.message() + "; nothing is written");
@@ -90,8 +102,14 @@ public final class ConvertCommand extends CliCommand {
       return ExitStatus.PROBLEMS;
     }
     keepInlined(document);
-    byte[] plain = format.text(document, catalogue, problems).getBytes(StandardCharsets.UTF_8);
+    String text = format.text(document, catalogue, problems);
     FileTransaction writing = new FileTransaction();
+    if (!embed && isModel() && !FileTransaction.sink(output)) {
+      EmbeddedPictures pictures = new EmbeddedPictures(output);
+      text = pictures.takenFrom(text);
+      pictures.contents().forEach(writing::addNew);
+    }
+    byte[] plain = text.getBytes(StandardCharsets.UTF_8);
     writing.add(output, SceneFormat.packed(output.toString()) ? Gzip.packed(plain) : plain);
     UndeletedFilesWarning.tell(writing.commit(), console());
     List<String> left =
@@ -101,6 +119,22 @@ public final class ConvertCommand extends CliCommand {
             output.toAbsolutePath().getParent());
     MissingFilesWarning.tell(left, output, console());
     return ExitStatus.of(problems);
+  }
+
+  private boolean isModel() throws IOException {
+    try (InputStream in = Files.newInputStream(scene)) {
+      byte[] head = in.readNBytes(HEAD);
+      return ModelFormat.of(scene.toString(), head, head.length).isPresent();
+    }
+  }
+
+  /** Returns the reader of the scene, which as a model may have files in its folder. */
+  private X3dReader reader(NodeCatalogue catalogue) {
+    X3dReader reader = new X3dReader(catalogue);
+    Path parent = scene.toAbsolutePath().getParent();
+    Path folder = parent == null ? scene.toAbsolutePath() : parent;
+    return reader.with(
+        new PrototypeLibraryLoader(reader, new UrlResolver(folder)), BaseUrl.folder(folder));
   }
 
   /** Rejects an output that would overwrite a file to which the scene refers. */

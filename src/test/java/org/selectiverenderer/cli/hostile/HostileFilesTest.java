@@ -168,8 +168,9 @@ class HostileFilesTest {
       case "models" ->
           ALL
               ? List.of(
+                  List.of("validate", name),
                   List.of("simplify", "--vert-percent", "50", name, "--output", out(file, ".x3d")))
-              : List.of();
+              : List.of(List.of("validate", name));
       case "studies" ->
           ending.equals(".json")
               ? List.of(

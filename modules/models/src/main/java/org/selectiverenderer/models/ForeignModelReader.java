@@ -1,12 +1,13 @@
 package org.selectiverenderer.models;
 
 import java.io.IOException;
-import java.nio.file.Path;
+import java.io.InputStream;
 import java.util.Optional;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.models.importer.ImportedModel;
+import org.selectiverenderer.models.importer.ModelFileSource;
 import org.selectiverenderer.models.importer.ModelImportException;
 import org.selectiverenderer.models.importer.ModelImportProcess;
 import org.selectiverenderer.models.structure.ModelStructureCheck;
@@ -14,7 +15,7 @@ import org.selectiverenderer.models.structure.ModelStructureException;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.url.UrlResolver;
 
-/** Reads OBJ, PLY, STL and glTF files in a child process. */
+/** Reads OBJ, PLY, STL, COLLADA and FBX files in a child process. */
 final class ForeignModelReader {
   private final NodeCatalogue catalogue;
   private final UrlResolver root;
@@ -39,14 +40,14 @@ final class ForeignModelReader {
   }
 
   /**
-   * Reads a regular file.
+   * Reads a model.
    *
    * @return empty if the file is damaged, not of the format that its name says, or beyond a limit,
    *     which is reported as a problem
    * @throws IOException if it cannot be read
    */
-  Optional<Model> read(Path file) throws IOException {
-    SourceLocation location = SourceLocation.of(file.toString());
+  Optional<Model> read(ModelSource file) throws IOException {
+    SourceLocation location = SourceLocation.of(file.name());
     process.start(); // it starts while the structure is checked
     try {
       Optional<Model> model =
@@ -62,25 +63,19 @@ final class ForeignModelReader {
     }
   }
 
-  private Optional<ImportedModel> imported(Path file)
+  private Optional<ImportedModel> imported(ModelSource file)
       throws IOException, ModelStructureException, ModelImportException {
-    structure.check(file);
-    String name = name(file);
-    ModelFileAccess files = new ModelFileAccess(file, name, root);
-    Optional<ImportedModel> imported = process.read(name, files);
+    ModelFileSource.OpenFile content = file.content().open();
+    try (InputStream in = content.content()) {
+      structure.check(file.fileName(), in, content.size());
+    }
+    ModelFileAccess files = new ModelFileAccess(file, root);
+    Optional<ImportedModel> imported = process.read(file.fileName(), files);
     if (imported.isPresent()) {
       files.report(Problem.Severity.WARNING, "what it defines is left out", problems);
     } else if (!files.report(Problem.Severity.ERROR, "nothing is read", problems)) {
       new ModelFileDiagnostics(file, problems).report();
     }
     return imported;
-  }
-
-  /** Returns the name by which Assimp asks for the model: without folders, which it would open. */
-  private static String name(Path file) {
-    String name = String.valueOf(file.getFileName());
-    return name.indexOf('\\') < 0 && name.length() <= 255
-        ? name
-        : "model" + name.substring(name.lastIndexOf('.'));
   }
 }

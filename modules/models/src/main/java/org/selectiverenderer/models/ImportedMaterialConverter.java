@@ -1,6 +1,5 @@
 package org.selectiverenderer.models;
 
-import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
@@ -21,8 +20,8 @@ final class ImportedMaterialConverter {
     this.catalogue = catalogue;
   }
 
-  ParsedNode appearance(Path file, ProblemCollector problems) {
-    SourceLocation location = SourceLocation.of(file.toString());
+  ParsedNode appearance(String file, ProblemCollector problems) {
+    SourceLocation location = SourceLocation.of(file);
     ParsedNode appearance = node("Appearance", location);
     ParsedNode look = node("Material", location);
     put(appearance, "material", look);

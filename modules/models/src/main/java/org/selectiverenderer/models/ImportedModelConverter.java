@@ -4,7 +4,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.decimal.Pluralizer;
 import org.selectiverenderer.base.problem.ProblemCollector;
@@ -16,17 +15,18 @@ import org.selectiverenderer.models.importer.ImportedModel.ImportedMesh;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.tessellate.MeshFactory;
+import org.selectiverenderer.x3d.url.BaseUrl;
 
 /** Makes a model of what was imported; faces that cannot be drawn are left out and reported. */
 final class ImportedModelConverter {
   /** The crease angle of files without normals, 45 degrees: flatter edges are shaded smooth. */
   private static final double CREASE_ANGLE = Math.PI / 4;
 
-  private final Path file;
+  private final ModelSource file;
   private final NodeCatalogue catalogue;
   private final ProblemCollector problems;
 
-  ImportedModelConverter(Path file, NodeCatalogue catalogue, ProblemCollector problems) {
+  ImportedModelConverter(ModelSource file, NodeCatalogue catalogue, ProblemCollector problems) {
     this.file = file;
     this.catalogue = catalogue;
     this.problems = problems;
@@ -34,18 +34,22 @@ final class ImportedModelConverter {
 
   Model model(ImportedModel imported) {
     // The normals in an STL file are facet normals, even where the surface is meant to be smooth.
-    boolean facets = file.toString().toLowerCase(Locale.ROOT).endsWith(".stl");
+    boolean facets = file.ending().equals("stl");
     List<ModelPart> parts = new ArrayList<>();
     for (ImportedMesh mesh : imported.meshes()) {
       NodeView appearance =
           new ImportedMaterialConverter(imported.materials().get(mesh.material()), catalogue)
-              .appearance(file, problems);
+              .appearance(file.name(), problems);
       Mesh read = mesh(mesh, facets, TextureUsage.used(appearance));
       if (!read.isEmpty()) {
-        parts.add(new ModelPart(appearance, read, ModelReader.folder(file)));
+        parts.add(new ModelPart(appearance, read, folder()));
       }
     }
     return new Model(parts, List.of());
+  }
+
+  private Path folder() {
+    return file.base() instanceof BaseUrl.Folder folder ? folder.path() : Path.of("");
   }
 
   private Mesh mesh(ImportedMesh mesh, boolean facets, boolean textured) {
@@ -77,7 +81,7 @@ final class ImportedModelConverter {
     }
     if (count < triangles.length) {
       problems.warning(
-          SourceLocation.of(file.toString()),
+          SourceLocation.of(file.name()),
           "%s has %s with a coordinate that is not a finite number; they are left out"
               .formatted(
                   name.isEmpty() ? "a mesh" : "mesh " + name,

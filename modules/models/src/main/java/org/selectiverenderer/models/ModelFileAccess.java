@@ -1,10 +1,6 @@
 package org.selectiverenderer.models;
 
 import java.io.IOException;
-import java.nio.channels.Channels;
-import java.nio.channels.SeekableByteChannel;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
@@ -13,7 +9,6 @@ import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.models.importer.ModelFileSource;
-import org.selectiverenderer.x3d.url.BaseUrl;
 import org.selectiverenderer.x3d.url.UrlContent;
 import org.selectiverenderer.x3d.url.UrlResolver;
 
@@ -27,28 +22,22 @@ final class ModelFileAccess implements ModelFileSource {
 
   private record Refusal(UrlResolver.Cause cause, String reason) {}
 
-  private final Path file;
-  private final String name;
+  private final ModelSource model;
   private final UrlResolver root;
   private final Map<String, Refusal> refused = new LinkedHashMap<>();
 
-  /**
-   * @param name the name by which the model itself is asked for
-   */
-  ModelFileAccess(Path file, String name, UrlResolver root) {
-    this.file = file;
-    this.name = name;
+  ModelFileAccess(ModelSource model, UrlResolver root) {
+    this.model = model;
     this.root = root;
   }
 
   @Override
   public Optional<OpenFile> open(String url) throws IOException {
-    if (url.equals(name)) {
-      return Optional.of(open(file));
+    if (url.equals(model.fileName())) {
+      return Optional.of(model.content().open());
     }
     // Formats other than X3D have no fragments.
-    UrlResolver.Target target =
-        root.resolve(url.replace("#", "%23"), BaseUrl.folder(ModelReader.folder(file)));
+    UrlResolver.Target target = root.resolve(url.replace("#", "%23"), model.base());
     if (target instanceof UrlResolver.Target.Refused why) {
       if (!guessed(url)) {
         refused.put(url, new Refusal(why.cause(), why.reason()));
@@ -58,7 +47,7 @@ final class ModelFileAccess implements ModelFileSource {
     UrlContent content = ((UrlResolver.Target.Found) target).content();
     return Optional.of(
         content.file().isPresent()
-            ? open(content.file().get())
+            ? ModelSource.open(content.file().get())
             : new OpenFile(content.size(), content.open()));
   }
 
@@ -74,16 +63,6 @@ final class ModelFileAccess implements ModelFileSource {
 
   private static String withSingleSlashes(String url) {
     return SLASHES.matcher(url).replaceAll("/");
-  }
-
-  private static OpenFile open(Path path) throws IOException {
-    SeekableByteChannel channel = Files.newByteChannel(path);
-    try {
-      return new OpenFile(channel.size(), Channels.newInputStream(channel));
-    } catch (IOException e) {
-      channel.close();
-      throw e;
-    }
   }
 
   /**
@@ -107,7 +86,7 @@ final class ModelFileAccess implements ModelFileSource {
       problems.add(
           new Problem(
               absent ? severity : Problem.Severity.ERROR,
-              SourceLocation.of(file.toString()),
+              SourceLocation.of(model.name()),
               "url '%s' %s; %s"
                   .formatted(
                       url.length() <= SHOWN ? url : url.substring(0, SHOWN) + "…",

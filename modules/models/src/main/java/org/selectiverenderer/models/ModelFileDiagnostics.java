@@ -2,9 +2,8 @@ package org.selectiverenderer.models;
 
 import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.InputStreamReader;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.decimal.Pluralizer;
@@ -19,15 +18,14 @@ final class ModelFileDiagnostics {
   /** The maximum number of characters of a line that are looked at. */
   private static final int MAX_LINE = 1 << 16;
 
-  private final Path file;
+  private final ModelSource file;
   private final String ending;
   private final ProblemCollector problems;
 
-  ModelFileDiagnostics(Path file, ProblemCollector problems) {
+  ModelFileDiagnostics(ModelSource file, ProblemCollector problems) {
     this.file = file;
     this.problems = problems;
-    String name = file.toString();
-    this.ending = name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
+    this.ending = file.ending();
   }
 
   /** Reports why the file cannot be read at all. */
@@ -37,7 +35,7 @@ final class ModelFileDiagnostics {
     }
     String kind = ending.startsWith("gl") ? "glTF" : ending.toUpperCase(Locale.ROOT);
     problems.error(
-        SourceLocation.of(file.toString()),
+        SourceLocation.of(file.name()),
         "this is not a %s model, or it is damaged or cut off; nothing is read".formatted(kind));
   }
 
@@ -50,16 +48,20 @@ final class ModelFileDiagnostics {
     long announced = ending.equals("ply") ? announcedFaces() : 0;
     if (announced > 0) {
       problems.error(
-          SourceLocation.of(file.toString()),
+          SourceLocation.of(file.name()),
           "the file announces %s, but none can be read; it is damaged or cut off"
               .formatted(Pluralizer.of(announced, "face")));
     }
     return announced > 0;
   }
 
+  private BufferedReader lines() throws IOException {
+    return new BufferedReader(new InputStreamReader(file.open(), StandardCharsets.ISO_8859_1));
+  }
+
   /** Returns the number of faces that the header of a PLY file announces. */
   private long announcedFaces() throws IOException {
-    try (BufferedReader lines = Files.newBufferedReader(file, StandardCharsets.ISO_8859_1)) {
+    try (BufferedReader lines = lines()) {
       String line = next(lines);
       while (line != null && !line.strip().equals("end_header")) {
         String[] words = line.strip().split("\\s+");
@@ -76,7 +78,7 @@ final class ModelFileDiagnostics {
     long vertices = 0;
     boolean faces = false;
     int number = 0;
-    try (BufferedReader lines = Files.newBufferedReader(file, StandardCharsets.ISO_8859_1)) {
+    try (BufferedReader lines = lines()) {
       for (String line = next(lines); line != null; line = next(lines)) {
         number++;
         String[] words = line.strip().split("\\s+");
@@ -88,7 +90,7 @@ final class ModelFileDiagnostics {
             long vertex = number(words[i].split("/", -1)[0]);
             if (vertex == 0 || Math.abs(vertex) > vertices) {
               problems.error(
-                  new SourceLocation(file.toString(), number, 1),
+                  new SourceLocation(file.name(), number, 1),
                   ("the face refers to vertex %d, but only %d come before it; the "
                           + "model is not read")
                       .formatted(vertex, vertices));
@@ -100,8 +102,7 @@ final class ModelFileDiagnostics {
     }
     if (!faces) {
       problems.error(
-          SourceLocation.of(file.toString()),
-          "the file has no faces, so there is nothing to reduce");
+          SourceLocation.of(file.name()), "the file has no faces, so there is nothing to reduce");
     }
     return !faces;
   }

@@ -8,14 +8,17 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.atomic.AtomicBoolean;
 import org.selectiverenderer.base.files.InputFileReader;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.models.importer.ImportLimits;
 import org.selectiverenderer.models.importer.ModelImportProcess;
 import org.selectiverenderer.models.structure.ModelStructureCheck;
+import org.selectiverenderer.models.structure.ModelStructureException;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.catalogue.NodeView;
+import org.selectiverenderer.x3d.read.NodeTraversal;
 import org.selectiverenderer.x3d.read.PrototypeLibraryLoader;
 import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.read.X3dReader;
@@ -29,11 +32,13 @@ import org.selectiverenderer.x3d.url.UrlResolver;
  * Transformations are applied, so that all parts are in the file's own frame. Faces that cannot be
  * drawn are left out and reported. Thread-safe.
  *
- * <p>Files other than X3D are read in a child process, which is started with the first of them and
- * serves until the reader is closed, or this process ends.
+ * <p>Files other than X3D and glTF are read in a child process, which is started with the first of
+ * them and serves until the reader is closed, or this process ends.
  */
 public final class ModelReader implements AutoCloseable {
-  private static final Set<String> FOREIGN = Set.of("obj", "ply", "stl", "gltf", "glb");
+  private static final Set<String> FOREIGN = Set.of("obj", "ply", "stl", "dae", "fbx");
+
+  private static final Set<String> GLTF = Set.of("gltf", "glb");
 
   private final NodeCatalogue catalogue;
   private final X3dReader reader;
@@ -86,15 +91,41 @@ public final class ModelReader implements AutoCloseable {
     if (FOREIGN.contains(ending(file))) {
       check(file);
       return foreign(file, problems)
-          .read(file)
+          .read(ModelSource.of(file))
           .flatMap(model -> withFaces(model, location, "the file", problems));
     }
+    if (GLTF.contains(ending(file))) {
+      check(file);
+      try {
+        new ModelStructureCheck(limits.maxModelBytes()).check(file);
+      } catch (ModelStructureException e) {
+        problems.error(location, String.valueOf(e.getMessage()));
+        return Optional.empty();
+      }
+    }
     UrlResolver root = new UrlResolver(folder(file), access);
+    ProblemCollector told = new ProblemCollector();
     X3dFile scene =
         reader
             .with(new PrototypeLibraryLoader(reader, root), BaseUrl.folder(folder(file)))
-            .read(file, problems);
+            .read(file, told);
+    told.list().forEach(problems::add);
+    if (GLTF.contains(ending(file)) && told.any() && !hasGeometry(scene)) {
+      return Optional.empty(); // why has been said
+    }
     return gathered(scene.nodes(), scene, folder(file), location, "the file", problems);
+  }
+
+  private static boolean hasGeometry(X3dFile scene) {
+    AtomicBoolean found = new AtomicBoolean();
+    NodeTraversal.visit(
+        scene.nodes(),
+        node -> {
+          if (node.type().is("X3DGeometryNode")) {
+            found.set(true);
+          }
+        });
+    return found.get();
   }
 
   private ForeignModelReader foreign(Path file, ProblemCollector problems) {

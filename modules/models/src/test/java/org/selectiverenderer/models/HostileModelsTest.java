@@ -161,7 +161,7 @@ class HostileModelsTest {
     Path file = write("models/a.obj", TRIANGLE);
     ModelFileAccess access =
         new ModelFileAccess(
-            file, "a.obj", new UrlResolver(file.getParent(), ContentAccessPolicy.none()));
+            ModelSource.of(file), new UrlResolver(file.getParent(), ContentAccessPolicy.none()));
 
     for (String each : List.of(url, again, part)) {
       assertThat(access.open(each)).isEmpty();

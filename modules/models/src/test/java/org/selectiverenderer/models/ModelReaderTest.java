@@ -325,7 +325,7 @@ class ModelReaderTest {
     Model model = reader.read(file, problems).orElseThrow();
 
     assertThat(model.parts().get(0).mesh().bounds()).startsWith(5, 0, 0);
-    assertThat(model.parts().get(0).appearance().node("material").floats("diffuseColor"))
+    assertThat(model.parts().get(0).appearance().node("material").floats("baseColor"))
         .containsExactly(0.2f, 0.4f, 0.6f);
   }
 

@@ -31,7 +31,8 @@ class RuleExamplesTest {
   }
 
   private static List<String> found(String example) throws IOException {
-    boolean whole = example.startsWith("<?xml") || example.startsWith("#");
+    boolean whole =
+        example.startsWith("<?xml") || example.startsWith("#") || example.startsWith("{");
     String scene =
         whole
             ? example

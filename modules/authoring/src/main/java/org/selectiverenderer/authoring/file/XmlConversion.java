@@ -7,11 +7,15 @@ import java.nio.file.Path;
 import java.util.Optional;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.model.ModelFormat;
+import org.selectiverenderer.x3d.read.PrototypeLibraryLoader;
 import org.selectiverenderer.x3d.read.X3dReader;
 import org.selectiverenderer.x3d.source.DocumentError;
 import org.selectiverenderer.x3d.source.SceneEncoding;
 import org.selectiverenderer.x3d.source.SourceLineReader;
 import org.selectiverenderer.x3d.source.XmlDocument;
+import org.selectiverenderer.x3d.url.BaseUrl;
+import org.selectiverenderer.x3d.url.UrlResolver;
 import org.selectiverenderer.x3d.write.SceneFormat;
 
 /**
@@ -19,10 +23,13 @@ import org.selectiverenderer.x3d.write.SceneFormat;
  * other byte, so such a scene is first converted to XML, with its comments.
  */
 public final class XmlConversion {
-  private final Path file;
-  private final SceneEncoding encoding;
+  /** The number of bytes by which a model is recognised. */
+  private static final int HEAD = 4096;
 
-  private XmlConversion(Path file, SceneEncoding encoding) {
+  private final Path file;
+  private final String encoding;
+
+  private XmlConversion(Path file, String encoding) {
     this.file = file;
     this.encoding = encoding;
   }
@@ -38,15 +45,31 @@ public final class XmlConversion {
       return Optional.empty(); // Opening it reports why it cannot be read.
     }
     try (InputStream in = Files.newInputStream(file)) {
+      byte[] head = in.readNBytes(HEAD);
+      Optional<ModelFormat> model = ModelFormat.of(file.toString(), head, head.length);
+      if (model.isPresent()) {
+        return Optional.of(new XmlConversion(file, model.get().title()));
+      }
+    }
+    try (InputStream in = Files.newInputStream(file)) {
       return SceneEncoding.of(SourceLineReader.read(in, Files.size(file)).head())
           .filter(found -> found != SceneEncoding.XML)
-          .map(found -> new XmlConversion(file, found));
+          .map(found -> new XmlConversion(file, found.title()));
     }
+  }
+
+  /** Returns the reader of the scene, which as a model may have files in its folder. */
+  private X3dReader reader(NodeCatalogue catalogue) {
+    X3dReader reader = new X3dReader(catalogue);
+    Path parent = file.toAbsolutePath().getParent();
+    Path folder = parent == null ? file.toAbsolutePath() : parent;
+    return reader.with(
+        new PrototypeLibraryLoader(reader, new UrlResolver(folder)), BaseUrl.folder(folder));
   }
 
   /** Returns the encoding's name for users. */
   public String encoding() {
-    return encoding.title();
+    return encoding;
   }
 
   /** Returns the default file of its conversion, in the same folder. */
@@ -67,10 +90,12 @@ public final class XmlConversion {
       throws IOException {
     XmlDocument document;
     try (InputStream in = Files.newInputStream(file)) {
-      document = new X3dReader(catalogue).document(file.toString(), in, Files.size(file));
+      document = reader(catalogue).document(file.toString(), in, Files.size(file));
     }
     for (DocumentError fault : document.faults()) {
-      if (fault.kind() != DocumentError.Kind.ENCODING) {
+      if (fault.kind() == DocumentError.Kind.MODEL) {
+        problems.warning(fault.location(), fault.message());
+      } else if (fault.kind() != DocumentError.Kind.ENCODING) {
         problems.error(fault.location(), fault.message() + "; the scene is not converted");
       }
     }

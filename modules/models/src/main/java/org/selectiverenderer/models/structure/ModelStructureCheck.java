@@ -24,16 +24,29 @@ public record ModelStructureCheck(long maxModelBytes) {
    * @throws ModelStructureException if its structure is not one to be read
    */
   public void check(Path file) throws IOException, ModelStructureException {
-    String name = file.toString().toLowerCase(Locale.ROOT);
-    try (InputStream in = new BufferedInputStream(Files.newInputStream(file), BUFFER)) {
-      long size = Files.size(file);
-      switch (name.substring(name.lastIndexOf('.') + 1)) {
-        case "gltf", "glb" -> new GltfStructureCheck(maxModelBytes).check(in, size);
-        case "ply" -> PlyStructureCheck.check(in, size);
-        case "stl" -> StlStructureCheck.check(in, size);
-        default -> {
-          // Lines of text: nothing is announced that does not follow.
-        }
+    try (InputStream in = Files.newInputStream(file)) {
+      check(file.toString(), in, Files.size(file));
+    }
+  }
+
+  /**
+   * Checks the bytes of a file, without closing the stream.
+   *
+   * @param name the name of the file, whose ending tells its format
+   * @param size the number of bytes of the stream
+   * @throws IOException if it cannot be read
+   * @throws ModelStructureException if its structure is not one to be read
+   */
+  public void check(String name, InputStream content, long size)
+      throws IOException, ModelStructureException {
+    InputStream in = new BufferedInputStream(content, BUFFER);
+    String lower = name.toLowerCase(Locale.ROOT);
+    switch (lower.substring(lower.lastIndexOf('.') + 1)) {
+      case "gltf", "glb" -> new GltfStructureCheck(maxModelBytes).check(in, size);
+      case "ply" -> PlyStructureCheck.check(in, size);
+      case "stl" -> StlStructureCheck.check(in, size);
+      default -> {
+        // Lines of text: nothing is announced that does not follow.
       }
     }
   }

@@ -222,15 +222,13 @@ final class ValidationRun {
      */
     FileCheckResult check(SourceFile file, UrlResolver root) throws IOException {
       long size = file.size();
+      X3dReader withFiles = reader.with(new PrototypeLibraryLoader(reader, root), file.base());
       XmlDocument document;
       try (InputStream in = file.open()) {
-        document = reader.document(file.name(), in, size);
+        document = withFiles.document(file.name(), in, size);
       }
       // Problems that the reader reports are ignored, since the checks report them.
-      X3dFile scene =
-          reader
-              .with(new PrototypeLibraryLoader(reader, root), file.base())
-              .scene(document, new ProblemCollector());
+      X3dFile scene = withFiles.scene(document, new ProblemCollector());
       Suppressions suppressions = Suppressions.of(document, ids);
       FindingCollector findings =
           new FindingCollector(new FindingFilter(settings, Map.of(document.name(), suppressions)));

@@ -22,6 +22,7 @@ final class ParseFaultCheck implements FileCheck {
       case ENCODING -> XmlRules.ENCODING;
       case ENTITY -> XmlRules.ENTITY;
       case SYNTAX -> XmlRules.NOT_WELL_FORMED;
+      case MODEL -> XmlRules.MODEL;
       case LIMIT -> XmlRules.LIMIT;
     };
   }

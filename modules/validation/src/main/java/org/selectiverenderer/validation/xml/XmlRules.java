@@ -135,6 +135,21 @@ public final class XmlRules {
           .good("<Group><!-- the table --></Group>")
           .see("ISO/IEC 19776-1, 4.3");
 
+  static final Rule MODEL =
+      Rule.warning("SR012", "{fault}")
+          .about("a part of a model, such as one in glTF, that is left out")
+          .because(
+              """
+              A model of another program is translated into X3D when it is read. What X3D has no \
+              word for, or what the translation does not read, is missing in the scene.""")
+          .bad(
+              """
+              {"asset": {"version": "2.0"}, "meshes": [{}], "nodes": [{"mesh": 0, "skin": 0}]}""")
+          .good(
+              """
+              {"asset": {"version": "2.0"}, "meshes": [{}], "nodes": [{"mesh": 0}]}""")
+          .see("docs/models.md");
+
   private XmlRules() {}
 
   /** The rules and their checks. */
@@ -152,7 +167,8 @@ public final class XmlRules {
             LIMIT,
             NAME_OF_COMPRESSED,
             COMMENT,
-            TEXT),
+            TEXT,
+            MODEL),
         List.of(
             new ParseFaultCheck(),
             new PrologCheck(),

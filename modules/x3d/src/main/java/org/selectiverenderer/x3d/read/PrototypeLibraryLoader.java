@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.FileSystemException;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import org.jspecify.annotations.Nullable;
@@ -35,6 +36,11 @@ public final class PrototypeLibraryLoader implements PrototypeLibraryProvider {
   public PrototypeLibraryLoader(X3dReader reader, UrlResolver root) {
     this.reader = reader;
     this.root = root;
+  }
+
+  @Override
+  public Optional<UrlResolver> files() {
+    return Optional.of(root);
   }
 
   @Override

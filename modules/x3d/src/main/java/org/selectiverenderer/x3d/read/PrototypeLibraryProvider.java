@@ -1,7 +1,9 @@
 package org.selectiverenderer.x3d.read;
 
 import java.util.List;
+import java.util.Optional;
 import org.selectiverenderer.x3d.url.BaseUrl;
+import org.selectiverenderer.x3d.url.UrlResolver;
 
 /** Provides a reader with the prototypes of other files. Thread-safe. */
 public interface PrototypeLibraryProvider {
@@ -28,6 +30,11 @@ public interface PrototypeLibraryProvider {
    * @param base the base of relative urls
    */
   Answer find(List<String> urls, BaseUrl base);
+
+  /** Returns what decides which files a scene may refer to; empty if it may refer to none. */
+  default Optional<UrlResolver> files() {
+    return Optional.empty();
+  }
 
   /** Returns a provider without other files. */
   static PrototypeLibraryProvider none() {

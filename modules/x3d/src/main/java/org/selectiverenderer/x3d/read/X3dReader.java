@@ -6,11 +6,18 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
 import org.selectiverenderer.base.markup.MarkupEscaper;
+import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.json.X3dJsonParser;
+import org.selectiverenderer.x3d.model.ModelFile;
+import org.selectiverenderer.x3d.model.ModelFormat;
+import org.selectiverenderer.x3d.model.TranslatedModel;
 import org.selectiverenderer.x3d.source.DocumentError;
 import org.selectiverenderer.x3d.source.DocumentParser;
 import org.selectiverenderer.x3d.source.ElementTreeBuilder;
@@ -23,14 +30,16 @@ import org.selectiverenderer.x3d.source.XmlDocument;
 import org.selectiverenderer.x3d.source.XmlPullParser;
 import org.selectiverenderer.x3d.url.BaseUrl;
 import org.selectiverenderer.x3d.url.UrlContent;
+import org.selectiverenderer.x3d.url.UrlResolver;
 import org.selectiverenderer.x3d.vrml.VrmlParser;
 
 /**
  * Reads scenes of X3D 3.0 to 4.1 in the XML (ISO/IEC 19776-1), ClassicVRML (ISO/IEC 19776-2) and
  * JSON encodings, and of VRML97 (ISO/IEC 14772-1), plain or compressed by gzip; the encoding is
- * detected by the first bytes. For any input the result is a scene of the valid parts and problems
- * with locations for the others, in bounded memory. Nothing is fetched: no DTD, no external entity,
- * no Inline; prototypes of other files are provided by {@link #with}.
+ * detected by the first bytes. Models of other programs, such as glTF, are translated into X3D by
+ * {@code x3d.model} first. For any input the result is a scene of the valid parts and problems with
+ * locations for the others, in bounded memory. Nothing is fetched: no DTD, no external entity, no
+ * Inline; prototypes of other files are provided by {@link #with}.
  *
  * <p>Prototype instances are expanded. The first node of the body replaces the instance; further
  * nodes of the body are reachable by routes only.
@@ -124,8 +133,8 @@ public final class X3dReader {
       throw new IOException(name + ": this is a folder, not a file");
     }
     try (InputStream in = Files.newInputStream(file)) {
-      return parse(
-          name, Preflight.of(name, SceneBytes.read(in, Files.size(file), limits)), problems);
+      SceneBytes bytes = SceneBytes.read(in, Files.size(file), limits);
+      return parse(name, beside(file).preflight(name, bytes), problems);
     } catch (NoSuchFileException e) {
       throw new IOException(name + ": the file does not exist", e);
     } catch (AccessDeniedException e) {
@@ -142,7 +151,7 @@ public final class X3dReader {
    * @throws IOException if the stream itself fails
    */
   public X3dFile read(String source, InputStream in, ProblemCollector problems) throws IOException {
-    return parse(source, Preflight.of(source, SceneBytes.read(in, 0, limits)), problems);
+    return parse(source, preflight(source, SceneBytes.read(in, 0, limits)), problems);
   }
 
   /**
@@ -154,7 +163,7 @@ public final class X3dReader {
    */
   public X3dFile read(String source, InputStream in, long size, ProblemCollector problems)
       throws IOException {
-    return parse(source, Preflight.of(source, SceneBytes.read(in, size, limits)), problems);
+    return parse(source, preflight(source, SceneBytes.read(in, size, limits)), problems);
   }
 
   /**
@@ -163,7 +172,7 @@ public final class X3dReader {
    * @param source the name of the scene in problems
    */
   public X3dFile read(String source, byte[] bytes, ProblemCollector problems) {
-    return parse(source, Preflight.of(source, SceneBytes.of(bytes, limits)), problems);
+    return parse(source, preflight(source, SceneBytes.of(bytes, limits)), problems);
   }
 
   /**
@@ -201,7 +210,57 @@ public final class X3dReader {
    */
   public XmlDocument document(String source, InputStream in, long size) throws IOException {
     SceneBytes bytes = SceneBytes.read(in, size, limits);
-    return DocumentParser.parse(source, bytes, catalogue, limits, this::parser);
+    return DocumentParser.parse(
+        source, bytes, preflight(source, bytes), catalogue, limits, this::parser);
+  }
+
+  /** Checks a file; a model of another program is translated into X3D. */
+  private Preflight preflight(String source, SceneBytes bytes) {
+    Optional<ModelFormat> format =
+        bytes.refused() != null || bytes.cut() != null
+            ? Optional.empty()
+            : ModelFormat.of(source, bytes.bytes(), bytes.length());
+    if (format.isEmpty()) {
+      return Preflight.of(source, bytes);
+    }
+    ProblemCollector problems = new ProblemCollector();
+    ModelFile model =
+        new ModelFile(
+            source, format.get(), bytes.bytes(), bytes.length(), libraries.files(), base, limits);
+    TranslatedModel translated = TranslatedModel.of(model, problems);
+    if (translated.refused() != null) {
+      return Preflight.refused(source, translated.refused());
+    }
+    List<DocumentError> faults = new ArrayList<>();
+    for (Problem problem : problems.list()) {
+      faults.add(
+          new DocumentError(DocumentError.Kind.MODEL, problem.location(), problem.message()));
+    }
+    return Preflight.translated(source, translated.text(), faults);
+  }
+
+  /** Returns this reader for a file, which as a model may refer to others in its folder. */
+  private X3dReader beside(Path file) {
+    if (libraries.files().isPresent()) {
+      return this;
+    }
+    Path parent = file.toAbsolutePath().getParent();
+    Path folder = parent == null ? file.toAbsolutePath() : parent;
+    UrlResolver root = new UrlResolver(folder);
+    PrototypeLibraryProvider known = libraries;
+    PrototypeLibraryProvider withFiles =
+        new PrototypeLibraryProvider() {
+          @Override
+          public Answer find(List<String> urls, BaseUrl from) {
+            return known.find(urls, from);
+          }
+
+          @Override
+          public Optional<UrlResolver> files() {
+            return Optional.of(root);
+          }
+        };
+    return with(withFiles, BaseUrl.folder(folder));
   }
 
   /** Returns the scene of a document, without parsing it again. */
@@ -223,6 +282,11 @@ public final class X3dReader {
     }
     if (preflight.text().complaint() != null) {
       problems.warning(whole, preflight.text().complaint());
+    }
+    for (DocumentError fault : preflight.faults()) {
+      if (fault.kind() == DocumentError.Kind.MODEL) {
+        problems.warning(fault.location(), fault.message());
+      }
     }
     if (preflight.encoding() != SceneEncoding.XML) {
       return tree(preflight, problems);

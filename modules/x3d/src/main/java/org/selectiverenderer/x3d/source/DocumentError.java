@@ -20,6 +20,8 @@ public record DocumentError(Kind kind, SourceLocation location, String message) 
     ENTITY,
     /** XML that is not well formed. */
     SYNTAX,
+    /** A part of a model of another program that X3D cannot express or that is not read. */
+    MODEL,
     /** Too many elements or too deep nesting. */
     LIMIT
   }

@@ -51,7 +51,22 @@ public final class DocumentParser extends ElementParser {
       NodeCatalogue catalogue,
       ReadLimits limits,
       Function<SceneEncoding, ElementTreeBuilder.Parser> others) {
-    Preflight preflight = Preflight.of(name, bytes);
+    return parse(name, bytes, Preflight.of(name, bytes), catalogue, limits, others);
+  }
+
+  /**
+   * Parses a file after its preflight, with the faults of that.
+   *
+   * @param bytes the file, to find the place of a byte that is not UTF-8
+   * @param others returns the parser for an encoding other than XML
+   */
+  public static XmlDocument parse(
+      String name,
+      SceneBytes bytes,
+      Preflight preflight,
+      NodeCatalogue catalogue,
+      ReadLimits limits,
+      Function<SceneEncoding, ElementTreeBuilder.Parser> others) {
     XmlDocument document = new XmlDocument(name, bytes.compressed(), preflight.encoding());
     for (DocumentError fault : preflight.faults()) {
       boolean encoding = fault.kind() == Kind.ENCODING;

@@ -1,5 +1,6 @@
 package org.selectiverenderer.x3d.source;
 
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
@@ -40,6 +41,18 @@ public record Preflight(
   /** Checks a text and expands its entities. */
   public static Preflight of(String name, SourceText text) {
     return of(name, text, new ArrayList<>(), true);
+  }
+
+  /** Returns the X3D text that a model was translated into, and what was left out of it. */
+  public static Preflight translated(String name, String x3d, List<DocumentError> faults) {
+    byte[] bytes = x3d.getBytes(StandardCharsets.UTF_8);
+    SourceText text = SourceText.of(bytes, bytes.length);
+    return new Preflight(text, TextSource.translated(name, text), faults, SceneEncoding.XML);
+  }
+
+  /** Returns the result of refusing a file. */
+  public static Preflight refused(String name, String why) {
+    return refused(name, SourceText.of(""), why);
   }
 
   /** Checks a text whose offsets must remain, so that its entities are not expanded. */
@@ -119,6 +132,7 @@ public record Preflight(
   @Nullable
   public DocumentError cut() {
     DocumentError last = faults.isEmpty() ? null : faults.get(faults.size() - 1);
-    return last == null || last.kind() == Kind.ENCODING ? null : last;
+    boolean whole = last == null || last.kind() == Kind.ENCODING || last.kind() == Kind.MODEL;
+    return whole ? null : last;
   }
 }

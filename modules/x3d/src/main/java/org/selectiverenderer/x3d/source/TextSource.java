@@ -11,6 +11,7 @@ public final class TextSource implements ElementSource {
   private final EntityTable declared;
   private final CharSequence original;
   private final @Nullable ExpansionMapping expansions;
+  private final boolean located;
   private final FieldParser parser = new FieldParser();
   private @Nullable LineIndex lines;
   private @Nullable StartTag tag;
@@ -22,7 +23,7 @@ public final class TextSource implements ElementSource {
    * @param file the name of the file in locations
    */
   public TextSource(String file, CharSequence text) {
-    this(file, text, EntityTable.NONE, text, null);
+    this(file, text, EntityTable.NONE, text, null, true);
   }
 
   private TextSource(
@@ -30,12 +31,14 @@ public final class TextSource implements ElementSource {
       CharSequence text,
       EntityTable declared,
       CharSequence original,
-      @Nullable ExpansionMapping expansions) {
+      @Nullable ExpansionMapping expansions,
+      boolean located) {
     this.file = file;
     this.text = text;
     this.declared = declared;
     this.original = original;
     this.expansions = expansions;
+    this.located = located;
   }
 
   /**
@@ -44,7 +47,15 @@ public final class TextSource implements ElementSource {
    * @param declared the entities of the text
    */
   TextSource expanded(CharSequence expanded, EntityTable declared, ExpansionMapping mapping) {
-    return new TextSource(file, expanded, declared, original, mapping);
+    return new TextSource(file, expanded, declared, original, mapping, located);
+  }
+
+  /**
+   * Returns the source of a text that the user has never seen, as it was translated from a model;
+   * locations name the file only.
+   */
+  static TextSource translated(String file, CharSequence text) {
+    return new TextSource(file, text, EntityTable.NONE, text, null, false);
   }
 
   /** Returns whether entities are expanded, so that offsets are not those of the file. */
@@ -69,6 +80,9 @@ public final class TextSource implements ElementSource {
 
   @Override
   public SourceLocation location(int offset) {
+    if (!located) {
+      return SourceLocation.of(file);
+    }
     LineIndex known = lines;
     if (known == null) {
       known = new LineIndex(original);

@@ -108,7 +108,7 @@ public final class XmlDocument {
             fault ->
                 switch (fault.kind()) {
                   case REFUSED, COMPRESSION, SYNTAX, LIMIT, ENTITY -> true;
-                  case ENCODING -> false;
+                  case ENCODING, MODEL -> false;
                 });
   }
 }

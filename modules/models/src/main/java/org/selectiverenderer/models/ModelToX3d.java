@@ -1,0 +1,57 @@
+package org.selectiverenderer.models;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.models.gltf.GltfTranslator;
+import org.selectiverenderer.models.importer.ImportLimits;
+import org.selectiverenderer.models.importer.ModelImportProcess;
+import org.selectiverenderer.models.structure.ModelStructureCheck;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.model.ModelFile;
+import org.selectiverenderer.x3d.model.ModelTranslator;
+import org.selectiverenderer.x3d.url.BaseUrl;
+import org.selectiverenderer.x3d.url.UrlResolver;
+
+/**
+ * Translates the models that this module reads: glTF in this process, other formats by Assimp in a
+ * child process. Found by {@link java.util.ServiceLoader}.
+ */
+public final class ModelToX3d implements ModelTranslator {
+  @Override
+  public String x3d(ModelFile model, ProblemCollector problems) throws IOException {
+    return switch (model.format()) {
+      case GLTF, GLB -> GltfTranslator.x3d(model, problems);
+      case OBJ, STL, PLY, DAE, FBX -> imported(model, problems);
+    };
+  }
+
+  private static String imported(ModelFile file, ProblemCollector problems) throws IOException {
+    ImportLimits limits = ImportLimits.standard();
+    Path folder = file.base() instanceof BaseUrl.Folder base ? base.path() : Path.of("");
+    ProblemCollector told = new ProblemCollector();
+    Optional<Model> model;
+    try (ModelImportProcess process = new ModelImportProcess(limits)) {
+      model =
+          new ForeignModelReader(
+                  NodeCatalogue.load(),
+                  file.files().orElseGet(() -> new UrlResolver(folder)),
+                  process,
+                  new ModelStructureCheck(limits.maxModelBytes()),
+                  told)
+              .read(ModelSource.of(file));
+    }
+    if (model.isEmpty()) {
+      throw new IOException(
+          told.list().stream()
+              .map(Problem::message)
+              .reduce((first, later) -> later)
+              .orElse("the model cannot be read"));
+    }
+    told.list().forEach(problems::add);
+    String title = "Model in " + file.format().title();
+    return new ModelWriter().text(model.get(), folder, title, "translated when it was read");
+  }
+}

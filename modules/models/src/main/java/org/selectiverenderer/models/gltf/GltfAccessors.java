@@ -1,0 +1,178 @@
+package org.selectiverenderer.models.gltf;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+
+/**
+ * Reads the arrays of numbers of a glTF file (glTF 2.0, 3.6.2): interleaved, sparse, and integers
+ * that stand for fractions.
+ */
+final class GltfAccessors {
+  private static final int BYTE = 5120;
+  private static final int UNSIGNED_BYTE = 5121;
+  private static final int SHORT = 5122;
+  private static final int UNSIGNED_SHORT = 5123;
+  private static final int UNSIGNED_INT = 5125;
+  private static final int FLOAT = 5126;
+
+  private final GltfFile file;
+  private long left;
+
+  /**
+   * @param most the number of values that may be read in all
+   */
+  GltfAccessors(GltfFile file, long most) {
+    this.file = file;
+    left = most;
+  }
+
+  /** Returns the number of components of an accessor; 0 if there is none. */
+  int components(int index) {
+    return switch (file.part("accessors", index).path("type").asText("")) {
+      case "SCALAR" -> 1;
+      case "VEC2" -> 2;
+      case "VEC3" -> 3;
+      case "VEC4", "MAT2" -> 4;
+      case "MAT3" -> 9;
+      case "MAT4" -> 16;
+      default -> 0;
+    };
+  }
+
+  /**
+   * Returns the values of an accessor, all components one after the other; those that are not
+   * finite are 0.
+   *
+   * @throws IOException if there is no such accessor or it lies outside of its file, with one
+   *     sentence
+   */
+  float[] floats(int index) throws IOException {
+    double[] values = values(index);
+    float[] floats = new float[values.length];
+    for (int i = 0; i < floats.length; i++) {
+      float value = (float) values[i];
+      floats[i] = Float.isFinite(value) ? value : 0;
+    }
+    return floats;
+  }
+
+  /** Returns the values of an accessor of whole numbers, as {@link #floats} does. */
+  int[] ints(int index) throws IOException {
+    double[] values = values(index);
+    int[] ints = new int[values.length];
+    for (int i = 0; i < ints.length; i++) {
+      ints[i] = (int) values[i];
+    }
+    return ints;
+  }
+
+  private double[] values(int index) throws IOException {
+    JsonNode accessor = file.part("accessors", index);
+    int components = components(index);
+    long count = accessor.path("count").asLong(0);
+    if (components == 0 || count < 0) {
+      throw new IOException("accessors[%d] is missing or has no known type".formatted(index));
+    }
+    left -= count * components;
+    if (count > Integer.MAX_VALUE || left < 0) {
+      throw new IOException("the model has more numbers than fit into the memory; nothing is read");
+    }
+    double[] values = new double[(int) count * components];
+    String path = "accessors[%d]".formatted(index);
+    int type = accessor.path("componentType").asInt();
+    boolean normalized = accessor.path("normalized").asBoolean(false);
+    int view = GltfFile.index(accessor, "bufferView");
+    if (view >= 0) {
+      ByteBuffer bytes = file.view(view);
+      int stride = file.part("bufferViews", view).path("byteStride").asInt(0);
+      long offset = accessor.path("byteOffset").asLong(0);
+      read(new Layout(bytes, offset, stride, type, components, normalized, path), values);
+    }
+    JsonNode sparse = accessor.path("sparse");
+    if (sparse.isObject()) {
+      sparse(sparse, type, components, normalized, path, values);
+    }
+    return values;
+  }
+
+  private void sparse(
+      JsonNode sparse, int type, int components, boolean normalized, String path, double[] into)
+      throws IOException {
+    long count = sparse.path("count").asLong(0);
+    if (count < 0 || count > into.length / components) {
+      throw new IOException(path + ".sparse replaces more values than there are");
+    }
+    JsonNode indices = sparse.path("indices");
+    double[] places = new double[(int) count];
+    ByteBuffer bytes = file.view(GltfFile.index(indices, "bufferView"));
+    long offset = indices.path("byteOffset").asLong(0);
+    int indexType = indices.path("componentType").asInt();
+    String in = path + ".sparse.indices";
+    read(new Layout(bytes, offset, 0, indexType, 1, false, in), places);
+    JsonNode values = sparse.path("values");
+    ByteBuffer replacing = file.view(GltfFile.index(values, "bufferView"));
+    long start = values.path("byteOffset").asLong(0);
+    String of = path + ".sparse.values";
+    double[] replaced = new double[(int) count * components];
+    read(new Layout(replacing, start, 0, type, components, normalized, of), replaced);
+    for (int i = 0; i < count; i++) {
+      if (places[i] < 0 || places[i] >= into.length / components) {
+        throw new IOException(in + " names a value that does not exist");
+      }
+      System.arraycopy(replaced, i * components, into, (int) places[i] * components, components);
+    }
+  }
+
+  /** Where numbers lie and what they are. */
+  private record Layout(
+      ByteBuffer bytes,
+      long offset,
+      int stride,
+      int type,
+      int components,
+      boolean normalized,
+      String path) {}
+
+  private static void read(Layout from, double[] into) throws IOException {
+    int size = size(from.type());
+    if (size == 0) {
+      throw new IOException(from.path() + ".componentType is none of glTF's");
+    }
+    long each = (long) size * from.components();
+    long stride = from.stride() > 0 ? from.stride() : each;
+    long count = into.length / from.components();
+    long end = count == 0 ? 0 : from.offset() + (count - 1) * stride + each;
+    if (from.offset() < 0 || end > from.bytes().limit()) {
+      throw new IOException(from.path() + " lies outside of its bufferView; the file is damaged");
+    }
+    for (int i = 0; i < count; i++) {
+      int at = (int) (from.offset() + i * stride);
+      for (int k = 0; k < from.components(); k++) {
+        into[i * from.components() + k] = value(from, at + k * size);
+      }
+    }
+  }
+
+  private static double value(Layout from, int at) {
+    ByteBuffer bytes = from.bytes();
+    boolean fraction = from.normalized();
+    return switch (from.type()) {
+      case BYTE -> fraction ? Math.max(bytes.get(at) / 127.0, -1) : bytes.get(at);
+      case UNSIGNED_BYTE -> (bytes.get(at) & 0xff) / (fraction ? 255.0 : 1);
+      case SHORT -> fraction ? Math.max(bytes.getShort(at) / 32767.0, -1) : bytes.getShort(at);
+      case UNSIGNED_SHORT -> (bytes.getShort(at) & 0xffff) / (fraction ? 65535.0 : 1);
+      case UNSIGNED_INT -> Integer.toUnsignedLong(bytes.getInt(at));
+      default -> bytes.getFloat(at);
+    };
+  }
+
+  private static int size(int type) {
+    return switch (type) {
+      case BYTE, UNSIGNED_BYTE -> 1;
+      case SHORT, UNSIGNED_SHORT -> 2;
+      case UNSIGNED_INT, FLOAT -> 4;
+      default -> 0;
+    };
+  }
+}

@@ -1,0 +1,145 @@
+package org.selectiverenderer.models.gltf;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.util.Base64;
+import java.util.HashMap;
+import java.util.Map;
+import org.selectiverenderer.x3d.write.X3dWriter;
+
+/** Writes glTF's textures as ImageTextures: pictures inside of the file as data urls. */
+final class GltfTextures {
+  private static final int NEAREST = 9728;
+  private static final int CLAMP_TO_EDGE = 33071;
+  private static final int MIRRORED_REPEAT = 33648;
+
+  private final GltfFile file;
+  private final X3dWriter out;
+  private final DefNames names;
+  private final GltfProblems problems;
+  private final Map<Integer, String> written = new HashMap<>();
+
+  GltfTextures(GltfFile file, X3dWriter out, DefNames names, GltfProblems problems) {
+    this.file = file;
+    this.out = out;
+    this.names = names;
+    this.problems = problems;
+  }
+
+  /**
+   * Writes a texture, and one that has been written as a USE.
+   *
+   * @param path the path of the textureInfo, for problems
+   * @param container the field that contains it
+   * @return whether it can be read
+   */
+  boolean write(int texture, String path, String container) {
+    String known = written.get(texture);
+    if (known != null) {
+      out.empty("ImageTexture", "USE", known, "containerField", container);
+      return true;
+    }
+    JsonNode part = file.part("textures", texture);
+    int image = source(part);
+    String url = url(image, path);
+    if (url.isEmpty()) {
+      return false;
+    }
+    JsonNode sampler = file.referred(part, "sampler", "samplers");
+    int wrapS = sampler.path("wrapS").asInt();
+    int wrapT = sampler.path("wrapT").asInt();
+    String name = part.path("name").asText(file.part("images", image).path("name").asText(""));
+    String def = names.unique(name, "texture" + texture);
+    written.put(texture, def);
+    out.open("ImageTexture", "DEF", def, "containerField", container);
+    if (wrapS == CLAMP_TO_EDGE) {
+      out.attribute("repeatS", "false");
+    }
+    if (wrapT == CLAMP_TO_EDGE) {
+      out.attribute("repeatT", "false");
+    }
+    out.attribute("url", '"' + url + '"');
+    properties(sampler, wrapS, wrapT);
+    out.close();
+    return true;
+  }
+
+  private static int source(JsonNode texture) {
+    JsonNode webp = texture.path("extensions").path("EXT_texture_webp");
+    return texture.has("source")
+        ? GltfFile.index(texture, "source")
+        : GltfFile.index(webp, "source");
+  }
+
+  private String url(int image, String path) {
+    JsonNode part = file.part("images", image);
+    if (part.isMissingNode()) {
+      problems.tell(
+          path, "the texture has no picture in PNG or JPEG, so the surface has none here");
+      return "";
+    }
+    String uri = GltfFile.text(part, "uri");
+    if (!uri.isEmpty()) {
+      return uri.replace("\\", "%5C").replace("\"", "%22");
+    }
+    try {
+      ByteBuffer bytes = file.view(GltfFile.index(part, "bufferView"));
+      byte[] picture = new byte[bytes.remaining()];
+      bytes.get(picture);
+      return "data:" + type(picture) + ";base64," + Base64.getEncoder().encodeToString(picture);
+    } catch (IOException e) {
+      problems.tell("images[%d]".formatted(image), e.getMessage() + "; the picture is left out");
+      return "";
+    }
+  }
+
+  /** Returns the type that the first bytes of a picture tell; what the file says may be wrong. */
+  private static String type(byte[] picture) {
+    int first = picture.length > 3 ? picture[0] & 0xff : 0;
+    return switch (first) {
+      case 0xff -> "image/jpeg";
+      case 'R' -> "image/webp";
+      default -> "image/png";
+    };
+  }
+
+  private void properties(JsonNode sampler, int wrapS, int wrapT) {
+    boolean nearest = sampler.path("magFilter").asInt() == NEAREST;
+    int minified = sampler.path("minFilter").asInt();
+    boolean mirrored = wrapS == MIRRORED_REPEAT || wrapT == MIRRORED_REPEAT;
+    if (!nearest && minified == 0 && !mirrored) {
+      return;
+    }
+    String minification =
+        switch (minified) {
+          case NEAREST -> "NEAREST_PIXEL";
+          case 9729 -> "AVG_PIXEL";
+          case 9984 -> "NEAREST_PIXEL_NEAREST_MIPMAP";
+          case 9985 -> "AVG_PIXEL_NEAREST_MIPMAP";
+          case 9986 -> "NEAREST_PIXEL_AVG_MIPMAP";
+          default -> "AVG_PIXEL_AVG_MIPMAP";
+        };
+    boolean mipmaps = minification.endsWith("MIPMAP");
+    out.empty(
+        "TextureProperties",
+        "boundaryModeS",
+        boundary(wrapS),
+        "boundaryModeT",
+        boundary(wrapT),
+        "generateMipMaps",
+        String.valueOf(mipmaps),
+        "magnificationFilter",
+        nearest ? "NEAREST_PIXEL" : "AVG_PIXEL",
+        "minificationFilter",
+        minification);
+  }
+
+  private static String boundary(int wrap) {
+    return switch (wrap) {
+      case CLAMP_TO_EDGE -> "CLAMP_TO_EDGE";
+      case MIRRORED_REPEAT -> "MIRRORED_REPEAT";
+      default -> "REPEAT";
+    };
+  }
+}

@@ -1,0 +1,219 @@
+package org.selectiverenderer.models.gltf;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.x3d.model.ModelFile;
+import org.selectiverenderer.x3d.write.X3dWriter;
+
+/**
+ * Translates one glTF file. Both have metres, y upwards, and cameras that look along -z, so that
+ * nothing is turned. For one use.
+ */
+public final class GltfTranslator {
+  /** The elements that a node at the deepest level may have inside, and those around the nodes. */
+  private static final int OTHER_DEPTH = 12;
+
+  /**
+   * Characters of the text for each value; the text is in memory several times while it is read.
+   */
+  private static final int CHARACTERS = 16;
+
+  private static final Set<String> KNOWN_EXTENSIONS =
+      Set.of(
+          "KHR_materials_unlit",
+          "KHR_materials_emissive_strength",
+          "KHR_texture_transform",
+          "KHR_lights_punctual",
+          "KHR_mesh_quantization",
+          "EXT_meshopt_compression",
+          "KHR_draco_mesh_compression", // told where it is used
+          "EXT_texture_webp");
+
+  private final GltfFile file;
+  private final GltfProblems problems;
+  private final X3dWriter out = new X3dWriter(1 << 16);
+  private final DefNames names = new DefNames();
+  private final GltfAccessors accessors;
+  private final GltfMeshes meshes;
+  private final GltfViews views;
+  private final Map<Integer, String> transforms = new HashMap<>();
+  private final Map<Integer, List<GltfMeshes.Morph>> morphs = new HashMap<>();
+  private final Set<Integer> morphing = new HashSet<>();
+  private final int maxDepth;
+
+  private GltfTranslator(GltfFile file, ModelFile model, ProblemCollector collector) {
+    this.file = file;
+    problems = new GltfProblems(model.name(), collector);
+    accessors = new GltfAccessors(file, model.limits().maxBytes() / CHARACTERS);
+    meshes = new GltfMeshes(file, accessors, out, names, problems);
+    views = new GltfViews(file, out, names);
+    maxDepth = Math.max(1, model.limits().maxDepth() - OTHER_DEPTH);
+  }
+
+  /**
+   * Returns the X3D text of a model.
+   *
+   * @throws IOException if nothing of it can be read, with one sentence
+   */
+  public static String x3d(ModelFile model, ProblemCollector problems) throws IOException {
+    return new GltfTranslator(GltfFile.of(model), model, problems).translate();
+  }
+
+  private String translate() throws IOException {
+    checkExtensions();
+    loadBuffers();
+    findMorphs();
+    out.file("Full", "4.0").open("head");
+    String generator = GltfFile.text(file.root().path("asset"), "generator");
+    if (!generator.isBlank()) {
+      out.meta("reference", "glTF written by " + generator);
+    }
+    String copyright = GltfFile.text(file.root().path("asset"), "copyright");
+    if (!copyright.isBlank()) {
+      out.meta("rights", copyright);
+    }
+    out.meta("generator", "Selective Renderer").close().open("Scene");
+    for (int node : roots()) {
+      node(node, 0);
+    }
+    new GltfAnimations(file, accessors, out, names, problems, transforms, morphs).write();
+    return out.finish();
+  }
+
+  private void checkExtensions() {
+    JsonNode required = file.root().path("extensionsRequired");
+    for (int i = 0; i < required.size(); i++) {
+      String name = required.path(i).asText("");
+      if (!KNOWN_EXTENSIONS.contains(name)) {
+        String shown = name.length() > 60 ? name.substring(0, 60) : name;
+        problems.tell(
+            "extensionsRequired[%d]".formatted(i),
+            "the model needs the extension %s, which is not read; parts may be missing"
+                .formatted(shown));
+      }
+    }
+  }
+
+  /** Reads all buffers, since without one nothing is whole. */
+  private void loadBuffers() throws IOException {
+    for (int i = 0; i < file.root().path("buffers").size(); i++) {
+      file.buffer(i);
+    }
+  }
+
+  private void findMorphs() {
+    for (JsonNode animation : file.root().path("animations")) {
+      for (JsonNode channel : animation.path("channels")) {
+        JsonNode target = channel.path("target");
+        if (target.path("path").asText("").equals("weights")) {
+          morphing.add(GltfFile.index(target, "node"));
+        }
+      }
+    }
+  }
+
+  private List<Integer> roots() {
+    JsonNode scenes = file.root().path("scenes");
+    List<Integer> roots = new ArrayList<>();
+    if (scenes.size() == 0) {
+      Set<Integer> below = new HashSet<>();
+      JsonNode nodes = file.root().path("nodes");
+      nodes.forEach(node -> node.path("children").forEach(child -> below.add(child.asInt(-1))));
+      for (int i = 0; i < nodes.size(); i++) {
+        if (!below.contains(i)) {
+          roots.add(i);
+        }
+      }
+      return roots;
+    }
+    int shown = Math.max(0, GltfFile.index(file.root(), "scene"));
+    if (scenes.size() > 1) {
+      problems.tell(
+          "scenes",
+          "the model has %d scenes, of which scenes[%d] is read".formatted(scenes.size(), shown));
+    }
+    scenes.path(shown).path("nodes").forEach(node -> roots.add(node.asInt(-1)));
+    return roots;
+  }
+
+  private void node(int index, int depth) {
+    JsonNode node = file.part("nodes", index);
+    String path = "nodes[%d]".formatted(index);
+    if (node.isMissingNode()) {
+      problems.tell(path, "there is no such node; the file is damaged");
+      return;
+    }
+    if (depth > maxDepth) {
+      problems.tell(path, "nodes are nested too deep; those below are left out");
+      return;
+    }
+    String name = GltfFile.text(node, "name");
+    String def = names.unique(name, "node" + index);
+    transforms.put(index, def);
+    NodeTransform place = NodeTransform.of(node);
+    if (place.sheared()) {
+      problems.tell(path + ".matrix", "it shears, which a Transform cannot; the shear is left out");
+    }
+    out.open("Transform", "DEF", def);
+    place(place);
+    if (!name.isBlank() && !name.equals(def)) {
+      out.empty("MetadataString", "name", "name", "value", quoted(name));
+    }
+    views.write(node, path, name);
+    int mesh = GltfFile.index(node, "mesh");
+    if (mesh >= 0) {
+      mesh(node, mesh, index, path);
+    }
+    node.path("children").forEach(child -> node(child.asInt(-1), depth + 1));
+    out.close();
+  }
+
+  private void mesh(JsonNode node, int mesh, int index, String path) {
+    if (file.part("meshes", mesh).isMissingNode()) {
+      problems.tell(path + ".mesh", "there is no meshes[%d]; the file is damaged".formatted(mesh));
+      return;
+    }
+    if (node.has("skin")) {
+      problems.tell(
+          path + ".skin", "skins are not read; the mesh is shown as it is without its skeleton");
+    }
+    if (node.path("extensions").has("EXT_mesh_gpu_instancing")) {
+      problems.tell(path, "EXT_mesh_gpu_instancing is not read; the mesh is shown once");
+    }
+    double[] weights = node.has("weights") ? GltfMeshes.all(node.path("weights")) : null;
+    if (morphing.contains(index)) {
+      List<GltfMeshes.Morph> moved = new ArrayList<>();
+      meshes.write(mesh, weights, moved);
+      morphs.put(index, moved);
+    } else {
+      meshes.write(mesh, weights, null);
+    }
+  }
+
+  private void place(NodeTransform place) {
+    double[] t = place.translation();
+    if (t[0] != 0 || t[1] != 0 || t[2] != 0) {
+      out.attribute("translation", Numbers.of(t));
+    }
+    double[] rotation = Numbers.axisAngle(place.rotation());
+    if (rotation[3] != 0) {
+      out.attribute("rotation", Numbers.of(rotation));
+    }
+    double[] s = place.scale();
+    if (s[0] != 1 || s[1] != 1 || s[2] != 1) {
+      out.attribute("scale", Numbers.of(s));
+    }
+  }
+
+  /** Returns a text as the only value of an MFString. */
+  private static String quoted(String text) {
+    return '"' + text.replace("\\", "\\\\").replace("\"", "\\\"") + '"';
+  }
+}

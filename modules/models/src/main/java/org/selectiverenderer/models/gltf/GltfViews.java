@@ -1,0 +1,104 @@
+package org.selectiverenderer.models.gltf;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.util.ArrayList;
+import java.util.List;
+import org.selectiverenderer.x3d.write.X3dWriter;
+
+/** Writes the cameras and lights of nodes, which both look along -z of their node in glTF. */
+final class GltfViews {
+  /** The radius of a light without a range, in metres: beyond it the light is not seen. */
+  private static final double UNLIMITED = 1e6;
+
+  private final GltfFile file;
+  private final X3dWriter out;
+  private final DefNames names;
+
+  GltfViews(GltfFile file, X3dWriter out, DefNames names) {
+    this.file = file;
+    this.out = out;
+    this.names = names;
+  }
+
+  /**
+   * Writes what a node has.
+   *
+   * @param name the node's name, for those that have none themselves
+   */
+  void write(JsonNode node, String path, String name) {
+    JsonNode camera = file.referred(node, "camera", "cameras");
+    if (camera.isObject()) {
+      camera(camera, camera.has("name") ? GltfFile.text(camera, "name") : name);
+    }
+    int light = GltfFile.index(node.path("extensions").path("KHR_lights_punctual"), "light");
+    JsonNode lights = file.root().path("extensions").path("KHR_lights_punctual").path("lights");
+    if (light >= 0 && lights.path(light).isObject()) {
+      light(lights.path(light), lights.path(light).path("name").asText(name));
+    }
+  }
+
+  private void camera(JsonNode camera, String name) {
+    boolean ortho = camera.path("type").asText("").equals("orthographic");
+    JsonNode lens = camera.path(ortho ? "orthographic" : "perspective");
+    String def = names.unique(name, "camera");
+    out.open(ortho ? "OrthoViewpoint" : "Viewpoint", "DEF", def);
+    out.attribute("description", name.isBlank() ? def : name);
+    out.attribute("position", "0 0 0");
+    if (ortho) {
+      double x = positive(lens, "xmag", 1);
+      double y = positive(lens, "ymag", 1);
+      out.attribute("fieldOfView", Numbers.of(-x, -y, x, y));
+    } else {
+      out.attribute("fieldOfView", Numbers.of(fieldOfView(lens)));
+    }
+    double near = GltfFile.number(lens, "znear", -1);
+    double far = GltfFile.number(lens, "zfar", -1);
+    if (near > 0) {
+      out.attribute("nearDistance", Numbers.of(near));
+    }
+    if (far > near && near > 0) {
+      out.attribute("farDistance", Numbers.of(far));
+    }
+    out.close();
+  }
+
+  /** Returns the smaller angle of view, which is X3D's; glTF's is the vertical one. */
+  private static double fieldOfView(JsonNode lens) {
+    double vertical = positive(lens, "yfov", Math.PI / 4);
+    double aspect = positive(lens, "aspectRatio", 1);
+    double half = Math.min(vertical, 3) / 2;
+    return aspect < 1 ? 2 * Math.atan(Math.tan(half) * aspect) : 2 * half;
+  }
+
+  private static double positive(JsonNode from, String member, double otherwise) {
+    double value = GltfFile.number(from, member, otherwise);
+    return value > 0 ? value : otherwise;
+  }
+
+  private void light(JsonNode light, String name) {
+    double[] color = GltfFile.numbers(light, "color", 1, 1, 1);
+    double intensity = Math.max(0, GltfFile.number(light, "intensity", 1));
+    String kind = light.path("type").asText("");
+    List<String> fields = new ArrayList<>(List.of("DEF", names.unique(name, "light")));
+    fields.addAll(List.of("global", "true", "intensity", Numbers.of(intensity)));
+    double[] shown = {Numbers.unit(color[0]), Numbers.unit(color[1]), Numbers.unit(color[2])};
+    fields.addAll(List.of("color", Numbers.of(shown)));
+    if (!kind.equals("directional")) {
+      // light falls off by the square of the distance
+      String radius = Numbers.of(positive(light, "range", UNLIMITED));
+      fields.addAll(List.of("attenuation", "0 0 1", "radius", radius));
+    }
+    switch (kind) {
+      case "directional" -> out.empty("DirectionalLight", fields.toArray(String[]::new));
+      case "spot" -> {
+        JsonNode spot = light.path("spot");
+        double outer = Math.min(positive(spot, "outerConeAngle", Math.PI / 4), Math.PI / 2);
+        double inner = Math.max(0, GltfFile.number(spot, "innerConeAngle", 0));
+        fields.addAll(List.of("direction", "0 0 -1", "cutOffAngle", Numbers.of(outer)));
+        fields.addAll(List.of("beamWidth", Numbers.of(Math.min(inner, outer))));
+        out.empty("SpotLight", fields.toArray(String[]::new));
+      }
+      default -> out.empty("PointLight", fields.toArray(String[]::new));
+    }
+  }
+}
