@@ -6,6 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import org.selectiverenderer.authoring.MFStringParser;
 import org.selectiverenderer.authoring.file.BrokenRelativeUrls;
 import org.selectiverenderer.base.files.FileTransaction;
@@ -17,6 +18,7 @@ import org.selectiverenderer.command.output.Console;
 import org.selectiverenderer.command.output.ExitStatus;
 import org.selectiverenderer.command.output.OutputFile;
 import org.selectiverenderer.command.output.UndeletedFilesWarning;
+import org.selectiverenderer.models.gltf.write.GlbWriter;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.model.ModelFormat;
 import org.selectiverenderer.x3d.read.PrototypeLibraryLoader;
@@ -36,14 +38,17 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "convert",
     description = {
-      "Writes a scene, or a model in glTF, in another encoding: X3D XML, ClassicVRML or X3D JSON.",
-      "What the scene is written in is seen from its content: one of these, VRML97 or glTF. What OUT is "
-          + "written in follows from its ending; .x3dz, .x3dvz, .x3djz and .gz are compressed."
+      "Writes a scene, or a model such as glTF, in another encoding: X3D XML, ClassicVRML or X3D JSON;"
+          + " or as glTF 2.0.",
+      "What the scene is written in is seen from its content. What OUT is written in follows from its "
+          + "ending; .x3dz, .x3dvz, .x3djz and .gz are compressed.",
+      "A .glb or .gltf file has what is inlined, and tells what glTF cannot hold."
     },
     footer = {
       "  ./selective-renderer convert house.wrl house.x3d",
       "  ./selective-renderer convert scenes/trashcan.x3d scenes/trashcan.x3dv",
-      "  ./selective-renderer convert chair.glb chair.x3d"
+      "  ./selective-renderer convert chair.glb chair.x3d",
+      "  ./selective-renderer convert scenes/trashcan.x3d trashcan.glb"
     })
 public final class ConvertCommand extends CliCommand {
   /** The number of bytes by which a model is recognised. */
@@ -55,7 +60,8 @@ public final class ConvertCommand extends CliCommand {
   @Parameters(
       paramLabel = "OUT",
       index = "1",
-      description = "file to write: .x3d, .x3dz, .x3dv, .x3dvz, .x3dj, .x3djz or .json")
+      description =
+          "file to write: .x3d, .x3dz, .x3dv, .x3dvz, .x3dj, .x3djz, .json, .glb or .gltf")
   private Path output = Path.of("");
 
   @Option(
@@ -70,12 +76,15 @@ public final class ConvertCommand extends CliCommand {
   @Override
   public ExitStatus run() throws IOException {
     OutputFile.check("OUT", output);
-    if (SceneFormat.of(output.toString()).isEmpty() && !FileTransaction.sink(output)) {
+    Optional<GlbWriter.Form> model = GlbWriter.Form.of(output.toString());
+    if (SceneFormat.of(output.toString()).isEmpty()
+        && model.isEmpty()
+        && !FileTransaction.sink(output)) {
       throw CommandException.usage(
           "OUT "
               + output
               + ": its file name extension names no encoding; use .x3d for X3D XML, .x3dv for"
-              + " ClassicVRML or .x3dj for X3D JSON");
+              + " ClassicVRML, .x3dj for X3D JSON or .glb for glTF");
     }
     if (Files.isDirectory(scene)) {
       throw CommandException.environment("IN " + scene + ": is a folder, not a scene");
@@ -102,6 +111,9 @@ public final class ConvertCommand extends CliCommand {
       return ExitStatus.PROBLEMS;
     }
     keepInlined(document);
+    if (model.isPresent()) {
+      return writeModel(catalogue, model.get());
+    }
     String text = format.text(document, catalogue, problems);
     FileTransaction writing = new FileTransaction();
     if (!embed && isModel() && !FileTransaction.sink(output)) {
@@ -135,6 +147,18 @@ public final class ConvertCommand extends CliCommand {
     Path folder = parent == null ? scene.toAbsolutePath() : parent;
     return reader.with(
         new PrototypeLibraryLoader(reader, new UrlResolver(folder)), BaseUrl.folder(folder));
+  }
+
+  private ExitStatus writeModel(NodeCatalogue catalogue, GlbWriter.Form form) throws IOException {
+    ProblemCollector problems = new ProblemCollector(console()::problem);
+    Optional<byte[]> bytes =
+        new GlbWriter(catalogue, ContentAccessPolicy.none()).bytes(scene, form, problems);
+    if (bytes.isPresent()) {
+      FileTransaction writing = new FileTransaction();
+      writing.add(output, bytes.get());
+      UndeletedFilesWarning.tell(writing.commit(), console());
+    }
+    return ExitStatus.of(problems);
   }
 
   /** Rejects an output that would overwrite a file to which the scene refers. */

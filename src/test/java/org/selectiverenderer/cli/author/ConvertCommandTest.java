@@ -3,6 +3,7 @@ package org.selectiverenderer.cli.author;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
@@ -45,6 +46,15 @@ class ConvertCommandTest extends CommandTestCase {
             elsewhere
                 + ": 1 file that the scene refers to (cup_v1.x3d) cannot be found from this folder;"
                 + " write the output into the folder of the scene, or copy these files too\n");
+  }
+
+  @Test
+  void gltfIsWrittenAndWhatItCannotHoldIsTold() throws IOException {
+    Path scene = scene("cup.x3d", "<X3D version='4.0' profile='Full'><Scene><Fog/></Scene></X3D>");
+    Path glb = folder.resolve("cup.glb");
+    assertThat(execute("convert", scene.toString(), glb.toString())).isEqualTo(1);
+    assertThat(messages()).contains("glTF has nothing for Fog; this one and all others are");
+    assertThat(Files.readString(glb, StandardCharsets.ISO_8859_1)).startsWith("glTF");
   }
 
   @Test

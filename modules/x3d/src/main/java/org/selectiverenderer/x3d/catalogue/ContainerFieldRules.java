@@ -23,6 +23,15 @@ public final class ContainerFieldRules {
     return Optional.ofNullable(field).filter(found -> accepts(found, child));
   }
 
+  /**
+   * Returns whether a field is the default containerField of a type in every edition of the
+   * standard. That of metadata is {@code metadata} in X3D 3 and {@code value} in some readers of
+   * X3D 4.0, whose 4.2 gives it for metadata in a MetadataSet.
+   */
+  public static boolean isAlwaysDefault(NodeType child, String field) {
+    return !child.is("X3DMetadataObject") && field.equals(child.containerField());
+  }
+
   /** Returns the default containerField of a child in a parent. */
   public static String usual(NodeType parent, NodeType child) {
     // the catalogue's default applies to metadata in a MetadataSet

@@ -145,7 +145,8 @@ final class X3dElementReader implements NodeReader.Links {
   @Override
   public void link(ElementCursor in) {
     if (in.name().equals("IMPORT")) {
-      String imported = text(in, "importedDEF");
+      String earlier = in.attribute("exportedDEF"); // X3D 3.0 calls it so in its XML encoding.
+      String imported = earlier == null ? text(in, "importedDEF") : earlier;
       String as = in.attribute("AS");
       String name = as == null ? imported : as;
       imports.add(new X3dFile.Import(text(in, "inlineDEF"), imported, name, in.location()));

@@ -56,9 +56,13 @@ public final class DocumentAttribute {
     return now != null && now.type == wanted;
   }
 
-  /** Returns the text with references resolved; for a long numeric value that in the file. */
+  /** Returns the text with references resolved; for a long numeric value with its line ends. */
   public String text() {
-    return text != null ? text : element.place().attributeText(index);
+    if (text != null) {
+      return text;
+    }
+    String written = element.place().attributeText(index);
+    return written.indexOf('&') < 0 ? written : element.place().attributeLines(index);
   }
 
   /** Returns the value as a field of a type; null if nothing of the text is usable. */

@@ -72,8 +72,9 @@ final class NodeParser {
     String name = scanner.name("the name of a node");
     Named named = scope.find(name);
     String element = named == null ? INSTANCE : named.element();
-    document.open(element, null, name, start, scanner.at());
-    document.attribute("USE", name, start, from, scanner.at());
+    String def = scope.currentName(name);
+    document.open(element, null, def, start, scanner.at());
+    document.attribute("USE", def, start, from, scanner.at());
     if (named != null && !named.prototype().isEmpty()) {
       document.attribute("name", named.prototype(), start);
     }
@@ -100,15 +101,16 @@ final class NodeParser {
     Map<String, FieldType> fields = scope.prototype(word);
     NodeType type = fields != null ? null : catalogue.find(word).orElse(null);
     String element = fields != null ? INSTANCE : word;
+    String def = name == null ? null : scope.nameForNewNode(name);
     if (name != null) {
       scope.define(name, new Named(element, fields != null ? word : ""));
     }
-    document.open(element, name, null, start, scanner.at());
+    document.open(element, def, null, start, scanner.at());
     if (fields != null) {
       document.attribute("name", word, start);
     }
-    if (name != null) {
-      document.attribute("DEF", name, start);
+    if (def != null) {
+      document.attribute("DEF", def, start);
     }
     container(place);
     List<Connection> connections = new ArrayList<>(0);

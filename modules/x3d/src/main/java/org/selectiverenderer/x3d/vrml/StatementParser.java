@@ -81,7 +81,7 @@ final class StatementParser {
   private void end(int start, VrmlScope scope, String side) throws XmlParseException {
     int node = scanner.space();
     String name = scanner.word('.');
-    document.attribute(side + "Node", name, start, node, scanner.at());
+    document.attribute(side + "Node", scope.currentName(name), start, node, scanner.at());
     scanner.expect('.', "between a node and its field, as in ROUTE Clock.isActive TO Light.on,");
     int field = scanner.space();
     String written = scanner.name("the name of a field");
@@ -147,7 +147,7 @@ final class StatementParser {
     document.close(scanner.at());
     scanner.expect('{', "and the body of the prototype " + FieldTokenizer.quote(name));
     document.open("ProtoBody", null, null, scanner.at() - 1, scanner.at());
-    VrmlScope body = new VrmlScope(scope);
+    VrmlScope body = scope.ofPrototype();
     scanner.space();
     while (scanner.peek() != '}') {
       nodes.statement(body, NodeParser.TOP);

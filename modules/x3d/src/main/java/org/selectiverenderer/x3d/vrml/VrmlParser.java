@@ -46,7 +46,7 @@ public final class VrmlParser implements ElementTreeBuilder.Parser {
     head(document, scanner);
     int body = Math.max(start + 1, scanner.at());
     document.open("Scene", null, null, body - 1, body - 1);
-    VrmlScope scope = new VrmlScope(null);
+    VrmlScope scope = VrmlScope.ofScene(encoding == SceneEncoding.VRML97);
     NodeParser nodes = new NodeParser(document, scanner, catalogue);
     scanner.space();
     while (!scanner.ended()) {

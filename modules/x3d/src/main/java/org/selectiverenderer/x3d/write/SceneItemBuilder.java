@@ -157,7 +157,7 @@ final class SceneItemBuilder {
     boolean usual =
         instance || type == null
             ? field.name().equals("children")
-            : ContainerFieldRules.wanted(parent, type, null).filter(f -> f == field).isPresent();
+            : ContainerFieldRules.isAlwaysDefault(type, field.name());
     return new Place(field.name(), field.type().multiple(), usual);
   }
 
@@ -176,6 +176,9 @@ final class SceneItemBuilder {
       }
     }
     if (type == null) {
+      if (element.name().equals("IMPORT") && name.equals("exportedDEF")) {
+        name = "importedDEF"; // X3D 3.0 calls it so in its XML encoding.
+      }
       return Optional.of(typed(name, attribute, StatementTypes.type(element, name, known)));
     }
     FieldDefinition field = type.field(LegacyFieldNames.now(type, name)).orElse(null);

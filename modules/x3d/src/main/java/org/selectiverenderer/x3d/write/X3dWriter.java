@@ -3,6 +3,7 @@ package org.selectiverenderer.x3d.write;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
+import org.selectiverenderer.x3d.catalogue.ContainerFieldRules;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
@@ -118,7 +119,7 @@ public final class X3dWriter {
   }
 
   private X3dWriter container(NodeType type, String container) {
-    boolean usual = container.isEmpty() || container.equals(type.containerField());
+    boolean usual = container.isEmpty() || ContainerFieldRules.isAlwaysDefault(type, container);
     return usual ? this : attribute("containerField", container);
   }
 

@@ -285,4 +285,72 @@ class SceneConversionTest {
     assertThat(new String(there, StandardCharsets.UTF_8))
         .contains("DEF a_b Group", "DEF a_b_2 Group", "USE a_b\n");
   }
+
+  private static String written(String scene, SceneFormat format) throws IOException {
+    ProblemCollector problems = new ProblemCollector();
+    byte[] text = converted(scene.getBytes(StandardCharsets.UTF_8), format, problems);
+    assertThat(problems.list()).isEmpty();
+    return new String(text, StandardCharsets.UTF_8);
+  }
+
+  /** As Python's ElementTree writes line ends in attributes. */
+  @ParameterizedTest
+  @EnumSource(SceneFormat.class)
+  void referencesToCharactersInNumbersAreResolved(SceneFormat format) throws IOException {
+    String scene =
+        """
+        <X3D version='3.3'><Scene><Shape><IndexedFaceSet coordIndex='0 1 2 -1&#10;2 1 0 -1&#x20;'>
+        <Coordinate point='0 0 0,&#10;1 0 0,&#9;0 &#49; 0'/></IndexedFaceSet></Shape>
+        <PositionInterpolator key='0&#10;1' keyValue='1 2 3&#xA;4 5 6'/>
+        <ProtoDeclare name='P'><ProtoInterface><field name='n' type='MFInt32'
+        accessType='inputOutput' value='1&#10;2'/></ProtoInterface><ProtoBody><Group/></ProtoBody>
+        </ProtoDeclare><ProtoInstance name='P'><fieldValue name='n' value='3&#10;4'/></ProtoInstance>
+        </Scene></X3D>
+        """;
+    String text = written(scene, format);
+    assertThat(text).doesNotContain("&");
+    ProblemCollector problems = new ProblemCollector();
+    assertThat(said(text.getBytes(StandardCharsets.UTF_8), problems))
+        .isEqualTo(said(scene.getBytes(StandardCharsets.UTF_8), problems));
+    assertThat(problems.list()).isEmpty();
+  }
+
+  /** Its default is another one in X3D 3 and in X3D 4, and other readers know one of them. */
+  @Test
+  void theFieldOfMetadataIsAlwaysWritten() throws IOException {
+    String text =
+        written(
+            """
+            <X3D version='4.0'><Scene><Group>
+            <MetadataSet name='s' containerField='metadata'>
+            <MetadataString name='t' containerField='value'/></MetadataSet></Group></Scene></X3D>
+            """,
+            SceneFormat.XML);
+    assertThat(text)
+        .contains("<MetadataSet containerField='metadata' name='s'>")
+        .contains("<MetadataString containerField='value' name='t'/>");
+  }
+
+  @ParameterizedTest
+  @EnumSource(SceneFormat.class)
+  void importsOfBothSpellingsAreRead(SceneFormat format) throws IOException {
+    String scene =
+        """
+        <X3D version='3.0'><Scene><Inline DEF='I' url='"a.x3d"'/>
+        <IMPORT inlineDEF='I' exportedDEF='E' AS='F'/><IMPORT inlineDEF='I' exportedDEF='G'/>
+        </Scene></X3D>
+        """;
+    List<X3dFile.Import> imports =
+        READER
+            .read(
+                "scene",
+                written(scene, format).getBytes(StandardCharsets.UTF_8),
+                new ProblemCollector())
+            .imports();
+    assertThat(imports).extracting(X3dFile.Import::importedDef).containsExactly("E", "G");
+    assertThat(imports).extracting(X3dFile.Import::as).containsExactly("F", "G");
+    assertThat(READER.read("scene", scene, new ProblemCollector()).imports())
+        .extracting(X3dFile.Import::importedDef)
+        .containsExactly("E", "G");
+  }
 }

@@ -106,6 +106,31 @@ class VrmlTest {
     assertThat(file.named().get("F").floats("key")).containsExactly(0);
   }
 
+  /** As VTK and CadQuery write (ISO/IEC 14772-1, 4.6.2). */
+  @Test
+  void aNameGivenAgainInVrml97MeansTheLatestNodeSoFar() {
+    X3dFile file =
+        vrml97(
+            """
+            DEF P PositionInterpolator { }
+            DEF A Transform { translation 1 0 0 children DEF A_2 Group { } }
+            DEF B Group { children [ USE A USE A_2 ] }
+            DEF A Transform { translation 2 0 0 }
+            DEF C Group { children USE A }
+            ROUTE P.value_changed TO A.set_translation
+            PROTO Own [ ] { DEF A Group { } }
+            DEF A Transform { translation 3 0 0 }
+            """);
+    fixture.assertClean();
+    assertThat(file.named().keySet()).containsExactly("P", "A", "A_2", "B", "A_3", "C", "A_4");
+    assertThat(List.<Object>copyOf(file.named().get("B").nodes("children")))
+        .containsExactly(file.named().get("A"), file.named().get("A_2"));
+    assertThat(List.<Object>copyOf(file.named().get("C").nodes("children")))
+        .containsExactly(file.named().get("A_3"));
+    assertThat(file.named().get("A_3").floats("translation")).containsExactly(2, 0, 0);
+    assertThat(file.routes().get(0).to()).isSameAs(file.named().get("A_3"));
+  }
+
   @Test
   void nodesStandInTheFieldThatIsNamed() {
     assertThat(

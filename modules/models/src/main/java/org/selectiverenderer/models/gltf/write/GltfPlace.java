@@ -1,0 +1,29 @@
+package org.selectiverenderer.models.gltf.write;
+
+import org.selectiverenderer.x3d.catalogue.NodeView;
+import org.selectiverenderer.x3d.read.ParsedNode;
+import org.selectiverenderer.x3d.read.X3dFile;
+import org.selectiverenderer.x3d.url.BaseUrl;
+
+/**
+ * Where a node is met.
+ *
+ * @param file the file that it is in
+ * @param base the base of that file's relative urls
+ * @param depth the number of nodes around it
+ */
+record GltfPlace(X3dFile file, BaseUrl base, int depth) {
+  GltfPlace deeper() {
+    return new GltfPlace(file, base, depth + 1);
+  }
+
+  /** Returns the base of a node's relative urls. */
+  BaseUrl base(NodeView node) {
+    return node instanceof ParsedNode parsed ? parsed.base(base) : base;
+  }
+
+  /** Returns whether images multiply the colour of a Material, as since X3D 4.0. */
+  boolean imagesMultiply() {
+    return file.version().startsWith("4");
+  }
+}

@@ -1,0 +1,326 @@
+package org.selectiverenderer.models.gltf.write;
+
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.io.InputStream;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.joml.Matrix4d;
+import org.joml.Vector3d;
+import org.selectiverenderer.x3d.catalogue.NodeView;
+import org.selectiverenderer.x3d.read.PrototypeLibraryLoader;
+import org.selectiverenderer.x3d.read.X3dFile;
+import org.selectiverenderer.x3d.read.X3dReader;
+import org.selectiverenderer.x3d.tessellate.GroupingNodeChildren;
+import org.selectiverenderer.x3d.url.ResolvedUrlContent;
+import org.selectiverenderer.x3d.url.UrlContent;
+import org.selectiverenderer.x3d.url.UrlResolver;
+
+/**
+ * Writes the nodes of a scene, and of what it inlines, as the nodes of a glTF document. Of nodes
+ * that select one of their children it writes the child that a browser shows initially.
+ */
+final class GltfSceneBuilder {
+  private static final int DEEPEST = 500;
+
+  /** The most nodes of a document, since nested USEs multiply without bound. */
+  static final int MAX_NODES = 1_000_000;
+
+  private static final Set<String> TRANSFORMS =
+      Set.of("Transform", "CADPart", "EspduTransform", "HAnimHumanoid", "HAnimJoint", "HAnimSite");
+
+  private final GltfDocument out = new GltfDocument(maxBytes());
+  private final X3dReader reader;
+  private final UrlResolver root;
+  private final PrototypeLibraryLoader libraries;
+  private final GltfLosses losses;
+  private final GltfMetadata metadata;
+  private final GltfMeshes meshes;
+  private final GltfAnimations animations;
+  private final GltfViews views = new GltfViews(out);
+  private final Map<String, X3dFile> files = new HashMap<>();
+  private final Set<String> open = new LinkedHashSet<>();
+  private final ObjectNode scene = out.object();
+  private int visits;
+
+  GltfSceneBuilder(X3dReader reader, UrlResolver root, GltfLosses losses) {
+    this.reader = reader;
+    this.root = root;
+    this.losses = losses;
+    libraries = new PrototypeLibraryLoader(reader, root);
+    metadata = new GltfMetadata(losses);
+    GltfTextures textures = new GltfTextures(out, root, losses);
+    meshes = new GltfMeshes(out, new GltfMaterials(out, textures, losses, metadata), losses);
+    animations = new GltfAnimations(out, losses);
+  }
+
+  private static int maxBytes() {
+    return (int) Math.min(1 << 30, Runtime.getRuntime().maxMemory() / 4);
+  }
+
+  /**
+   * Returns the document of a scene.
+   *
+   * @throws IOException if it exceeds a limit, with a clause that says which
+   */
+  GltfDocument build(X3dFile file, GltfPlace place) throws IOException {
+    animations.find(file);
+    List<Integer> roots = new ArrayList<>();
+    double unit = unit(file);
+    for (NodeView node : file.nodes()) {
+      visit(node, place, roots);
+    }
+    file.loose().forEach(losses::node);
+    if (unit != 1 && !roots.isEmpty()) {
+      ObjectNode scaled = out.object().put("name", "unit of length");
+      GltfDocument.numbers(scaled, "scale", unit, unit, unit);
+      append(scaled, roots);
+      roots = List.of(out.add("nodes", scaled));
+    }
+    animations.write();
+    if (!roots.isEmpty()) {
+      ArrayNode list = scene.putArray("nodes");
+      roots.forEach(list::add);
+    }
+    out.add("scenes", scene);
+    out.root().put("scene", 0);
+    return out;
+  }
+
+  private void visit(NodeView node, GltfPlace place, List<Integer> siblings) throws IOException {
+    if (++visits > MAX_NODES) {
+      throw new IOException(
+          "the scene contains itself or has more than %d nodes, which is the limit"
+              .formatted(MAX_NODES));
+    }
+    if (place.depth() > DEEPEST) {
+      losses.tell(
+          "depth",
+          node.location(),
+          "nodes are nested more than %d deep; what is inside is left out".formatted(DEEPEST));
+      return;
+    }
+    if (node.type().field("visible").isPresent() && !node.bool("visible")) {
+      losses.tell(
+          "visible",
+          node.location(),
+          "glTF has no invisible nodes; %s and all others with visible FALSE are left out"
+              .formatted(node.type().name()));
+      return;
+    }
+    switch (node.type().name()) {
+      case "Inline" -> inline(node, place, siblings);
+      case "WorldInfo" -> worldInfo(node);
+      default -> {
+        if (node.type().is("X3DShapeNode")) {
+          shape(node, place, siblings);
+        } else if (GltfViews.isView(node)) {
+          siblings.add(add(node, views.view(node)));
+        } else if (GltfViews.isLight(node)) {
+          light(node, siblings);
+        } else if (GroupingNodeChildren.isGroup(node.type())
+            || node.type().name().equals("LayerSet")) {
+          group(node, place, siblings);
+        } else if (!animations.takes(node)) {
+          losses.node(node);
+        }
+      }
+    }
+  }
+
+  private void light(NodeView light, List<Integer> siblings) {
+    if (light.bool("on")) {
+      siblings.add(add(light, views.light(light)));
+    } else {
+      losses.tell("light", light.location(), "glTF has no lights that are off; they are left out");
+    }
+  }
+
+  private void group(NodeView node, GltfPlace place, List<Integer> siblings) throws IOException {
+    GltfTransform nodes = transform(node);
+    siblings.add(nodes.outer());
+    describe(node, out.get("nodes", nodes.outer()));
+    List<Integer> children = new ArrayList<>();
+    for (NodeView child : shown(node)) {
+      visit(child, place.deeper(), children);
+    }
+    append(out.get("nodes", nodes.inner()), children);
+  }
+
+  private GltfTransform transform(NodeView node) {
+    if (TRANSFORMS.contains(node.type().name())) {
+      boolean moves = animations.moves(node);
+      GltfTransform nodes = GltfTransform.of(node, moves, out);
+      if (moves) {
+        animations.place(node, nodes);
+      }
+      return nodes;
+    }
+    return GltfTransform.of(GroupingNodeChildren.placement(node).orElseGet(Matrix4d::new), out);
+  }
+
+  /** Returns the children that are shown, and reports what shows others at times. */
+  private List<? extends NodeView> shown(NodeView node) {
+    List<? extends NodeView> children = GroupingNodeChildren.of(node);
+    String type = node.type().name();
+    switch (type) {
+      case "Switch" -> {
+        int choice = node.integer("whichChoice");
+        if (children.size() > (choice >= 0 && choice < children.size() ? 1 : 0)) {
+          losses.tell(
+              type,
+              node.location(),
+              "glTF has no Switch; its choice %d is written, and the others of this one and all"
+                      .formatted(choice)
+                  + " others are left out");
+        }
+        return choice >= 0 && choice < children.size() ? List.of(children.get(choice)) : List.of();
+      }
+      case "LOD" -> {
+        if (children.size() > 1) {
+          losses.tell(type, node.location(), "glTF has no LOD; the finest level is written");
+        }
+        return children.stream().limit(1).toList();
+      }
+      case "Billboard", "Anchor", "Viewport", "ScreenGroup" ->
+          losses.tell(type, node.location(), "glTF has no %s; it becomes a group".formatted(type));
+      default -> {
+        // shows all its children
+      }
+    }
+    return children;
+  }
+
+  private void shape(NodeView shape, GltfPlace place, List<Integer> siblings) throws IOException {
+    Optional<GltfMeshes.Written> mesh = meshes.mesh(shape, place);
+    if (mesh.isEmpty()) {
+      return;
+    }
+    ObjectNode node = out.object().put("mesh", mesh.get().index());
+    Vector3d at = mesh.get().origin().orElse(new Vector3d());
+    if (at.lengthSquared() > 0) {
+      GltfDocument.numbers(node, "translation", at.x, at.y, at.z);
+    }
+    siblings.add(add(shape, node));
+  }
+
+  private int add(NodeView from, ObjectNode node) {
+    describe(from, node);
+    return out.add("nodes", node);
+  }
+
+  /** Adds what a node has besides its content: its name, its metadata, a Switch its choice. */
+  private void describe(NodeView from, ObjectNode to) {
+    if (from.name() != null) {
+      to.put("name", from.name());
+    }
+    metadata.append(from, to);
+    if (from.type().name().equals("Switch")) {
+      GltfMetadata.extras(from, to).put("whichChoice", from.integer("whichChoice"));
+    }
+  }
+
+  private void worldInfo(NodeView info) {
+    metadata.append(info, scene);
+    ObjectNode extras = GltfMetadata.extras(info, scene);
+    if (!info.string("title").isEmpty()) {
+      scene.put("name", info.string("title"));
+      extras.put("title", info.string("title"));
+    }
+    ArrayNode lines = extras.putArray("info");
+    for (String line : info.strings("info")) {
+      lines.add(line);
+    }
+  }
+
+  private void inline(NodeView inline, GltfPlace place, List<Integer> siblings) throws IOException {
+    if (!inline.bool("load")) {
+      losses.tell("load", inline.location(), "an Inline with load FALSE is left out");
+      return;
+    }
+    ResolvedUrlContent choice =
+        ResolvedUrlContent.of(inline, root, place.base(inline), "the Inline is left out");
+    if (!(choice instanceof ResolvedUrlContent.Found found)) {
+      losses.problems().add(((ResolvedUrlContent.None) choice).problem());
+      return;
+    }
+    UrlContent content = found.content();
+    if (!open.add(content.key())) {
+      losses
+          .problems()
+          .error(inline.location(), "the Inline names a file that contains it; it is left out");
+      return;
+    }
+    try {
+      Optional<X3dFile> file = read(inline, content);
+      if (file.isPresent()) {
+        inlined(
+            inline,
+            file.get(),
+            new GltfPlace(file.get(), content.base(), place.depth() + 1),
+            unit(file.get()) / unit(place.file()),
+            siblings);
+      }
+    } finally {
+      open.remove(content.key());
+    }
+  }
+
+  private void inlined(
+      NodeView inline, X3dFile file, GltfPlace place, double scale, List<Integer> siblings)
+      throws IOException {
+    ObjectNode group = out.object();
+    if (scale != 1) {
+      GltfDocument.numbers(group, "scale", scale, scale, scale);
+    }
+    siblings.add(add(inline, group));
+    List<Integer> children = new ArrayList<>();
+    for (NodeView node : file.nodes()) {
+      visit(node, place, children);
+    }
+    append(group, children);
+  }
+
+  /** Reads an inlined file, once for all Inlines, so that they share their meshes. */
+  private Optional<X3dFile> read(NodeView inline, UrlContent content) {
+    X3dFile known = files.get(content.key());
+    if (known == null) {
+      try (InputStream in = content.open()) {
+        known =
+            reader
+                .with(libraries, content.base())
+                .read(content.name(), in, content.size(), losses.problems());
+      } catch (IOException e) {
+        losses
+            .problems()
+            .error(
+                inline.location(),
+                "%s cannot be read (%s); the Inline is left out"
+                    .formatted(content.name(), e.getMessage()));
+        return Optional.empty();
+      }
+      files.put(content.key(), known);
+      animations.find(known);
+    }
+    return Optional.of(known);
+  }
+
+  private static void append(ObjectNode parent, List<Integer> children) {
+    if (!children.isEmpty()) {
+      ArrayNode list = parent.putArray("children");
+      children.forEach(list::add);
+    }
+  }
+
+  /** Returns a file's unit of length in metres. */
+  private static double unit(X3dFile file) {
+    double unit = file.unitLength();
+    return unit > 0 && Double.isFinite(unit) ? unit : 1;
+  }
+}

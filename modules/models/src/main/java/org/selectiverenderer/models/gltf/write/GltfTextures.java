@@ -1,0 +1,193 @@
+package org.selectiverenderer.models.gltf.write;
+
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.x3d.catalogue.NodeView;
+import org.selectiverenderer.x3d.url.ResolvedUrlContent;
+import org.selectiverenderer.x3d.url.UrlContent;
+import org.selectiverenderer.x3d.url.UrlResolver;
+
+/** Writes textures with their images; each image is embedded once. */
+final class GltfTextures {
+  private static final int MAX_IMAGE_BYTES = 64 << 20;
+  private static final int REPEAT = 10497;
+  private static final int CLAMP_TO_EDGE = 33071;
+
+  /**
+   * A texture of the document.
+   *
+   * @param index its index
+   * @param image what it shows
+   */
+  record Texture(int index, GltfImage image) {}
+
+  /** An image of the document, by its index. */
+  private record Embedded(int index, GltfImage image) {}
+
+  private final GltfDocument out;
+  private final UrlResolver root;
+  private final GltfLosses losses;
+  private final Map<NodeView, Optional<Texture>> textures = new HashMap<>();
+  private final Map<String, Optional<Embedded>> images = new HashMap<>();
+  private final Map<Boolean, Map<Boolean, Integer>> samplers = new HashMap<>();
+
+  GltfTextures(GltfDocument out, UrlResolver root, GltfLosses losses) {
+    this.out = out;
+    this.root = root;
+    this.losses = losses;
+  }
+
+  /** Returns the texture of a texture node; empty if glTF cannot hold it, which is reported. */
+  Optional<Texture> texture(@Nullable NodeView node, GltfPlace place) throws IOException {
+    if (node == null) {
+      return Optional.empty();
+    }
+    Optional<Texture> known = textures.get(node);
+    if (known == null) {
+      known = read(node, place);
+      textures.put(node, known);
+    }
+    return known;
+  }
+
+  private Optional<Texture> read(NodeView node, GltfPlace place) throws IOException {
+    Optional<Embedded> image;
+    switch (node.type().name()) {
+      case "ImageTexture" -> image = ofUrl(node, place);
+      case "PixelTexture" -> image = embedded(GltfImage.ofPixels(node.ints("image")));
+      case "MultiTexture" -> {
+        losses.tell(
+            "MultiTexture",
+            node.location(),
+            "glTF mixes no textures; of a MultiTexture the first one is written");
+        return node.nodes("texture").isEmpty()
+            ? Optional.empty()
+            : texture(node.nodes("texture").get(0), place);
+      }
+      default -> {
+        losses.node(node);
+        return Optional.empty();
+      }
+    }
+    if (image.isEmpty()) {
+      return Optional.empty();
+    }
+    ObjectNode texture = out.object().put("sampler", sampler(node));
+    texture.put("source", image.get().index());
+    if (node.name() != null) {
+      texture.put("name", node.name());
+    }
+    return Optional.of(new Texture(out.add("textures", texture), image.get().image()));
+  }
+
+  private Optional<Embedded> ofUrl(NodeView node, GltfPlace place) throws IOException {
+    ResolvedUrlContent choice =
+        ResolvedUrlContent.of(node, root, place.base(node), "the texture is left out");
+    if (!(choice instanceof ResolvedUrlContent.Found found)) {
+      losses.problems().add(((ResolvedUrlContent.None) choice).problem());
+      return Optional.empty();
+    }
+    UrlContent content = found.content();
+    Optional<Embedded> known = images.get(content.key());
+    if (known == null) {
+      known = embedded(image(node, content));
+      images.put(content.key(), known);
+    }
+    return known;
+  }
+
+  private Optional<GltfImage> image(NodeView node, UrlContent content) {
+    byte[] bytes;
+    try {
+      bytes = content.bytes(MAX_IMAGE_BYTES);
+    } catch (IOException e) {
+      losses
+          .problems()
+          .error(
+              node.location(),
+              "%s cannot be read (%s); the texture is left out"
+                  .formatted(content.name(), e.getMessage()));
+      return Optional.empty();
+    }
+    Optional<GltfImage> image = GltfImage.of(bytes);
+    if (image.isEmpty()) {
+      losses
+          .problems()
+          .warning(
+              node.location(),
+              "%s is neither PNG nor JPEG, which glTF needs; the texture is left out; convert the"
+                      .formatted(content.name())
+                  + " image to PNG to keep it");
+    }
+    return image;
+  }
+
+  private Optional<Embedded> embedded(Optional<GltfImage> image) throws IOException {
+    if (image.isEmpty()) {
+      return Optional.empty();
+    }
+    ObjectNode entry =
+        out.object()
+            .put("bufferView", out.bytes(image.get().bytes()))
+            .put("mimeType", image.get().mimeType());
+    return Optional.of(new Embedded(out.add("images", entry), image.get()));
+  }
+
+  private int sampler(NodeView texture) {
+    boolean s = texture.bool("repeatS");
+    boolean t = texture.bool("repeatT");
+    return samplers
+        .computeIfAbsent(s, unused -> new HashMap<>())
+        .computeIfAbsent(
+            t,
+            unused ->
+                out.add(
+                    "samplers",
+                    out.object()
+                        .put("wrapS", s ? REPEAT : CLAMP_TO_EDGE)
+                        .put("wrapT", t ? REPEAT : CLAMP_TO_EDGE)));
+  }
+
+  /**
+   * Writes a TextureTransform as KHR_texture_transform. X3D moves, turns about a centre and scales
+   * (X3D 4.0, 18.4.9), with t up; glTF scales, turns and moves, with v down. So a turn is kept only
+   * where both axes are scaled alike.
+   */
+  void transform(@Nullable NodeView transform, ObjectNode info) {
+    if (transform == null) {
+      return;
+    }
+    if (!transform.type().name().equals("TextureTransform")) {
+      losses.node(transform);
+      return;
+    }
+    float[] c = transform.floats("center");
+    float[] s = transform.floats("scale");
+    float[] move = transform.floats("translation");
+    double turn = GltfDocument.finite(transform.number("rotation"));
+    if (turn != 0 && s[0] != s[1]) {
+      losses.tell(
+          "TextureTransform",
+          transform.location(),
+          "glTF cannot turn an image and scale its axes differently; the rotation of such a"
+              + " TextureTransform is left out");
+      turn = 0;
+    }
+    double cos = Math.cos(turn);
+    double sin = Math.sin(turn);
+    double x = (double) c[0] + move[0];
+    double y = (double) c[1] + move[1];
+    double b = -s[0] * sin;
+    double d = s[1] * cos;
+    double offsetS = s[0] * cos * x + b * y - c[0];
+    double offsetT = s[1] * sin * x + d * y - c[1];
+    ObjectNode extension = out.extension(info, "KHR_texture_transform");
+    GltfDocument.numbers(extension, "offset", b + offsetS, 1 - d - offsetT);
+    extension.put("rotation", turn);
+    GltfDocument.numbers(extension, "scale", s[0], s[1]);
+  }
+}
