@@ -41,9 +41,9 @@ final class GltfSceneBuilder {
   private final PrototypeLibraryLoader libraries;
   private final GltfLosses losses;
   private final GltfMetadata metadata;
-  private final GltfMeshes meshes;
-  private final GltfAnimations animations;
-  private final GltfViews views = new GltfViews(out);
+  private final GltfMeshWriter meshes;
+  private final GltfAnimationWriter animations;
+  private final GltfViewWriter views = new GltfViewWriter(out);
   private final Map<String, X3dFile> files = new HashMap<>();
   private final Set<String> open = new LinkedHashSet<>();
   private final ObjectNode scene = out.object();
@@ -55,9 +55,10 @@ final class GltfSceneBuilder {
     this.losses = losses;
     libraries = new PrototypeLibraryLoader(reader, root);
     metadata = new GltfMetadata(losses);
-    GltfTextures textures = new GltfTextures(out, root, losses);
-    meshes = new GltfMeshes(out, new GltfMaterials(out, textures, losses, metadata), losses);
-    animations = new GltfAnimations(out, losses);
+    GltfTextureWriter textures = new GltfTextureWriter(out, root, losses);
+    meshes =
+        new GltfMeshWriter(out, new GltfMaterialWriter(out, textures, losses, metadata), losses);
+    animations = new GltfAnimationWriter(out, losses);
   }
 
   private static int maxBytes() {
@@ -120,9 +121,9 @@ final class GltfSceneBuilder {
       default -> {
         if (node.type().is("X3DShapeNode")) {
           shape(node, place, siblings);
-        } else if (GltfViews.isView(node)) {
+        } else if (GltfViewWriter.isView(node)) {
           siblings.add(add(node, views.view(node)));
-        } else if (GltfViews.isLight(node)) {
+        } else if (GltfViewWriter.isLight(node)) {
           light(node, siblings);
         } else if (GroupingNodeChildren.isGroup(node.type())
             || node.type().name().equals("LayerSet")) {
@@ -198,7 +199,7 @@ final class GltfSceneBuilder {
   }
 
   private void shape(NodeView shape, GltfPlace place, List<Integer> siblings) throws IOException {
-    Optional<GltfMeshes.Written> mesh = meshes.mesh(shape, place);
+    Optional<GltfMeshWriter.Written> mesh = meshes.mesh(shape, place);
     if (mesh.isEmpty()) {
       return;
     }

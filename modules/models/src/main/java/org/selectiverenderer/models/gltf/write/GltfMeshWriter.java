@@ -15,7 +15,7 @@ import org.selectiverenderer.x3d.tessellate.InstancedShapeTransforms;
 import org.selectiverenderer.x3d.tessellate.Tessellator;
 
 /** Writes shapes as meshes. A shape or a geometry that is used again is written once. */
-final class GltfMeshes {
+final class GltfMeshWriter {
   /**
    * A mesh of the document.
    *
@@ -25,18 +25,18 @@ final class GltfMeshes {
   record Written(int index, Optional<Vector3d> origin) {}
 
   /** The data of a geometry, which shapes with different materials share. */
-  private record Attributes(ObjectNode primitive, GltfMaterials.Use use) {}
+  private record Attributes(ObjectNode primitive, GltfMaterialWriter.Use use) {}
 
   private record Key(NodeView geometry, boolean physical, boolean multiply) {}
 
   private final GltfDocument out;
-  private final GltfMaterials materials;
+  private final GltfMaterialWriter materials;
   private final GltfLosses losses;
   private final Tessellator tessellator = new Tessellator();
   private final Map<NodeView, Optional<Written>> shapes = new HashMap<>();
   private final Map<Key, Optional<Attributes>> geometries = new HashMap<>();
 
-  GltfMeshes(GltfDocument out, GltfMaterials materials, GltfLosses losses) {
+  GltfMeshWriter(GltfDocument out, GltfMaterialWriter materials, GltfLosses losses) {
     this.out = out;
     this.materials = materials;
     this.losses = losses;
@@ -61,7 +61,7 @@ final class GltfMeshes {
       return Optional.empty();
     }
     NodeView appearance = shape.node("appearance");
-    Key key = new Key(geometry, GltfMaterials.physical(appearance), place.imagesMultiply());
+    Key key = new Key(geometry, GltfMaterialWriter.physical(appearance), place.imagesMultiply());
     boolean instanced = shape.type().name().equals("InstancedShape");
     Optional<Attributes> data = instanced ? null : geometries.get(key);
     if (data == null) {
@@ -124,8 +124,8 @@ final class GltfMeshes {
           case LINES -> 1;
           case TRIANGLES -> 4;
         });
-    GltfMaterials.Use use =
-        new GltfMaterials.Use(
+    GltfMaterialWriter.Use use =
+        new GltfMaterialWriter.Use(
             mesh.texCoords() != null,
             mesh.colors() != null,
             translucent,

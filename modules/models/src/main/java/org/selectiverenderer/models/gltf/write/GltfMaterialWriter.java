@@ -17,7 +17,7 @@ import org.selectiverenderer.x3d.catalogue.NodeView;
  * shininess, which gives both highlights the same width (Walter et al. 2007, alpha = roughness^2),
  * and 1 without a specular colour.
  */
-final class GltfMaterials {
+final class GltfMaterialWriter {
   private static final float[] WHITE = {1, 1, 1};
   private static final double[] BLACK = {0, 0, 0};
 
@@ -42,12 +42,13 @@ final class GltfMaterials {
   private record Key(@Nullable NodeView appearance, Use use) {}
 
   private final GltfDocument out;
-  private final GltfTextures textures;
+  private final GltfTextureWriter textures;
   private final GltfLosses losses;
   private final GltfMetadata metadata;
   private final Map<Key, Integer> known = new HashMap<>();
 
-  GltfMaterials(GltfDocument out, GltfTextures textures, GltfLosses losses, GltfMetadata metadata) {
+  GltfMaterialWriter(
+      GltfDocument out, GltfTextureWriter textures, GltfLosses losses, GltfMetadata metadata) {
     this.out = out;
     this.textures = textures;
     this.losses = losses;
@@ -89,7 +90,7 @@ final class GltfMaterials {
             : phong ? "diffuse" : "base";
     float[] rgb = colour(material, colour + "Color");
     NodeView moved = field(appearance, "textureTransform");
-    Optional<GltfTextures.Texture> image =
+    Optional<GltfTextureWriter.Texture> image =
         image(
             field(appearance, "texture"),
             moved,
@@ -190,7 +191,7 @@ final class GltfMaterials {
   }
 
   /** Writes the texture of a material's field, or else another one. */
-  private Optional<GltfTextures.Texture> image(
+  private Optional<GltfTextureWriter.Texture> image(
       @Nullable NodeView otherwise,
       @Nullable NodeView transform,
       @Nullable NodeView material,
@@ -207,7 +208,7 @@ final class GltfMaterials {
     if (!use.textured() || node == null) {
       return Optional.empty();
     }
-    Optional<GltfTextures.Texture> texture = textures.texture(node, place);
+    Optional<GltfTextureWriter.Texture> texture = textures.texture(node, place);
     if (texture.isPresent()) {
       ObjectNode info = to.putObject(property).put("index", texture.get().index());
       textures.transform(transform, info);

@@ -19,7 +19,7 @@ import org.selectiverenderer.x3d.read.X3dFile;
  * equal times in a channel, so the second of two equal keys, where X3D jumps, becomes the next
  * number.
  */
-final class GltfAnimations {
+final class GltfAnimationWriter {
   /** An interpolator, and the property of a Transform that it sets. */
   private record Channel(ParsedNode interpolator, ParsedNode transform, String property) {}
 
@@ -30,7 +30,7 @@ final class GltfAnimations {
   private final Set<ParsedNode> moving = new HashSet<>();
   private final Map<ParsedNode, List<GltfTransform>> placed = new HashMap<>();
 
-  GltfAnimations(GltfDocument out, GltfLosses losses) {
+  GltfAnimationWriter(GltfDocument out, GltfLosses losses) {
     this.out = out;
     this.losses = losses;
   }

@@ -8,7 +8,7 @@ import org.selectiverenderer.formats.image.Srgb;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /** Writes viewpoints as cameras, and lights by KHR_lights_punctual, with their intensities. */
-final class GltfViews {
+final class GltfViewWriter {
   /** The near plane where a scene leaves it to the browser, in units of the scene. */
   private static final double NEAR = 0.05;
 
@@ -19,7 +19,7 @@ final class GltfViews {
 
   private final GltfDocument out;
 
-  GltfViews(GltfDocument out) {
+  GltfViewWriter(GltfDocument out) {
     this.out = out;
   }
 

@@ -12,7 +12,7 @@ import org.selectiverenderer.x3d.url.UrlContent;
 import org.selectiverenderer.x3d.url.UrlResolver;
 
 /** Writes textures with their images; each image is embedded once. */
-final class GltfTextures {
+final class GltfTextureWriter {
   private static final int MAX_IMAGE_BYTES = 64 << 20;
   private static final int REPEAT = 10497;
   private static final int CLAMP_TO_EDGE = 33071;
@@ -35,7 +35,7 @@ final class GltfTextures {
   private final Map<String, Optional<Embedded>> images = new HashMap<>();
   private final Map<Boolean, Map<Boolean, Integer>> samplers = new HashMap<>();
 
-  GltfTextures(GltfDocument out, UrlResolver root, GltfLosses losses) {
+  GltfTextureWriter(GltfDocument out, UrlResolver root, GltfLosses losses) {
     this.out = out;
     this.root = root;
     this.losses = losses;
