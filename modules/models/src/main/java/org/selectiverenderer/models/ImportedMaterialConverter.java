@@ -1,5 +1,7 @@
 package org.selectiverenderer.models;
 
+import java.util.Arrays;
+import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
@@ -11,6 +13,8 @@ import org.selectiverenderer.x3d.read.ParsedNode;
 final class ImportedMaterialConverter {
   /** X3D's shininess times this is the specular exponent (X3D 4.0, 17.2.2.4). */
   private static final float EXPONENT = 128;
+
+  private static final float[] WHITE = {1, 1, 1};
 
   private final ImportedMaterial material;
   private final NodeCatalogue catalogue;
@@ -25,10 +29,17 @@ final class ImportedMaterialConverter {
     ParsedNode appearance = node("Appearance", location);
     ParsedNode look = node("Material", location);
     put(appearance, "material", look);
-    color(look, material.diffuse(), "diffuseColor");
-    color(look, material.specular(), "specularColor");
+    float exponent = number(material.specularExponent(), 0);
+    boolean made = isMadeByAssimp(file, exponent);
+    if (!made) {
+      color(look, material.diffuse(), "diffuseColor");
+    }
+    if (exponent > 0) {
+      // A highlight with an exponent of 0 would make the entire surface white.
+      color(look, material.specular(), "specularColor");
+    }
     color(look, material.emissive(), "emissiveColor");
-    put(look, "shininess", unit(number(material.specularExponent(), 0) / EXPONENT));
+    put(look, "shininess", unit(exponent / EXPONENT));
     put(look, "transparency", unit(1 - number(material.opacity(), 1)));
     String texture = material.texture();
     if (texture != null && texture.startsWith("*")) {
@@ -40,6 +51,18 @@ final class ImportedMaterialConverter {
       put(appearance, "texture", image);
     }
     return appearance;
+  }
+
+  /**
+   * Returns whether Assimp made the material for a file that has none: all white, whereas X3D shows
+   * a surface of no colour in the grey of Material's default.
+   */
+  private boolean isMadeByAssimp(String file, float exponent) {
+    String name = file.toLowerCase(Locale.ROOT);
+    return (name.endsWith(".stl") || name.endsWith(".ply"))
+        && exponent == 0
+        && Arrays.equals(material.diffuse(), WHITE)
+        && Arrays.equals(material.specular(), WHITE);
   }
 
   private ParsedNode node(String type, SourceLocation location) {

@@ -265,6 +265,24 @@ class ModelReaderTest {
 
     assertThat(model.polygons()).isEqualTo(1);
     assertThat(model.parts().get(0).mesh().colors()).hasSize(12);
+    // A highlight over the entire surface would make all colours white.
+    assertThat(material(model).floats("specularColor")).containsExactly(0, 0, 0);
+  }
+
+  private static NodeView material(Model model) {
+    return model.parts().get(0).appearance().node("material");
+  }
+
+  @Test
+  void anObjWithASpecularColourButNoExponentHasNoHighlightOverTheEntireSurface()
+      throws IOException {
+    write("m.mtl", "newmtl red\nKd 1 0 0\nKs 1 1 1\nNs 0\n");
+    Path file = write("a.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n");
+
+    Model model = reader.read(file, problems).orElseThrow();
+
+    assertThat(material(model).floats("diffuseColor")).containsExactly(1, 0, 0);
+    assertThat(material(model).floats("specularColor")).containsExactly(0, 0, 0);
   }
 
   @Test
@@ -295,6 +313,8 @@ class ModelReaderTest {
 
     assertThat(model.polygons()).isEqualTo(2);
     assertThat(model.parts().get(0).mesh().vertexCount()).isEqualTo(4);
+    assertThat(material(model).floats("diffuseColor")).containsExactly(0.8f, 0.8f, 0.8f);
+    assertThat(material(model).floats("specularColor")).containsExactly(0, 0, 0);
   }
 
   @Test

@@ -11,6 +11,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Optional;
 import org.selectiverenderer.models.structure.ModelStructureCheck;
 import org.selectiverenderer.models.structure.ModelStructureException;
 import org.selectiverenderer.x3d.model.ModelFile;
@@ -216,9 +217,21 @@ final class GltfFile {
     return ByteBuffer.wrap(bytes);
   }
 
+  private Optional<UrlContent> inside(String path, String uri, String shown) throws IOException {
+    try {
+      return UrlContent.inside(uri, model.base());
+    } catch (IOException e) {
+      throw new IOException("%s '%s' %s".formatted(path, shown, e.getMessage()), e);
+    }
+  }
+
   private UrlContent content(String path, String uri) throws IOException {
     String shown = uri.length() > 80 ? uri.substring(0, 80) + "…" : uri;
     if (model.files().isEmpty()) {
+      Optional<UrlContent> inside = inside(path, uri, shown);
+      if (inside.isPresent()) {
+        return inside.get();
+      }
       throw new IOException(
           "%s '%s' is in another file, which is not read here".formatted(path, shown));
     }

@@ -12,6 +12,17 @@ import java.util.Optional;
  * data: url. Resolved by {@link UrlResolver}; readers need not distinguish the three.
  */
 public sealed interface UrlContent {
+  /**
+   * Returns the content that a url itself holds ({@code data:}, RFC 2397); empty for any other url.
+   *
+   * @param url the url without fragment
+   * @param base the base of relative urls in the content
+   * @throws IOException if the url is damaged or too large, with a predicate that follows the url
+   */
+  static Optional<UrlContent> inside(String url, BaseUrl base) throws IOException {
+    return DataUrl.is(url) ? Optional.of(DataUrl.read(url, base)) : Optional.empty();
+  }
+
   /** Returns a cache key, which is equal for the same content. */
   String key();
 
