@@ -124,7 +124,7 @@ final class GltfAccessors {
     }
   }
 
-  /** Where numbers lie and what they are. */
+  /** Tells where numbers lie and what they are. */
   private record Layout(
       ByteBuffer bytes,
       long offset,

@@ -293,7 +293,7 @@ class SceneConversionTest {
     return new String(text, StandardCharsets.UTF_8);
   }
 
-  /** As Python's ElementTree writes line ends in attributes. */
+  /** Python's ElementTree writes line ends in attributes so. */
   @ParameterizedTest
   @EnumSource(SceneFormat.class)
   void referencesToCharactersInNumbersAreResolved(SceneFormat format) throws IOException {

@@ -106,7 +106,7 @@ class VrmlTest {
     assertThat(file.named().get("F").floats("key")).containsExactly(0);
   }
 
-  /** As VTK and CadQuery write (ISO/IEC 14772-1, 4.6.2). */
+  /** VTK and CadQuery write such files (ISO/IEC 14772-1, 4.6.2). */
   @Test
   void aNameGivenAgainInVrml97MeansTheLatestNodeSoFar() {
     X3dFile file =

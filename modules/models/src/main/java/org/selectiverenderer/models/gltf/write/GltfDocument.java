@@ -18,7 +18,7 @@ import java.util.TreeSet;
  * Specification, 3.6 and 4.4).
  */
 final class GltfDocument {
-  /** What a buffer view is for: GL's names of the two kinds of vertex data, or neither. */
+  /** Tells what a buffer view is for: GL's names of the two kinds of vertex data, or neither. */
   enum Target {
     VERTICES(34962),
     INDICES(34963),

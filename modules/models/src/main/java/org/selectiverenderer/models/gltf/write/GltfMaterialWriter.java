@@ -22,7 +22,7 @@ final class GltfMaterialWriter {
   private static final double[] BLACK = {0, 0, 0};
 
   /**
-   * What a material depends on besides its appearance.
+   * Holds what a material depends on besides its appearance.
    *
    * @param textured whether the mesh has texture coordinates
    * @param coloured whether its vertices have colours, which replace the diffuse one

@@ -6,7 +6,7 @@ import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.url.BaseUrl;
 
 /**
- * Where a node is met.
+ * Holds where a node is met.
  *
  * @param file the file that it is in
  * @param base the base of that file's relative urls

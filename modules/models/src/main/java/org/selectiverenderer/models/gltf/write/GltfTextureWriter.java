@@ -16,6 +16,9 @@ final class GltfTextureWriter {
   private static final int MAX_IMAGE_BYTES = 64 << 20;
   private static final int REPEAT = 10497;
   private static final int CLAMP_TO_EDGE = 33071;
+  private static final int MIRRORED_REPEAT = 33648;
+  private static final int NEAREST = 9728;
+  private static final int LINEAR = 9729;
 
   /**
    * A texture of the document.
@@ -33,7 +36,10 @@ final class GltfTextureWriter {
   private final GltfLosses losses;
   private final Map<NodeView, Optional<Texture>> textures = new HashMap<>();
   private final Map<String, Optional<Embedded>> images = new HashMap<>();
-  private final Map<Boolean, Map<Boolean, Integer>> samplers = new HashMap<>();
+  private final Map<Sampler, Integer> samplers = new HashMap<>();
+
+  /** A sampler in the numbers of GL; a filter of 0 is left to the reader. */
+  private record Sampler(int wrapS, int wrapT, int magnification, int minification) {}
 
   GltfTextureWriter(GltfDocument out, UrlResolver root, GltfLosses losses) {
     this.out = out;
@@ -138,18 +144,64 @@ final class GltfTextureWriter {
   }
 
   private int sampler(NodeView texture) {
-    boolean s = texture.bool("repeatS");
-    boolean t = texture.bool("repeatT");
-    return samplers
-        .computeIfAbsent(s, unused -> new HashMap<>())
-        .computeIfAbsent(
-            t,
-            unused ->
-                out.add(
-                    "samplers",
-                    out.object()
-                        .put("wrapS", s ? REPEAT : CLAMP_TO_EDGE)
-                        .put("wrapT", t ? REPEAT : CLAMP_TO_EDGE)));
+    int wrapS = texture.bool("repeatS") ? REPEAT : CLAMP_TO_EDGE;
+    int wrapT = texture.bool("repeatT") ? REPEAT : CLAMP_TO_EDGE;
+    NodeView properties = texture.node("textureProperties");
+    if (properties == null) {
+      return sampler(new Sampler(wrapS, wrapT, 0, 0));
+    }
+    return sampler(
+        new Sampler(
+            wrap(properties.string("boundaryModeS"), wrapS),
+            wrap(properties.string("boundaryModeT"), wrapT),
+            magnification(properties.string("magnificationFilter")),
+            minification(properties.string("minificationFilter"))));
+  }
+
+  private int sampler(Sampler wanted) {
+    Integer known = samplers.get(wanted);
+    if (known != null) {
+      return known;
+    }
+    ObjectNode entry = out.object().put("wrapS", wanted.wrapS).put("wrapT", wanted.wrapT);
+    if (wanted.magnification > 0) {
+      entry.put("magFilter", wanted.magnification);
+    }
+    if (wanted.minification > 0) {
+      entry.put("minFilter", wanted.minification);
+    }
+    int added = out.add("samplers", entry);
+    samplers.put(wanted, added);
+    return added;
+  }
+
+  private static int wrap(String mode, int repeated) {
+    return switch (mode) {
+      case "REPEAT" -> REPEAT;
+      case "MIRRORED_REPEAT" -> MIRRORED_REPEAT;
+      case "CLAMP", "CLAMP_TO_EDGE", "CLAMP_TO_BOUNDARY" -> CLAMP_TO_EDGE;
+      default -> repeated;
+    };
+  }
+
+  private static int magnification(String filter) {
+    return switch (filter) {
+      case "NEAREST_PIXEL" -> NEAREST;
+      case "AVG_PIXEL" -> LINEAR;
+      default -> 0;
+    };
+  }
+
+  private static int minification(String filter) {
+    return switch (filter) {
+      case "NEAREST_PIXEL" -> NEAREST;
+      case "AVG_PIXEL" -> LINEAR;
+      case "NEAREST_PIXEL_NEAREST_MIPMAP" -> 9984;
+      case "AVG_PIXEL_NEAREST_MIPMAP" -> 9985;
+      case "NEAREST_PIXEL_AVG_MIPMAP" -> 9986;
+      case "AVG_PIXEL_AVG_MIPMAP" -> 9987;
+      default -> 0;
+    };
   }
 
   /**

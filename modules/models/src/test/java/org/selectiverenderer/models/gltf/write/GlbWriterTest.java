@@ -198,6 +198,25 @@ final class GlbWriterTest {
     assertThat(moved.at("/offset/0").asDouble()).isEqualTo(1);
     assertThat(moved.at("/offset/1").asDouble()).isEqualTo(1 - 3 - 0.75);
     assertThat(gltf.at("/samplers/0/wrapS").asInt()).isEqualTo(33071);
+    assertThat(gltf.at("/samplers/0").has("magFilter")).isFalse();
+  }
+
+  @Test
+  void texturePropertiesBecomeASampler() throws IOException {
+    JsonNode gltf =
+        read(
+            scene(
+                """
+                <Shape><Appearance><Material/><PixelTexture image='1 1 3 0xff0000'>
+                  <TextureProperties magnificationFilter='NEAREST_PIXEL'
+                    minificationFilter='AVG_PIXEL_NEAREST_MIPMAP' boundaryModeS='MIRRORED_REPEAT'
+                    boundaryModeT='CLAMP_TO_EDGE'/></PixelTexture></Appearance><Box/></Shape>
+                """));
+    JsonNode sampler = gltf.at("/samplers/0");
+    assertThat(sampler.at("/magFilter").asInt()).isEqualTo(9728);
+    assertThat(sampler.at("/minFilter").asInt()).isEqualTo(9985);
+    assertThat(sampler.at("/wrapS").asInt()).isEqualTo(33648);
+    assertThat(sampler.at("/wrapT").asInt()).isEqualTo(33071);
   }
 
   @Test
