@@ -31,8 +31,10 @@ class ValidateMutationTest {
   @EnumSource
   void endsWithAStatusAndNoStackTraceInEveryFormat(ReportFormat format) throws IOException {
     SceneMutator mutants = new SceneMutator(format.ordinal());
+    // Some scenes refer to ../inlineNodes, which lies within the folder of the test then.
+    Path scenes = Files.createDirectory(folder.resolve("scenes"));
     for (int i = 0; i < CASES; i++) {
-      Path scene = Files.write(folder.resolve("scene.x3d"), mutants.next());
+      Path scene = Files.write(scenes.resolve("scene.x3d"), mutants.next());
       assertTimeoutPreemptively(Duration.ofSeconds(30), () -> check(format, scene));
     }
   }
