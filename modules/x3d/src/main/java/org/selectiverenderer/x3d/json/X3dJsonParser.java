@@ -170,9 +170,9 @@ public final class X3dJsonParser implements ElementTreeBuilder.Parser {
 
     private void name(String attribute, String text) {
       if (attribute.equals("DEF")) {
-        document.named(text, null);
+        document.named(text, document.element().use().orElse(null));
       } else if (attribute.equals("USE")) {
-        document.named(null, text);
+        document.named(document.element().def().orElse(null), text);
       }
     }
 

@@ -1,7 +1,9 @@
 package org.selectiverenderer.x3d.read;
 
 import java.util.ArrayList;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.base.problem.SpellingSuggester;
@@ -16,6 +18,7 @@ final class ChildNodeAssigner {
   // few fields of a node are lists, so that linear search is faster than hashing
   private final List<FieldDefinition> fields = new ArrayList<>(2);
   private final List<List<ParsedNode>> lists = new ArrayList<>(2);
+  private final Map<FieldDefinition, Integer> connected = new IdentityHashMap<>(0);
 
   ChildNodeAssigner(ParsedNode parent, ReadContext reading) {
     this.parent = parent;
@@ -50,8 +53,20 @@ final class ChildNodeAssigner {
     put(field, child, location);
   }
 
-  /** Assigns a child to a field that accepts its type. */
-  void put(FieldDefinition field, ParsedNode child, SourceLocation location) {
+  /**
+   * Assigns a node that IS gives to a field that accepts its type. These precede all others of the
+   * field, as the encodings have IS in different places.
+   */
+  void connect(FieldDefinition field, ParsedNode child, SourceLocation location) {
+    if (field.type().multiple()) {
+      int before = connected.merge(field, 1, Integer::sum) - 1;
+      list(field).add(before, child);
+    } else {
+      put(field, child, location);
+    }
+  }
+
+  private void put(FieldDefinition field, ParsedNode child, SourceLocation location) {
     if (field.type().multiple()) {
       list(field).add(child);
     } else if (parent.given(field.index())) {

@@ -77,7 +77,7 @@ final class IsStatementReader {
                 .formatted(childNode.type().name(), field.name()));
       } else if (field.nodeTypes().isEmpty()
           || ContainerFieldRules.accepts(field, childNode.type())) {
-        children.put(field, childNode, location);
+        children.connect(field, childNode, location);
       } else {
         reading.error(
             location,

@@ -255,7 +255,10 @@ final class NodeReader {
       int leading = FieldTokenizer.leading(in.attributeText(attribute));
       node.textLocation(in.place().inAttribute(attribute, scheme.end() - leading));
       String lines = in.place().attributeLines(attribute);
-      if (lines.indexOf('\n') >= 0 && !lines.equals(in.attributeText(attribute))) {
+      // JSON has its lines in escapes already
+      boolean normalized =
+          lines.replace('\n', ' ').equals(in.attributeText(attribute).replace('\n', ' '));
+      if (lines.indexOf('\n') >= 0 && normalized) {
         Object urls = reading.parser.parse(FieldType.MFString, lines, new FieldParseErrors());
         node.put(node.type().indexOf("url"), Objects.requireNonNull(urls));
       }

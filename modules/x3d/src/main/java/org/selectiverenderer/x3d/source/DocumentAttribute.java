@@ -65,6 +65,18 @@ public final class DocumentAttribute {
     return written.indexOf('&') < 0 ? written : element.place().attributeLines(index);
   }
 
+  /**
+   * Returns the text with its line ends, which XML normalizes to blanks but which end comments of
+   * programs.
+   */
+  public String lines() {
+    String now = text();
+    String lines = element.place().attributeLines(index);
+    // In other encodings the text of the file has escapes, and the value has its lines already.
+    boolean same = lines.replace('\n', ' ').equals(now.replace('\n', ' '));
+    return same ? lines : now;
+  }
+
   /** Returns the value as a field of a type; null if nothing of the text is usable. */
   public @Nullable Object value(FieldType wanted) {
     return as(wanted).value;

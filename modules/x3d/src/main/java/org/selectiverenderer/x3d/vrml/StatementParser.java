@@ -112,12 +112,10 @@ final class StatementParser {
   }
 
   private void as(int start) throws XmlParseException {
-    int behind = scanner.at();
-    scanner.space();
-    if (scanner.take("AS")) {
+    if (scanner.nextWord().equals("AS")) {
+      scanner.space();
+      scanner.passWord();
       name("AS", start);
-    } else {
-      scanner.back(behind);
     }
   }
 

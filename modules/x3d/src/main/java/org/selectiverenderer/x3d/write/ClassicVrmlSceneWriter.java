@@ -1,12 +1,10 @@
 package org.selectiverenderer.x3d.write;
 
-import java.util.HashMap;
-import java.util.HashSet;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Set;
 import org.selectiverenderer.x3d.field.FieldTokenizer;
 import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.write.SceneItem.Element;
@@ -19,7 +17,6 @@ final class ClassicVrmlSceneWriter {
   private static final String VERSION = "4.0";
 
   private final StringBuilder text = new StringBuilder();
-  private final UniqueNames names = new UniqueNames();
   private int depth;
 
   static String of(List<SceneItem> items) {
@@ -30,7 +27,7 @@ final class ClassicVrmlSceneWriter {
             .map(root -> ((Element) root).text("version").strip())
             .findFirst()
             .orElse("");
-    String given = version.matches("\\d\\.\\d") ? version : VERSION;
+    String given = version.matches("\\d+\\.\\d+") ? version : VERSION;
     writer.text.append("#X3D V").append(given).append(" utf8\n");
     items.forEach(writer::item);
     return writer.text.toString();
@@ -63,29 +60,32 @@ final class ClassicVrmlSceneWriter {
       }
       case "component" -> {
         String level = element.text("level");
-        line().append("COMPONENT ").append(element.text("name").strip()).append(':');
-        text.append(level.isEmpty() ? "1" : level).append('\n');
+        statement("COMPONENT", element.text("name") + ":" + (level.isEmpty() ? "1" : level));
+        comments(element);
       }
-      case "unit" ->
-          statement(
-              "UNIT",
-              element.text("category"),
-              names.of(element.text("name")),
-              element.text("conversionFactor"));
-      case "meta" ->
-          statement("META", string(element.text("name")), string(element.text("content")));
+      case "unit" -> {
+        String factor = element.text("conversionFactor");
+        String conversion = factor.isEmpty() ? "1" : factor;
+        statement("UNIT", element.text("category"), element.text("name"), conversion);
+        comments(element);
+      }
+      case "meta" -> {
+        statement("META", string(element.text("name")), string(element.text("content")));
+        comments(element);
+      }
       case "ROUTE" -> {
-        String from = names.of(element.text("fromNode")) + "." + element.text("fromField");
-        String to = names.of(element.text("toNode")) + "." + element.text("toField");
+        String from = element.text("fromNode") + "." + element.text("fromField");
+        String to = element.text("toNode") + "." + element.text("toField");
         statement("ROUTE", from, "TO", to);
+        comments(element);
       }
       case "IMPORT" -> {
-        String inline = names.of(element.text("inlineDEF"));
-        statement("IMPORT", inline + "." + names.of(element.text("importedDEF")));
+        String inline = element.text("inlineDEF");
+        statement("IMPORT", inline + "." + element.text("importedDEF"));
         as(element);
       }
       case "EXPORT" -> {
-        statement("EXPORT", names.of(element.text("localDEF")));
+        statement("EXPORT", element.text("localDEF"));
         as(element);
       }
       case "ProtoDeclare" -> prototype(element);
@@ -107,13 +107,25 @@ final class ClassicVrmlSceneWriter {
     String as = element.text("AS");
     if (!as.isEmpty()) {
       text.setLength(text.length() - 1);
-      text.append(" AS ").append(names.of(as)).append('\n');
+      text.append(" AS ").append(as).append('\n');
+    }
+    comments(element);
+  }
+
+  /** Writes the comments in a statement that is a line of its own. */
+  private void comments(Element element) {
+    for (SceneItem item : element.items()) {
+      if (item instanceof Element inner) {
+        comments(inner);
+      } else {
+        item(item);
+      }
     }
   }
 
   private void prototype(Element element) {
     element.items().stream().filter(SceneItem.Words.class::isInstance).forEach(this::item);
-    line().append("PROTO ").append(names.of(element.text("name"))).append(" [\n");
+    line().append("PROTO ").append(element.text("name")).append(" [\n");
     depth++;
     for (Element part : element.all("ProtoInterface")) {
       part.items().forEach(this::declared);
@@ -129,11 +141,12 @@ final class ClassicVrmlSceneWriter {
   }
 
   private void external(Element element) {
-    line().append("EXTERNPROTO ").append(names.of(element.text("name"))).append(" [\n");
+    line().append("EXTERNPROTO ").append(element.text("name")).append(" [\n");
     depth++;
     for (SceneItem item : element.items()) {
       if (item instanceof Element field) {
-        statement(field.text("accessType"), field.text("type").strip(), field.text("name"));
+        statement(field.text("accessType"), field.text("type"), field.text("name"));
+        comments(field);
       } else {
         item(item);
       }
@@ -157,16 +170,18 @@ final class ClassicVrmlSceneWriter {
    * @param connected the prototype's field to which IS connects it; empty for none
    */
   private void declared(Element field, String connected) {
-    String type = field.text("type").strip();
+    String type = field.text("type");
     line().append(field.text("accessType")).append(' ').append(type).append(' ');
     text.append(field.text("name"));
     boolean initial = field.access().initialisable();
     if (!connected.isEmpty()) {
       text.append(" IS ").append(connected).append('\n');
+      comments(field);
     } else if (initial) {
       content(field, type.startsWith("MF"));
     } else {
       text.append('\n');
+      comments(field);
     }
   }
 
@@ -174,27 +189,12 @@ final class ClassicVrmlSceneWriter {
   private void content(Element field, boolean multiple) {
     Value value =
         field.values().stream().filter(v -> v.name().equals("value")).findFirst().orElse(null);
-    boolean nodes = field.items().stream().anyMatch(Element.class::isInstance);
-    if (value != null && !nodes) {
-      text.append(' ').append(written(value)).append('\n');
-    } else if (nodes || value == null && !stored(field)) {
+    if (value == null) {
       nodes(field.items(), multiple);
     } else {
-      FieldType type = FieldTypeResolver.of(field.text("type"));
-      text.append(' ').append(type == null ? "NULL" : zero(type)).append('\n');
-      field.items().forEach(this::item);
+      text.append(' ').append(written(value)).append('\n');
+      comments(field);
     }
-  }
-
-  /** Returns whether a field has a type other than nodes. */
-  private static boolean stored(Element field) {
-    FieldType type = FieldTypeResolver.of(field.text("type"));
-    return type != null && !type.isNode();
-  }
-
-  private static String zero(FieldType type) {
-    return written(
-        new Value("", type, type == FieldType.SFString ? "" : FieldValueFormatter.of(type.zero())));
   }
 
   private void nodes(List<SceneItem> items, boolean multiple) {
@@ -208,9 +208,7 @@ final class ClassicVrmlSceneWriter {
     }
     boolean found = false;
     for (SceneItem item : items) {
-      if (item instanceof SceneItem.Words words) {
-        words.text().lines().forEach(line -> text.append(" # ").append(line.strip()).append('\n'));
-      } else if (item instanceof Element element && element.node() && !found) {
+      if (item instanceof Element element) {
         text.append(' ');
         node(element);
         found = true;
@@ -219,18 +217,20 @@ final class ClassicVrmlSceneWriter {
     if (!found) {
       text.append(" NULL\n");
     }
+    items.stream().filter(SceneItem.Words.class::isInstance).forEach(this::item);
   }
 
   private void node(Element element) {
     if (!element.use().isEmpty()) {
-      text.append("USE ").append(names.of(element.use())).append('\n');
+      text.append("USE ").append(element.use()).append('\n');
+      comments(element);
       return;
     }
     if (!element.def().isEmpty()) {
-      text.append("DEF ").append(names.of(element.def())).append(' ');
+      text.append("DEF ").append(element.def()).append(' ');
     }
     boolean instance = element.name().equals("ProtoInstance");
-    text.append(instance ? names.of(element.text("name")) : element.name()).append(" {\n");
+    text.append(instance ? element.text("name") : element.name()).append(" {\n");
     depth++;
     body(element, instance);
     depth--;
@@ -238,7 +238,7 @@ final class ClassicVrmlSceneWriter {
   }
 
   private void body(Element element, boolean instance) {
-    Map<String, String> connected = connections(element);
+    Map<String, List<String>> connected = connections(element);
     ChildrenByField groups = ChildrenByField.of(element);
     for (Value value : instance ? List.<Value>of() : element.values()) {
       boolean code = value.name().equals("url") && !element.source().isEmpty();
@@ -250,7 +250,8 @@ final class ClassicVrmlSceneWriter {
     for (SceneItem item : groups.statements()) {
       if (item instanceof Element field && field.name().equals("field")) {
         String name = field.text("name");
-        declared(field, connected.getOrDefault(name, ""));
+        List<String> outer = connected.getOrDefault(name, List.of(""));
+        outer.forEach(one -> declared(field, one)); // repeated for each further IS
         connected.remove(name);
       } else if (item instanceof Element field && field.name().equals("fieldValue")) {
         line().append(field.text("name"));
@@ -262,9 +263,9 @@ final class ClassicVrmlSceneWriter {
       }
     }
     for (Element is : element.all("IS")) {
-      is.items().stream().filter(SceneItem.Words.class::isInstance).forEach(this::item);
+      comments(is);
     }
-    connected.forEach((field, outer) -> statement(field, "IS", outer));
+    connected.forEach((field, outer) -> outer.forEach(one -> statement(field, "IS", one)));
     if (!element.source().isEmpty()) {
       String urls = InlineCodeConverter.urls(element.type(), element.text("url"), element.source());
       line().append("url [ ").append(urls).append(" ]\n");
@@ -287,11 +288,14 @@ final class ClassicVrmlSceneWriter {
     nodes(items.stream().filter(Element.class::isInstance).toList(), false);
   }
 
-  private static Map<String, String> connections(Element element) {
-    Map<String, String> connected = new LinkedHashMap<>();
+  /** Returns the fields of the prototype to which IS connects each field of a node. */
+  private static Map<String, List<String>> connections(Element element) {
+    Map<String, List<String>> connected = new LinkedHashMap<>();
     for (Element is : element.all("IS")) {
       for (Element connect : is.all("connect")) {
-        connected.put(connect.text("nodeField"), connect.text("protoField"));
+        connected
+            .computeIfAbsent(connect.text("nodeField"), field -> new ArrayList<>())
+            .add(connect.text("protoField"));
       }
     }
     return connected;
@@ -312,32 +316,5 @@ final class ClassicVrmlSceneWriter {
       plain = plain.toUpperCase(Locale.ROOT);
     }
     return !type.multiple() ? plain : plain.isEmpty() ? "[ ]" : "[ " + plain + " ]";
-  }
-
-  /**
-   * Converts names to valid VRML names (ISO/IEC 19776-2, 4.3.2): invalid characters become
-   * underscores, and different names remain different. For one file.
-   */
-  private static final class UniqueNames {
-    private final Map<String, String> written = new HashMap<>();
-    private final Set<String> taken = new HashSet<>();
-
-    String of(String name) {
-      return written.computeIfAbsent(name, this::make);
-    }
-
-    private String make(String name) {
-      StringBuilder text = new StringBuilder();
-      for (char c : name.toCharArray()) {
-        boolean ends = c <= ' ' || "\"#',.[\\]{}\u007f".indexOf(c) >= 0;
-        text.append(ends ? '_' : c);
-      }
-      String plain = text.isEmpty() ? "_" : text.toString();
-      String unique = plain;
-      for (int i = 2; !taken.add(unique); i++) {
-        unique = plain + "_" + i;
-      }
-      return unique;
-    }
   }
 }

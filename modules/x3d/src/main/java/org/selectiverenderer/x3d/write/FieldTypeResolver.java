@@ -11,7 +11,7 @@ final class FieldTypeResolver {
   /** Returns the field type with a name; null if there is none. */
   static @Nullable FieldType of(String name) {
     for (FieldType type : FieldType.values()) {
-      if (type.name().equals(name.strip())) {
+      if (type.name().equals(name)) {
         return type;
       }
     }
@@ -20,10 +20,11 @@ final class FieldTypeResolver {
 
   /** Returns a field type for which the text of a value of unknown type is valid. */
   static FieldType guess(String text) {
-    if (text.stripLeading().startsWith("\"")) {
+    FieldParser parser = new FieldParser();
+    boolean strings = text.stripLeading().startsWith("\"");
+    if (strings && parser.parse(FieldType.MFString, text).flaws().isEmpty()) {
       return FieldType.MFString;
     }
-    FieldParser parser = new FieldParser();
     boolean numbers = !text.isBlank() && parser.parse(FieldType.MFDouble, text).flaws().isEmpty();
     if (numbers) {
       boolean several = text.strip().matches("(?s).*[\\s,].*");

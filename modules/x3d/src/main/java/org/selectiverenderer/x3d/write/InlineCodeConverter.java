@@ -59,7 +59,9 @@ final class InlineCodeConverter {
   private static Optional<String> code(@Nullable NodeType type, String url) {
     String start = url.stripLeading();
     if (type != null && !type.is("X3DScriptNode")) {
-      return start.startsWith(SHADER)
+      // other percent-encoding is that of an author, and such a url stays one
+      boolean ours = start.startsWith(SHADER) && !start.replace("%25", "").contains("%");
+      return ours
           ? Optional.of(start.substring(SHADER.length()).replace("%25", "%").strip())
           : Optional.empty();
     }

@@ -121,10 +121,13 @@ final class JsonSceneWriter {
     List<SceneItem> children = new ArrayList<>();
     List<SceneItem> loose = new ArrayList<>(groups.rest());
     Map<String, List<Element>> named = new LinkedHashMap<>();
+    // an instance in another field needs its declaration before it
+    boolean early =
+        groups.fields().keySet().stream().limit(1).noneMatch(p -> p.name().equals("children"));
     for (SceneItem item : groups.statements()) {
       if (item instanceof Words) {
         loose.add(item);
-      } else if (node && among((Element) item)) {
+      } else if (node && among((Element) item) && !(early && declares(item))) {
         children.add(item);
       } else {
         named
@@ -151,8 +154,12 @@ final class JsonSceneWriter {
     }
     if (!element.source().isEmpty()) {
       member("#sourceCode");
-      strings(element.source().lines().toList());
+      strings(List.of(element.source().split("\n", -1)));
     }
+  }
+
+  private static boolean declares(SceneItem statement) {
+    return ((Element) statement).name().endsWith("Declare");
   }
 
   /** Returns whether a statement is written among nodes. */
@@ -176,8 +183,7 @@ final class JsonSceneWriter {
       if (place.name().equals("children")) {
         int protos = 0;
         for (SceneItem statement : statements) {
-          boolean declares = ((Element) statement).name().endsWith("Declare");
-          all.add(declares ? protos++ : all.size(), statement);
+          all.add(declares(statement) ? protos++ : all.size(), statement);
         }
       }
       list(all);
@@ -200,7 +206,7 @@ final class JsonSceneWriter {
           default -> false;
         };
     if (single) {
-      object(elements.get(0));
+      object(merged(elements));
       return;
     }
     open('[');
@@ -209,6 +215,18 @@ final class JsonSceneWriter {
       object(element);
     }
     close(']');
+  }
+
+  /** Returns one element with the content of several. */
+  private static Element merged(List<Element> elements) {
+    Element first = elements.get(0);
+    if (elements.size() == 1) {
+      return first;
+    }
+    List<SceneItem> items = new ArrayList<>();
+    elements.forEach(element -> items.addAll(element.items()));
+    return new Element(
+        first.name(), first.type(), "", "", first.place(), first.values(), items, "");
   }
 
   private void list(List<SceneItem> items) {
@@ -257,7 +275,8 @@ final class JsonSceneWriter {
   }
 
   private void value(Value value) {
-    FieldType type = value.type() == null ? FieldTypeResolver.guess(value.text()) : value.type();
+    // text of an unknown type is read as it is
+    FieldType type = value.type() == null ? FieldType.SFString : value.type();
     switch (type.kind()) {
       case STRING -> {
         if (type.multiple()) {

@@ -31,8 +31,17 @@ final class PrototypeScope {
     return null;
   }
 
-  /** Returns the type of a prototype's field; null if unknown. */
-  @Nullable FieldType type(String prototype, String field) {
+  boolean has(String prototype) {
+    return find(prototype) != null;
+  }
+
+  /** Returns the type of the field of a fieldValue; null if unknown. */
+  @Nullable FieldType type(DocumentElement fieldValue) {
+    String prototype = fieldValue.parent().flatMap(around -> around.text("name")).orElse("");
+    return type(prototype, fieldValue.text("name").orElse(""));
+  }
+
+  private @Nullable FieldType type(String prototype, String field) {
     DocumentElement declaration = find(prototype);
     if (declaration == null) {
       return null;
@@ -41,18 +50,18 @@ final class PrototypeScope {
       if (child.name().equals("ProtoInterface")) {
         for (DocumentElement own : child.children()) {
           if (own.text("name").orElse("").equals(field)) {
-            return type(own);
+            return declaredType(own);
           }
         }
       } else if (child.text("name").orElse("").equals(field)) {
-        return type(child);
+        return declaredType(child);
       }
     }
     return null;
   }
 
   /** Returns the type in a field element; null if it has none. */
-  static @Nullable FieldType type(DocumentElement field) {
+  static @Nullable FieldType declaredType(DocumentElement field) {
     return FieldTypeResolver.of(field.text("type").orElse(""));
   }
 

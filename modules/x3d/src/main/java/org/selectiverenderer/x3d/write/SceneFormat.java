@@ -6,25 +6,33 @@ import java.util.Optional;
 import java.util.function.Function;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.source.SceneEncoding;
 import org.selectiverenderer.x3d.source.XmlDocument;
 
 /** The encodings in which scenes are written, with their file name extensions. */
 public enum SceneFormat {
   /** The XML encoding (ISO/IEC 19776-1). */
-  XML(XmlSceneWriter::of, ".x3d", ".x3dz", ".xml"),
+  XML(SceneEncoding.XML, XmlSceneWriter::of, ".x3d", ".x3dz", ".xml"),
   /** The ClassicVRML encoding (ISO/IEC 19776-2). */
-  CLASSIC(ClassicVrmlSceneWriter::of, ".x3dv", ".x3dvz"),
+  CLASSIC(SceneEncoding.CLASSIC, ClassicVrmlSceneWriter::of, ".x3dv", ".x3dvz"),
   /** X3D's JSON encoding. */
-  JSON(JsonSceneWriter::of, ".x3dj", ".x3djz", ".json");
+  JSON(SceneEncoding.JSON, JsonSceneWriter::of, ".x3dj", ".x3djz", ".json");
 
   private static final String GZIP = ".gz";
 
+  private final SceneEncoding encoding;
   private final Function<List<SceneItem>, String> writer;
   private final List<String> endings;
 
-  SceneFormat(Function<List<SceneItem>, String> writer, String... endings) {
+  SceneFormat(SceneEncoding encoding, Function<List<SceneItem>, String> writer, String... endings) {
+    this.encoding = encoding;
     this.writer = writer;
     this.endings = List.of(endings);
+  }
+
+  /** Returns the name for users. */
+  String title() {
+    return encoding.title();
   }
 
   /** Returns the format for a file name; empty if the extension is unknown. */
@@ -53,11 +61,12 @@ public enum SceneFormat {
    * Converts a document of any encoding to this one; the result is reproducible.
    *
    * <p>Nodes, values as they were written, names, prototypes, routes, scripts and comments are
-   * kept. Content unknown to X3D is reported and left out, as a browser does.
+   * kept. Content unknown to X3D, and what this encoding cannot hold, is reported and left out or
+   * changed. What is written can be read again without an error of syntax.
    *
    * @param problems receives what is left out, and values that are not usable
    */
   public String text(XmlDocument document, NodeCatalogue catalogue, ProblemCollector problems) {
-    return writer.apply(SceneItemBuilder.of(document, catalogue, problems));
+    return writer.apply(SceneItemBuilder.of(document, catalogue, this, problems));
   }
 }

@@ -3,25 +3,20 @@ package org.selectiverenderer.x3d.write;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.regex.Pattern;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.base.problem.SpellingSuggester;
-import org.selectiverenderer.x3d.catalogue.ContainerFieldRules;
-import org.selectiverenderer.x3d.catalogue.FieldDefinition;
-import org.selectiverenderer.x3d.catalogue.LegacyFieldNames;
+import org.selectiverenderer.x3d.catalogue.AccessType;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.catalogue.NodeType;
-import org.selectiverenderer.x3d.field.FieldParser;
 import org.selectiverenderer.x3d.field.FieldType;
-import org.selectiverenderer.x3d.source.DocumentAttribute;
 import org.selectiverenderer.x3d.source.DocumentElement;
-import org.selectiverenderer.x3d.source.SceneEncoding;
 import org.selectiverenderer.x3d.source.StatementNames;
 import org.selectiverenderer.x3d.source.XmlDocument;
 import org.selectiverenderer.x3d.write.SceneItem.Element;
@@ -30,37 +25,45 @@ import org.selectiverenderer.x3d.write.SceneItem.Value;
 
 /**
  * Converts the elements of a document to items for writing: determines the type of each value, the
- * field of each node, and the positions of comments. Invalid content is reported and left out. For
- * one document.
+ * field of each node, and the positions of comments. Invalid content, and what the encoding cannot
+ * hold, is reported and left out. For one document.
  */
 final class SceneItemBuilder {
-  private static final Pattern BETWEEN = Pattern.compile("[\\s,]+");
-
   private final NodeCatalogue catalogue;
-  private final boolean json;
+  private final boolean classic;
   private final ProblemCollector problems;
+  private final CharacterRules characters;
+  private final ValueBuilder values;
   private final List<XmlDocument.Comment> comments;
   private final Map<String, DocumentElement> instances = new HashMap<>();
   private int passed;
 
   private SceneItemBuilder(
-      XmlDocument document, NodeCatalogue catalogue, ProblemCollector problems) {
+      XmlDocument document,
+      NodeCatalogue catalogue,
+      SceneFormat format,
+      ProblemCollector problems) {
     this.catalogue = catalogue;
-    json = document.encoding() == SceneEncoding.JSON;
+    classic = format == SceneFormat.CLASSIC;
     this.problems = problems;
+    characters = new CharacterRules(format, problems);
+    values = new ValueBuilder(document, catalogue, format, characters, problems);
     comments = new ArrayList<>(document.comments());
     comments.sort(Comparator.comparingInt(XmlDocument.Comment::offset));
   }
 
   /** Returns the document's root element with the comments around it. */
   static List<SceneItem> of(
-      XmlDocument document, NodeCatalogue catalogue, ProblemCollector problems) {
-    SceneItemBuilder items = new SceneItemBuilder(document, catalogue, problems);
+      XmlDocument document,
+      NodeCatalogue catalogue,
+      SceneFormat format,
+      ProblemCollector problems) {
+    SceneItemBuilder items = new SceneItemBuilder(document, catalogue, format, problems);
     List<SceneItem> all = new ArrayList<>();
     DocumentElement root = document.root().orElse(null);
     if (root != null) {
       items.comments(root.start(), all);
-      items.element(root, null, new PrototypeScope(null)).ifPresent(all::add);
+      items.element(root, null, new PrototypeScope(null), new HashSet<>()).ifPresent(all::add);
       items.comments(Integer.MAX_VALUE, all);
     }
     return all;
@@ -68,188 +71,206 @@ final class SceneItemBuilder {
 
   private void comments(int before, List<SceneItem> into) {
     while (passed < comments.size() && comments.get(passed).offset() < before) {
-      into.add(new SceneItem.Words(comments.get(passed++).text().strip()));
+      String text = characters.comment(comments.get(passed++).text()).strip();
+      if (!text.isEmpty()) {
+        into.add(new SceneItem.Words(text));
+      }
     }
   }
 
+  /**
+   * Returns an element with its content; empty, after a message, if it cannot be written.
+   *
+   * @param parent the node type of its parent; null if that is a statement
+   * @param taken the fields of the parent that have the one node that they can have
+   */
   private Optional<Element> element(
-      DocumentElement element, @Nullable NodeType parent, PrototypeScope known) {
+      DocumentElement element, @Nullable NodeType parent, PrototypeScope known, Set<String> taken) {
     String name = element.name();
     NodeType type = catalogue.find(name).orElse(null);
-    if (type == null && !StatementNames.is(name)) {
-      leftOut(element.location(), "unknown element " + name + "; it and its children are left out");
-      skip(element);
-      return Optional.empty();
+    String fault = fault(element, type, parent, known);
+    if (fault != null) {
+      return leftOut(element, fault);
     }
     boolean instance = name.equals("ProtoInstance");
     if (instance) {
       element.def().ifPresent(def -> instances.put(def, element));
     }
     DocumentElement named = element.use().map(instances::get).orElse(element);
-    String prototype = named.text("name").orElse("");
-    NodeType stands = instance ? known.node(prototype, catalogue) : type;
+    NodeType stands = instance ? known.node(named.text("name").orElse(""), catalogue) : type;
     Place place = SceneItem.NOWHERE;
     if (parent != null && (instance || type != null)) {
-      Place found = place(element, parent, stands, instance);
+      Place found = NodePlacement.of(element, parent, stands, instance, taken);
       if (found == null) {
-        leftOut(
-            element.location(),
-            "%s is not allowed in %s; it is left out"
-                .formatted(SpellingSuggester.one(name), SpellingSuggester.one(parent.name())));
-        skip(element);
-        return Optional.empty();
+        return leftOut(element, notAllowed(name, parent.name()));
+      }
+      if (!found.multiple() && !taken.add(found.name())) {
+        return leftOut(
+            element,
+            "the %s of %s can be only one node, and there is one already; this %s is left out"
+                .formatted(found.name(), SpellingSuggester.one(parent.name()), name));
       }
       place = found;
-    }
-    if (name.equals("fieldValue")) {
-      String instanceOf = element.parent().flatMap(around -> around.text("name")).orElse("");
-      FieldType field = known.type(instanceOf, element.text("name").orElse(""));
+    } else if (name.equals("fieldValue")) {
+      FieldType field = known.type(element);
       boolean several = field == null ? element.children().size() > 1 : field.multiple();
       place = new Place("", several, true);
     }
-    boolean declares = name.equals("ProtoDeclare") || name.equals("ExternProtoDeclare");
-    PrototypeScope inner = name.equals("ProtoDeclare") ? new PrototypeScope(known) : known;
-    List<Value> values = new ArrayList<>();
-    for (DocumentAttribute attribute : element.attributes()) {
-      // a field given twice, which VRML's grammar allows, has its last value
-      values.removeIf(value -> value.name().equals(attribute.name()));
-      value(element, type, attribute, known).ifPresent(values::add);
+    String use = element.use().map(text -> values.name(element, "USE", text)).orElse("");
+    if (!use.isEmpty()) {
+      List<SceneItem> items = new ArrayList<>();
+      inner(element, items);
+      return Optional.of(new Element(name, type, "", use, place, List.of(), items, ""));
     }
+    return Optional.of(complete(element, type, place, known));
+  }
+
+  private Element complete(
+      DocumentElement element, @Nullable NodeType type, Place place, PrototypeScope known) {
+    String name = element.name();
     List<SceneItem> items = new ArrayList<>();
-    for (DocumentElement child : element.children()) {
-      comments(child.start(), items);
-      element(child, type, inner).ifPresent(items::add);
-    }
-    comments(element.end() < 0 ? Integer.MAX_VALUE : element.end(), items);
-    if (declares) {
+    List<Value> given = values.of(element, type, known, items);
+    PrototypeScope inner = name.equals("ProtoDeclare") ? new PrototypeScope(known) : known;
+    children(element, type, inner, items);
+    if (name.equals("ProtoDeclare") || name.equals("ExternProtoDeclare")) {
       known.declare(element);
     }
     boolean code = type != null && type.field("sourceCode").isPresent();
-    String source = code ? InlineCodeConverter.of(type, values, element.text()) : "";
-    String def = element.def().orElse("");
-    String use = element.use().orElse("");
-    return Optional.of(new Element(name, type, def, use, place, values, items, source));
+    String source =
+        code
+            ? characters.written(
+                InlineCodeConverter.of(type, given, element.text()), element.textLocation(), true)
+            : "";
+    String def = element.def().map(text -> values.name(element, "DEF", text)).orElse("");
+    return new Element(name, type, def, "", place, given, items, source);
   }
 
-  /** Leaves out the comments in an element that is left out. */
-  private void skip(DocumentElement element) {
-    comments(element.end() < 0 ? Integer.MAX_VALUE : element.end(), new ArrayList<>());
-  }
-
-  private void leftOut(SourceLocation at, String why) {
-    problems.warning(at, why);
-  }
-
-  private static @Nullable Place place(
-      DocumentElement child, NodeType parent, @Nullable NodeType type, boolean instance) {
-    String wanted = child.text("containerField").orElse(null);
-    FieldDefinition field =
-        type == null
-            ? parent.field(wanted == null ? "children" : wanted).orElse(null)
-            : ContainerFieldRules.wanted(parent, type, wanted)
-                .or(() -> ContainerFieldRules.wanted(parent, type, null))
-                .or(() -> ContainerFieldRules.fitting(parent, type).stream().findFirst())
-                .orElse(null);
-    if (field == null || !field.type().isNode()) {
-      return null;
-    }
-    // readers differ in the default containerField of an instance, except for children
-    boolean usual =
-        instance || type == null
-            ? field.name().equals("children")
-            : ContainerFieldRules.isAlwaysDefault(type, field.name());
-    return new Place(field.name(), field.type().multiple(), usual);
-  }
-
-  private Optional<Value> value(
+  private void children(
       DocumentElement element,
       @Nullable NodeType type,
-      DocumentAttribute attribute,
+      PrototypeScope known,
+      List<SceneItem> into) {
+    Set<String> taken = new HashSet<>();
+    DocumentElement body = null;
+    for (DocumentElement child : element.children()) {
+      body = child.name().equals("ProtoBody") ? child : body;
+    }
+    boolean nodes = true;
+    boolean one = false;
+    if (element.name().equals("field") || element.name().equals("fieldValue")) {
+      FieldType field = StatementRules.type(element, "value", known);
+      boolean declares = element.name().equals("field");
+      AccessType access = declares ? StatementRules.access(element) : AccessType.INPUT_OUTPUT;
+      boolean extern = element.parent().filter(p -> p.name().startsWith("Extern")).isPresent();
+      nodes =
+          (field == null || field.isNode()) && access != null && access.initialisable() && !extern;
+      one = field == FieldType.SFNode;
+    }
+    for (DocumentElement child : element.children()) {
+      comments(child.start(), into);
+      boolean node =
+          child.name().equals("ProtoInstance") || catalogue.find(child.name()).isPresent();
+      if (child.name().equals("ProtoBody") && child != body) {
+        leftOut(child, "a ProtoDeclare can have only one ProtoBody; this one is left out");
+      } else if (type != null && child.name().equals("field") && repeated(child, taken)) {
+        inner(child, into);
+      } else if (!nodes) {
+        leftOut(child, notAllowed(child.name(), element.name() + " of this type"));
+      } else if (one && (classic && !node || node && taken.contains(""))) {
+        leftOut(child, "an SFNode can be only one node; this " + child.name() + " is left out");
+      } else {
+        Optional<Element> item =
+            element(child, type, known, taken).filter(inside -> valued(inside, child, known));
+        item.ifPresent(into::add);
+        if (one && node && item.isPresent()) {
+          taken.add("");
+        }
+      }
+    }
+    inner(element, into);
+  }
+
+  /**
+   * Returns whether a node has declared a field before. ClassicVRML repeats a declaration for each
+   * further IS of the field; any other repetition is reported.
+   */
+  private boolean repeated(DocumentElement field, Set<String> taken) {
+    String name = field.text("name").orElse("");
+    boolean before = !taken.add("field " + name);
+    String all = "field " + name + " " + field.text("type") + " " + field.text("accessType");
+    if (taken.add(all) && before || before && field.text("value").isPresent()) {
+      problems.warning(
+          field.location(), "there is a field " + name + " already; this one is left out");
+    }
+    return before;
+  }
+
+  /** Returns whether a fieldValue has a value; false after a message. */
+  private boolean valued(Element item, DocumentElement element, PrototypeScope known) {
+    FieldType type = item.name().equals("fieldValue") ? known.type(element) : FieldType.SFNode;
+    boolean valued =
+        type != null && type.isNode()
+            || !item.values().stream().allMatch(value -> value.name().equals("name"))
+            || item.items().stream().anyMatch(Element.class::isInstance);
+    if (!valued) {
+      problems.warning(element.location(), "this fieldValue has no value; it is left out");
+    }
+    return valued;
+  }
+
+  /** Adds the remaining comments in an element. */
+  private void inner(DocumentElement element, List<SceneItem> into) {
+    comments(element.end() < 0 ? Integer.MAX_VALUE : element.end(), into);
+  }
+
+  private static String notAllowed(String child, String parent) {
+    return "%s is not allowed in %s; it is left out"
+        .formatted(SpellingSuggester.one(child), SpellingSuggester.one(parent));
+  }
+
+  /** Returns why an element cannot be written; null if it can. */
+  private @Nullable String fault(
+      DocumentElement element,
+      @Nullable NodeType type,
+      @Nullable NodeType parent,
       PrototypeScope known) {
-    String name = attribute.name();
-    switch (name) {
-      case "DEF", "USE", "containerField", "" -> {
-        return Optional.empty();
-      }
-      default -> {
-        // a value
-      }
+    String name = element.name();
+    DocumentElement around = element.parent().orElse(null);
+    if (type == null && !StatementNames.is(name)) {
+      return "unknown element " + name + "; it and its children are left out";
     }
-    if (type == null) {
-      if (element.name().equals("IMPORT") && name.equals("exportedDEF")) {
-        name = "importedDEF"; // X3D 3.0 calls it so in its XML encoding.
-      }
-      return Optional.of(typed(name, attribute, StatementTypes.type(element, name, known)));
+    if (!StatementRules.contains(around, parent, name)) {
+      return around == null
+          ? "the root element of a scene must be X3D, not " + name + "; nothing is written"
+          : notAllowed(name, around.name());
     }
-    FieldDefinition field = type.field(LegacyFieldNames.now(type, name)).orElse(null);
-    if (field == null) {
-      if (name.equals("class") || name.equals("id") || name.equals("style")) {
-        return Optional.of(new Value(name, null, attribute.text())); // XML's own
-      }
-      leftOut(attribute.location(), type + " has no field " + name + "; it is left out");
-      return Optional.empty();
+    String fault = StatementRules.fault(element);
+    if (fault != null) {
+      return fault;
     }
-    if (field.type().isNode() || !field.access().initialisable()) {
-      leftOut(
-          attribute.location(),
-          name + " of " + type + " cannot have a value in a file; it is left out");
-      return Optional.empty();
+    if (element.use().filter(String::isEmpty).isPresent()) {
+      return "USE needs the name of a node; this " + name + " is left out";
     }
-    if (attribute.value(field.type()) == null) {
-      tell(attribute, field.type());
-      return Optional.empty();
+    if (!classic) {
+      return null;
     }
-    return Optional.of(typed(field.name(), attribute, field.type()));
+    String prototype = element.text("name").orElse("");
+    if (name.equals("ProtoInstance") && element.use().isEmpty() && !known.has(prototype)) {
+      return "no prototype above has the name " + prototype + "; the instance is left out";
+    }
+    boolean late =
+        name.equals("head")
+            && around != null
+            && around.children().stream()
+                .anyMatch(c -> c.name().equals("Scene") && c.start() < element.start());
+    return late ? "in ClassicVRML a head must precede the Scene; this one is left out" : null;
   }
 
-  private void tell(DocumentAttribute attribute, FieldType type) {
-    for (FieldParser.Flaw flaw : attribute.flaws(type)) {
-      problems.add(
-          new Problem(
-              flaw.severity(),
-              attribute.location(flaw.offset()),
-              attribute.name() + ": " + flaw.message()));
-    }
-  }
-
-  /** Returns the text as written if it is valid for the type, else the usable part of it. */
-  private Value typed(String name, DocumentAttribute attribute, @Nullable FieldType type) {
-    if (type == null || type.isNode() || type == FieldType.SFString) {
-      return new Value(name, type, attribute.text());
-    }
-    Object value = attribute.value(type);
-    tell(attribute, type);
-    boolean asItIs = attribute.flaws(type).isEmpty() && type.kind() != FieldType.Kind.STRING;
-    String text = value == null || asItIs ? plain(attribute.text()) : FieldValueFormatter.of(value);
-    return new Value(name, type, value == null ? "" : text);
-  }
-
-  /** Removes the commas of JSON, which unlike those of an author do not separate tuples. */
-  private String plain(String written) {
-    String text = written.strip();
-    return json ? BETWEEN.matcher(text).replaceAll(" ") : text;
-  }
-
-  /** Determines the types of the attributes of statements. */
-  private static final class StatementTypes {
-    private StatementTypes() {}
-
-    /** Returns the type of an attribute; null if unknown. */
-    static @Nullable FieldType type(
-        DocumentElement element, String attribute, PrototypeScope known) {
-      return switch (element.name() + " " + attribute) {
-        case "component level" -> FieldType.SFInt32;
-        case "unit conversionFactor" -> FieldType.SFDouble;
-        case "ExternProtoDeclare url" -> FieldType.MFString;
-        case "field value" -> PrototypeScope.type(element);
-        case "fieldValue value" ->
-            element
-                .parent()
-                .flatMap(instance -> instance.text("name"))
-                .map(name -> known.type(name, element.text("name").orElse("")))
-                .orElse(null);
-        default -> FieldType.SFString;
-      };
-    }
+  /** Leaves out an element with the comments in it. */
+  private Optional<Element> leftOut(DocumentElement element, String why) {
+    SourceLocation at = element.location();
+    problems.warning(at, why);
+    inner(element, new ArrayList<>());
+    return Optional.empty();
   }
 }
