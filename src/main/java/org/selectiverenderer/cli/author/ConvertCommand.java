@@ -110,6 +110,13 @@ public final class ConvertCommand extends CliCommand {
     if (document.broken()) {
       return ExitStatus.PROBLEMS;
     }
+    DocumentElement root = document.root().orElse(null);
+    if (root != null && !root.name().equals("X3D")) {
+      problems.error(
+          root.location(),
+          "the root element of a scene must be X3D, not " + root.name() + "; nothing is written");
+      return ExitStatus.PROBLEMS;
+    }
     keepInlined(document);
     if (model.isPresent()) {
       return writeModel(catalogue, model.get());

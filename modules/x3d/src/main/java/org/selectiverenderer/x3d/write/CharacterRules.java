@@ -52,14 +52,9 @@ final class CharacterRules {
     return written.toString();
   }
 
-  /** Returns a comment without the characters that the encoding cannot hold. */
-  String comment(String text) {
-    StringBuilder written = new StringBuilder(text.length());
-    for (int i = 0; i < text.length(); i++) {
-      char c = text.charAt(i);
-      written.append(c == '\r' || holds(text, i, false) ? c : REPLACEMENT);
-    }
-    return written.toString();
+  /** Returns a comment with LF line ends, as {@link #written} does. */
+  String comment(String text, SourceLocation at) {
+    return written(text.replace("\r\n", "\n").replace('\r', '\n'), at, false);
   }
 
   private boolean holds(String text, int at, boolean code) {

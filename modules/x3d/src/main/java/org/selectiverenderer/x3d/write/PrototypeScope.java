@@ -8,10 +8,13 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** The prototypes that are visible in a scope, with their interfaces. */
+/**
+ * The prototypes that are visible in a scope, with their interfaces, and the nodes of the scope.
+ */
 final class PrototypeScope {
   private final @Nullable PrototypeScope enclosing;
   private final Map<String, DocumentElement> declared = new HashMap<>();
+  private final Map<String, DocumentElement> nodes = new HashMap<>();
 
   PrototypeScope(@Nullable PrototypeScope enclosing) {
     this.enclosing = enclosing;
@@ -19,6 +22,16 @@ final class PrototypeScope {
 
   void declare(DocumentElement declaration) {
     declaration.text("name").ifPresent(name -> declared.put(name, declaration));
+  }
+
+  /** Adds a node with a name, which is known in this scope only. */
+  void define(String name, DocumentElement node) {
+    nodes.put(name, node);
+  }
+
+  /** Returns the latest node with a name; null if there is none. */
+  @Nullable DocumentElement node(String name) {
+    return nodes.get(name);
   }
 
   private @Nullable DocumentElement find(String name) {

@@ -2,10 +2,8 @@ package org.selectiverenderer.x3d.write;
 
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
@@ -15,6 +13,7 @@ import org.selectiverenderer.base.problem.SpellingSuggester;
 import org.selectiverenderer.x3d.catalogue.AccessType;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.catalogue.NodeType;
+import org.selectiverenderer.x3d.field.FieldTokenizer;
 import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.StatementNames;
@@ -35,7 +34,6 @@ final class SceneItemBuilder {
   private final CharacterRules characters;
   private final ValueBuilder values;
   private final List<XmlDocument.Comment> comments;
-  private final Map<String, DocumentElement> instances = new HashMap<>();
   private int passed;
 
   private SceneItemBuilder(
@@ -71,7 +69,8 @@ final class SceneItemBuilder {
 
   private void comments(int before, List<SceneItem> into) {
     while (passed < comments.size() && comments.get(passed).offset() < before) {
-      String text = characters.comment(comments.get(passed++).text()).strip();
+      XmlDocument.Comment comment = comments.get(passed++);
+      String text = characters.comment(comment.text().strip(), comment.location());
       if (!text.isEmpty()) {
         into.add(new SceneItem.Words(text));
       }
@@ -86,17 +85,24 @@ final class SceneItemBuilder {
    */
   private Optional<Element> element(
       DocumentElement element, @Nullable NodeType parent, PrototypeScope known, Set<String> taken) {
-    String name = element.name();
-    NodeType type = catalogue.find(name).orElse(null);
+    DocumentElement named = element.use().map(known::node).orElse(element);
+    String name = named.name();
+    boolean instance = name.equals("ProtoInstance");
+    NodeType type = instance ? null : catalogue.find(name).orElse(null);
     String fault = fault(element, type, parent, known);
     if (fault != null) {
       return leftOut(element, fault);
     }
-    boolean instance = name.equals("ProtoInstance");
-    if (instance) {
-      element.def().ifPresent(def -> instances.put(def, element));
+    if (!name.equals(element.name())) {
+      problems.warning(
+          element.location(),
+          "%s is %s, not %s; the %s is used"
+              .formatted(
+                  element.use().orElse(""),
+                  SpellingSuggester.one(name),
+                  SpellingSuggester.one(element.name()),
+                  name));
     }
-    DocumentElement named = element.use().map(instances::get).orElse(element);
     NodeType stands = instance ? known.node(named.text("name").orElse(""), catalogue) : type;
     Place place = SceneItem.NOWHERE;
     if (parent != null && (instance || type != null)) {
@@ -122,7 +128,20 @@ final class SceneItemBuilder {
       inner(element, items);
       return Optional.of(new Element(name, type, "", use, place, List.of(), items, ""));
     }
+    element.def().ifPresent(def -> define(def, element, known));
     return Optional.of(complete(element, type, place, known));
+  }
+
+  /** Adds a name to its scope; a name of two nodes is ambiguous where statements are moved. */
+  private void define(String def, DocumentElement element, PrototypeScope known) {
+    DocumentElement before = known.node(def);
+    if (before != null) {
+      problems.warning(
+          element.location(),
+          "the name %s is used already at %s; give this %s another one"
+              .formatted(FieldTokenizer.quote(def), before.location(), element.name()));
+    }
+    known.define(def, element);
   }
 
   private Element complete(
@@ -155,6 +174,9 @@ final class SceneItemBuilder {
     for (DocumentElement child : element.children()) {
       body = child.name().equals("ProtoBody") ? child : body;
     }
+    // the catalogue has the element, too, for metadata in it
+    boolean instance = element.name().equals("ProtoInstance");
+    NodeType parent = instance ? catalogue.find(element.name()).orElse(null) : type;
     boolean nodes = true;
     boolean one = false;
     if (element.name().equals("field") || element.name().equals("fieldValue")) {
@@ -180,7 +202,7 @@ final class SceneItemBuilder {
         leftOut(child, "an SFNode can be only one node; this " + child.name() + " is left out");
       } else {
         Optional<Element> item =
-            element(child, type, known, taken).filter(inside -> valued(inside, child, known));
+            element(child, parent, known, taken).filter(inside -> valued(inside, child, known));
         item.ifPresent(into::add);
         if (one && node && item.isPresent()) {
           taken.add("");
@@ -224,8 +246,11 @@ final class SceneItemBuilder {
   }
 
   private static String notAllowed(String child, String parent) {
-    return "%s is not allowed in %s; it is left out"
-        .formatted(SpellingSuggester.one(child), SpellingSuggester.one(parent));
+    return "%s is not allowed in %s; it is left out".formatted(one(child), one(parent));
+  }
+
+  private static String one(String element) {
+    return StatementNames.is(element) ? element : SpellingSuggester.one(element);
   }
 
   /** Returns why an element cannot be written; null if it can. */
@@ -253,6 +278,10 @@ final class SceneItemBuilder {
     }
     if (!classic) {
       return null;
+    }
+    if (type != null && around != null && around.name().equals("ProtoInstance")) {
+      return "ClassicVRML has no place for %s in an instance; it is left out"
+          .formatted(SpellingSuggester.one(name));
     }
     String prototype = element.text("name").orElse("");
     if (name.equals("ProtoInstance") && element.use().isEmpty() && !known.has(prototype)) {

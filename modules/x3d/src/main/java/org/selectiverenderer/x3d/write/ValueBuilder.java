@@ -3,6 +3,7 @@ package org.selectiverenderer.x3d.write;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Pattern;
@@ -295,7 +296,7 @@ final class ValueBuilder {
             .orElse(
                 type == FieldType.SFString
                     ? ""
-                    : FieldValueFormatter.of(java.util.Objects.requireNonNull(type.zero())));
+                    : FieldValueFormatter.of(Objects.requireNonNull(type.zero())));
     return Optional.of(new Value("value", type, text));
   }
 }

@@ -271,6 +271,7 @@ class SceneConversionTest {
             "scene:1:34: Shape has no field shadow; it is left out",
             "scene:1:45: unknown element Teapot; it and its children are left out",
             "scene:2:19: scale: 3 numbers are needed, not 2; the default is used",
+            "scene:2:24: ClassicVRML has no class for elements; this one and all others are left out",
             "scene:2:34: a Box is not allowed in a Transform; it is left out");
   }
 
@@ -283,7 +284,7 @@ class SceneConversionTest {
         converted(
             scene.getBytes(StandardCharsets.UTF_8), SceneFormat.CLASSIC, new ProblemCollector());
     assertThat(new String(there, StandardCharsets.UTF_8))
-        .contains("DEF a_b Group", "DEF a_b_2 Group", "USE a_b\n");
+        .contains("DEF a_b_2 Group", "DEF a_b Group", "USE a_b_2\n");
   }
 
   private static String written(String scene, SceneFormat format) throws IOException {

@@ -27,7 +27,7 @@ import org.selectiverenderer.x3d.write.FieldValueFormatter;
  * places, without the spelling of numbers, and without the order of nodes in different fields.
  */
 final class SceneDigest {
-  private static final String LANGUAGE = "(?si)\\s*(ecmascript|javascript|vrmlscript):";
+  private static final String LANGUAGE = "(?si)^\\s*(ecmascript|javascript|vrmlscript):";
 
   private final NodeCatalogue catalogue;
 
@@ -143,13 +143,21 @@ final class SceneDigest {
     if (name.equals("X3D")) {
       values.remove("version");
     }
+    if (name.equals("meta")) {
+      values.putIfAbsent("name", "");
+      values.putIfAbsent("content", "");
+    }
+    values.computeIfPresent("value", (key, text) -> text.equalsIgnoreCase("NULL") ? null : text);
+    if (name.equals("ExternProtoDeclare")) {
+      values.putIfAbsent("url", value(""));
+    }
     if (name.equals("field")) {
       values.computeIfAbsent("value", key -> zero(element));
     }
     values.forEach((key, value) -> said.add(inner + key + " " + value));
     Map<String, List<DocumentElement>> groups = new TreeMap<>();
     for (DocumentElement child : element.children()) {
-      boolean empty = child.name().equals("ProtoInterface") && child.children().isEmpty();
+      boolean empty = child.name().matches("ProtoInterface|IS") && child.children().isEmpty();
       List<DocumentElement> group =
           groups.computeIfAbsent(empty ? "" : place(child, type), key -> new ArrayList<>());
       boolean repeated =
@@ -239,11 +247,14 @@ final class SceneDigest {
 
   private static String value(String text) {
     FieldParser parser = new FieldParser();
-    for (FieldType guess : List.of(FieldType.MFInt32, FieldType.MFDouble)) {
-      FieldParser.Parsed numbers = parser.parse(guess, text);
-      if (numbers.flaws().isEmpty() && numbers.value() != null) {
-        return Arrays.deepToString(new Object[] {numbers.value()}).replace(".0", "");
-      }
+    FieldParser.Parsed whole = parser.parse(FieldType.MFInt32, text);
+    if (whole.flaws().isEmpty()) {
+      return Arrays.toString(Arrays.stream((int[]) whole.value()).asDoubleStream().toArray());
+    }
+    FieldParser.Parsed numbers = parser.parse(FieldType.MFDouble, text);
+    if (numbers.flaws().isEmpty()) {
+      // "-0" of a list that another encoding writes in whole numbers is 0
+      return Arrays.toString(Arrays.stream((double[]) numbers.value()).map(x -> x + 0.0).toArray());
     }
     FieldParser.Parsed flags = parser.parse(FieldType.MFBool, text);
     if (flags.flaws().isEmpty()) {
