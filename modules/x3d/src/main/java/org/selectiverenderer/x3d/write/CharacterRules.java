@@ -1,6 +1,7 @@
 package org.selectiverenderer.x3d.write;
 
 import java.util.Locale;
+import java.util.function.Supplier;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
 
@@ -20,9 +21,10 @@ final class CharacterRules {
    * Returns a string with U+FFFD for what the encoding cannot hold, and a line feed for a carriage
    * return.
    *
+   * @param at finds the place of the string, if something is told
    * @param code whether it is written as the content of an element, not as a value
    */
-  String written(String text, SourceLocation at, boolean code) {
+  String written(String text, Supplier<SourceLocation> at, boolean code) {
     int bad = 0;
     while (bad < text.length() && holds(text, bad, code)) {
       bad++;
@@ -42,7 +44,7 @@ final class CharacterRules {
       }
     }
     problems.warning(
-        at,
+        at.get(),
         String.format(
             Locale.ROOT,
             "%s cannot hold the character U+%04X here; %s is written instead",
@@ -53,7 +55,7 @@ final class CharacterRules {
   }
 
   /** Returns a comment with LF line ends, as {@link #written} does. */
-  String comment(String text, SourceLocation at) {
+  String comment(String text, Supplier<SourceLocation> at) {
     return written(text.replace("\r\n", "\n").replace('\r', '\n'), at, false);
   }
 

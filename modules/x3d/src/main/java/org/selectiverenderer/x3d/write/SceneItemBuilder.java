@@ -70,7 +70,7 @@ final class SceneItemBuilder {
   private void comments(int before, List<SceneItem> into) {
     while (passed < comments.size() && comments.get(passed).offset() < before) {
       XmlDocument.Comment comment = comments.get(passed++);
-      String text = characters.comment(comment.text().strip(), comment.location());
+      String text = characters.comment(comment.text().strip(), comment::location);
       if (!text.isEmpty()) {
         into.add(new SceneItem.Words(text));
       }
@@ -158,7 +158,7 @@ final class SceneItemBuilder {
     String source =
         code
             ? characters.written(
-                InlineCodeConverter.of(type, given, element.text()), element.textLocation(), true)
+                InlineCodeConverter.of(type, given, element.text()), element::textLocation, true)
             : "";
     String def = element.def().map(text -> values.name(element, "DEF", text)).orElse("");
     return new Element(name, type, def, "", place, given, items, source);

@@ -196,9 +196,7 @@ final class ValueBuilder {
     String text = attribute.lines();
     String urls = FieldValueFormatter.strings(InlineCodeConverter.strings(text));
     return new Value(
-        attribute.name(),
-        FieldType.MFString,
-        characters.written(urls, attribute.location(), false));
+        attribute.name(), FieldType.MFString, characters.written(urls, attribute::location, false));
   }
 
   private void leftOut(DocumentAttribute attribute, String why) {
@@ -216,7 +214,7 @@ final class ValueBuilder {
   }
 
   private String string(DocumentAttribute attribute) {
-    return characters.written(attribute.text(), attribute.location(), false);
+    return characters.written(attribute.text(), attribute::location, false);
   }
 
   /**
@@ -235,7 +233,7 @@ final class ValueBuilder {
     }
     if (type.kind() == FieldType.Kind.STRING) {
       String strings = FieldValueFormatter.of(value);
-      return new Value(name, type, characters.written(strings, attribute.location(), false));
+      return new Value(name, type, characters.written(strings, attribute::location, false));
     }
     boolean asItIs = attribute.flaws(type).isEmpty();
     return new Value(

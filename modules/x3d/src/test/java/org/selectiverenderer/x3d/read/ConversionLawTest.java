@@ -28,7 +28,7 @@ class ConversionLawTest {
   private static final NodeCatalogue CATALOGUE = NodeCatalogue.load();
   private static final X3dReader READER = new X3dReader(CATALOGUE);
   private static final SceneDigest DIGEST = new SceneDigest(CATALOGUE);
-  private static final long LARGE = 100_000;
+  private static final long LARGE = 70_000;
 
   static Stream<Path> scenes() throws IOException {
     return Stream.of(
@@ -46,7 +46,9 @@ class ConversionLawTest {
       return files
           .filter(file -> file.toString().matches(".*\\.(x3d|x3dv|wrl|x3dj|json|xml|x3dz)"))
           .filter(file -> file.toFile().length() < LARGE)
-          .filter(file -> !file.startsWith("inlineNodes") || file.hashCode() % 5 == 0) // alike
+          .filter(
+              file -> !file.endsWith("quadratic-entities.x3d")) // stands for 16 million characters
+          .filter(file -> !file.startsWith("inlineNodes") || file.hashCode() % 10 == 0) // alike
           .sorted()
           .toList()
           .stream();
