@@ -87,6 +87,16 @@ class ConvertCommandTest extends CommandTestCase {
   }
 
   @Test
+  void aFileOfAnotherKindIsToldAndNotConverted() throws IOException {
+    Path scene = scene("page.x3d", "<html><body/></html>");
+    Path output = folder.resolve("page.x3dj");
+    assertThat(execute("convert", scene.toString(), output.toString())).isEqualTo(1);
+    assertThat(messages())
+        .contains("the root element of a scene must be X3D, not html; nothing is written");
+    assertThat(output).doesNotExist();
+  }
+
+  @Test
   void aFolderIsNoScene() {
     assertThat(execute("convert", folder.toString(), folder.resolve("a.x3d").toString()))
         .isEqualTo(2);
