@@ -14,9 +14,12 @@ public enum SceneEncoding {
   CLASSIC("ClassicVRML"),
   /** VRML97 (ISO/IEC 14772-1), the predecessor of ClassicVRML. */
   VRML97("VRML97"),
+  /** VRML 1.0, whose nodes change a state, as in Open Inventor. */
+  VRML1("VRML 1.0"),
   /** X3D's JSON encoding. */
   JSON("X3D JSON");
 
+  private static final Pattern VRML1_HEAD = Pattern.compile("#VRML[ \\t]+V1\\.");
   private static final Pattern VRML2 = Pattern.compile("#VRML[ \\t]+V2\\.");
 
   private final String title;
@@ -49,6 +52,9 @@ public enum SceneEncoding {
     }
     if (start.startsWith("#X3D")) {
       return Optional.of(CLASSIC);
+    }
+    if (VRML1_HEAD.matcher(start).lookingAt()) {
+      return Optional.of(VRML1);
     }
     return VRML2.matcher(start).lookingAt() ? Optional.of(VRML97) : Optional.empty();
   }
