@@ -62,7 +62,7 @@ public record Preflight(
 
   private static Preflight of(
       String name, SourceText text, List<DocumentError> faults, boolean expand) {
-    String head = text.head(64);
+    String head = text.head(SceneEncoding.HEAD);
     SceneEncoding encoding = SceneEncoding.of(head).orElse(null);
     if (encoding == null) {
       return refused(name, text, foreign(head));

@@ -114,7 +114,7 @@ class BadInputTest {
     fixture.assertOnly("test.x3d: the file is empty; nothing can be shown");
     fixture.read("<html><body/></html>");
     fixture.assertOnly(
-        "test.x3d:1:1: the root element of a scene must be X3D, not html; nothing "
+        "test.x3d:1:1: this is an HTML page without an x3d element, so it holds no scene; nothing "
             + "can be shown");
     fixture.read("<X3D/>");
     fixture.assertOnly("test.x3d:1:1: the file has no Scene element; nothing can be shown");
