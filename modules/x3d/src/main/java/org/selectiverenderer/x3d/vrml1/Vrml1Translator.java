@@ -23,6 +23,9 @@ final class Vrml1Translator {
   /** The number of characters of nodes that are translated again where they look different. */
   private static final int LONGEST_COPIES = 1 << 24;
 
+  /** The number of characters for which a copy of a shorter node counts. */
+  private static final int SHORTEST_COPY = 256;
+
   private static final int ALL_CHILDREN = -3;
 
   /**
@@ -336,7 +339,7 @@ final class Vrml1Translator {
   private void leaf(Vrml1Node node, String type, TranslationScope scope, int at)
       throws XmlParseException {
     boolean copy = translated.containsKey(node);
-    copied += copy ? node.end() - node.start() : 0;
+    copied += copy ? Math.max(SHORTEST_COPY, node.end() - node.start()) : 0;
     if (copied > LONGEST_COPIES) {
       throw document.limit(
           at,

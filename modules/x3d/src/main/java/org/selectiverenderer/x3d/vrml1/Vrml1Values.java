@@ -116,9 +116,10 @@ final class Vrml1Values {
         : text.indexOf('\r') < 0 ? text : text.replaceAll("\r\n?", "\n");
   }
 
-  /** Returns a number as text, with as many digits as a float has. */
+  /** Returns a number as text, with as many digits as a float has, and within its range. */
   static String number(double value) {
-    return DecimalFormatter.shortest((float) value);
+    double bounded = Math.max(-Float.MAX_VALUE, Math.min(Float.MAX_VALUE, value));
+    return DecimalFormatter.shortest(Double.isNaN(bounded) ? 0 : (float) bounded);
   }
 
   /** Returns numbers as the text of one value. */

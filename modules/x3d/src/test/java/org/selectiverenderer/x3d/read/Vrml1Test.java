@@ -683,6 +683,17 @@ class Vrml1Test {
   }
 
   @Test
+  void numbersBeyondAllMeasureStayNumbers() {
+    assertThat(
+            lines(
+                "Separator { Scale { scaleFactor 1e38 1 1 } Scale { scaleFactor 1e38 1 1 } Texture2"
+                    + " { image 1 1 1 0 } Texture2Transform { scaleFactor 1e-38 1e38 center 1e38"
+                    + " 1e38 } Cube {} }"))
+        .allSatisfy(line -> assertThat(line).doesNotContain("Inf").doesNotContain("NaN"))
+        .contains(" Shape");
+  }
+
+  @Test
   void aNodeWithinItselfIsNoNode() {
     X3dFile file = scene("DEF A Separator { Cube {} USE A }");
     assertThat(file.nodes()).hasSize(1);
