@@ -197,7 +197,7 @@ class SimulateBadSceneTest {
     assertNothingShown(
         rubbish,
         "scene.x3d: this is neither XML nor VRML nor JSON: a scene begins with '<', '#X3D V', "
-            + "'#VRML V2.0' or '{'; nothing can be shown");
+            + "'#VRML V' or '{'; nothing can be shown");
   }
 
   @Test
@@ -205,7 +205,7 @@ class SimulateBadSceneTest {
     assertNothingShown(
         "hello".getBytes(StandardCharsets.UTF_8),
         "scene.x3d: this is neither XML nor VRML nor JSON: a scene begins with '<', '#X3D V', "
-            + "'#VRML V2.0' or '{'; nothing can be shown");
+            + "'#VRML V' or '{'; nothing can be shown");
   }
 
   @Test

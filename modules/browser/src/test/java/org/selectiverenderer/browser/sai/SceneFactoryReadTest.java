@@ -68,7 +68,8 @@ class SceneFactoryReadTest {
 
   @Test
   void badTextIsRefusedAndGoodTextIsNotAfterIt() {
-    for (String bad : List.of("", "#VRML V1.0 ascii", "no X3D", "<html/>", "<X3D><Scene><Box")) {
+    for (String bad :
+        List.of("", "#Inventor V2.1 ascii", "no X3D", "<html/>", "<X3D><Scene><Box")) {
       assertThatThrownBy(() -> browser.createX3DFromString(bad))
           .as(bad)
           .isInstanceOf(InvalidX3DException.class)

@@ -22,9 +22,9 @@ public final class XmlRules {
           .about("the file is not in an X3D encoding that this program reads")
           .because(
               """
-              X3D in XML, ClassicVRML and JSON is read, and VRML97. Scenes of VRML 1.0 and Inventor \
-              can be converted, for example by view3dscene.""")
-          .bad("#VRML V1.0 ascii\nSeparator { Cube { } }")
+              X3D in XML, ClassicVRML and JSON is read, as are VRML97 and VRML 1.0. Scenes of Open \
+              Inventor can be converted, for example by view3dscene.""")
+          .bad("#Inventor V2.1 ascii\nSeparator { Cube { } }")
           .good(
               "<?xml version='1.0' encoding='UTF-8'?>\n<X3D profile='Immersive' version='4.0'>\n"
                   + "  <Scene><Shape><Box/></Shape></Scene>\n</X3D>")
@@ -137,18 +137,19 @@ public final class XmlRules {
 
   static final Rule MODEL =
       Rule.warning("SR012", "{fault}")
-          .about("a part of a model, such as one in glTF, that is left out")
+          .about("a part of a model or of a scene in VRML 1.0 that is left out")
           .because(
               """
-              A model of another program is translated into X3D when it is read. What X3D has no \
-              word for, or what the translation does not read, is missing in the scene.""")
+              A model of another program, such as one in glTF, and a scene in VRML 1.0 are \
+              translated into X3D when they are read. What X3D has no word for, or what the \
+              translation does not read, is missing in the scene.""")
           .bad(
               """
               {"asset": {"version": "2.0"}, "meshes": [{}], "nodes": [{"mesh": 0, "skin": 0}]}""")
           .good(
               """
               {"asset": {"version": "2.0"}, "meshes": [{}], "nodes": [{"mesh": 0}]}""")
-          .see("docs/models.md");
+          .see("docs/models.md and docs/encodings.md");
 
   private XmlRules() {}
 

@@ -18,6 +18,7 @@ import org.selectiverenderer.x3d.json.X3dJsonParser;
 import org.selectiverenderer.x3d.model.ModelFile;
 import org.selectiverenderer.x3d.model.ModelFormat;
 import org.selectiverenderer.x3d.model.TranslatedModel;
+import org.selectiverenderer.x3d.page.PageParser;
 import org.selectiverenderer.x3d.source.DocumentError;
 import org.selectiverenderer.x3d.source.DocumentParser;
 import org.selectiverenderer.x3d.source.ElementTreeBuilder;
@@ -32,14 +33,15 @@ import org.selectiverenderer.x3d.url.BaseUrl;
 import org.selectiverenderer.x3d.url.UrlContent;
 import org.selectiverenderer.x3d.url.UrlResolver;
 import org.selectiverenderer.x3d.vrml.VrmlParser;
+import org.selectiverenderer.x3d.vrml1.Vrml1Parser;
 
 /**
  * Reads scenes of X3D 3.0 to 4.1 in the XML (ISO/IEC 19776-1), ClassicVRML (ISO/IEC 19776-2) and
- * JSON encodings, and of VRML97 (ISO/IEC 14772-1), plain or compressed by gzip; the encoding is
- * detected by the first bytes. Models of other programs, such as glTF, are translated into X3D by
- * {@code x3d.model} first. For any input the result is a scene of the valid parts and problems with
- * locations for the others, in bounded memory. Nothing is fetched: no DTD, no external entity, no
- * Inline; prototypes of other files are provided by {@link #with}.
+ * JSON encodings, of VRML97 (ISO/IEC 14772-1), VRML 1.0, and in HTML pages, plain or compressed by
+ * gzip; the encoding is detected by the first bytes. Models of other programs, such as glTF, are
+ * translated into X3D by {@code x3d.model} first. For any input the result is a scene of the valid
+ * parts and problems with locations for the others, in bounded memory. Nothing is fetched: no DTD,
+ * no external entity, no Inline; prototypes of other files are provided by {@link #with}.
  *
  * <p>Prototype instances are expanded. The first node of the body replaces the instance; further
  * nodes of the body are reachable by routes only.
@@ -318,7 +320,11 @@ public final class X3dReader {
     String rest =
         document.root().isPresent() ? "; the part before it is kept" : "; nothing can be shown";
     for (DocumentError fault : document.faults()) {
-      problems.error(fault.location(), fault.message() + rest);
+      if (fault.kind() == DocumentError.Kind.MODEL) {
+        problems.warning(fault.location(), fault.message());
+      } else {
+        problems.error(fault.location(), fault.message() + rest);
+      }
     }
     return file;
   }
@@ -326,6 +332,8 @@ public final class X3dReader {
   private ElementTreeBuilder.Parser parser(SceneEncoding encoding) {
     return switch (encoding) {
       case CLASSIC, VRML97 -> new VrmlParser(catalogue, encoding);
+      case VRML1 -> new Vrml1Parser();
+      case PAGE -> new PageParser(catalogue);
       case JSON -> new X3dJsonParser(catalogue);
       case XML -> throw new IllegalArgumentException("XML is parsed by events");
     };

@@ -20,7 +20,10 @@ public record DocumentError(Kind kind, SourceLocation location, String message) 
     ENTITY,
     /** XML that is not well formed. */
     SYNTAX,
-    /** A part of a model of another program that X3D cannot express or that is not read. */
+    /**
+     * A part of a model of another program, of VRML 1.0 or of a page that X3D cannot express or
+     * that is not read.
+     */
     MODEL,
     /** Too many elements or too deep nesting. */
     LIMIT

@@ -47,6 +47,20 @@ public final class ElementTreeBuilder {
     this.limits = limits;
   }
 
+  /** Returns the limits of the document. */
+  public ReadLimits limits() {
+    return limits;
+  }
+
+  /**
+   * Adds a warning about a part of the text that X3D cannot express or that is not read.
+   *
+   * @param what one sentence without a full stop
+   */
+  public void leftOut(int at, String what) {
+    document.add(new DocumentError(Kind.MODEL, source.location(at), what));
+  }
+
   /** Returns the text to parse. */
   public SourceText text() {
     return text;
@@ -83,7 +97,8 @@ public final class ElementTreeBuilder {
     return element;
   }
 
-  private XmlParseException limit(int at, String why) {
+  /** Returns the error of a text that exceeds a limit, to throw. */
+  public XmlParseException limit(int at, String why) {
     return new XmlParseException(new DocumentError(Kind.LIMIT, source.location(at), why));
   }
 

@@ -62,7 +62,7 @@ public record Preflight(
 
   private static Preflight of(
       String name, SourceText text, List<DocumentError> faults, boolean expand) {
-    String head = text.head(64);
+    String head = text.head(SceneEncoding.HEAD);
     SceneEncoding encoding = SceneEncoding.of(head).orElse(null);
     if (encoding == null) {
       return refused(name, text, foreign(head));
@@ -107,14 +107,14 @@ public record Preflight(
   /** Returns the message about a file in an unknown encoding. */
   private static String foreign(String head) {
     String start = head.stripLeading();
-    if (start.startsWith("#VRML") || start.startsWith("#Inventor")) {
-      return "this is a scene of VRML 1.0 or Inventor, which is not read; convert it to X3D, for "
-          + "example with view3dscene";
+    if (start.startsWith("#Inventor")) {
+      return "this is a scene of Open Inventor, which is not read; convert it to X3D, for example "
+          + "with view3dscene";
     }
     if (head.isEmpty()) {
       return "the file is empty; nothing can be shown";
     }
-    return "this is neither XML nor VRML nor JSON: a scene begins with '<', '#X3D V', '#VRML V2.0' "
+    return "this is neither XML nor VRML nor JSON: a scene begins with '<', '#X3D V', '#VRML V' "
         + "or '{'; nothing can be shown";
   }
 

@@ -14,9 +14,24 @@ public enum SceneEncoding {
   CLASSIC("ClassicVRML"),
   /** VRML97 (ISO/IEC 14772-1), the predecessor of ClassicVRML. */
   VRML97("VRML97"),
+  /** VRML 1.0, whose nodes change a state, as in Open Inventor. */
+  VRML1("VRML 1.0"),
   /** X3D's JSON encoding. */
-  JSON("X3D JSON");
+  JSON("X3D JSON"),
+  /** An X3D element within a page of HTML or XHTML. */
+  PAGE("HTML page");
 
+  /** The number of characters at the start of a text by which its encoding is detected. */
+  static final int HEAD = 1024;
+
+  /** The start of a page, after an XML declaration and comments; an X3D file's root is X3D. */
+  private static final Pattern PAGE_HEAD =
+      Pattern.compile(
+          "(?:<\\?[^>]*>|<!--(?:[^-]|-(?!->))*+-->|\\s)*+"
+              + "(?:(?i:<!DOCTYPE\\s+html|<html)\\b|<x3d\\b).*",
+          Pattern.DOTALL);
+
+  private static final Pattern VRML1_HEAD = Pattern.compile("#VRML[ \\t]+V1\\.");
   private static final Pattern VRML2 = Pattern.compile("#VRML[ \\t]+V2\\.");
 
   private final String title;
@@ -42,13 +57,16 @@ public enum SceneEncoding {
       return Optional.empty();
     }
     if (start.isEmpty() || start.startsWith("<")) {
-      return Optional.of(XML);
+      return Optional.of(PAGE_HEAD.matcher(start).matches() ? PAGE : XML);
     }
     if (start.startsWith("{")) {
       return Optional.of(JSON);
     }
     if (start.startsWith("#X3D")) {
       return Optional.of(CLASSIC);
+    }
+    if (VRML1_HEAD.matcher(start).lookingAt()) {
+      return Optional.of(VRML1);
     }
     return VRML2.matcher(start).lookingAt() ? Optional.of(VRML97) : Optional.empty();
   }

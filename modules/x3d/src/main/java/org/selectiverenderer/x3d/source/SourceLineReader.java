@@ -26,7 +26,7 @@ public final class SourceLineReader {
 
   /** Returns the first characters, for detecting the encoding. */
   public String head() {
-    return text.head(64);
+    return text.head(SceneEncoding.HEAD);
   }
 
   /**

@@ -27,6 +27,11 @@ public final class StatementNames {
 
   private StatementNames() {}
 
+  /** Returns the names of all statements. */
+  public static Set<String> all() {
+    return NAMES;
+  }
+
   /** Returns whether an element is a statement. */
   public static boolean is(String element) {
     return NAMES.contains(element);

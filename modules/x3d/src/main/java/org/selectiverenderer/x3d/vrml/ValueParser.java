@@ -17,23 +17,6 @@ final class ValueParser {
     this.scanner = scanner;
   }
 
-  /** Replaces comments outside quotes by blanks. */
-  static void clean(char[] value, int length) {
-    boolean quoted = false;
-    for (int i = 0; i < length; i++) {
-      char c = value[i];
-      if (c == '"') {
-        quoted = !quoted;
-      } else if (quoted && c == '\\') {
-        i++;
-      } else if (!quoted && c == '#') {
-        while (i < length && value[i] != '\n' && value[i] != '\r') {
-          value[i++] = ' ';
-        }
-      }
-    }
-  }
-
   /**
    * Adds the value at the current offset as an attribute.
    *

@@ -30,7 +30,7 @@ public final class VrmlParser implements ElementTreeBuilder.Parser {
 
   @Override
   public ValueCommentStripper cleaner() {
-    return ValueParser::clean;
+    return VrmlScanner::clean;
   }
 
   @Override

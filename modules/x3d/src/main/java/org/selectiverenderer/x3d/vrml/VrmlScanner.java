@@ -8,44 +8,66 @@ import org.selectiverenderer.x3d.source.XmlParseException;
 
 /**
  * Scans the lexical elements of a text (ISO/IEC 19776-2, 4.3), which are separated by white space,
- * commas, brackets and quotes. Comments are added to the document when they are skipped.
+ * commas, brackets and quotes. VRML 1.0 has the same ones.
  */
-final class VrmlScanner {
+public final class VrmlScanner {
+  /** Receives comments when they are skipped. */
+  @FunctionalInterface
+  public interface Comments {
+    /**
+     * Receives a comment.
+     *
+     * @param words the characters after the {@code #}
+     * @param at the offset of the {@code #}
+     */
+    void comment(String words, int at);
+  }
+
   private final ElementTreeBuilder document;
+  private final Comments comments;
   private final SourceText text;
   private final int length;
   private int at;
 
   VrmlScanner(ElementTreeBuilder document) {
+    this(document, document::comment);
+  }
+
+  /** Creates a scanner of a document's text at its start. */
+  public VrmlScanner(ElementTreeBuilder document, Comments comments) {
     this.document = document;
+    this.comments = comments;
     this.text = document.text();
     this.length = text.length();
   }
 
   /** Returns the offset of the next character. */
-  int at() {
+  public int at() {
     return at;
   }
 
-  boolean ended() {
+  /** Returns whether the text has ended. */
+  public boolean ended() {
     return at >= length;
   }
 
   /** Returns the next character; 0 at the end. */
-  char peek() {
+  public char peek() {
     return at < length ? text.charAt(at) : 0;
   }
 
-  void step() {
+  /** Skips a character. */
+  public void step() {
     at++;
   }
 
-  void back(int offset) {
+  /** Goes to an offset. */
+  public void back(int offset) {
     at = offset;
   }
 
   /** Skips white space, commas and comments; returns the offset after them. */
-  int space() {
+  public int space() {
     while (at < length) {
       char c = text.charAt(at);
       if (c == '#') {
@@ -69,7 +91,7 @@ final class VrmlScanner {
   }
 
   /** Returns whether an opening brace is next, without consuming anything. */
-  boolean opens() {
+  public boolean opens() {
     int start = at;
     look();
     boolean found = peek() == '{';
@@ -91,11 +113,11 @@ final class VrmlScanner {
   private void comment() {
     int start = at;
     line();
-    document.comment(text.subSequence(start + 1, at).toString(), start);
+    comments.comment(text.subSequence(start + 1, at).toString(), start);
   }
 
   /** Consumes the rest of a line and returns it. */
-  String line() {
+  public String line() {
     int start = at;
     while (at < length && text.charAt(at) != '\n' && text.charAt(at) != '\r') {
       at++;
@@ -113,14 +135,14 @@ final class VrmlScanner {
   }
 
   /** Consumes the word that begins here and returns it; empty if there is none. */
-  String word() {
+  public String word() {
     int start = at;
     passWord();
     return text.subSequence(start, at).toString();
   }
 
   /** Skips the word that begins here. */
-  void passWord() {
+  public void passWord() {
     while (at < length && !ends(text.charAt(at))) {
       at++;
     }
@@ -151,7 +173,7 @@ final class VrmlScanner {
   }
 
   /** Returns whether a number begins here. */
-  boolean number() {
+  public boolean number() {
     return beginsNumber(peek());
   }
 
@@ -177,7 +199,7 @@ final class VrmlScanner {
    *
    * @param what the noun for it with its article, for the message
    */
-  String name(String what) throws XmlParseException {
+  public String name(String what) throws XmlParseException {
     space();
     String name = word();
     if (name.isEmpty()) {
@@ -187,7 +209,7 @@ final class VrmlScanner {
   }
 
   /** Consumes a character that must be there. */
-  void expect(char wanted, String where) throws XmlParseException {
+  public void expect(char wanted, String where) throws XmlParseException {
     space();
     if (peek() != wanted) {
       throw expected("'" + wanted + "' " + where);
@@ -196,7 +218,7 @@ final class VrmlScanner {
   }
 
   /** Returns the error that something else is expected here. */
-  XmlParseException expected(String what) {
+  public XmlParseException expected(String what) {
     if (ended()) {
       return document.fault(at, "the file is cut off here: " + what + " is missing");
     }
@@ -212,7 +234,7 @@ final class VrmlScanner {
    *
    * @return the offset of its closing quote
    */
-  int passString() throws XmlParseException {
+  public int passString() throws XmlParseException {
     int start = at++;
     while (at < length && text.charAt(at) != '"') {
       at += text.charAt(at) == '\\' ? 2 : 1;
@@ -225,7 +247,7 @@ final class VrmlScanner {
   }
 
   /** Consumes a string and returns its unescaped content, with XML line ends (XML 1.0, 2.11). */
-  String string(String what) throws XmlParseException {
+  public String string(String what) throws XmlParseException {
     space();
     if (peek() != '"') {
       throw expected(what);
@@ -234,7 +256,8 @@ final class VrmlScanner {
     return unescaped(text.subSequence(start, passString()).toString());
   }
 
-  static String unescaped(String written) {
+  /** Returns the content of a string as it is meant, with XML line ends. */
+  public static String unescaped(String written) {
     if (written.indexOf('\\') < 0 && written.indexOf('\r') < 0) {
       return written;
     }
@@ -253,5 +276,22 @@ final class VrmlScanner {
       }
     }
     return plain.toString();
+  }
+
+  /** Replaces comments outside quotes by blanks. */
+  public static void clean(char[] value, int length) {
+    boolean quoted = false;
+    for (int i = 0; i < length; i++) {
+      char c = value[i];
+      if (c == '"') {
+        quoted = !quoted;
+      } else if (quoted && c == '\\') {
+        i++;
+      } else if (!quoted && c == '#') {
+        while (i < length && value[i] != '\n' && value[i] != '\r') {
+          value[i++] = ' ';
+        }
+      }
+    }
   }
 }

@@ -109,22 +109,22 @@ class BadInputTest {
     fixture.read("hello");
     fixture.assertOnly(
         "test.x3d: this is neither XML nor VRML nor JSON: a scene begins with '<', '#X3D V', "
-            + "'#VRML V2.0' or '{'; nothing can be shown");
+            + "'#VRML V' or '{'; nothing can be shown");
     fixture.read("");
     fixture.assertOnly("test.x3d: the file is empty; nothing can be shown");
     fixture.read("<html><body/></html>");
     fixture.assertOnly(
-        "test.x3d:1:1: the root element of a scene must be X3D, not html; nothing "
+        "test.x3d:1:1: this is an HTML page without an x3d element, so it holds no scene; nothing "
             + "can be shown");
     fixture.read("<X3D/>");
     fixture.assertOnly("test.x3d:1:1: the file has no Scene element; nothing can be shown");
     fixture.read("<X3D><Scene/><Shape/></X3D>");
     fixture.assertOnly(
         "test.x3d:1:14: Shape is outside of Scene; it and its children are left out");
-    fixture.read("#VRML V1.0 ascii\nSeparator {}");
+    fixture.read("#Inventor V2.1 ascii\nSeparator {}");
     fixture.assertOnly(
-        "test.x3d: this is a scene of VRML 1.0 or Inventor, which is not read; convert it to X3D, "
-            + "for example with view3dscene");
+        "test.x3d: this is a scene of Open Inventor, which is not read; convert it to X3D, for "
+            + "example with view3dscene");
     assertThat(fixture.read(" ".repeat(100)).nodes()).isEmpty();
     assertThat(fixture.problems.list()).hasSize(1);
   }

@@ -1,0 +1,100 @@
+package org.selectiverenderer.x3d.vrml1;
+
+/**
+ * A group whose children are being translated: the element that contains them, and the
+ * transformations that count for the next one.
+ */
+final class TranslationScope {
+  private static final String GROUP = "Group";
+
+  private final TransformChain pending;
+  private final TransformChain total;
+  private X3dElement container;
+  private X3dElement wrapper;
+  private boolean own;
+  private boolean moved;
+
+  /** Creates the scope of an element without children. */
+  TranslationScope(X3dElement container, Vrml1Values values) {
+    this.container = container;
+    this.wrapper = container;
+    this.pending = new TransformChain(values);
+    this.total = new TransformChain(values);
+    this.own = container.name().equals(GROUP);
+  }
+
+  /** Returns the transformations since the start of the group. */
+  TransformChain total() {
+    return total;
+  }
+
+  /** Transforms what follows by a node of a type. */
+  void transform(Vrml1Node node, String type) {
+    pending.add(node, type);
+    total.add(node, type);
+    moved = true;
+  }
+
+  /** Transforms what follows as another scope, which does not save its transformations, has. */
+  void transform(TransformChain other) {
+    pending.append(other);
+    total.append(other);
+    moved |= !other.isEmpty();
+  }
+
+  /** Returns the element in which the next child belongs. */
+  X3dElement target() {
+    if (pending.isEmpty()) {
+      return container;
+    }
+    if (own && container.children().isEmpty()) {
+      // the group itself becomes the Transform
+      container.rename("Transform");
+      pending.set(container);
+      pending.clear();
+      own = false;
+      moved = false;
+      return container;
+    }
+    if (moved) {
+      wrapper = pending.transform();
+      container.add(wrapper);
+      moved = false;
+    }
+    return wrapper;
+  }
+
+  /** Adds a light, which shines on what follows and not on what was before. */
+  void addLight(X3dElement light) {
+    boolean first = container.children().stream().noneMatch(TranslationScope::isLit);
+    if (!pending.isEmpty()) {
+      container = target();
+      pending.clear();
+    } else if (!first) {
+      X3dElement group = new X3dElement(GROUP, light.start(), light.start());
+      container.add(group);
+      container = group;
+    }
+    own = false;
+    moved = false;
+    container.add(light);
+  }
+
+  private static boolean isLight(X3dElement element) {
+    return element.name().endsWith("Light");
+  }
+
+  private static boolean isLit(X3dElement element) {
+    return switch (element.name()) {
+      case "Viewpoint", "OrthoViewpoint", "Background", "NavigationInfo", "WorldInfo" -> false;
+      default -> !isLight(element);
+    };
+  }
+
+  /** Returns a group, or its only child where that shows the same. */
+  static X3dElement simplified(X3dElement group) {
+    return group.plainGroup() && group.children().size() == 1 && !isLight(group.children().get(0))
+        ? group.children().get(0)
+        : group;
+  }
+}

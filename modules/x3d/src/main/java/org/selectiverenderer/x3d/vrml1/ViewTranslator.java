@@ -1,0 +1,145 @@
+package org.selectiverenderer.x3d.vrml1;
+
+import java.util.Locale;
+import java.util.regex.Pattern;
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.x3d.field.FieldTokenizer;
+
+/** Translates lights, cameras and Info. */
+final class ViewTranslator {
+  /** Lights of VRML 1.0 reach everything; those of X3D reach as far as their radius. */
+  private static final String UNLIMITED = "1000000";
+
+  /** The exponent of OpenGL for a dropOffRate of 1. */
+  private static final double LARGEST_EXPONENT = 128;
+
+  private static final double RIGHT_ANGLE = Math.PI / 2;
+
+  private static final Pattern COLOUR =
+      Pattern.compile("\\s*(0|1|[01]?\\.\\d+)(\\s+(0|1|[01]?\\.\\d+)){2}\\s*");
+
+  private final Vrml1Values values;
+  private boolean orthographic;
+
+  ViewTranslator(Vrml1Values values) {
+    this.values = values;
+  }
+
+  /** Returns whether there has been an OrthographicCamera. */
+  boolean orthographic() {
+    return orthographic;
+  }
+
+  static boolean isCamera(String type) {
+    return type.equals("PerspectiveCamera") || type.equals("OrthographicCamera");
+  }
+
+  private void copy(X3dElement element, Vrml1Node node, String... fields) {
+    for (String name : fields) {
+      Vrml1Field field = node.field(name);
+      if (field != null) {
+        element.set(name, values.text(field).strip(), field);
+      }
+    }
+  }
+
+  X3dElement light(Vrml1Node node, String type) {
+    X3dElement light = X3dElement.of(type, node);
+    copy(light, node, "location", "direction", "color", "intensity");
+    Vrml1Field on = node.field("on");
+    if (on != null && (values.word(node, "on").equals("FALSE") || values.text(on).equals("0"))) {
+      light.set("on", "false", on);
+    }
+    if (type.equals("SpotLight")) {
+      cone(light, node);
+    }
+    if (!type.equals("DirectionalLight")) {
+      light.set("global", "false", node.typeAt()).set("radius", UNLIMITED, node.typeAt());
+    }
+    return light;
+  }
+
+  /**
+   * Translates the exponential loss of light away from the axis into X3D's linear one, so that both
+   * have half of the light at the same angle.
+   */
+  private void cone(X3dElement light, Vrml1Node node) {
+    double cutOff = values.numbers(node, "cutOffAngle", 0.785398f)[0];
+    cutOff = Math.min(RIGHT_ANGLE, Math.max(0.001, cutOff));
+    double exponent = LARGEST_EXPONENT * values.numbers(node, "dropOffRate", 0)[0];
+    double half = exponent > 0 ? Math.acos(Math.pow(0.5, 1 / exponent)) : cutOff;
+    double beam = Math.min(cutOff, Math.max(0.001, 2 * half - cutOff));
+    light.set("cutOffAngle", Vrml1Values.number(cutOff), node.typeAt());
+    light.set("beamWidth", Vrml1Values.number(beam), node.typeAt());
+  }
+
+  X3dElement camera(Vrml1Node node, String type) {
+    boolean flat = type.equals("OrthographicCamera");
+    orthographic |= flat;
+    X3dElement viewpoint = X3dElement.of(flat ? "OrthoViewpoint" : "Viewpoint", node);
+    node.name().ifPresent(name -> viewpoint.set("description", name, node.typeAt()));
+    if (node.field("position") == null) {
+      viewpoint.set("position", "0 0 1", node.typeAt());
+    }
+    copy(viewpoint, node, "position", "orientation");
+    centre(viewpoint, node);
+    Vrml1Field angle = node.field("heightAngle");
+    if (flat && node.field("height") != null) {
+      double half = values.numbers(node, "height", 2)[0] / 2;
+      viewpoint.set("fieldOfView", Vrml1Values.tuple(-half, -half, half, half), node.typeAt());
+    } else if (!flat && angle != null) {
+      viewpoint.set("fieldOfView", values.text(angle).strip(), angle);
+    }
+    return viewpoint;
+  }
+
+  /** Sets the point that the viewer examines, which is where the camera is focused. */
+  private void centre(X3dElement viewpoint, Vrml1Node node) {
+    Vrml1Field focus = node.field("focalDistance");
+    if (focus == null) {
+      return;
+    }
+    float[] p = values.numbers(node, "position", 0, 0, 1);
+    float[] r = values.numbers(node, "orientation", 0, 0, 1, 0);
+    Vector3d ahead = new Vector3d(0, 0, -values.numbers(node, "focalDistance", 5)[0]);
+    if (r[0] != 0 || r[1] != 0 || r[2] != 0) {
+      new Quaterniond().rotationAxis(r[3], r[0], r[1], r[2]).transform(ahead);
+    }
+    viewpoint.set(
+        "centerOfRotation",
+        Vrml1Values.tuple(p[0] + ahead.x, p[1] + ahead.y, p[2] + ahead.z),
+        focus);
+  }
+
+  /**
+   * Returns what an Info says: the background and the navigation, as viewers of VRML 1.0 agreed
+   * upon by names, else a WorldInfo; null if it says nothing.
+   */
+  @Nullable X3dElement information(Vrml1Node node) {
+    Vrml1Field field = node.field("string");
+    String words = values.string(node, "string");
+    if (field == null || words.isEmpty()) {
+      return null;
+    }
+    String name = node.name().orElse("");
+    if (name.equals("BackgroundColor") && COLOUR.matcher(words).matches()) {
+      return X3dElement.of("Background", node).set("skyColor", words.strip(), field);
+    }
+    String type =
+        switch (name.equals("Viewer") ? words.strip().toLowerCase(Locale.ROOT) : "") {
+          case "examiner" -> "EXAMINE";
+          case "walk" -> "WALK";
+          case "fly", "plane" -> "FLY";
+          default -> "";
+        };
+    if (!type.isEmpty()) {
+      return X3dElement.of("NavigationInfo", node)
+          .set("type", FieldTokenizer.string(type) + " \"ANY\"", field);
+    }
+    String kind = name.equals("Title") ? "title" : "info";
+    String text = kind.equals("title") ? words : FieldTokenizer.string(words);
+    return X3dElement.of("WorldInfo", node).set(kind, text, field);
+  }
+}
