@@ -258,15 +258,11 @@ final class SceneBuilder {
         AudioBuffer recording = content.sounds().get(parsed);
         if (node instanceof AudioClipNode clip && recording != null) {
           clip.recording(recording);
+        } else if (node instanceof MovieTextureNode movie && recording != null) {
+          movie.soundtrack(recording);
         }
       } else if (node.type().component().equals("Geospatial")) {
         geospatial(node, origin.of(parsed));
-      }
-      if (node.type().name().equals("Sound")
-          && node.node("source") instanceof MovieTextureNode movie) {
-        content.info(
-            movie.location(),
-            "the soundtrack of a MovieTexture is not played; the Sound stays silent");
       }
       if (BackgroundTextures.names(node.type())) {
         store.origin(node, origin.of(parsed));

@@ -213,7 +213,11 @@ public final class WorldWindow implements WorldDisplay {
     /** Draws a picture with more samples than the window has, if the settings ask for more. */
     private Optional<Screenshot> smooth(GL3 gl, World shown, FrameSize frame) {
       int samples = stage.pictureSamples();
-      if (samples <= stage.main().samples() || host.darkness() > 0) {
+      int[] drawn = {stage.main().samples()};
+      if (!split) {
+        gl.glGetIntegerv(GL.GL_SAMPLES, drawn, 0); // A driver may give fewer than asked for.
+      }
+      if (samples <= drawn[0] || host.darkness() > 0) {
         return Optional.empty();
       }
       int width = (split ? 2 : 1) * frame.width();
