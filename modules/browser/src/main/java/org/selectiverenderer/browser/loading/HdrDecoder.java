@@ -46,7 +46,7 @@ final class HdrDecoder {
     while (!line.isEmpty()) {
       if (line.startsWith("FORMAT=") && !line.strip().equals("FORMAT=32-bit_rle_rgbe")) {
         throw new IOException(
-            "is a Radiance picture of XYZ colours (convert it with `ra_xyze -r`)");
+            "is a Radiance picture of XYZ or unknown colours (convert it with `ra_xyze -r`)");
       }
       line = line();
     }
