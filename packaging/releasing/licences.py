@@ -3,8 +3,9 @@
 import re
 
 THIRD_PARTY = "META-INF/THIRD-PARTY.txt"
-# Whose POM says "BSD", which the SBOM's maker reads as a licence of four clauses; its text has three.
-_GROUPS = {"com.miglayout": "BSD-3-Clause"}
+# Whose POM says "BSD", which the SBOM's maker reads as a licence of four clauses; its text has three. And whose
+# POM names none; its sources do.
+_GROUPS = {"com.miglayout": "BSD-3-Clause", "com.googlecode.soundlibs": "LGPL-2.0-or-later"}
 # The program's modules, which are no third party's.
 _OWN = "org.selectiverenderer"
 _ROW = re.compile(r"^([\w.-]+:[\w.-]+) +(\S+) +(\S+) ", re.MULTILINE)

@@ -181,6 +181,9 @@ class ArchitectureTest {
   static final ArchRule soundIsReadAndPlayedInOnePlace = onlyIn("browser.sound", "javax.sound..");
 
   @ArchTest
+  static final ArchRule mpegAudioIsDecodedInOnePlace = onlyIn("browser.sound", "javazoom..");
+
+  @ArchTest
   static final ArchRule serialPortsAreOpenedInOnePlace = onlyIn("tracker.serial", "com.fazecast..");
 
   @ArchTest

@@ -7,6 +7,7 @@ import org.selectiverenderer.app.settings.RunSettings;
 import org.selectiverenderer.browser.World;
 import org.selectiverenderer.render.AntiAliasing;
 import org.selectiverenderer.render.FrameStatistics;
+import org.selectiverenderer.render.context.Screenshot;
 import org.selectiverenderer.render.display.OffscreenView;
 
 /**
@@ -23,16 +24,18 @@ final class OffscreenFrameTarget implements FrameTarget {
   @Override
   public LastPictures show(SceneRun run) throws IOException {
     DisplaySettings display = settings.display();
+    int samples = samples();
     // The context comes up while the scene is being read.
     try (OffscreenView view =
         OffscreenView.open(
             display.width(),
             display.height(),
-            samples(),
+            samples,
             display.presentation().layout(),
             display.style())) {
       run.awaitScene();
       run.opening();
+      Optional<World> last = Optional.empty();
       for (int frame = 0; !run.finished(); frame++) {
         if (settings.tracker().tracked()) {
           view.awaitReady(); // The pose is read in the step; a late step reads a newer pose.
@@ -41,6 +44,7 @@ final class OffscreenFrameTarget implements FrameTarget {
         if (world.isEmpty()) {
           return LastPictures.NONE;
         }
+        last = world;
         FrameStatistics drawn = view.draw(world.get());
         run.submitted();
         if (frame == 0) {
@@ -49,7 +53,10 @@ final class OffscreenFrameTarget implements FrameTarget {
         run.drawn(drawn);
       }
       view.finish();
-      return new LastPictures(view.info(), Optional.of(view.screenshot()), Optional.empty());
+      int picture = display.pictureSamples(samples);
+      Screenshot screenshot =
+          last.isPresent() ? view.screenshot(last.get(), picture) : view.screenshot();
+      return new LastPictures(view.info(), Optional.of(screenshot), Optional.empty());
     }
   }
 

@@ -78,7 +78,8 @@ final class RunWindowFactory {
             windows.layout(),
             windows.style(),
             Optional.empty(),
-            windows.operator());
+            windows.operator(),
+            windows.pictureSamples());
     return new HeadsetView(
         mirror,
         host,
@@ -144,7 +145,8 @@ final class RunWindowFactory {
         settings.presentation().layout(),
         settings.style(),
         Optional.empty(),
-        operator());
+        operator(),
+        settings.pictureSamples(samples));
   }
 
   private Optional<WindowOptions> operator() {
@@ -183,7 +185,8 @@ final class RunWindowFactory {
         settings.presentation().layout(),
         settings.style(),
         Optional.of(WindowOptions.filling(right, "Right eye - " + title, 0)),
-        operatorBeside(monitors, left, right));
+        operatorBeside(monitors, left, right),
+        settings.pictureSamples(samples));
   }
 
   /** Returns the operator's window on a monitor that shows no picture to an eye. */
@@ -211,6 +214,7 @@ final class RunWindowFactory {
         stage.layout(),
         stage.style(),
         Optional.empty(),
-        stage.operator());
+        stage.operator(),
+        samples); // Only the window's own framebuffer has two buffers to draw into.
   }
 }

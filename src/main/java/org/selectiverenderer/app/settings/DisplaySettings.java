@@ -6,6 +6,7 @@ import org.selectiverenderer.apparatus.DisplayMode;
 import org.selectiverenderer.apparatus.DisplayProfile;
 import org.selectiverenderer.apparatus.EyeGeometry;
 import org.selectiverenderer.hmd.DisplayConfiguration;
+import org.selectiverenderer.render.AntiAliasing;
 import org.selectiverenderer.render.RenderOptions;
 import org.selectiverenderer.render.ShadingMode;
 import org.selectiverenderer.render.window.Monitor;
@@ -21,6 +22,7 @@ import org.selectiverenderer.render.window.Monitor;
  * @param style how the scene is drawn
  * @param operator whether the operator of a session has a window
  * @param operatorMonitor monitor of the operator's window; empty for one that no eye uses
+ * @param saved whether the last picture is written to a file
  */
 public record DisplaySettings(
     DisplayConfiguration presentation,
@@ -30,7 +32,8 @@ public record DisplaySettings(
     OptionalInt samples,
     RenderOptions style,
     boolean operator,
-    Optional<Monitor> operatorMonitor) {
+    Optional<Monitor> operatorMonitor,
+    boolean saved) {
   /** A window on a desktop monitor. */
   public static final DisplaySettings WINDOW =
       of(
@@ -49,19 +52,44 @@ public record DisplaySettings(
         OptionalInt.empty(),
         RenderOptions.of(ShadingMode.AUTO),
         false,
-        Optional.empty());
+        Optional.empty(),
+        false);
   }
 
   /** Returns these settings with a size chosen by the user. */
   public DisplaySettings sized(int wantedWidth, int wantedHeight) {
     return new DisplaySettings(
-        presentation, wantedWidth, wantedHeight, true, samples, style, operator, operatorMonitor);
+        presentation,
+        wantedWidth,
+        wantedHeight,
+        true,
+        samples,
+        style,
+        operator,
+        operatorMonitor,
+        saved);
   }
 
   /** Returns these settings with another number of samples per pixel. */
   public DisplaySettings samples(OptionalInt wanted) {
     return new DisplaySettings(
-        presentation, width, height, sized, wanted, style, operator, operatorMonitor);
+        presentation, width, height, sized, wanted, style, operator, operatorMonitor, saved);
+  }
+
+  /** Returns these settings for a run whose last picture is written to a file, or is not. */
+  public DisplaySettings saved(boolean wanted) {
+    return new DisplaySettings(
+        presentation, width, height, sized, samples, style, operator, operatorMonitor, wanted);
+  }
+
+  /**
+   * Returns the samples per pixel of the last picture. One that is written to a file is smooth on
+   * any machine, unless the user chose the samples: it is drawn once more where frames have fewer.
+   *
+   * @param drawn the samples per pixel of the frames
+   */
+  public int pictureSamples(int drawn) {
+    return saved && samples.isEmpty() ? Math.max(AntiAliasing.SMOOTH, drawn) : drawn;
   }
 
   /** Returns whether light is computed per pixel or per vertex. */
@@ -72,31 +100,44 @@ public record DisplaySettings(
   /** Returns these settings with another drawing style. */
   public DisplaySettings style(RenderOptions wanted) {
     return new DisplaySettings(
-        presentation, width, height, sized, samples, wanted, operator, operatorMonitor);
+        presentation, width, height, sized, samples, wanted, operator, operatorMonitor, saved);
   }
 
   /** Returns these settings with or without a window for the operator. */
   public DisplaySettings operator(boolean wanted) {
     return new DisplaySettings(
-        presentation, width, height, sized, samples, style, wanted, operatorMonitor);
+        presentation, width, height, sized, samples, style, wanted, operatorMonitor, saved);
   }
 
   /** Returns these settings with the operator's window on a given monitor. */
   public DisplaySettings operatorOn(Optional<Monitor> wanted) {
     return new DisplaySettings(
-        presentation, width, height, sized, samples, style, operator, wanted);
+        presentation, width, height, sized, samples, style, operator, wanted, saved);
   }
 
   /** Returns these settings with the real size of a monitor. */
   public DisplaySettings filling(int foundWidth, int foundHeight) {
     return new DisplaySettings(
-        presentation, foundWidth, foundHeight, sized, samples, style, operator, operatorMonitor);
+        presentation,
+        foundWidth,
+        foundHeight,
+        sized,
+        samples,
+        style,
+        operator,
+        operatorMonitor,
+        saved);
   }
 
   /** Returns these settings with another presentation; a size chosen by the user stays. */
   public DisplaySettings as(DisplayConfiguration other) {
     DisplaySettings suited =
-        of(other).samples(samples).style(style).operator(operator).operatorOn(operatorMonitor);
+        of(other)
+            .samples(samples)
+            .style(style)
+            .operator(operator)
+            .operatorOn(operatorMonitor)
+            .saved(saved);
     return sized ? suited.sized(width, height) : suited;
   }
 }

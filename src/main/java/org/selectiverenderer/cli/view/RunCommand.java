@@ -209,7 +209,8 @@ public final class RunCommand extends CliCommand {
         DisplaySettings.of(shown(wanted))
             .samples(samples == null ? OptionalInt.empty() : OptionalInt.of(samples))
             .style(view.style())
-            .operator(display.operator());
+            .operator(display.operator())
+            .saved(records.pictures().ofScene());
     return size == null ? suited : suited.sized(size.width(), size.height());
   }
 

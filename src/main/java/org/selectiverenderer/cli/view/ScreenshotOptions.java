@@ -14,7 +14,9 @@ final class ScreenshotOptions {
   @Option(
       names = "--screenshot",
       paramLabel = "F.png",
-      description = "writes the last picture to a file")
+      description =
+          "writes the last picture to a file; its edges are smooth (4 samples per pixel) "
+              + "unless --samples says otherwise")
   private @Nullable Path screenshot;
 
   @Option(
@@ -32,6 +34,11 @@ final class ScreenshotOptions {
   /** Registers the output files. */
   void writes(CommandFileCheck files) {
     files.writes("--screenshot", screenshot).writes("--operator-screenshot", operatorScreenshot);
+  }
+
+  /** Returns whether the last picture of the scene is written. */
+  boolean ofScene() {
+    return screenshot != null;
   }
 
   /** Returns the file of the operator's picture; null for none. */

@@ -227,6 +227,8 @@ class HostileFilesTest {
     return "<Shape><Appearance><ImageTexture %s/></Appearance><Box/></Shape>".formatted(url)
         + "<Shape><Appearance><MovieTexture %s loop='true'/></Appearance><Box/></Shape>"
             .formatted(url)
+        + "<Shape><Appearance><ImageCubeMapTexture %s/></Appearance><Box/></Shape>".formatted(url)
+        + "<Sound><MovieTexture containerField='source' %s loop='true'/></Sound>".formatted(url)
         + "<Sound><AudioClip containerField='source' %s loop='true'/></Sound>".formatted(url)
         + "<Background frontUrl='\"../media/%s\"'/>".formatted(file.getFileName());
   }

@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import javax.imageio.ImageIO;
@@ -345,5 +346,32 @@ class RunDisplayTest extends CommandTestCase {
                 .get("display")
                 .asText())
         .contains("300x225", "side by side");
+  }
+
+  @Test
+  void aSavedPictureHasSmoothEdgesAlsoWhereFramesHaveNone() throws IOException {
+    assertThat(colours("--offscreen", "--duration", "0.1")).isGreaterThan(2);
+    assertThat(colours("--duration", "0.1")).isGreaterThan(2);
+    assertThat(colours("--offscreen", "--duration", "0.1", "--samples", "0")).isEqualTo(2);
+    assertThat(colours("--duration", "0.1", "--samples", "0")).isEqualTo(2);
+  }
+
+  /** Returns the number of colours of the picture of a white square, turned, before black. */
+  private long colours(String... options) throws IOException {
+    Path scene = folder.resolve("square.x3d");
+    Files.writeString(
+        scene,
+        """
+        <X3D version='4.0' profile='Full'><Scene>
+        <Transform rotation='0 0 1 0.3'><Shape>
+        <Appearance><Material diffuseColor='0 0 0' emissiveColor='1 1 1'/></Appearance>
+        <Rectangle2D/></Shape></Transform></Scene></X3D>
+        """);
+    String[] run = {"run", scene.toString(), "--size", "160x120", "--headlight", "off"};
+    String[] all = with(with(run, options), "--screenshot", file("square.png"));
+    assertThat(execute(all)).as(messages()).isZero();
+    var picture = ImageIO.read(folder.resolve("square.png").toFile());
+    int[] pixels = picture.getRGB(0, 0, picture.getWidth(), picture.getHeight(), null, 0, 160);
+    return Arrays.stream(pixels).distinct().count();
   }
 }

@@ -201,7 +201,8 @@ class SimulateInlinesTest {
             "inlineNodes/curious.x3d:2:1: Inline url '../still.csv' points outside the folders"
                 + " this scene may name; --allow "
                 + shown(folder.path(""))
-                + " would allow it; the Inline is left out");
+                + " would allow it; the Inline is left out (the Inline at scenes/scene.x3d:2:1 names"
+                + " this file)");
   }
 
   @Test
@@ -252,7 +253,8 @@ class SimulateInlinesTest {
     SimulateTestCase.Result result = simulate(BOX + inline("b.x3d") + inline("c.x3d"));
     assertThat(result.messages())
         .containsExactly(
-            "scenes/c.x3d:2:22: scenes/scene.x3d includes itself; the Inline is left out");
+            "scenes/c.x3d:2:22: scenes/scene.x3d includes itself; the Inline is left out (the Inline"
+                + " at scenes/b.x3d:2:22 names this file)");
     assertThat(result.polygons()).isEqualTo(4 * 12);
   }
 
@@ -268,7 +270,8 @@ class SimulateInlinesTest {
     assertThat(result.messages().get(0))
         .matches(
             "scenes/s\\d+\\.x3d:[23]:1: with its Inlines the scene has more than "
-                + "\\d+ nodes \\(an Inline counts as 30\\); the rest is left out");
+                + "\\d+ nodes \\(an Inline counts as 30\\); the rest is left out"
+                + " \\(the Inline at scenes/s\\d+\\.x3d:[23]:1 names this file\\)");
     assertThat(result.polygons()).isGreaterThanOrEqualTo(12);
     assertThat(result.status()).isEqualTo(1);
   }
@@ -282,7 +285,8 @@ class SimulateInlinesTest {
     assertThat(result.messages())
         .containsExactly(
             "scenes/s99.x3d:2:22: Inlines are nested more than 100 deep; the Inline of"
-                + " scenes/s100.x3d is left out");
+                + " scenes/s100.x3d is left out (the Inline at scenes/s98.x3d:2:22 names this"
+                + " file)");
     assertThat(result.polygons()).isEqualTo(101 * 12);
   }
 
@@ -298,7 +302,7 @@ class SimulateInlinesTest {
     assertThat(result.messages())
         .containsExactly(
             "scenes/s4.x3d:2:246: nodes and Inlines are nested more than 1000 deep; the Group is"
-                + " left out");
+                + " left out (the Inline at scenes/s3.x3d:2:1702 names this file)");
     assertThat(result.polygons()).isEqualTo(5 * 12);
   }
 
@@ -319,7 +323,10 @@ class SimulateInlinesTest {
               + "<Shape><IndexedFaceSet coordIndex='7'><Coordinate/></IndexedFaceSet></Shape>\n"
               + "<Bogus/>");
       String at = "scenes/" + name;
-      expected.add(at + ":3:1: unknown element Bogus; it and its children are left out");
+      expected.add(
+          at
+              + ":3:1: unknown element Bogus; it and its children are left out (the Inline at"
+              + " scenes/scene.x3d:%d:1 names this file)".formatted(3 + i));
       expected.add(
           at + ":4:8: IndexedFaceSet has a face with fewer than 3 points; 1 face is left out");
       expected.add(at + ":5:1: unknown element Bogus; it and its children are left out");

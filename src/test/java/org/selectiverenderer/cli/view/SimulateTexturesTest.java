@@ -74,10 +74,10 @@ class SimulateTexturesTest {
     folder.write("a.png", "<svg/>").write("empty.png", "");
     assertLeftOut(
         image("a.png"),
-        "a.png is not an image of a known format (PNG, JPEG, GIF, BMP, TGA or DDS)");
+        "a.png is not an image of a known format (PNG, JPEG, GIF, BMP, TGA, DDS, KTX2 or HDR)");
     assertLeftOut(
         image("empty.png"),
-        "empty.png is not an image of a known format (PNG, JPEG, GIF, BMP, TGA or DDS)");
+        "empty.png is not an image of a known format (PNG, JPEG, GIF, BMP, TGA, DDS, KTX2 or HDR)");
   }
 
   @Test
@@ -129,8 +129,8 @@ class SimulateTexturesTest {
     assertThat(folder.simulate("scene.x3d").messages())
         .containsExactly(
             "scene.x3d:2:20: a.png is not an image of a known format (PNG, JPEG, GIF, "
-                + "BMP, TGA or DDS); the texture is left out",
+                + "BMP, TGA, DDS, KTX2 or HDR); the texture is left out",
             "scene.x3d:3:20: a.png is not an image of a known format (PNG, JPEG, GIF, "
-                + "BMP, TGA or DDS); the texture is left out");
+                + "BMP, TGA, DDS, KTX2 or HDR); the texture is left out");
   }
 }

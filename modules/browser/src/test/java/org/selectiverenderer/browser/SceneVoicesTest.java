@@ -3,6 +3,7 @@ package org.selectiverenderer.browser;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
 import org.joml.Vector3d;
@@ -173,6 +174,34 @@ class SceneVoicesTest {
           });
       assertThat(fixture.log.get(0)).endsWith("duration_changed=2.0");
       assertThat(fixture.problems.list()).isEmpty();
+    }
+  }
+
+  @Test
+  void theSoundtrackOfAMovieIsHeardWhileItRunsForwards() {
+    Path movies = Path.of("modules/browser/src/test/resources/org/selectiverenderer/browser/movie");
+    String scene =
+        """
+        <Sound><MovieTexture DEF='MOVIE' containerField='source' %s startTime='1' gain='0.5' url='"%s"'/></Sound>
+        """;
+    try (WorldFixture fixture = new WorldFixture(movies, scene.formatted("", "tone.mpg"))) {
+      assertThat(fixture.problems.list()).isEmpty();
+      assertThat(at(fixture, 0, 0)).isEmpty();
+      Voice voice = at(fixture, 1.25, 0).get(0);
+      assertThat(voice.position()).isEqualTo(0.25, within(1e-9));
+      assertThat(voice.left()).isEqualTo(0.5);
+      assertThat(voice.recording().rate()).isEqualTo(44_100);
+      assertThat(voice.recording().seconds()).isEqualTo(0.4, within(0.1));
+      assertThat(at(fixture, 2, 0)).isEmpty();
+    }
+    try (WorldFixture fixture =
+        new WorldFixture(movies, scene.formatted("speed='-1'", "tone.mpg"))) {
+      at(fixture, 0, 0);
+      assertThat(at(fixture, 1.25, 0)).isEmpty();
+    }
+    try (WorldFixture fixture = new WorldFixture(movies, scene.formatted("", "mandelbrot.m1v"))) {
+      assertThat(fixture.problems.list().toString())
+          .contains("mandelbrot.m1v has no sound of MPEG audio; the Sound stays silent");
     }
   }
 }

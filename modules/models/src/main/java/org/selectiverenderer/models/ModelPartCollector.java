@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
+import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.geometry.mesh.MeshReplicator;
@@ -206,8 +207,10 @@ final class ModelPartCollector {
       return;
     }
     try (InputStream in = file.open()) {
+      ProblemCollector heard = new ProblemCollector();
       X3dFile content =
-          reader.with(libraries, file.base()).read(file.name(), in, file.size(), problems);
+          reader.with(libraries, file.base()).read(file.name(), in, file.size(), heard);
+      Problem.withReference(heard.list(), "Inline", inline.location()).forEach(problems::add);
       double own = metres(content);
       Matrix4d scaled = new Matrix4d(placement).scale(own / metres);
       Path folderOfFile = file.base() instanceof BaseUrl.Folder at ? at.path() : folder;

@@ -442,4 +442,13 @@ class ModelReaderTest {
 
     assertThat(messages()).singleElement().asString().contains("is not a glTF model");
   }
+
+  @Test
+  void aBrokenFileIsToldWithTheInlineThatNamesIt() throws IOException {
+    write("scenes/broken.gltf", "{}");
+    assertThat(readScene("<Inline url='\"broken.gltf\"'/>")).isEmpty();
+
+    assertThat(messages().get(0))
+        .containsPattern("\\(the Inline at [^ ]*model\\.x3d:1:[0-9]+ names this file\\)$");
+  }
 }

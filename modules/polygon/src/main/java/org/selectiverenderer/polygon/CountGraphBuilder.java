@@ -12,6 +12,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.joml.Matrix4d;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.polygon.metadata.NodeViewMetadata;
 import org.selectiverenderer.schema.SchemaReader;
@@ -39,7 +40,7 @@ final class CountGraphBuilder {
   /** Builds the graph of a scene. */
   CountGraphBuilder(FilePolygonMeasurement main, ProblemCollector problems) {
     this.problems = problems;
-    this.root = content(main, "");
+    this.root = content(main, "", null);
   }
 
   /** Returns the root of the scene. */
@@ -67,13 +68,17 @@ final class CountGraphBuilder {
 
   /**
    * @param path the names of the Inlines that lead to the file, as {@link NodeNames} wants it
+   * @param inline the Inline that names the file; null for the scene's own file
    */
-  private CountGraphNode content(FilePolygonMeasurement file, String path) {
+  private CountGraphNode content(
+      FilePolygonMeasurement file, String path, @Nullable ParsedNode inline) {
     CountGraphNode known = contents.get(file);
     if (known != null) {
       return known;
     }
-    file.problemList().forEach(problems::add);
+    List<Problem> found = file.problemList();
+    (inline == null ? found : Problem.withReference(found, "Inline", inline.location()))
+        .forEach(problems::add);
     open.add(file);
     names.put(file, new NodeNames(path, taken));
     file.file().named().forEach(named::putIfAbsent);
@@ -138,7 +143,7 @@ final class CountGraphBuilder {
           "Inline %s includes itself and is left out".formatted(content.file().source()));
       return;
     }
-    builder.children(List.of(content(content, names.get(file).path() + name + "/")));
+    builder.children(List.of(content(content, names.get(file).path() + name + "/", inline)));
     double scale = content.file().unitLength() / file.file().unitLength();
     if (scale != 1) {
       builder.placement(new Matrix4d().scale(scale));

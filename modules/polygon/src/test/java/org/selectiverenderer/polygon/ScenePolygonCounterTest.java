@@ -327,4 +327,17 @@ class ScenePolygonCounterTest {
 
     assertThat(problems.list().toString()).contains("more than 10000 places");
   }
+
+  @Test
+  void aBrokenFileIsToldWithTheInlineThatNamesIt() throws IOException {
+    Files.writeString(folder.resolve("broken.x3d"), "no scene");
+    count(folder, problems, "<Inline url='\"broken.x3d\"'/><Inline url='\"broken.x3d\"'/>");
+
+    assertThat(problems.list())
+        .extracting(Problem::message)
+        .first()
+        .asString()
+        .contains("neither XML nor VRML nor JSON")
+        .containsPattern("\\(the Inline at [^ ]*x3d:[0-9]+:[0-9]+ names this file\\)$");
+  }
 }

@@ -1,5 +1,7 @@
 package org.selectiverenderer.base.problem;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.selectiverenderer.base.markup.ControlCharacterEscaper;
 
 /**
@@ -34,6 +36,28 @@ public record Problem(Severity severity, SourceLocation location, String message
         .map(c -> c == '\t' || ControlCharacterEscaper.isControl(c) ? '?' : c)
         .forEach(line::appendCodePoint);
     return message.length() > MESSAGE_LENGTH ? line + "..." : line.toString();
+  }
+
+  /**
+   * Returns the problems of a file that another file names, of which the first error or warning
+   * also tells where: the name of a file alone does not tell an author what refers to it.
+   *
+   * @param node the type of the node that names the file, such as {@code Inline}
+   * @param location the location of that node
+   */
+  public static List<Problem> withReference(
+      List<Problem> problems, String node, SourceLocation location) {
+    List<Problem> told = new ArrayList<>(problems);
+    for (int i = 0; i < told.size(); i++) {
+      Problem first = told.get(i);
+      if (first.severity != Severity.INFO) {
+        String message =
+            "%s (the %s at %s names this file)".formatted(first.message, node, location);
+        told.set(i, new Problem(first.severity, first.location, message));
+        break;
+      }
+    }
+    return told;
   }
 
   /** Returns {@code file:line:column: message}, which editors and terminals turn into a link. */

@@ -27,12 +27,6 @@ final class DdsDecoder {
   private static final int ALL_FACES = 0xfc00;
   private static final int VOLUME = 0x200000;
 
-  /**
-   * For each face of a {@link CubeTexture} the index of the file's face, whose order is +X, -X, +Y,
-   * -Y, +Z, -Z.
-   */
-  private static final int[] FACES = {5, 4, 1, 0, 2, 3};
-
   private final ByteBuffer in;
   private final int width;
   private final int height;
@@ -105,7 +99,7 @@ final class DdsDecoder {
       if (at + size > in.limit()) {
         throw new IOException("is a damaged DDS image: it ends too early");
       }
-      int to = (cube ? place(i) : i) * picture;
+      int to = (cube ? CubeFaces.layer(i) : i) * picture;
       if (block == 0) {
         plain(at, rgba, to);
       } else {
@@ -114,21 +108,12 @@ final class DdsDecoder {
       }
       at += (int) size + (cube ? smaller() : 0);
       if (cube) {
-        asSeenFromInside(rgba, to, i);
+        CubeFaces.asSeenFromInside(rgba, to, width, height, i);
       }
     }
     boolean alpha = translucent(rgba);
     boolean grey = block == 0 && (flags & GREY) != 0;
     return new Texture.Image(width, height, layers, (grey ? 1 : 3) + (alpha ? 1 : 0), rgba);
-  }
-
-  private static int place(int face) {
-    for (int i = 0; i < FACES.length; i++) {
-      if (FACES[i] == face) {
-        return i;
-      }
-    }
-    throw new IllegalArgumentException("a cube has no face " + face);
   }
 
   private long size(int w, int h) {
@@ -172,26 +157,8 @@ final class DdsDecoder {
     return (byte) ((((value & mask) >>> shift) & 0xffffffffL) * 255 / most);
   }
 
-  /**
-   * Files hold cube faces as GPUs do, as seen from outside: here the side faces are mirrored, and
-   * the top and bottom faces are turned upside down.
-   */
-  private void asSeenFromInside(byte[] rgba, int from, int face) {
-    boolean side = face != 2 && face != 3;
-    for (int y = 0; y < (side ? height : height / 2); y++) {
-      for (int x = 0; x < (side ? width / 2 : width); x++) {
-        int a = from + 4 * (y * width + x);
-        int b = from + 4 * (side ? y * width + width - 1 - x : (height - 1 - y) * width + x);
-        for (int c = 0; c < 4; c++) {
-          byte kept = rgba[a + c];
-          rgba[a + c] = rgba[b + c];
-          rgba[b + c] = kept;
-        }
-      }
-    }
-  }
-
-  private static boolean translucent(byte[] rgba) {
+  /** Returns whether a pixel is not opaque. */
+  static boolean translucent(byte[] rgba) {
     for (int i = 3; i < rgba.length; i += 4) {
       if (rgba[i] != (byte) 255) {
         return true;

@@ -18,8 +18,8 @@ import org.selectiverenderer.browser.instance.Texture;
 import org.selectiverenderer.x3d.url.UrlContent;
 
 /**
- * Decodes image files (PNG, JPEG, GIF, BMP, TGA, DDS) and the pixels in fields of texture nodes.
- * Needs no display.
+ * Decodes image files (PNG, JPEG, GIF, BMP, TGA, DDS, KTX2, Radiance) and the pixels in fields of
+ * texture nodes. Needs no display.
  */
 final class ImageDecoder {
   /**
@@ -54,6 +54,12 @@ final class ImageDecoder {
     if (DdsDecoder.is(bytes)) {
       return DdsDecoder.read(small ? bytes : whole(file), budget);
     }
+    if (Ktx2Decoder.is(bytes)) {
+      return Ktx2Decoder.read(small ? bytes : whole(file), budget);
+    }
+    if (HdrDecoder.is(bytes)) {
+      return HdrDecoder.read(small ? bytes : whole(file), budget);
+    }
     Optional<Texture.Image> png = small ? png(bytes, budget) : Optional.empty();
     return png.isPresent() ? png.get() : byLibrary(small ? known(file, bytes) : file, budget);
   }
@@ -82,7 +88,7 @@ final class ImageDecoder {
       Iterator<ImageReader> readers = ImageIO.getImageReaders(stream);
       if (!readers.hasNext()) {
         throw new IOException(
-            "is not an image of a known format (PNG, JPEG, GIF, BMP, TGA or DDS)");
+            "is not an image of a known format (PNG, JPEG, GIF, BMP, TGA, DDS, KTX2 or HDR)");
       }
       ImageReader reader = readers.next();
       try {
@@ -102,7 +108,11 @@ final class ImageDecoder {
 
   /** Returns whether a file is an image of a supported format, judged by its first bytes. */
   static boolean knows(UrlContent file) throws IOException {
-    if (TgaDecoder.is(file.name()) || DdsDecoder.is(beginning(file))) {
+    byte[] beginning = beginning(file);
+    if (TgaDecoder.is(file.name())
+        || DdsDecoder.is(beginning)
+        || Ktx2Decoder.is(beginning)
+        || HdrDecoder.is(beginning)) {
       return true;
     }
     try (InputStream in = file.open();

@@ -35,6 +35,10 @@ final class ImageLoader {
 
   private final UrlResolver root;
   private final Map<String, Decoded> files = new ConcurrentHashMap<>();
+
+  /** The cube maps made from panoramas. */
+  private final Map<String, Optional<Texture.Image>> cubes = new ConcurrentHashMap<>();
+
   private final AtomicLong budget = new AtomicLong(Runtime.getRuntime().maxMemory() / 4);
   private final AtomicLong movieBudget = new AtomicLong(Runtime.getRuntime().maxMemory() / 8);
   private final Map<String, Decoded> movies = new ConcurrentHashMap<>();
@@ -123,9 +127,15 @@ final class ImageLoader {
       problems.error(
           texture.location(), "%s %s; %s".formatted(file.name(), decoded.fault, CONSEQUENCE));
     } else if (isNoCube(texture, decoded.image)) {
+      Optional<Texture.Image> cube = decoded.image.filter(CubeFaces::panorama);
+      if (cube.isPresent()) {
+        // The budget has room: the faces have fewer pixels than the panorama.
+        return cubes.computeIfAbsent(file.key(), key -> cube.map(CubeFaces::ofPanorama));
+      }
       problems.error(
           texture.location(),
-          "%s holds no cube map: an ImageCubeMapTexture needs a DDS image with six faces; %s"
+          ("%s holds no cube map: an ImageCubeMapTexture needs a DDS or KTX2 image with six faces,"
+                  + " or a panorama twice as wide as high; %s")
               .formatted(file.name(), CONSEQUENCE));
     }
     if (!decoded.flaw.isEmpty()) {

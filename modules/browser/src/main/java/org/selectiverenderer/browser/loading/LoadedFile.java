@@ -38,7 +38,8 @@ import org.selectiverenderer.x3d.url.BaseUrl;
  * @param types the names of the node types in the file
  * @param programs the programs of the Scripts that have a usable one
  * @param shaders the sources of shader parts
- * @param sounds the recordings of the AudioClips whose files could be read
+ * @param sounds the recordings of the AudioClips whose files could be read, and the soundtracks of
+ *     MovieTextures that are heard
  * @param pictures the textures made for the images of Background nodes
  * @param inlines the outcome of reading each Inline's file; complete when all threads have finished
  */

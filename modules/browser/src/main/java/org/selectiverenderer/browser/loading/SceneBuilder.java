@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.browser.loading.LoadedFile.Outcome;
@@ -52,6 +53,10 @@ final class SceneBuilder {
   private final int maxNodes;
   private final List<LoadedFile> files = new ArrayList<>();
   private final Set<LoadedFile> known = Collections.newSetFromMap(new IdentityHashMap<>());
+
+  /** The location of the first Inline that names a file. */
+  private final Map<LoadedFile, SourceLocation> references = new IdentityHashMap<>();
+
   private int nodes;
   private boolean tooMany;
   private int depth;
@@ -87,7 +92,12 @@ final class SceneBuilder {
 
   /** Reports the problems of all files built, in the order of their first use. */
   void report(ProblemCollector to) {
-    files.forEach(content -> content.problems().list().forEach(to::add));
+    for (LoadedFile content : files) {
+      List<Problem> problems = content.problems().list();
+      SourceLocation inline = references.get(content);
+      (inline == null ? problems : Problem.withReference(problems, "Inline", inline))
+          .forEach(to::add);
+    }
   }
 
   /** Builds the scene of one file, with its own DEF names and routes. */
@@ -248,15 +258,11 @@ final class SceneBuilder {
         AudioBuffer recording = content.sounds().get(parsed);
         if (node instanceof AudioClipNode clip && recording != null) {
           clip.recording(recording);
+        } else if (node instanceof MovieTextureNode movie && recording != null) {
+          movie.soundtrack(recording);
         }
       } else if (node.type().component().equals("Geospatial")) {
         geospatial(node, origin.of(parsed));
-      }
-      if (node.type().name().equals("Sound")
-          && node.node("source") instanceof MovieTextureNode movie) {
-        content.info(
-            movie.location(),
-            "the soundtrack of a MovieTexture is not played; the Sound stays silent");
       }
       if (BackgroundTextures.names(node.type())) {
         store.origin(node, origin.of(parsed));
@@ -317,6 +323,9 @@ final class SceneBuilder {
             "Inlines are nested more than %s deep; the Inline of %s is left out"
                 .formatted(MAX_INLINES, name));
       } else {
+        if (!known.contains(inner)) {
+          references.put(inner, inline.location());
+        }
         Scene included = SceneBuilder.this.build(inner, origin.including());
         inline.fill(included, included.unitLength() / scene.unitLength());
       }

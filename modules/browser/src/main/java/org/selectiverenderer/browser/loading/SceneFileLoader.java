@@ -155,6 +155,11 @@ final class SceneFileLoader {
             assets.add(task(content, problems -> shader(node, content, problems)));
           } else if (node.type().name().equals("AudioClip") && node.bool("load")) {
             assets.add(task(content, problems -> sound(node, content, problems)));
+          } else if (node.type().name().equals("Sound")
+              && node.node("source") instanceof ParsedNode source
+              && source.type().name().equals("MovieTexture")
+              && source.bool("load")) {
+            assets.add(task(content, problems -> soundtrack(source, content, problems)));
           } else if (node.type().is("X3DTextureNode") && ImageLoader.wanted(node)) {
             assets.add(task(content, problems -> image(node, node, content, problems)));
           } else if (BackgroundTextures.names(node.type())) {
@@ -210,6 +215,12 @@ final class SceneFileLoader {
     sounds
         .read(clip, clip.base(content.base()), problems)
         .ifPresent(recording -> content.sounds().put(clip, recording));
+  }
+
+  private void soundtrack(ParsedNode movie, LoadedFile content, ProblemCollector problems) {
+    sounds
+        .soundtrack(movie, movie.base(content.base()), problems)
+        .ifPresent(recording -> content.sounds().put(movie, recording));
   }
 
   /**

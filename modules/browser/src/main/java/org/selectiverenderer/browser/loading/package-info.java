@@ -17,6 +17,10 @@
  * registry of ImageIO to find the JDK's reader, and once on the class path comes before that reader
  * for every JPEG.
  *
+ * <p>KTX2 and Radiance pictures have no reader in ImageIO; no library in Java reads them that has a
+ * release of the last years and takes no native code. Levels compressed by zlib are inflated by
+ * {@code java.util.zip} up to the size that the header announces.
+ *
  * <p>In: a path. Out: a {@link org.selectiverenderer.browser.loading.LoadedScene} and problems.
  * Uses {@code browser.scene}, {@code browser.nodes}, the asset interface of {@code
  * browser.instance}, {@code browser.sound}, {@code browser.movie}, {@code geometry}, {@code x3d}

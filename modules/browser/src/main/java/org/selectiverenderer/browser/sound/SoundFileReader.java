@@ -14,7 +14,10 @@ import javax.sound.sampled.AudioSystem;
 import javax.sound.sampled.UnsupportedAudioFileException;
 import org.selectiverenderer.x3d.url.UrlContent;
 
-/** Reads WAV, AIFF and AU files, as far as the Java Sound API supports them. */
+/**
+ * Reads WAV, AIFF and AU files, as far as the Java Sound API supports them, and MPEG audio such as
+ * MP3.
+ */
 public final class SoundFileReader {
   /** Largest size in bytes of a file, and of its decoded samples. */
   public static final int MAX_BYTES = 32 << 20;
@@ -36,6 +39,9 @@ public final class SoundFileReader {
    */
   public static Optional<AudioBuffer> read(UrlContent file, AtomicLong budget) throws IOException {
     byte[] bytes = file.bytes(MAX_BYTES);
+    if (MpegFrames.begins(bytes)) {
+      return Optional.of(MpegAudioDecoder.decode(bytes, budget));
+    }
     if (!known(bytes)) {
       return Optional.empty();
     }
@@ -46,6 +52,16 @@ public final class SoundFileReader {
     } catch (RuntimeException e) { // Java's readers do not validate numbers in a file.
       throw new IOException("is damaged: " + e.getMessage(), e);
     }
+  }
+
+  /**
+   * Decodes a stream of MPEG audio, such as the soundtrack of a movie.
+   *
+   * @param budget the bytes left for all recordings of a load; reduced by this one
+   * @throws IOException with a clause as message that follows the name of the sound
+   */
+  public static AudioBuffer mpegAudio(byte[] stream, AtomicLong budget) throws IOException {
+    return MpegAudioDecoder.decode(stream, budget);
   }
 
   /**
@@ -83,16 +99,42 @@ public final class SoundFileReader {
       byte[] bytes = read(decoded);
       int kept = Math.min(2, channels);
       int frames = bytes.length / (2 * channels);
-      if (bytes.length > MAX_BYTES || budget.addAndGet(-2L * kept * frames) < 0) {
-        throw new IOException(
-            "has too many samples: a sound may take %s MB, and all together an eighth of the memory"
-                .formatted(MAX_BYTES >> 20));
-      }
+      check(bytes.length);
+      spend(2L * kept * frames, budget);
       if (frames == 0) {
         throw new IOException("holds no sound");
       }
       return new AudioBuffer(samples(bytes, frames, channels, kept), kept, rate);
     }
+  }
+
+  /**
+   * Takes the memory for samples from a budget.
+   *
+   * @throws IOException with a clause as message if a sound may not have so many
+   */
+  static void spend(long bytes, AtomicLong budget) throws IOException {
+    check(bytes);
+    if (budget.addAndGet(-bytes) < 0) {
+      throw tooMany();
+    }
+  }
+
+  /**
+   * Checks the size of a sound's samples.
+   *
+   * @throws IOException with a clause as message if a sound may not have so many
+   */
+  static void check(long bytes) throws IOException {
+    if (bytes > MAX_BYTES) {
+      throw tooMany();
+    }
+  }
+
+  private static IOException tooMany() {
+    return new IOException(
+        "has too many samples: a sound may take %s MB, and all together an eighth of the memory"
+            .formatted(MAX_BYTES >> 20));
   }
 
   /**

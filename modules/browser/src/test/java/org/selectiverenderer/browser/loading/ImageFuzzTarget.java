@@ -6,7 +6,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.selectiverenderer.x3d.url.BaseUrl;
 import org.selectiverenderer.x3d.url.UrlContent;
 
-/** Pictures: PNG, JPEG, GIF, BMP, TGA, DDS and what else a texture may be. */
+/** Pictures: PNG, JPEG, GIF, BMP, TGA, DDS, KTX2, Radiance and what else a texture may be. */
 public final class ImageFuzzTarget {
   private static final long BUDGET = 64L << 20;
 

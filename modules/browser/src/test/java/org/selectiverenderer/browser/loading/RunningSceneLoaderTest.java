@@ -2,6 +2,7 @@ package org.selectiverenderer.browser.loading;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.File;
 import java.nio.file.Files;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -176,5 +177,27 @@ class RunningSceneLoaderTest extends RunningSceneLoaderTestCase {
     watch();
     frame();
     assertThat(arrivals).isEmpty();
+  }
+
+  @Test
+  void theFirstProblemOfAnInlinedFileTellsWhichInlineNamesTheFile() throws Exception {
+    Files.writeString(folder.resolve("broken.x3d"), "no scene");
+    write("old.x3d", "<Foo/><Bar/>");
+    load(
+        """
+        <Inline url='"broken.x3d"'/>
+        <Group><Inline url='"old.x3d"'/></Group>
+        <Inline DEF='I' load='false' url='"broken.x3d"'/>
+        """);
+    String nothing =
+        "broken.x3d: this is neither XML nor VRML nor JSON: a scene begins with '<', '#X3D V',"
+            + " '#VRML V2.0' or '{'; nothing can be shown (the Inline at test.x3d:%s names this file)";
+    assertThat(problems.list())
+        .extracting(problem -> problem.toString().replace(folder + File.separator, ""))
+        .containsExactly(
+            nothing.formatted("2:1"),
+            "old.x3d:2:1: unknown element Foo (did you mean Fog?); it and its children are left"
+                + " out (the Inline at test.x3d:3:8 names this file)",
+            "old.x3d:2:7: unknown element Bar; it and its children are left out");
   }
 }

@@ -2,6 +2,7 @@ package org.selectiverenderer.render.display;
 
 import com.jogamp.opengl.GL3;
 import com.jogamp.opengl.GLException;
+import java.util.Optional;
 import org.selectiverenderer.browser.World;
 import org.selectiverenderer.browser.camera.ViewLayout;
 import org.selectiverenderer.render.FrameStatistics;
@@ -113,6 +114,22 @@ public final class OffscreenView implements AutoCloseable {
   /** Returns the picture last drawn. */
   public Screenshot screenshot() {
     return target.read(context.gl());
+  }
+
+  /**
+   * Returns the picture of the world with that many samples per pixel: the one last drawn if it has
+   * them, else one that is drawn anew.
+   */
+  public Screenshot screenshot(World world, int samples) {
+    GL3 gl = context.gl();
+    if (samples > target.samples()) {
+      Optional<Screenshot> smooth =
+          painter.picture(gl, world, target.width(), target.height(), 1, samples);
+      if (smooth.isPresent()) {
+        return smooth.get();
+      }
+    }
+    return screenshot();
   }
 
   @Override

@@ -13,10 +13,13 @@ import org.selectiverenderer.render.window.WindowOptions;
  * @param style the options for drawing the world
  * @param rightEye the right eye's own window, if there are two
  * @param operator the experimenter's window
+ * @param pictureSamples samples per pixel of the last picture, which is drawn once more if these
+ *     are more than the main window's
  */
 public record WindowSetup(
     WindowOptions main,
     ViewLayout layout,
     RenderOptions style,
     Optional<WindowOptions> rightEye,
-    Optional<WindowOptions> operator) {}
+    Optional<WindowOptions> operator,
+    int pictureSamples) {}

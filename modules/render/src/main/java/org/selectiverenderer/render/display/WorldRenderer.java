@@ -2,7 +2,9 @@ package org.selectiverenderer.render.display;
 
 import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL3;
+import com.jogamp.opengl.GLException;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Supplier;
 import org.selectiverenderer.browser.World;
 import org.selectiverenderer.browser.camera.Camera;
@@ -12,6 +14,8 @@ import org.selectiverenderer.browser.camera.ViewLayout;
 import org.selectiverenderer.render.FrameStatistics;
 import org.selectiverenderer.render.RenderOptions;
 import org.selectiverenderer.render.ViewSettings;
+import org.selectiverenderer.render.context.OffscreenFramebuffer;
+import org.selectiverenderer.render.context.Screenshot;
 import org.selectiverenderer.render.draw.SceneRenderer;
 import org.selectiverenderer.render.graphics2d.Graphics2dRenderer;
 import org.selectiverenderer.x3d.tessellate.TextMesher;
@@ -63,6 +67,34 @@ public final class WorldRenderer {
   public FrameStatistics paint(GL3 gl, World world, int width, int height, double scale) {
     world.hold(() -> drawn = paintHeld(gl, world, width, height, scale));
     return drawn;
+  }
+
+  /**
+   * Draws the world into a framebuffer of its own and returns the picture; empty where the driver
+   * cannot make that framebuffer. What was bound for drawing stays bound.
+   *
+   * @param scale pixels per pixel of the desktop
+   * @param samples samples per pixel for anti-aliasing
+   */
+  public Optional<Screenshot> picture(
+      GL3 gl, World world, int width, int height, double scale, int samples) {
+    int[] bound = new int[1];
+    gl.glGetIntegerv(GL.GL_FRAMEBUFFER_BINDING, bound, 0);
+    OffscreenFramebuffer target;
+    try {
+      target = new OffscreenFramebuffer(gl, width, height, samples);
+    } catch (GLException e) {
+      gl.glBindFramebuffer(GL.GL_FRAMEBUFFER, bound[0]);
+      return Optional.empty(); // too large for this driver
+    }
+    try {
+      target.bind(gl);
+      paint(gl, world, width, height, scale);
+      return Optional.of(target.read(gl));
+    } finally {
+      target.dispose(gl);
+      gl.glBindFramebuffer(GL.GL_FRAMEBUFFER, bound[0]);
+    }
   }
 
   private FrameStatistics paintHeld(GL3 gl, World world, int width, int height, double scale) {

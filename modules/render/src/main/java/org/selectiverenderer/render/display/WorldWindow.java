@@ -210,14 +210,31 @@ public final class WorldWindow implements WorldDisplay {
       }
     }
 
+    /** Draws a picture with more samples than the window has, if the settings ask for more. */
+    private Optional<Screenshot> smooth(GL3 gl, World shown, FrameSize frame) {
+      int samples = stage.pictureSamples();
+      int[] drawn = {stage.main().samples()};
+      if (!split) {
+        gl.glGetIntegerv(GL.GL_SAMPLES, drawn, 0); // A driver may give fewer than asked for.
+      }
+      if (samples <= drawn[0] || host.darkness() > 0) {
+        return Optional.empty();
+      }
+      int width = (split ? 2 : 1) * frame.width();
+      return painter.picture(gl, shown, width, frame.height(), frame.scale(), samples);
+    }
+
     @Override
     public void stop(GL3 gl) {
       if (world.isPresent() && size != null) {
-        paint(gl, world.get(), size);
-        if (split) {
-          eyes.read(gl);
+        last = smooth(gl, world.get(), size).orElse(null);
+        if (last == null) {
+          paint(gl, world.get(), size);
+          if (split) {
+            eyes.read(gl);
+          }
+          last = Screenshot.read(gl, (split ? 2 : 1) * size.width(), size.height());
         }
-        last = Screenshot.read(gl, (split ? 2 : 1) * size.width(), size.height());
       }
       overlay.dispose(gl);
       veil.dispose(gl);

@@ -239,8 +239,17 @@ public final class HeadsetView implements WorldDisplay {
       HeadsetDisplay.Due known = size;
       if (known != null && world.isPresent()) {
         OffscreenFramebuffer target = eyes.bind(gl, known.width(), known.height());
-        painter.paint(gl, world.get(), target.width(), target.height(), 1);
-        last = target.read(gl);
+        if (stage.pictureSamples() > target.samples()) {
+          last =
+              painter
+                  .picture(
+                      gl, world.get(), target.width(), target.height(), 1, stage.pictureSamples())
+                  .orElse(null);
+        }
+        if (last == null) {
+          painter.paint(gl, world.get(), target.width(), target.height(), 1);
+          last = target.read(gl);
+        }
       }
       gl.glBindFramebuffer(GL.GL_FRAMEBUFFER, 0);
       mirror.dispose(gl);

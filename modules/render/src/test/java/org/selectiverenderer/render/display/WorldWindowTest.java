@@ -88,7 +88,8 @@ class WorldWindowTest {
                 ViewLayout.MONO,
                 RenderOptions.of(ShadingMode.AUTO),
                 Optional.empty(),
-                Optional.empty()),
+                Optional.empty(),
+                0),
             host);
     host.window.run();
     assertThat(host.uploads).hasSizeGreaterThanOrEqualTo(FRAMES);

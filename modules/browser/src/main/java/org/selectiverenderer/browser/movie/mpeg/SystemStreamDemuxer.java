@@ -53,7 +53,7 @@ final class SystemStreamDemuxer {
   }
 
   /** Returns the position of a packet's payload, after its header (ISO/IEC 11172-1, 2.4.3.3). */
-  private static int payload(byte[] file, int from, int end) {
+  static int payload(byte[] file, int from, int end) {
     int at = from;
     if (at + 3 <= end && (file[at] & 0xc0) == 0x80) { // MPEG-2: gives its length.
       return Math.min(end, at + 3 + (file[at + 2] & 0xff));

@@ -13,14 +13,12 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
  */
 public final class AudioClipNode extends SoundSourceNode {
   private final int pitch;
-  private final int gain;
   private @Nullable AudioBuffer recording;
   private double position;
 
   public AudioClipNode(NodeType type, @Nullable String name, SourceLocation location) {
     super(type, name, location);
     pitch = type.indexOf("pitch");
-    gain = type.indexOf("gain");
   }
 
   /** Sets or removes the recording; duration_changed is sent in the next frame. */
@@ -31,14 +29,12 @@ public final class AudioClipNode extends SoundSourceNode {
     }
   }
 
-  /** Returns the recording that is audible in this frame; empty while the clip does not run. */
+  @Override
   Optional<AudioBuffer> sounding() {
     return active() && !paused() ? Optional.ofNullable(recording) : Optional.empty();
   }
 
-  /**
-   * Returns the playback position in seconds from the beginning of the recording, at normal rate.
-   */
+  @Override
   double position() {
     return position;
   }
@@ -47,10 +43,6 @@ public final class AudioClipNode extends SoundSourceNode {
   @Override
   double rate() {
     return (Float) value(pitch);
-  }
-
-  double gain() {
-    return Math.max(0, (Float) value(gain));
   }
 
   @Override

@@ -19,7 +19,7 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
 /**
  * Sound: the position and range of an audible source (X3D 4.0, 16.4.18). It updates its source in
  * every frame, visible or not, but is audible only in visible instances, of several at the one
- * where it is loudest. A MovieTexture as its source runs silently.
+ * where it is loudest.
  */
 public final class SoundNode extends Node implements SleepableNode {
   private final WakeState rest = new WakeState();
@@ -48,8 +48,9 @@ public final class SoundNode extends Node implements SleepableNode {
     if (source != null) {
       source.frame(frame, cascade);
     }
-    if (source instanceof AudioClipNode clip) {
-      voice = clip.sounding().map(recording -> heard(clip, recording, frame)).orElse(null);
+    SoundSourceNode played = source;
+    if (played != null) {
+      voice = played.sounding().map(recording -> heard(played, recording, frame)).orElse(null);
     }
     rest.unless(source != null && source.awake());
   }
@@ -66,7 +67,7 @@ public final class SoundNode extends Node implements SleepableNode {
     }
   }
 
-  private @Nullable Voice heard(AudioClipNode clip, AudioBuffer recording, FrameContext frame) {
+  private @Nullable Voice heard(SoundSourceNode clip, AudioBuffer recording, FrameContext frame) {
     double intensity = Math.max(0, Math.min(1, number("intensity"))) * clip.gain();
     if (!bool("enabled") || intensity == 0) {
       return null;

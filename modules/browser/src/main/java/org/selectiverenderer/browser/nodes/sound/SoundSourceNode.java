@@ -1,5 +1,6 @@
 package org.selectiverenderer.browser.nodes.sound;
 
+import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.browser.nodes.sensor.FrameContext;
@@ -7,6 +8,7 @@ import org.selectiverenderer.browser.nodes.sensor.SleepableNode;
 import org.selectiverenderer.browser.nodes.sensor.TimeDependentNode;
 import org.selectiverenderer.browser.nodes.sensor.WakeState;
 import org.selectiverenderer.browser.scene.EventCascade;
+import org.selectiverenderer.browser.sound.AudioBuffer;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
@@ -70,6 +72,17 @@ public abstract class SoundSourceNode extends TimeDependentNode implements Sleep
 
   /** Returns the factor of the playback rate; negative for backwards. */
   abstract double rate();
+
+  /** Returns the sound that is audible in this frame; empty while there is none. */
+  abstract Optional<AudioBuffer> sounding();
+
+  /** Returns the playback position in seconds from the beginning of the file, at normal rate. */
+  abstract double position();
+
+  /** Returns the factor of the loudness, which is not negative. */
+  final double gain() {
+    return Math.max(0, number("gain"));
+  }
 
   @Override
   protected final double interval() {
