@@ -46,7 +46,8 @@ final class RhinoEngine {
       Map.of("TRUE", true, "FALSE", false).forEach((name, value) -> hidden(name, value));
       hidden("NULL", null);
       hidden("X3DConstants", X3dConstants.of(context, shared));
-      NodeObjectMethods.define(shared, () -> world.files().catalogue());
+      NodeObjectMethods.define(
+          shared, () -> world.files().catalogue(), () -> running().nodes().complete());
       new BrowserObject(this, scripts, world).define(context, shared);
       SandboxedBuiltIns.define(shared, () -> world.cascade().time());
     } finally {
@@ -86,7 +87,7 @@ final class RhinoEngine {
     Context context = factory.enterContext();
     try {
       running = script;
-      values.accessBy(script);
+      values.accessBy(script.nodes());
       if (before == null) {
         limit.begin(starting ? limits.startSeconds() : limits.callSeconds());
       }
@@ -98,7 +99,7 @@ final class RhinoEngine {
       return result;
     } finally {
       running = before;
-      values.accessBy(before);
+      values.accessBy(before == null ? null : before.nodes());
       Context.exit();
     }
   }
