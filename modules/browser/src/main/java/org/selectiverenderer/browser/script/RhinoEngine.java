@@ -8,6 +8,7 @@ import org.mozilla.javascript.ContextFactory;
 import org.mozilla.javascript.ScriptableObject;
 import org.selectiverenderer.browser.script.value.FieldConstructors;
 import org.selectiverenderer.browser.script.value.FieldValueConverter;
+import org.selectiverenderer.scriptengine.LanguageExtensions;
 import org.selectiverenderer.scriptengine.MeteredContext;
 
 /**
@@ -41,6 +42,7 @@ final class RhinoEngine {
     Context context = factory.enterContext();
     try {
       shared = context.initSafeStandardObjects();
+      LanguageExtensions.define(shared);
       values = new FieldValueConverter(shared);
       FieldConstructors.define(shared, values);
       Map.of("TRUE", true, "FALSE", false).forEach((name, value) -> hidden(name, value));

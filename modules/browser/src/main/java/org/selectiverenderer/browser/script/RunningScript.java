@@ -10,6 +10,7 @@ import java.util.function.Function;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.mozilla.javascript.Context;
+import org.mozilla.javascript.EvaluatorException;
 import org.mozilla.javascript.RhinoException;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.browser.nodes.script.ScriptEventReceiver;
@@ -18,6 +19,7 @@ import org.selectiverenderer.browser.scene.EventCascade;
 import org.selectiverenderer.browser.scene.Scene;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.script.ScriptProgram;
+import org.selectiverenderer.x3d.script.UnsupportedSyntax;
 
 /**
  * A Script node with its running program. It starts with the first frame or the first event,
@@ -224,6 +226,10 @@ final class RunningScript implements ScriptEventReceiver {
       switchOff(program.start(), "it ran out of memory");
     } catch (StackOverflowError e) {
       switchOff(program.start(), "calls are nested too deeply");
+    } catch (EvaluatorException e) { // Of the parser.
+      String line = e.lineSource() == null ? "" : e.lineSource();
+      String what = UnsupportedSyntax.explained(e.details(), line, e.columnNumber());
+      failed(program.line(e.lineNumber()), what);
     } catch (RhinoException e) {
       failed(program.line(e.lineNumber()), e.details());
     } catch (RuntimeException e) {
