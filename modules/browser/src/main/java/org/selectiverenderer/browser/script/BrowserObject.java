@@ -122,7 +122,7 @@ final class BrowserObject {
             .text(engine.running().node(), text)
             .orElseThrow(() -> ScriptRuntime.typeError("the text holds no scene that can be read"))
             .scene();
-    made.root().nodes("children").forEach(node -> engine.running().own(node));
+    made.root().nodes("children").forEach(node -> engine.running().nodes().own(node));
     return made;
   }
 
@@ -161,6 +161,7 @@ final class BrowserObject {
   }
 
   private LoadedScene shown(Object argument) {
+    engine.running().nodes().complete();
     if (argument instanceof SceneObject scene) {
       return world.files().loaded(scene.scene());
     }

@@ -15,8 +15,12 @@ import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 final class NodeObjectMethods {
   private NodeObjectMethods() {}
 
-  /** Adds the methods to the constructor SFNode of a scope. */
-  static void define(ScriptableObject scope, Supplier<NodeCatalogue> catalogue) {
+  /**
+   * Adds the methods to the constructor SFNode of a scope.
+   *
+   * @param complete called before a node is written as text
+   */
+  static void define(ScriptableObject scope, Supplier<NodeCatalogue> catalogue, Runnable complete) {
     LambdaConstructor into = (LambdaConstructor) ScriptableObject.getProperty(scope, "SFNode");
     method(scope, into, "getNodeTypeName", node -> node.node().type().name());
     method(
@@ -28,9 +32,22 @@ final class NodeObjectMethods {
           return name == null ? "" : name;
         });
     method(scope, into, "getFieldDefinitions", node -> definitions(node, scope));
-    method(scope, into, "toXMLString", node -> NodeSerializer.xml(node.node()));
     method(
-        scope, into, "toVRMLString", node -> NodeSerializer.classic(node.node(), catalogue.get()));
+        scope,
+        into,
+        "toXMLString",
+        node -> {
+          complete.run();
+          return NodeSerializer.xml(node.node());
+        });
+    method(
+        scope,
+        into,
+        "toVRMLString",
+        node -> {
+          complete.run();
+          return NodeSerializer.classic(node.node(), catalogue.get());
+        });
   }
 
   private static void method(

@@ -8,6 +8,7 @@ import org.mozilla.javascript.ContextFactory;
 import org.mozilla.javascript.ScriptableObject;
 import org.selectiverenderer.browser.script.value.FieldConstructors;
 import org.selectiverenderer.browser.script.value.FieldValueConverter;
+import org.selectiverenderer.scriptengine.LanguageExtensions;
 import org.selectiverenderer.scriptengine.MeteredContext;
 
 /**
@@ -41,12 +42,14 @@ final class RhinoEngine {
     Context context = factory.enterContext();
     try {
       shared = context.initSafeStandardObjects();
+      LanguageExtensions.define(shared);
       values = new FieldValueConverter(shared);
       FieldConstructors.define(shared, values);
       Map.of("TRUE", true, "FALSE", false).forEach((name, value) -> hidden(name, value));
       hidden("NULL", null);
       hidden("X3DConstants", X3dConstants.of(context, shared));
-      NodeObjectMethods.define(shared, () -> world.files().catalogue());
+      NodeObjectMethods.define(
+          shared, () -> world.files().catalogue(), () -> running().nodes().complete());
       new BrowserObject(this, scripts, world).define(context, shared);
       SandboxedBuiltIns.define(shared, () -> world.cascade().time());
     } finally {
@@ -86,7 +89,7 @@ final class RhinoEngine {
     Context context = factory.enterContext();
     try {
       running = script;
-      values.accessBy(script);
+      values.accessBy(script.nodes());
       if (before == null) {
         limit.begin(starting ? limits.startSeconds() : limits.callSeconds());
       }
@@ -98,7 +101,7 @@ final class RhinoEngine {
       return result;
     } finally {
       running = before;
-      values.accessBy(before);
+      values.accessBy(before == null ? null : before.nodes());
       Context.exit();
     }
   }

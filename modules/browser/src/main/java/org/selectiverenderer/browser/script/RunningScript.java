@@ -1,35 +1,32 @@
 package org.selectiverenderer.browser.script;
 
-import java.util.Collections;
+import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.WeakHashMap;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.mozilla.javascript.Context;
+import org.mozilla.javascript.EvaluatorException;
 import org.mozilla.javascript.RhinoException;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.browser.nodes.script.ScriptEventReceiver;
 import org.selectiverenderer.browser.nodes.script.ScriptNode;
 import org.selectiverenderer.browser.scene.EventCascade;
-import org.selectiverenderer.browser.scene.Node;
-import org.selectiverenderer.browser.scene.PrototypeInstance;
 import org.selectiverenderer.browser.scene.Scene;
-import org.selectiverenderer.browser.script.value.NodeAccess;
-import org.selectiverenderer.x3d.catalogue.AccessType;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
-import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.script.ScriptProgram;
+import org.selectiverenderer.x3d.script.UnsupportedSyntax;
 
 /**
  * A Script node with its running program. It starts with the first frame or the first event,
  * whichever comes first. After it was stopped at a limit, or has failed too often, it is switched
  * off for good.
  */
-final class RunningScript implements ScriptEventReceiver, NodeAccess {
+final class RunningScript implements ScriptEventReceiver {
   /** The most characters of a printed line. */
   private static final int MAX_PRINTED = 2000;
 
@@ -50,14 +47,11 @@ final class RunningScript implements ScriptEventReceiver, NodeAccess {
   private final ScriptHost world;
   private final ScriptFieldValues own;
   private ScriptScope scope;
-  private final PendingWrites writes = new PendingWrites();
-  private final Set<Node> made = Collections.newSetFromMap(new WeakHashMap<>());
+  private final ScriptNodeAccess nodes;
   private final Set<String> told = new HashSet<>();
   private @Nullable SceneObject contextObject;
   private boolean started;
   private boolean off;
-  private boolean undirected;
-  private boolean late;
   private int failures;
   private int calls;
   private double callsAt = Double.NaN;
@@ -78,11 +72,22 @@ final class RunningScript implements ScriptEventReceiver, NodeAccess {
     this.engine = engine;
     this.world = world;
     own = new ScriptFieldValues(node, engine.values());
+    nodes =
+        new ScriptNodeAccess(
+            node,
+            own,
+            engine.values(),
+            what -> world.problems().info(node.location(), name() + " " + what));
     scope = new ScriptScope(node.type(), own, engine.shared());
   }
 
   ScriptNode node() {
     return node;
+  }
+
+  /** Returns the nodes of the scene as the script reads and writes them. */
+  ScriptNodeAccess nodes() {
+    return nodes;
   }
 
   /** Returns the scene that contains the Script. */
@@ -221,6 +226,10 @@ final class RunningScript implements ScriptEventReceiver, NodeAccess {
       switchOff(program.start(), "it ran out of memory");
     } catch (StackOverflowError e) {
       switchOff(program.start(), "calls are nested too deeply");
+    } catch (EvaluatorException e) { // Of the parser.
+      String line = e.lineSource() == null ? "" : e.lineSource();
+      String what = UnsupportedSyntax.explained(e.details(), line, e.columnNumber());
+      failed(program.line(e.lineNumber()), what);
     } catch (RhinoException e) {
       failed(program.line(e.lineNumber()), e.details());
     } catch (RuntimeException e) {
@@ -232,16 +241,27 @@ final class RunningScript implements ScriptEventReceiver, NodeAccess {
     }
   }
 
+  /**
+   * Sends what a function has assigned and changed. To take the values of large arrays is work of
+   * the script, so it is done under the limits of a call.
+   */
   private void send(EventCascade cascade) {
     Map<FieldDefinition, @Nullable Object> taken = new LinkedHashMap<>();
+    List<PendingWrites.Sent> written = new ArrayList<>();
     guarded(
         false,
         cx -> {
           taken.putAll(own.take());
           return null;
         });
+    guarded(
+        false,
+        cx -> {
+          written.addAll(nodes.take());
+          return null;
+        });
     own.send(taken, cascade);
-    writes.send(cascade);
+    ScriptNodeAccess.send(written, cascade);
     if (off) {
       release();
     }
@@ -250,7 +270,7 @@ final class RunningScript implements ScriptEventReceiver, NodeAccess {
   /** Drops what the program holds. */
   private void release() {
     own.clear();
-    writes.clear();
+    nodes.clear();
     prepareEvents = null;
     eventsProcessed = null;
     scope = new ScriptScope(node.type(), own, engine.shared());
@@ -307,95 +327,5 @@ final class RunningScript implements ScriptEventReceiver, NodeAccess {
   void print(String text) {
     String shown = text.length() <= MAX_PRINTED ? text : text.substring(0, MAX_PRINTED) + "…";
     scripts.print(node.location(), name() + " prints: " + shown);
-  }
-
-  /**
-   * Registers a node that the script has made: the script may also set its initializeOnly fields.
-   */
-  Node own(Node created) {
-    made.add(created);
-    return created;
-  }
-
-  @Override
-  public Node seen(Node other) {
-    return PrototypeInstance.seen(other, node.within());
-  }
-
-  @Override
-  public @Nullable Object read(Node of, FieldDefinition field) {
-    if (of == node && field.index() >= node.type().ownFrom()) {
-      return engine.values().toField(field.type(), own.get(field));
-    }
-    return writes.read(of, field);
-  }
-
-  @Override
-  public void write(Node to, FieldDefinition field, @Nullable Object value) {
-    if (to == node && field.access().sendsEvents() && field.index() >= node.type().ownFrom()) {
-      own.set(field, engine.values().toScript(field.type(), value, null));
-    } else if (field.access().acceptsEvents()) {
-      accept(field, value);
-      direct(to);
-      writes.add(to, field, value);
-    } else if (field.access() == AccessType.INITIALIZE_ONLY && !(to instanceof ScriptNode)) {
-      accept(field, value);
-      if (made.contains(to)) {
-        PrototypeInstance.replace(to, field.index(), value);
-      } else {
-        late(to, field);
-        writes.add(to, field, value);
-      }
-    } else {
-      throw org.mozilla.javascript.ScriptRuntime.typeError(
-          "%s of %s is %s and cannot be set"
-              .formatted(field.name(), to.type(), field.access().spelling()));
-    }
-  }
-
-  /** Throws for nodes of types that a field does not accept. */
-  private static void accept(FieldDefinition field, @Nullable Object value) {
-    if (value instanceof Node one) {
-      accept(field, one);
-    } else if (field.type() == FieldType.MFNode && value instanceof Iterable<?> nodes) {
-      nodes.forEach(one -> accept(field, (Node) one));
-    }
-  }
-
-  private static void accept(FieldDefinition field, Node value) {
-    if (!field.nodeTypes().isEmpty() && field.nodeTypes().stream().noneMatch(value.type()::is)) {
-      throw org.mozilla.javascript.ScriptRuntime.typeError(
-          "%s takes %s, not a %s"
-              .formatted(
-                  field.name(), String.join(" or ", field.nodeTypes()), value.type().name()));
-    }
-  }
-
-  /**
-   * Reports once that an initializeOnly field is written after initialisation (X3D 4.0, 4.4.2.2).
-   */
-  private void late(Node to, FieldDefinition field) {
-    if (!late) {
-      late = true;
-      world
-          .problems()
-          .info(
-              node.location(),
-              "%s writes to %s of %s, which is initializeOnly; other browsers may refuse that"
-                  .formatted(name(), field.name(), to.type().name()));
-    }
-  }
-
-  /** Reports once that a script writes to nodes without directOutput (X3D 4.0, 29.2.6). */
-  private void direct(Node to) {
-    if (!undirected && !node.bool("directOutput") && !made.contains(to)) {
-      undirected = true;
-      world
-          .problems()
-          .info(
-              node.location(),
-              name()
-                  + " writes to nodes without directOutput true; other browsers may refuse that");
-    }
   }
 }

@@ -42,13 +42,19 @@ final class SceneObject extends HostObject {
     names();
     method("addRoute", 4, this::addRoute);
     action("deleteRoute", 1, this::deleteRoute);
-    method("toXMLString", 0, args -> NodeSerializer.xml(scene));
-    method("toVRMLString", 0, args -> NodeSerializer.classic(scene, files.catalogue()));
+    method("toXMLString", 0, args -> NodeSerializer.xml(completed()));
+    method("toVRMLString", 0, args -> NodeSerializer.classic(completed(), files.catalogue()));
     method("getMetaData", 1, args -> scene.meta().get(text(args[0])));
     action("setMetaData", 2, args -> scene.meta().put(text(args[0]), text(args[1])));
   }
 
   Scene scene() {
+    return scene;
+  }
+
+  /** Returns the scene with all that the running script has written to nodes that it made. */
+  private Scene completed() {
+    engine.running().nodes().complete();
     return scene;
   }
 
@@ -75,7 +81,7 @@ final class SceneObject extends HostObject {
         files
             .make(engine.running().node(), type, SourceLocation.of("(made by a Script)"))
             .orElseThrow(() -> ScriptRuntime.typeError("there is no node type " + type));
-    return engine.values().node(engine.running().own(made));
+    return engine.values().node(engine.running().nodes().own(made));
   }
 
   private Object createProto(String prototype) {
@@ -89,7 +95,7 @@ final class SceneObject extends HostObject {
       throw ScriptRuntime.typeError("no instance of " + prototype + " can be made");
     }
     NodeValue instance = engine.values().node(nodes.get(0));
-    engine.running().own(instance.node());
+    engine.running().nodes().own(instance.node());
     return instance;
   }
 
@@ -108,26 +114,22 @@ final class SceneObject extends HostObject {
         .orElseThrow(() -> ScriptRuntime.typeError("no node is exported as " + name));
   }
 
-  private Object read() {
-    return engine.running().read(scene.root(), children);
-  }
-
   private @Nullable Object rootNodes() {
-    return engine
-        .values()
-        .held(FieldType.MFNode, read(), now -> engine.running().write(scene.root(), children, now));
+    return engine.running().nodes().read(scene.root(), children, children);
   }
 
-  private void setRootNodes(Object value) {
+  private void setRootNodes(@Nullable Object value) {
     engine
         .running()
+        .nodes()
         .write(scene.root(), children, engine.values().toField(FieldType.MFNode, value));
   }
 
   private void changeRoots(Predicate<List<Object>> change) {
-    List<Object> roots = new ArrayList<>((List<?>) read());
+    Object present = engine.values().toField(FieldType.MFNode, rootNodes());
+    List<Object> roots = new ArrayList<>((List<?>) present);
     if (change.test(roots)) {
-      engine.running().write(scene.root(), children, List.copyOf(roots));
+      engine.running().nodes().write(scene.root(), children, List.copyOf(roots));
     }
   }
 

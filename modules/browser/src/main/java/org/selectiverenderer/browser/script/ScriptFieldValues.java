@@ -9,7 +9,9 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.browser.nodes.script.ScriptNode;
 import org.selectiverenderer.browser.scene.EventCascade;
+import org.selectiverenderer.browser.script.value.FieldValue;
 import org.selectiverenderer.browser.script.value.FieldValueConverter;
+import org.selectiverenderer.browser.script.value.ValueOwner;
 import org.selectiverenderer.x3d.catalogue.AccessType;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 
@@ -36,22 +38,38 @@ final class ScriptFieldValues implements ScriptScope.Fields {
   public @Nullable Object get(FieldDefinition field) {
     int index = field.index();
     if (!known[index]) {
-      cells[index] = values.toScript(field.type(), node.value(index), () -> changed.add(field));
-      known[index] = true;
+      keep(field, values.toScript(field.type(), node.value(index), owner(field)));
     }
     return cells[index];
   }
 
   @Override
   public void set(FieldDefinition field, @Nullable Object value) {
-    int index = field.index();
-    cells[index] = values.adopt(field.type(), value, () -> changed.add(field));
-    known[index] = true;
+    Object kept = values.adopt(field.type(), value, owner(field));
+    release(field);
+    keep(field, kept);
     changed.add(field);
+  }
+
+  private ValueOwner owner(FieldDefinition field) {
+    return value -> changed.add(field);
+  }
+
+  private void keep(FieldDefinition field, @Nullable Object value) {
+    cells[field.index()] = value;
+    known[field.index()] = true;
+  }
+
+  /** Leaves an object that was the field's value to the script. */
+  private void release(FieldDefinition field) {
+    if (cells[field.index()] instanceof FieldValue before) {
+      before.belongsTo(null);
+    }
   }
 
   /** Drops the cached value, after the field got its value from elsewhere. */
   void forget(FieldDefinition field) {
+    release(field);
     known[field.index()] = false;
     cells[field.index()] = null;
     changed.remove(field);

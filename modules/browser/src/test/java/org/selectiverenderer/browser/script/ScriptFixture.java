@@ -78,6 +78,12 @@ final class ScriptFixture implements ScriptHost, AutoCloseable {
     return node.value(node.type().indexOf("out"));
   }
 
+  /** Returns the value of a field of the node of that DEF name. */
+  Object value(String name, String field) {
+    Node node = loaded.scene().find(name).orElseThrow();
+    return node.value(node.type().indexOf(field));
+  }
+
   List<String> told() {
     return problems.list().stream().map(Problem::toString).toList();
   }

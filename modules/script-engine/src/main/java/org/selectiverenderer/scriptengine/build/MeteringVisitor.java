@@ -74,7 +74,7 @@ final class MeteringVisitor extends ClassVisitor {
     // The interpreter counts the instructions of scripts itself.
     boolean counted = interpreter && (name.equals("interpretFunction") || name.equals("execute"));
     boolean entry = entries.contains(owner + "." + name + descriptor);
-    return new Metering(next, entry, !counted);
+    return new Metering(LanguageVisitor.of(owner, name, next), entry, !counted);
   }
 
   /**

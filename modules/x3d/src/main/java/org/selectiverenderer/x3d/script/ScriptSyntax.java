@@ -138,7 +138,7 @@ public record ScriptSyntax(List<Fault> faults, Set<String> names) {
     @Override
     public void error(
         String message, @Nullable String file, int line, @Nullable String text, int offset) {
-      add(line, message);
+      add(line, UnsupportedSyntax.explained(message, text == null ? "" : text, offset));
     }
 
     @Override

@@ -72,12 +72,12 @@ public final class FieldConstructors {
 
   private Scriptable array(FieldType type, Object[] args) {
     boolean list = args.length == 1 && (args[0] instanceof NativeArray || isSame(type, args[0]));
-    Object value =
-        list
-            ? values.toField(type, args[0])
-            : ArrayElements.gather(
-                type, args.length, i -> values.toField(ArrayElements.single(type), args[i]));
-    return (Scriptable) values.toScript(type, value, null);
+    if (list) {
+      return (Scriptable) values.adopt(type, args[0], null);
+    }
+    FieldType element = ElementStorage.single(type);
+    return values.array(
+        type, ElementStorage.of(type, args.length, i -> values.toField(element, args[i])));
   }
 
   private static boolean isSame(FieldType type, Object argument) {
@@ -94,13 +94,17 @@ public final class FieldConstructors {
             4,
             (cx, from, args) -> {
               if (args.length < 4) {
-                return values.image(0, 0, 0, new int[0]);
+                return values.image(new int[3]);
               }
-              return values.image(
-                  Math.max(0, ScriptRuntime.toInt32(args[0])),
-                  Math.max(0, ScriptRuntime.toInt32(args[1])),
-                  Math.max(0, Math.min(4, ScriptRuntime.toInt32(args[2]))),
-                  (int[]) values.toField(FieldType.MFInt32, args[3]));
+              ImageValue image =
+                  values.image(
+                      new int[] {
+                        Math.max(0, ScriptRuntime.toInt32(args[0])),
+                        Math.max(0, ScriptRuntime.toInt32(args[1])),
+                        Math.max(0, Math.min(4, ScriptRuntime.toInt32(args[2])))
+                      });
+              image.put("array", image, args[3]);
+              return image;
             }));
   }
 

@@ -1,9 +1,8 @@
 package org.selectiverenderer.browser.script.value;
 
-import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.Map;
-import java.util.function.Consumer;
+import java.util.function.IntFunction;
 import org.jspecify.annotations.Nullable;
 import org.mozilla.javascript.Context;
 import org.mozilla.javascript.NativeArray;
@@ -50,10 +49,10 @@ public final class FieldValueConverter {
    * Converts a field's value to a script value.
    *
    * @param value as {@link FieldType} represents it
-   * @param holder called when a script changes the object in place, or null
+   * @param owner what an object belongs to, if the value is an object; null for nothing
    */
   public @Nullable Object toScript(
-      FieldType type, @Nullable Object value, @Nullable Runnable holder) {
+      FieldType type, @Nullable Object value, @Nullable ValueOwner owner) {
     if (type == FieldType.SFNode) {
       return value == null ? null : node((Node) value);
     }
@@ -61,33 +60,19 @@ public final class FieldValueConverter {
       return Undefined.instance;
     }
     if (type.multiple()) {
-      return held(placed(type, new ArrayValue(this, type, value)), holder);
+      return owned(array(type, new ElementStorage(type, value)), owner);
     }
     if (type == FieldType.SFImage) {
-      return held(image((int[]) value), holder);
+      return owned(image((int[]) value), owner);
     }
     if (type.components() > 1) {
-      return held(tuple(type, doubles(value)), holder);
+      return owned(tuple(type, doubles(value)), owner);
     }
     return value instanceof Float number ? (Object) number.doubleValue() : value;
   }
 
-  /**
-   * Converts a field's value to a script value whose changes in place are reported.
-   *
-   * @param changed receives the new value as {@link FieldType} represents it
-   */
-  public @Nullable Object held(
-      FieldType type, @Nullable Object value, Consumer<@Nullable Object> changed) {
-    Object made = toScript(type, value, null);
-    if (made instanceof FieldValue object) {
-      object.heldBy(() -> changed.accept(object.toField()));
-    }
-    return made;
-  }
-
-  private static FieldValue held(FieldValue value, @Nullable Runnable holder) {
-    value.heldBy(holder);
+  private static FieldValue owned(FieldValue value, @Nullable ValueOwner owner) {
+    value.belongsTo(owner);
     return value;
   }
 
@@ -104,7 +89,7 @@ public final class FieldValueConverter {
   }
 
   /**
-   * Returns a new tuple without a holder.
+   * Returns a new tuple without an owner.
    *
    * @param components the components; the array is not copied
    */
@@ -112,15 +97,18 @@ public final class FieldValueConverter {
     return placed(type, new TupleValue(type, components));
   }
 
-  private ImageValue image(int[] value) {
-    int[] pixels = Arrays.copyOfRange(value, Math.min(3, value.length), value.length);
-    boolean whole = value.length >= 3;
-    return image(whole ? value[0] : 0, whole ? value[1] : 0, whole ? value[2] : 0, pixels);
+  /**
+   * Returns a new image without an owner.
+   *
+   * @param value width, height, components and pixels; the array is not copied
+   */
+  ImageValue image(int[] value) {
+    return placed(FieldType.SFImage, new ImageValue(this, value));
   }
 
-  ImageValue image(int width, int height, int comp, int[] pixels) {
-    ArrayValue array = placed(FieldType.MFInt32, new ArrayValue(this, FieldType.MFInt32, pixels));
-    return placed(FieldType.SFImage, new ImageValue(width, height, comp, array));
+  /** Returns a new array without an owner. */
+  ArrayValue array(FieldType type, ElementStorage elements) {
+    return placed(type, new ArrayValue(this, type, elements));
   }
 
   /**
@@ -143,9 +131,10 @@ public final class FieldValueConverter {
     return placed(FieldType.SFNode, new NodeValue(node, this, access()));
   }
 
-  /** Converts a script's value to a copy of that type with a holder of its own. */
-  public @Nullable Object adopt(FieldType type, @Nullable Object value, @Nullable Runnable holder) {
-    return toScript(type, toField(type, value), holder);
+  /** Converts a script's value to a copy of that type with an owner of its own. */
+  public @Nullable Object adopt(
+      FieldType type, @Nullable Object value, @Nullable ValueOwner owner) {
+    return toScript(type, toField(type, value), owner);
   }
 
   /** Converts a script's value to the representation of {@link FieldType}. */
@@ -218,25 +207,25 @@ public final class FieldValueConverter {
   }
 
   private Object list(FieldType type, @Nullable Object value) {
-    FieldType element = ArrayElements.single(type);
     if (value instanceof NativeArray array) {
-      long count = array.getLength();
-      if (count > 1 << 24) {
-        throw ScriptRuntime.rangeError(type + " cannot have " + count + " elements");
-      }
-      return ArrayElements.gather(
-          type, (int) count, i -> toField(element, ScriptableObject.getProperty(array, i)));
+      long count = Math.min(array.getLength(), 1 + ElementStorage.MAX_LENGTH); // Or it refuses.
+      return gathered(type, (int) count, i -> ScriptableObject.getProperty(array, i));
     }
     if (value instanceof ArrayValue many) {
-      return ArrayElements.gather(type, many.length(), i -> toField(element, many.get(i, many)));
+      return gathered(type, many.length(), many::peek);
     }
     if (value instanceof NodeValue && type == FieldType.MFNode) {
-      return ArrayElements.gather(type, 1, i -> toField(element, value));
+      return gathered(type, 1, i -> value);
     }
     if (value == null && type == FieldType.MFNode) {
       return type.zero();
     }
     throw wrong(type, value);
+  }
+
+  private Object gathered(FieldType type, int count, IntFunction<@Nullable Object> elements) {
+    FieldType element = ElementStorage.single(type);
+    return ElementStorage.of(type, count, i -> toField(element, elements.apply(i))).value();
   }
 
   private static double number(FieldType type, @Nullable Object value) {

@@ -1,8 +1,11 @@
 package org.selectiverenderer.browser.script.value;
 
+import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
 import org.mozilla.javascript.Context;
 import org.mozilla.javascript.ScriptRuntime;
 import org.mozilla.javascript.Scriptable;
+import org.selectiverenderer.scriptengine.ScriptMeter;
 import org.selectiverenderer.x3d.field.FieldType;
 
 /**
@@ -14,21 +17,28 @@ final class ImageValue extends FieldValue {
   /** The most pixels, far more than textures have. */
   private static final int MAX_PIXELS = 1 << 26;
 
+  private final transient FieldValueConverter values;
   private int width;
   private int height;
   private int comp;
-  private final ArrayValue pixels;
+
+  /** The value that the image was made of, until a script asks for the pixels. */
+  private final int[] given;
+
+  private @Nullable ArrayValue pixels;
 
   /**
-   * @param pixels an MFInt32 that belongs to the image
+   * @param given width, height, components and pixels; not modified
    */
-  ImageValue(int width, int height, int comp, ArrayValue pixels) {
+  ImageValue(FieldValueConverter values, int[] given) {
     super(FieldType.SFImage);
-    this.width = width;
-    this.height = height;
-    this.comp = comp;
-    this.pixels = pixels;
-    pixels.heldBy(this::changed);
+    this.values = values;
+    this.given = given;
+    if (given.length >= 3) {
+      width = given[0];
+      height = given[1];
+      comp = given[2];
+    }
   }
 
   @Override
@@ -45,24 +55,30 @@ final class ImageValue extends FieldValue {
       case "width", "x" -> width;
       case "height", "y" -> height;
       case "comp" -> comp;
-      case "array" -> pixels;
+      case "array" -> pixels();
       default -> super.get(name, start);
     };
+  }
+
+  private ArrayValue pixels() {
+    if (pixels == null) {
+      ScriptMeter.allocate(given.length, 4);
+      int[] numbers = Arrays.copyOfRange(given, Math.min(3, given.length), given.length);
+      pixels = values.array(FieldType.MFInt32, new ElementStorage(FieldType.MFInt32, numbers));
+      pixels.belongsTo(new Pixels());
+    }
+    return pixels;
   }
 
   @Override
   public void put(String name, Scriptable start, Object value) {
     switch (name) {
-      case "width", "x" -> width = size(value);
-      case "height", "y" -> height = size(value);
-      case "comp" -> comp = Math.min(4, size(value));
-      case "array" -> pixels.assign(value);
-      default -> {
-        super.put(name, start, value);
-        return;
-      }
+      case "width", "x" -> resize(size(value), height, comp);
+      case "height", "y" -> resize(width, size(value), comp);
+      case "comp" -> resize(width, height, Math.min(4, size(value)));
+      case "array" -> pixels().assign(value);
+      default -> super.put(name, start, value);
     }
-    changed();
   }
 
   private static int size(Object value) {
@@ -73,23 +89,53 @@ final class ImageValue extends FieldValue {
     return size;
   }
 
-  @Override
-  public Object toField() {
-    long count = comp == 0 ? 0 : (long) width * height;
+  private void resize(int newWidth, int newHeight, int newComp) {
+    beforeChange();
+    count(newWidth, newHeight, newComp);
+    width = newWidth;
+    height = newHeight;
+    comp = newComp;
+    changed();
+  }
+
+  /** Returns the number of pixels. */
+  private static int count(int width, int height, int comp) {
+    long count = comp == 0 ? 0 : Math.max(0, (long) width * height);
     if (count > MAX_PIXELS) {
       throw ScriptRuntime.rangeError("an image of %s x %s is too large".formatted(width, height));
     }
-    int[] given = (int[]) pixels.toField();
-    int[] value = new int[3 + (int) count];
+    return (int) count;
+  }
+
+  @Override
+  public Object toField() {
+    int count = count(width, height, comp);
+    ScriptMeter.allocate(3 + count, 4);
+    int[] value = new int[3 + count];
     value[0] = width;
     value[1] = height;
     value[2] = comp;
-    System.arraycopy(given, 0, value, 3, Math.min(given.length, (int) count));
+    int[] from = pixels == null ? given : (int[]) pixels.toField();
+    int at = pixels == null ? 3 : 0;
+    System.arraycopy(from, at, value, 3, Math.max(0, Math.min(from.length - at, count)));
     return value;
   }
 
   @Override
   String text() {
-    return width + " " + height + " " + comp + " " + pixels.text();
+    return width + " " + height + " " + comp + " " + pixels().text();
+  }
+
+  /** The place of the pixels in the image. */
+  private final class Pixels implements ValueOwner {
+    @Override
+    public void beforeChange() {
+      ImageValue.this.beforeChange();
+    }
+
+    @Override
+    public void changed(FieldValue value) {
+      ImageValue.this.changed();
+    }
   }
 }

@@ -82,8 +82,16 @@ public final class NodeValue extends ScriptableObject implements Wrapper {
   }
 
   private @Nullable Object value(FieldDefinition field) {
-    return values.held(
-        field.type(), access.read(node, field), now -> access.write(node, field, now));
+    return access.read(node, field, input(field));
+  }
+
+  /**
+   * Returns the field that is written in place of one: an event replaces what is initializeOnly.
+   */
+  private FieldDefinition input(FieldDefinition field) {
+    return field.access() == AccessType.INITIALIZE_ONLY
+        ? node.type().field(SET + field.name()).orElse(field)
+        : field;
   }
 
   @Override
@@ -99,9 +107,7 @@ public final class NodeValue extends ScriptableObject implements Wrapper {
                   .map(n -> " (did you mean " + n + "?)")
                   .orElse(""));
     }
-    FieldDefinition set = node.type().field(SET + name).orElse(null);
-    boolean fixed = field.access() == AccessType.INITIALIZE_ONLY && set != null;
-    access.write(node, fixed ? set : field, values.toField(field.type(), value));
+    access.write(node, input(field), values.toField(field.type(), value));
   }
 
   @Override

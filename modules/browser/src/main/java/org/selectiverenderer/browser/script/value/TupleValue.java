@@ -33,6 +33,7 @@ final class TupleValue extends FieldValue {
 
   /** Replaces the components. */
   void set(double... values) {
+    beforeChange();
     System.arraycopy(values, 0, components, 0, components.length);
     changed();
   }
@@ -93,7 +94,9 @@ final class TupleValue extends FieldValue {
           "%s has %s components; index %s is out of range"
               .formatted(type(), components.length, index));
     }
-    components[index] = ScriptRuntime.toNumber(value);
+    double number = ScriptRuntime.toNumber(value);
+    beforeChange();
+    components[index] = number;
     changed();
   }
 
