@@ -12,6 +12,7 @@ import java.nio.ByteOrder;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
+import org.selectiverenderer.models.scene.NodeTransform;
 import org.selectiverenderer.models.structure.ModelStructureCheck;
 import org.selectiverenderer.models.structure.ModelStructureException;
 import org.selectiverenderer.x3d.model.ModelFile;
@@ -158,6 +159,19 @@ final class GltfFile {
       }
     }
     return numbers;
+  }
+
+  /** Returns the place of a node in its parent. */
+  static NodeTransform transform(JsonNode node) {
+    if (node.path("matrix").size() == 16) {
+      double[] identity = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+      return NodeTransform.of(numbers(node, "matrix", identity));
+    }
+    return new NodeTransform(
+        numbers(node, "translation", 0, 0, 0),
+        NodeTransform.unit(numbers(node, "rotation", 0, 0, 0, 1)),
+        numbers(node, "scale", 1, 1, 1),
+        false);
   }
 
   /** Returns the bytes of a bufferView. */

@@ -5,6 +5,8 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import org.selectiverenderer.models.scene.DefNames;
+import org.selectiverenderer.models.scene.Numbers;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
 /**
@@ -40,6 +42,16 @@ final class GltfMaterials {
   /** Returns the material of a primitive; missing for the default. */
   JsonNode material(int index) {
     return file.part("materials", index);
+  }
+
+  /** Returns whether no light falls on a material. */
+  boolean isUnlit(int index) {
+    return unlit(material(index));
+  }
+
+  /** Returns whether normals of a texture are added to those of a surface. */
+  boolean hasNormalTexture(int index) {
+    return !isUnlit(index) && material(index).has("normalTexture");
   }
 
   /** Returns red, green, blue and opacity, by which vertex colours are multiplied. */

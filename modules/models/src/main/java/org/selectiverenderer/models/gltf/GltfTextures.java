@@ -6,6 +6,7 @@ import java.nio.ByteBuffer;
 import java.util.Base64;
 import java.util.HashMap;
 import java.util.Map;
+import org.selectiverenderer.models.scene.DefNames;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
 /** Writes glTF's textures as ImageTextures: pictures inside of the file as data urls. */
