@@ -32,18 +32,22 @@ public final class ModelToX3d implements ModelTranslator {
     ImportLimits limits = ImportLimits.standard();
     Path folder = file.base() instanceof BaseUrl.Folder base ? base.path() : Path.of("");
     ProblemCollector told = new ProblemCollector();
-    Optional<Model> model;
+    Optional<String> scene;
     try (ModelImportProcess process = new ModelImportProcess(limits)) {
-      model =
+      scene =
           new ForeignModelReader(
                   NodeCatalogue.load(),
                   file.files().orElseGet(() -> new UrlResolver(folder)),
                   process,
                   new ModelStructureCheck(limits.maxModelBytes()),
                   told)
-              .read(ModelSource.of(file));
+              .scene(
+                  ModelSource.of(file),
+                  file.limits().maxDepth(),
+                  "Model in " + file.format().title(),
+                  "translated when it was read");
     }
-    if (model.isEmpty()) {
+    if (scene.isEmpty()) {
       throw new IOException(
           told.list().stream()
               .map(Problem::message)
@@ -51,7 +55,6 @@ public final class ModelToX3d implements ModelTranslator {
               .orElse("the model cannot be read"));
     }
     told.list().forEach(problems::add);
-    String title = "Model in " + file.format().title();
-    return new ModelWriter().text(model.get(), folder, title, "translated when it was read");
+    return scene.get();
   }
 }

@@ -13,6 +13,7 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
 import org.selectiverenderer.models.scene.NodeTransform;
+import org.selectiverenderer.models.scene.XmlText;
 import org.selectiverenderer.models.structure.ModelStructureCheck;
 import org.selectiverenderer.models.structure.ModelStructureException;
 import org.selectiverenderer.x3d.model.ModelFile;
@@ -121,22 +122,7 @@ final class GltfFile {
 
   /** Returns the text of a member, without characters that XML forbids (1.0, 2.2). */
   static String text(JsonNode from, String member) {
-    StringBuilder text = new StringBuilder();
-    from.path(member)
-        .asText("")
-        .codePoints()
-        .map(c -> isXml(c) ? c : 0xfffd)
-        .forEach(text::appendCodePoint);
-    return text.toString();
-  }
-
-  private static boolean isXml(int c) {
-    return c >= 0x20 && c < 0xd800
-        || c > 0xdfff && c < 0xfffe
-        || c > 0xffff
-        || c == '\t'
-        || c == '\n'
-        || c == '\r';
+    return XmlText.of(from.path(member).asText(""));
   }
 
   /** Returns a number that a member has, if it is finite. */

@@ -83,9 +83,6 @@ final class GltfSkins {
       if (joints[i] < 0 || joints[i] >= nodes.size()) {
         throw new IOException("a joint is none of the nodes");
       }
-      if (depth(joints[i]) > maxDepth) {
-        throw new IOException("its joints are nested too deep");
-      }
     }
     int inverse = GltfFile.index(skin, "inverseBindMatrices");
     float[] matrices = inverse < 0 ? new float[0] : accessors.floats(inverse);
@@ -101,6 +98,9 @@ final class GltfSkins {
       inverses.add(matrix);
     }
     Skin read = new Skin(nodes, joints, inverses);
+    if (read.depth() > maxDepth) {
+      throw new IOException("its joints are nested too deep");
+    }
     if (!read.isExact()) {
       problems.tell(
           "skins[%d]".formatted(index),
@@ -130,14 +130,6 @@ final class GltfSkins {
       NodeTransform place = GltfFile.transform(node);
       nodes.add(new ModelNode(parents[i], GltfFile.text(node, "name"), place));
     }
-  }
-
-  private int depth(int node) {
-    int depth = 0;
-    for (int above = node; above >= 0; above = nodes.get(above).parent()) {
-      depth++;
-    }
-    return depth;
   }
 
   /**

@@ -35,7 +35,7 @@ public final class AnimationWriter {
     duration = seconds;
     out.open("TimeSensor", "DEF", clock, "cycleInterval", Numbers.of(seconds), "loop", "true");
     if (!name.isBlank()) {
-      out.attribute("description", name);
+      out.attribute("description", XmlText.of(name));
     }
     if (!first) {
       out.attribute("enabled", "false");

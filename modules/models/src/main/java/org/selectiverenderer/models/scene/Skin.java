@@ -99,6 +99,19 @@ public final class Skin {
     return joints.length;
   }
 
+  /** Returns how deep the joints are nested in the tree of nodes. */
+  public int depth() {
+    int deepest = 0;
+    for (int joint : joints) {
+      int depth = 0;
+      for (int node = joint; node >= 0; node = nodes.get(node).parent()) {
+        depth++;
+      }
+      deepest = Math.max(deepest, depth);
+    }
+    return deepest;
+  }
+
   /** Returns the index of the node of a joint. */
   int node(int joint) {
     return joints[joint];
