@@ -6,6 +6,7 @@ import java.util.Optional;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.models.gltf.GltfTranslator;
+import org.selectiverenderer.models.gltf.OldGltfException;
 import org.selectiverenderer.models.importer.ImportLimits;
 import org.selectiverenderer.models.importer.ModelImportProcess;
 import org.selectiverenderer.models.structure.ModelStructureCheck;
@@ -16,16 +17,24 @@ import org.selectiverenderer.x3d.url.BaseUrl;
 import org.selectiverenderer.x3d.url.UrlResolver;
 
 /**
- * Translates the models that this module reads: glTF in this process, other formats by Assimp in a
- * child process. Found by {@link java.util.ServiceLoader}.
+ * Translates the models that this module reads: glTF 2.0 in this process, other formats and glTF
+ * 1.0 by Assimp in a child process. Found by {@link java.util.ServiceLoader}.
  */
 public final class ModelToX3d implements ModelTranslator {
   @Override
   public String x3d(ModelFile model, ProblemCollector problems) throws IOException {
     return switch (model.format()) {
-      case GLTF, GLB -> GltfTranslator.x3d(model, problems);
+      case GLTF, GLB -> gltf(model, problems);
       case OBJ, STL, PLY, DAE, FBX -> imported(model, problems);
     };
+  }
+
+  private static String gltf(ModelFile model, ProblemCollector problems) throws IOException {
+    try {
+      return GltfTranslator.x3d(model, problems);
+    } catch (OldGltfException e) {
+      return imported(model, problems); // Assimp reads glTF 1.0, too
+    }
   }
 
   private static String imported(ModelFile file, ProblemCollector problems) throws IOException {

@@ -44,7 +44,8 @@ final class GltfFile {
   /**
    * Reads a file.
    *
-   * @throws IOException if it is damaged, not glTF 2.0 or beyond a limit
+   * @throws OldGltfException if it is glTF 1.0
+   * @throws IOException if it is damaged or beyond a limit
    */
   static GltfFile of(ModelFile model) throws IOException {
     try {
@@ -61,7 +62,7 @@ final class GltfFile {
       ByteBuffer all = ByteBuffer.wrap(model.bytes(), 0, model.length());
       all.order(ByteOrder.LITTLE_ENDIAN);
       if (all.getInt(4) != 2) {
-        throw old();
+        throw new OldGltfException();
       }
       start = HEADER + CHUNK_HEADER;
       end = start + all.getInt(HEADER); // the structure check has compared it with the length
@@ -74,7 +75,7 @@ final class GltfFile {
     }
     JsonNode root = mapper().readTree(model.bytes(), start, end - start);
     if (!root.path("asset").path("version").asText("").startsWith("2.")) {
-      throw old();
+      throw new OldGltfException();
     }
     return new GltfFile(model, root, binary.order(ByteOrder.LITTLE_ENDIAN));
   }
@@ -86,12 +87,6 @@ final class GltfFile {
             .maxStringLength(Integer.MAX_VALUE) // data urls hold whole buffers
             .build();
     return new ObjectMapper(JsonFactory.builder().streamReadConstraints(constraints).build());
-  }
-
-  private static IOException old() {
-    return new IOException(
-        "this is a model in glTF 1.0, and only 2.0 is read as a scene; convert it, for example "
-            + "with gltf-pipeline");
   }
 
   /** Returns the JSON of the file. */

@@ -71,6 +71,7 @@ public final class GltfTranslator {
   /**
    * Returns the X3D text of a model.
    *
+   * @throws OldGltfException if it is glTF 1.0
    * @throws IOException if nothing of it can be read, with one sentence
    */
   public static String x3d(ModelFile model, ProblemCollector problems) throws IOException {

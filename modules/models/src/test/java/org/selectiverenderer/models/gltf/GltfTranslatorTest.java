@@ -150,9 +150,28 @@ class GltfTranslatorTest extends GltfSceneTest {
   }
 
   @Test
-  void aModelOfGltf1IsRefused() throws IOException {
-    read("{\"asset\":{\"version\":\"1.0\"},\"nodes\":{}}");
+  void aModelOfGltf1IsReadByAssimp() throws IOException {
+    X3dFile file =
+        read(
+            """
+            {"asset":{"version":"1.0"},"scene":"s","scenes":{"s":{"nodes":["n"]}},
+             "nodes":{"n":{"meshes":["m"],"name":"leaf"}},
+             "meshes":{"m":{"primitives":[{"attributes":{"POSITION":"a"},"mode":4}]}},
+             "accessors":{"a":{"bufferView":"v","byteOffset":0,"byteStride":12,
+               "componentType":5126,"count":3,"type":"VEC3"}},
+             "bufferViews":{"v":{"buffer":"b","byteOffset":0,"byteLength":36}},
+             "buffers":{"b":{"byteLength":36,"type":"arraybuffer",
+               "uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}}}
+            """);
 
-    assertThat(messages()).singleElement().asString().contains("glTF 1.0");
+    assertThat(messages()).isEmpty();
+    assertThat(all(file, "Coordinate")).hasSize(1);
+  }
+
+  @Test
+  void aDamagedModelOfGltf1IsTold() throws IOException {
+    read("{\"asset\":{\"version\":\"1.0\"},\"nodes\":{},\"scene\":7}");
+
+    assertThat(messages()).hasSizeLessThanOrEqualTo(1);
   }
 }
