@@ -18,17 +18,17 @@ import org.selectiverenderer.x3d.url.UrlResolver;
 /** Reads OBJ, PLY, STL, COLLADA and FBX files in a child process. */
 final class ForeignModelReader {
   private final NodeCatalogue catalogue;
-  private final UrlResolver root;
+  private final Optional<UrlResolver> root;
   private final ModelImportProcess process;
   private final ModelStructureCheck structure;
   private final ProblemCollector problems;
 
   /**
-   * @param root decides which files the model may refer to
+   * @param root decides which files the model may refer to; empty if none
    */
   ForeignModelReader(
       NodeCatalogue catalogue,
-      UrlResolver root,
+      Optional<UrlResolver> root,
       ModelImportProcess process,
       ModelStructureCheck structure,
       ProblemCollector problems) {

@@ -1,7 +1,6 @@
 package org.selectiverenderer.models;
 
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.Optional;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
@@ -13,8 +12,6 @@ import org.selectiverenderer.models.structure.ModelStructureCheck;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.model.ModelFile;
 import org.selectiverenderer.x3d.model.ModelTranslator;
-import org.selectiverenderer.x3d.url.BaseUrl;
-import org.selectiverenderer.x3d.url.UrlResolver;
 
 /**
  * Translates the models that this module reads: glTF 2.0 in this process, other formats and glTF
@@ -39,14 +36,13 @@ public final class ModelToX3d implements ModelTranslator {
 
   private static String imported(ModelFile file, ProblemCollector problems) throws IOException {
     ImportLimits limits = ImportLimits.standard();
-    Path folder = file.base() instanceof BaseUrl.Folder base ? base.path() : Path.of("");
     ProblemCollector told = new ProblemCollector();
     Optional<String> scene;
     try (ModelImportProcess process = new ModelImportProcess(limits)) {
       scene =
           new ForeignModelReader(
                   NodeCatalogue.load(),
-                  file.files().orElseGet(() -> new UrlResolver(folder)),
+                  file.files(),
                   process,
                   new ModelStructureCheck(limits.maxModelBytes()),
                   told)

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
@@ -225,5 +226,22 @@ class ImportedSceneTest {
       bytes.putFloat(value);
     }
     return Base64.getEncoder().encodeToString(bytes.array());
+  }
+
+  @Test
+  void aModelThatIsReadWithoutItsFolderReadsNoFileOfTheWorkingDirectory() throws IOException {
+    String obj = "mtllib pom.xml\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n";
+    Path file = Files.writeString(folder.resolve("chair.obj"), obj);
+
+    X3dFile scene;
+    try (InputStream in = Files.newInputStream(file)) {
+      scene = new X3dReader(CATALOGUE).read("chair.obj", in, Files.size(file), problems);
+    }
+
+    assertThat(all(scene, "Shape")).hasSize(1);
+    assertThat(messages())
+        .containsExactly(
+            "url 'pom.xml' is another file, and the model is read without its folder; what it"
+                + " defines is left out");
   }
 }

@@ -132,7 +132,7 @@ final class GltfMeshes {
         continue;
       }
       try {
-        GltfPrimitive read = GltfPrimitive.of(file, accessors, primitive, path);
+        GltfPrimitive read = GltfPrimitive.of(file, accessors, primitive, path, problems);
         if (read.vertices() > 0) {
           user.use(read);
         }

@@ -3,7 +3,9 @@ package org.selectiverenderer.models.gltf;
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.OptionalInt;
 
 /**
  * The arrays of a primitive, the part of a glTF mesh that is drawn at once.
@@ -27,7 +29,8 @@ record GltfPrimitive(
    *
    * @throws IOException if they are damaged or missing, with one sentence
    */
-  static GltfPrimitive of(GltfFile file, GltfAccessors accessors, JsonNode json, String path)
+  static GltfPrimitive of(
+      GltfFile file, GltfAccessors accessors, JsonNode json, String path, GltfProblems problems)
       throws IOException {
     int mode = json.path("mode").asInt(PrimitiveIndices.TRIANGLES);
     if (mode < PrimitiveIndices.POINTS || mode > PrimitiveIndices.TRIANGLE_FAN) {
@@ -41,14 +44,33 @@ record GltfPrimitive(
     int vertices = points.length / 3;
     int index = GltfFile.index(json, "indices");
     int[] indices = index < 0 ? PrimitiveIndices.sequence(vertices) : accessors.ints(index);
-    for (int i : indices) {
-      if (i < 0 || i >= vertices) {
-        throw new IOException(
-            "its indices name vertex %d, but it has %d; the file is damaged"
-                .formatted(i, vertices));
+    OptionalInt outside = Arrays.stream(indices).filter(i -> i < 0 || i >= vertices).findFirst();
+    if (outside.isPresent()) {
+      String damage =
+          "its indices name vertex %d, but it has %d; the file is damaged"
+              .formatted(outside.getAsInt(), vertices);
+      indices = inside(PrimitiveIndices.triangles(mode, indices), vertices);
+      if (mode < PrimitiveIndices.TRIANGLES || indices.length == 0) {
+        throw new IOException(damage);
       }
+      problems.tell(path, damage + ", and the triangles there are left out");
+      mode = PrimitiveIndices.TRIANGLES;
     }
     return new GltfPrimitive(file, accessors, json, path, mode, points, indices);
+  }
+
+  /** Returns the triangles of three vertices that exist. */
+  private static int[] inside(int[] triangles, int vertices) {
+    int[] kept = new int[triangles.length];
+    int count = 0;
+    for (int i = 0; i < triangles.length; i += 3) {
+      boolean exist = Arrays.stream(triangles, i, i + 3).allMatch(v -> v >= 0 && v < vertices);
+      if (exist && Arrays.stream(triangles, i, i + 3).distinct().count() == 3) {
+        System.arraycopy(triangles, i, kept, count, 3);
+        count += 3;
+      }
+    }
+    return Arrays.copyOf(kept, count);
   }
 
   int vertices() {

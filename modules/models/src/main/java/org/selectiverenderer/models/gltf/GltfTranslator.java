@@ -33,6 +33,7 @@ public final class GltfTranslator {
   private static final Set<String> KNOWN_EXTENSIONS =
       Set.of(
           "KHR_materials_unlit",
+          "KHR_materials_pbrSpecularGlossiness",
           "KHR_materials_emissive_strength",
           "KHR_texture_transform",
           "KHR_lights_punctual",

@@ -49,11 +49,11 @@ class GltfMaterialTest extends GltfSceneTest {
     mesh(
         new GltfBuilder().triangle(),
         "{\"attributes\":{\"POSITION\":0},\"material\":0}",
-        ",\"materials\":[{\"extensions\":{\"KHR_materials_pbrSpecularGlossiness\":{}}}]");
+        ",\"materials\":[{\"extensions\":{\"KHR_materials_sheen\":{}}}]");
 
     assertThat(messages())
         .containsExactly(
-            "materials[0]: X3D has nothing like the extension KHR_materials_pbrSpecularGlossiness,"
+            "materials[0]: X3D has nothing like the extension KHR_materials_sheen,"
                 + " which is left out");
   }
 
@@ -103,5 +103,22 @@ class GltfMaterialTest extends GltfSceneTest {
     // (u, v) = (0, 0) is shown at (0.5, 0) in glTF: (s, t) = (0, 1) at (0.5, 1) in X3D
     assertThat(transform.floats("translation")).containsExactly(1, 1);
     assertThat(first(file, "ImageTexture").strings("url")).containsExactly("wood.png");
+  }
+
+  @Test
+  void aMaterialOfDiffuseColourAndGlossinessIsOfNoMetal() throws IOException {
+    X3dFile file =
+        mesh(
+            new GltfBuilder().triangle(),
+            "{\"attributes\":{\"POSITION\":0},\"material\":0}",
+            """
+            ,"materials":[{"extensions":{"KHR_materials_pbrSpecularGlossiness":
+              {"diffuseFactor":[0.25,0.5,0.75,1],"glossinessFactor":0.75}}}]""");
+
+    ParsedNode material = first(file, "PhysicalMaterial");
+    assertThat(material.floats("baseColor")).containsExactly(0.25f, 0.5f, 0.75f);
+    assertThat(material.number("metallic")).isZero();
+    assertThat(material.number("roughness")).isEqualTo(0.25f);
+    assertThat(messages()).singleElement().asString().contains("no equal in X3D");
   }
 }

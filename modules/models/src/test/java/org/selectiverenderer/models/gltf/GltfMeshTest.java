@@ -176,6 +176,18 @@ class GltfMeshTest extends GltfSceneTest {
   }
 
   @Test
+  void trianglesOutsideOfTheVerticesAreLeftOutAlone() throws IOException {
+    X3dFile file =
+        mesh(
+            new GltfBuilder().triangle().shorts("SCALAR", 6, "", 0, 1, 9, 2, 1, 0),
+            "{\"attributes\":{\"POSITION\":0},\"indices\":1}",
+            "");
+
+    assertThat(first(file, "IndexedTriangleSet").ints("index")).containsExactly(2, 1, 0);
+    assertThat(messages()).singleElement().asString().endsWith("the triangles there are left out");
+  }
+
+  @Test
   void aDamagedArrayLeavesOutItsShapeOnly() throws IOException {
     X3dFile file =
         read(
