@@ -5,7 +5,6 @@ import java.util.Optional;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.models.gltf.GltfTranslator;
-import org.selectiverenderer.models.gltf.OldGltfException;
 import org.selectiverenderer.models.importer.ImportLimits;
 import org.selectiverenderer.models.importer.ModelImportProcess;
 import org.selectiverenderer.models.structure.ModelStructureCheck;
@@ -27,11 +26,9 @@ public final class ModelToX3d implements ModelTranslator {
   }
 
   private static String gltf(ModelFile model, ProblemCollector problems) throws IOException {
-    try {
-      return GltfTranslator.x3d(model, problems);
-    } catch (OldGltfException e) {
-      return imported(model, problems); // Assimp reads glTF 1.0, too
-    }
+    Optional<String> scene = GltfTranslator.x3d(model, problems);
+    // Assimp reads glTF 1.0, too
+    return scene.isPresent() ? scene.get() : imported(model, problems);
   }
 
   private static String imported(ModelFile file, ProblemCollector problems) throws IOException {

@@ -7,6 +7,7 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.ProblemCollector;
@@ -72,11 +73,18 @@ public final class GltfTranslator {
   /**
    * Returns the X3D text of a model.
    *
-   * @throws OldGltfException if it is glTF 1.0
+   * @return empty for glTF 1.0, which has other members than 2.0
    * @throws IOException if nothing of it can be read, with one sentence
    */
-  public static String x3d(ModelFile model, ProblemCollector problems) throws IOException {
-    return new GltfTranslator(GltfFile.of(model), model, problems).translate();
+  public static Optional<String> x3d(ModelFile model, ProblemCollector problems)
+      throws IOException {
+    GltfFile file;
+    try {
+      file = GltfFile.of(model);
+    } catch (OldGltfException e) {
+      return Optional.empty();
+    }
+    return Optional.of(new GltfTranslator(file, model, problems).translate());
   }
 
   private String translate() throws IOException {

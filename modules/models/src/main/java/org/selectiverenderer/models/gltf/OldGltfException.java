@@ -3,7 +3,7 @@ package org.selectiverenderer.models.gltf;
 import java.io.IOException;
 
 /** Tells that a model is glTF 1.0, which has other members than 2.0. */
-public final class OldGltfException extends IOException {
+final class OldGltfException extends IOException {
   private static final long serialVersionUID = 1;
 
   OldGltfException() {
