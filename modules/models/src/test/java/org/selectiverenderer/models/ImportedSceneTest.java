@@ -244,4 +244,15 @@ class ImportedSceneTest {
             "url 'pom.xml' is another file, and the model is read without its folder; what it"
                 + " defines is left out");
   }
+
+  @Test
+  void nodesWithoutMeshesGetNoFigureOfBones() throws IOException {
+    String without = COLLADA.replace("<instance_geometry url=\"#g\"/>", "");
+
+    X3dFile file = read("door.dae", without.getBytes(StandardCharsets.UTF_8));
+
+    assertThat(all(file, "Shape")).isEmpty();
+    assertThat(all(file, "Viewpoint")).hasSize(1);
+    assertThat(messages()).isEmpty();
+  }
 }

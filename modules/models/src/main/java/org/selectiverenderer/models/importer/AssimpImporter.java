@@ -1,6 +1,7 @@
 package org.selectiverenderer.models.importer;
 
 import static org.lwjgl.assimp.Assimp.AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS;
+import static org.lwjgl.assimp.Assimp.AI_CONFIG_IMPORT_NO_SKELETON_MESHES;
 import static org.lwjgl.assimp.Assimp.AI_MATKEY_COLOR_DIFFUSE;
 import static org.lwjgl.assimp.Assimp.AI_MATKEY_COLOR_EMISSIVE;
 import static org.lwjgl.assimp.Assimp.AI_MATKEY_COLOR_SPECULAR;
@@ -92,6 +93,8 @@ final class AssimpImporter {
       int steps = whole ? STEPS : STEPS | aiProcess_PreTransformVertices;
       // The nodes of FBX become one each, not one for each of the parts of their matrices.
       aiSetImportPropertyInteger(properties, AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, 0);
+      // A scene of nodes without meshes gets no figure of bones.
+      aiSetImportPropertyInteger(properties, AI_CONFIG_IMPORT_NO_SKELETON_MESHES, whole ? 1 : 0);
       scene = aiImportFileExWithProperties(name, steps, files.io(), properties);
       files.check();
     } finally {
