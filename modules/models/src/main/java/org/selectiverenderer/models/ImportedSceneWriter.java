@@ -62,7 +62,7 @@ final class ImportedSceneWriter {
     maxDepth = Math.max(1, depth - OTHER_DEPTH);
     meshes = new ImportedModelConverter(file, catalogue, problems);
     materials = new ImportedMaterials(model, file, catalogue, out, names, problems);
-    views = new ImportedViewWriter(model, out, names, file.name(), problems);
+    views = new ImportedViewWriter(model, out, names, file, problems);
     figures = new HumanoidWriter(out, names, animated);
     for (ImportedNode node : model.nodes()) {
       double[] matrix = new double[16];

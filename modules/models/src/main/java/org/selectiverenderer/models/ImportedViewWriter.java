@@ -23,15 +23,21 @@ final class ImportedViewWriter {
   private final X3dWriter out;
   private final DefNames names;
   private final String file;
+  private final boolean halved;
   private final ProblemCollector problems;
   private boolean told;
 
   ImportedViewWriter(
-      ImportedModel model, X3dWriter out, DefNames names, String file, ProblemCollector problems) {
+      ImportedModel model,
+      X3dWriter out,
+      DefNames names,
+      ModelSource file,
+      ProblemCollector problems) {
     this.model = model;
     this.out = out;
     this.names = names;
-    this.file = file;
+    this.file = file.name();
+    halved = file.ending().equals("fbx");
     this.problems = problems;
   }
 
@@ -62,7 +68,8 @@ final class ImportedViewWriter {
       double y = x / aspect;
       out.attribute("fieldOfView", Numbers.of(-x, -y, x, y));
     } else {
-      double angle = camera.fieldOfView();
+      // Assimp tells half of the angle of FBX, and the whole one of other formats
+      double angle = camera.fieldOfView() * (halved ? 2 : 1);
       if (angle > 0 && angle < Math.PI) {
         // X3D's angle is that of the smaller side of the picture (X3D 4.0, 23.4.6)
         double small = 2 * Math.atan(Math.tan(angle / 2) / Math.max(1, aspect));
