@@ -28,7 +28,7 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "simplify",
     description = {
-      "Makes one reduced version of a model: X3D, OBJ, PLY, STL or glTF to X3D.",
+      "Makes one reduced version of a model: X3D, glTF, OBJ, PLY, STL, COLLADA or FBX to X3D.",
       "Without --output the model goes to standard output, and the figures to standard error; with"
           + " --format json and no --output only the figures are printed.",
       "Processes several models in parallel, one on each processor."
@@ -47,7 +47,9 @@ public final class SimplifyCommand extends CliCommand {
   }
 
   private static final FileFinder MODELS =
-      new FileFinder("model", List.of(".x3d", ".x3dz", ".obj", ".ply", ".stl", ".gltf", ".glb"));
+      new FileFinder(
+          "model",
+          List.of(".x3d", ".x3dz", ".obj", ".ply", ".stl", ".gltf", ".glb", ".dae", ".fbx"));
 
   /** The exclusive options for the goal of the reduction. */
   static final class GoalOptions {
@@ -89,7 +91,8 @@ public final class SimplifyCommand extends CliCommand {
       paramLabel = "MODEL",
       arity = "1..*",
       description =
-          "models (.x3d, .x3dz, .obj, .ply, .stl, .gltf, .glb), folders of models, patterns")
+          "models (.x3d, .x3dz, .gltf, .glb, .obj, .ply, .stl, .dae, .fbx), folders of models,"
+              + " patterns")
   private List<String> names = List.of();
 
   @Mixin private AccessOptions access = new AccessOptions();

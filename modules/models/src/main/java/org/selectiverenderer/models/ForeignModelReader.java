@@ -18,17 +18,17 @@ import org.selectiverenderer.x3d.url.UrlResolver;
 /** Reads OBJ, PLY, STL, COLLADA and FBX files in a child process. */
 final class ForeignModelReader {
   private final NodeCatalogue catalogue;
-  private final UrlResolver root;
+  private final Optional<UrlResolver> root;
   private final ModelImportProcess process;
   private final ModelStructureCheck structure;
   private final ProblemCollector problems;
 
   /**
-   * @param root decides which files the model may refer to
+   * @param root decides which files the model may refer to; empty if none
    */
   ForeignModelReader(
       NodeCatalogue catalogue,
-      UrlResolver root,
+      Optional<UrlResolver> root,
       ModelImportProcess process,
       ModelStructureCheck structure,
       ProblemCollector problems) {
@@ -47,30 +47,55 @@ final class ForeignModelReader {
    * @throws IOException if it cannot be read
    */
   Optional<Model> read(ModelSource file) throws IOException {
-    SourceLocation location = SourceLocation.of(file.name());
+    Optional<Model> model =
+        imported(file, false).map(new ImportedModelConverter(file, catalogue, problems)::model);
+    boolean damaged = model.isPresent() && model.get().polygons() == 0 && isDamaged(file);
+    return damaged ? Optional.empty() : model;
+  }
+
+  /**
+   * Returns the text of a scene of a model.
+   *
+   * @param maxDepth how deep elements of the text may be nested
+   * @param title the title of the scene
+   * @param description a sentence that describes it
+   * @return empty if the file is damaged or beyond a limit, which is reported as a problem
+   * @throws IOException if it cannot be read
+   */
+  Optional<String> scene(ModelSource file, int maxDepth, String title, String description)
+      throws IOException {
+    Optional<ImportedModel> model = imported(file, true);
+    if (model.isEmpty() || model.get().meshes().isEmpty() && isDamaged(file)) {
+      return Optional.empty();
+    }
+    return Optional.of(
+        new ImportedSceneWriter(model.get(), file, catalogue, maxDepth, problems)
+            .text(title, description));
+  }
+
+  private boolean isDamaged(ModelSource file) throws IOException {
+    return new ModelFileDiagnostics(file, problems).reportMissingFaces();
+  }
+
+  private Optional<ImportedModel> imported(ModelSource file, boolean whole) throws IOException {
     process.start(); // it starts while the structure is checked
     try {
-      Optional<Model> model =
-          imported(file).map(new ImportedModelConverter(file, catalogue, problems)::model);
-      boolean damaged =
-          model.isPresent()
-              && model.get().polygons() == 0
-              && new ModelFileDiagnostics(file, problems).reportMissingFaces();
-      return damaged ? Optional.empty() : model;
+      return checked(file, whole);
     } catch (ModelStructureException | ModelImportException e) {
-      problems.error(location, String.valueOf(e.getMessage()));
+      problems.error(SourceLocation.of(file.name()), String.valueOf(e.getMessage()));
       return Optional.empty();
     }
   }
 
-  private Optional<ImportedModel> imported(ModelSource file)
+  private Optional<ImportedModel> checked(ModelSource file, boolean whole)
       throws IOException, ModelStructureException, ModelImportException {
     ModelFileSource.OpenFile content = file.content().open();
     try (InputStream in = content.content()) {
       structure.check(file.fileName(), in, content.size());
     }
     ModelFileAccess files = new ModelFileAccess(file, root);
-    Optional<ImportedModel> imported = process.read(file.fileName(), files);
+    Optional<ImportedModel> imported =
+        whole ? process.readScene(file.fileName(), files) : process.read(file.fileName(), files);
     if (imported.isPresent()) {
       files.report(Problem.Severity.WARNING, "what it defines is left out", problems);
     } else if (!files.report(Problem.Severity.ERROR, "nothing is read", problems)) {

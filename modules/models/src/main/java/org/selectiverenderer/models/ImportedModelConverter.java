@@ -33,14 +33,13 @@ final class ImportedModelConverter {
   }
 
   Model model(ImportedModel imported) {
-    // The normals in an STL file are facet normals, even where the surface is meant to be smooth.
-    boolean facets = file.ending().equals("stl");
     List<ModelPart> parts = new ArrayList<>();
     for (ImportedMesh mesh : imported.meshes()) {
       NodeView appearance =
-          new ImportedMaterialConverter(imported.materials().get(mesh.material()), catalogue)
-              .appearance(file.name(), problems);
-      Mesh read = mesh(mesh, facets, TextureUsage.used(appearance));
+          new ImportedMaterialConverter(
+                  imported.materials().get(mesh.material()), imported.textures(), catalogue)
+              .appearance(file.name(), null, problems);
+      Mesh read = mesh(mesh, TextureUsage.used(appearance));
       if (!read.isEmpty()) {
         parts.add(new ModelPart(appearance, read, folder()));
       }
@@ -52,9 +51,12 @@ final class ImportedModelConverter {
     return file.base() instanceof BaseUrl.Folder folder ? folder.path() : Path.of("");
   }
 
-  private Mesh mesh(ImportedMesh mesh, boolean facets, boolean textured) {
+  /** Returns the faces of a mesh that can be drawn. */
+  Mesh mesh(ImportedMesh mesh, boolean textured) {
+    // The normals in an STL file are facet normals, even where the surface is meant to be smooth.
+    boolean facets = file.ending().equals("stl");
     float[] positions = mesh.positions();
-    int[] triangles = finite(mesh.triangles(), positions, mesh.name());
+    int[] triangles = finite(mesh);
     float[] normals = facets ? null : mesh.normals();
     if (normals != null && !units(normals)) {
       normals = null;
@@ -68,7 +70,11 @@ final class ImportedModelConverter {
         true);
   }
 
-  private int[] finite(int[] triangles, float[] positions, String name) {
+  /** Returns the triangles whose coordinates are all finite, and reports others. */
+  int[] finite(ImportedMesh mesh) {
+    int[] triangles = mesh.triangles();
+    float[] positions = mesh.positions();
+    String name = mesh.name();
     int[] kept = new int[triangles.length];
     int count = 0;
     for (int i = 0; i < triangles.length; i += 3) {
@@ -99,7 +105,7 @@ final class ImportedModelConverter {
   /**
    * Returns a copy with non-finite values replaced, which vertices that no triangle uses may have.
    */
-  private static float[] clean(float[] values) {
+  static float[] clean(float[] values) {
     float[] clean = values.clone();
     for (int i = 0; i < clean.length; i++) {
       clean[i] = Float.isFinite(clean[i]) ? clean[i] : 0;
@@ -107,7 +113,8 @@ final class ImportedModelConverter {
     return clean;
   }
 
-  private static boolean units(float[] normals) {
+  /** Returns whether all normals are of length 1. */
+  static boolean units(float[] normals) {
     for (int i = 0; i < normals.length; i += 3) {
       double square =
           normals[i] * (double) normals[i]

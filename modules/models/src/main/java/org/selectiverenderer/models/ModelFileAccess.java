@@ -23,10 +23,10 @@ final class ModelFileAccess implements ModelFileSource {
   private record Refusal(UrlResolver.Cause cause, String reason) {}
 
   private final ModelSource model;
-  private final UrlResolver root;
+  private final Optional<UrlResolver> root;
   private final Map<String, Refusal> refused = new LinkedHashMap<>();
 
-  ModelFileAccess(ModelSource model, UrlResolver root) {
+  ModelFileAccess(ModelSource model, Optional<UrlResolver> root) {
     this.model = model;
     this.root = root;
   }
@@ -37,7 +37,14 @@ final class ModelFileAccess implements ModelFileSource {
       return Optional.of(model.content().open());
     }
     // Formats other than X3D have no fragments.
-    UrlResolver.Target target = root.resolve(url.replace("#", "%23"), model.base());
+    if (root.isEmpty()) {
+      if (!guessed(url)) {
+        String reason = "is another file, and the model is read without its folder";
+        refused.put(url, new Refusal(UrlResolver.Cause.MISSING, reason));
+      }
+      return Optional.empty();
+    }
+    UrlResolver.Target target = root.get().resolve(url.replace("#", "%23"), model.base());
     if (target instanceof UrlResolver.Target.Refused why) {
       if (!guessed(url)) {
         refused.put(url, new Refusal(why.cause(), why.reason()));

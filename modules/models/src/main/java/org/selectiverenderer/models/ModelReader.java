@@ -131,7 +131,7 @@ public final class ModelReader implements AutoCloseable {
   private ForeignModelReader foreign(Path file, ProblemCollector problems) {
     return new ForeignModelReader(
         catalogue,
-        new UrlResolver(folder(file), access),
+        Optional.of(new UrlResolver(folder(file), access)),
         importer,
         new ModelStructureCheck(limits.maxModelBytes()),
         problems);

@@ -1,7 +1,6 @@
 package org.selectiverenderer.models;
 
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.Optional;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
@@ -12,38 +11,45 @@ import org.selectiverenderer.models.structure.ModelStructureCheck;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.model.ModelFile;
 import org.selectiverenderer.x3d.model.ModelTranslator;
-import org.selectiverenderer.x3d.url.BaseUrl;
-import org.selectiverenderer.x3d.url.UrlResolver;
 
 /**
- * Translates the models that this module reads: glTF in this process, other formats by Assimp in a
- * child process. Found by {@link java.util.ServiceLoader}.
+ * Translates the models that this module reads: glTF 2.0 in this process, other formats and glTF
+ * 1.0 by Assimp in a child process. Found by {@link java.util.ServiceLoader}.
  */
 public final class ModelToX3d implements ModelTranslator {
   @Override
   public String x3d(ModelFile model, ProblemCollector problems) throws IOException {
     return switch (model.format()) {
-      case GLTF, GLB -> GltfTranslator.x3d(model, problems);
+      case GLTF, GLB -> gltf(model, problems);
       case OBJ, STL, PLY, DAE, FBX -> imported(model, problems);
     };
   }
 
+  private static String gltf(ModelFile model, ProblemCollector problems) throws IOException {
+    Optional<String> scene = GltfTranslator.x3d(model, problems);
+    // Assimp reads glTF 1.0, too
+    return scene.isPresent() ? scene.get() : imported(model, problems);
+  }
+
   private static String imported(ModelFile file, ProblemCollector problems) throws IOException {
     ImportLimits limits = ImportLimits.standard();
-    Path folder = file.base() instanceof BaseUrl.Folder base ? base.path() : Path.of("");
     ProblemCollector told = new ProblemCollector();
-    Optional<Model> model;
+    Optional<String> scene;
     try (ModelImportProcess process = new ModelImportProcess(limits)) {
-      model =
+      scene =
           new ForeignModelReader(
                   NodeCatalogue.load(),
-                  file.files().orElseGet(() -> new UrlResolver(folder)),
+                  file.files(),
                   process,
                   new ModelStructureCheck(limits.maxModelBytes()),
                   told)
-              .read(ModelSource.of(file));
+              .scene(
+                  ModelSource.of(file),
+                  file.limits().maxDepth(),
+                  "Model in " + file.format().title(),
+                  "translated when it was read");
     }
-    if (model.isEmpty()) {
+    if (scene.isEmpty()) {
       throw new IOException(
           told.list().stream()
               .map(Problem::message)
@@ -51,7 +57,6 @@ public final class ModelToX3d implements ModelTranslator {
               .orElse("the model cannot be read"));
     }
     told.list().forEach(problems::add);
-    String title = "Model in " + file.format().title();
-    return new ModelWriter().text(model.get(), folder, title, "translated when it was read");
+    return scene.get();
   }
 }

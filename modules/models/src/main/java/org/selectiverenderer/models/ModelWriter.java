@@ -98,7 +98,7 @@ public final class ModelWriter {
    * Returns the number of decimals: one more significant digit than the five of reduced models, for
    * models that are not reduced.
    */
-  private static int decimals(List<Mesh> meshes) {
+  static int decimals(List<Mesh> meshes) {
     double extent = 0;
     for (int axis = 0; axis < 3; axis++) {
       float least = Float.POSITIVE_INFINITY;

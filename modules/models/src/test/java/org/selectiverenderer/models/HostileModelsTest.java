@@ -161,7 +161,8 @@ class HostileModelsTest {
     Path file = write("models/a.obj", TRIANGLE);
     ModelFileAccess access =
         new ModelFileAccess(
-            ModelSource.of(file), new UrlResolver(file.getParent(), ContentAccessPolicy.none()));
+            ModelSource.of(file),
+            Optional.of(new UrlResolver(file.getParent(), ContentAccessPolicy.none())));
 
     for (String each : List.of(url, again, part)) {
       assertThat(access.open(each)).isEmpty();

@@ -2,6 +2,7 @@ package org.selectiverenderer.enricher;
 
 import java.awt.Window;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -18,6 +19,7 @@ import org.selectiverenderer.enricher.diff.MergeDialog;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.swing.TrustDialog;
+import org.selectiverenderer.x3d.model.ModelFormat;
 
 /** Asks the author by modal dialogs over the window. */
 final class DialogUserPrompts implements UserPrompts {
@@ -130,9 +132,11 @@ final class DialogUserPrompts implements UserPrompts {
         .orElse(false);
   }
 
-  private static NamedFileChooser chooser(Optional<Path> near) {
+  private static NamedFileChooser chooser(Optional<Path> near, Stream<String> endings) {
     NamedFileChooser chooser = new NamedFileChooser();
-    chooser.setFileFilter(new FileNameExtensionFilter(Texts.of("window.scenes"), endings()));
+    chooser.setFileFilter(
+        new FileNameExtensionFilter(
+            Texts.of("window.scenes"), endings.distinct().toArray(String[]::new)));
     near.ifPresent(path -> chooser.setSelectedFile(path.toAbsolutePath().toFile()));
     return chooser;
   }
@@ -141,11 +145,13 @@ final class DialogUserPrompts implements UserPrompts {
    * The file extensions of scenes; .json and .xml count only where the author says that a file is a
    * scene.
    */
-  private static String[] endings() {
+  private static Stream<String> endings() {
     return Stream.concat(FileFinder.SCENES.endings().stream(), Stream.of(".json", ".xml"))
-        .map(ending -> ending.substring(ending.lastIndexOf('.') + 1))
-        .distinct()
-        .toArray(String[]::new);
+        .map(ending -> ending.substring(ending.lastIndexOf('.') + 1));
+  }
+
+  private static Stream<String> models() {
+    return Arrays.stream(ModelFormat.values()).map(ModelFormat::ending);
   }
 
   private static Optional<Path> chosen(NamedFileChooser chooser, int answer) {
@@ -156,13 +162,14 @@ final class DialogUserPrompts implements UserPrompts {
 
   @Override
   public Optional<Path> fileToOpen(Optional<Path> near) {
-    NamedFileChooser chooser = chooser(near);
+    // a model opens as a scene, and is saved as a new one
+    NamedFileChooser chooser = chooser(near, Stream.concat(endings(), models()));
     return chosen(chooser, chooser.showOpenDialog(owner));
   }
 
   @Override
   public Optional<Path> fileToSave(Path near) {
-    NamedFileChooser chooser = chooser(Optional.of(near));
+    NamedFileChooser chooser = chooser(Optional.of(near), endings());
     return chosen(chooser, chooser.showSaveDialog(owner));
   }
 

@@ -5,27 +5,27 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import org.selectiverenderer.models.scene.AnimatedNodes;
+import org.selectiverenderer.models.scene.AnimationWriter;
+import org.selectiverenderer.models.scene.DefNames;
+import org.selectiverenderer.models.scene.Keyframes;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
-/**
- * Writes glTF's animations as TimeSensors and interpolators with routes. The first animation runs
- * in a loop, as viewers of glTF show it; the TimeSensors of others wait for {@code enabled}.
- */
+/** Writes glTF's animations of nodes and of the weights of morph targets. */
 final class GltfAnimations {
   /** The maximum number of coordinates of one CoordinateInterpolator. */
   private static final long MAX_MORPHED = 6_000_000;
 
   private final GltfFile file;
   private final GltfAccessors accessors;
-  private final X3dWriter out;
-  private final DefNames names;
+  private final AnimationWriter writer;
   private final GltfProblems problems;
-  private final Map<Integer, String> transforms;
+  private final AnimatedNodes nodes;
   private final Map<Integer, List<GltfMeshes.Morph>> morphs;
 
   /**
-   * @param transforms the DEF names of the Transforms of nodes
-   * @param morphs the points that animations of weights change, by their node
+   * @param nodes the nodes that have been written
+   * @param morphs the points and normals that animations of weights change, by their node
    */
   GltfAnimations(
       GltfFile file,
@@ -33,19 +33,18 @@ final class GltfAnimations {
       X3dWriter out,
       DefNames names,
       GltfProblems problems,
-      Map<Integer, String> transforms,
+      AnimatedNodes nodes,
       Map<Integer, List<GltfMeshes.Morph>> morphs) {
     this.file = file;
     this.accessors = accessors;
-    this.out = out;
-    this.names = names;
+    writer = new AnimationWriter(out, names, nodes);
     this.problems = problems;
-    this.transforms = transforms;
+    this.nodes = nodes;
     this.morphs = morphs;
   }
 
   /** A channel that can be written. */
-  private record Channel(int node, String target, AnimationSampler sampler) {}
+  private record Channel(int node, String target, Keyframes keys) {}
 
   void write() {
     JsonNode animations = file.root().path("animations");
@@ -66,25 +65,16 @@ final class GltfAnimations {
         problems.tell(at, e.getMessage() + "; it is left out");
       }
     }
-    double duration = channels.stream().mapToDouble(c -> c.sampler().end()).max().orElse(0);
+    double duration = channels.stream().mapToDouble(c -> c.keys().end()).max().orElse(0);
     if (channels.isEmpty() || !(duration > 0)) {
       return;
     }
-    String name = GltfFile.text(animation, "name");
-    String clock = names.unique(name, "animation" + index);
-    out.open("TimeSensor", "DEF", clock, "cycleInterval", Numbers.of(duration), "loop", "true");
-    if (!name.isBlank()) {
-      out.attribute("description", name);
-    }
-    if (index > 0) {
-      out.attribute("enabled", "false");
-    }
-    out.close();
+    writer.begin(GltfFile.text(animation, "name"), "animation" + index, duration);
     for (Channel channel : channels) {
       if (channel.target().equals("weights")) {
-        morphed(channel, clock, duration, path);
+        morphed(channel, path);
       } else {
-        moved(channel, clock, duration);
+        writer.move(channel.node(), channel.target(), channel.keys());
       }
     }
   }
@@ -105,8 +95,8 @@ final class GltfAnimations {
         };
     if (size == 0) {
       problems.tell(path, "it animates something that X3D or glTF does not have; it is left out");
-    } else if (index >= 0 && transforms.containsKey(node)) {
-      to.add(new Channel(node, what, AnimationSampler.of(sampler, accessors, size)));
+    } else if (index >= 0 && nodes.has(node)) {
+      to.add(new Channel(node, what, AnimationSamplerReader.read(sampler, accessors, size)));
     }
   }
 
@@ -115,61 +105,32 @@ final class GltfAnimations {
     return moved.isEmpty() ? 0 : moved.get(0).targets().size();
   }
 
-  private void moved(Channel channel, String clock, double duration) {
-    boolean turns = channel.target().equals("rotation");
-    String type = turns ? "OrientationInterpolator" : "PositionInterpolator";
-    AnimationSampler sampler = channel.sampler();
-    float[] values = turns ? rotations(sampler) : sampler.values();
-    String transform = transforms.getOrDefault(channel.node(), "");
-    String def = interpolator(type, sampler, duration, values, transform + "_" + channel.target());
-    out.route(clock, "fraction_changed", def, "set_fraction");
-    out.route(def, "value_changed", transform, channel.target());
-  }
-
-  private String interpolator(
-      String type, AnimationSampler sampler, double duration, float[] values, String name) {
-    String def = names.unique("", name);
-    out.open(type, "DEF", def);
-    out.ownLine().numbers("key", Numbers.list(sampler.fractions(duration)));
-    out.ownLine().numbers("keyValue", Numbers.list(values)).close();
-    return def;
-  }
-
-  private static float[] rotations(AnimationSampler sampler) {
-    float[] rotations = new float[sampler.values().length];
-    for (int i = 0; i < sampler.times().length; i++) {
-      float[] q = sampler.value(i);
-      double[] turned =
-          Numbers.axisAngle(NodeTransform.unit(new double[] {q[0], q[1], q[2], q[3]}));
-      for (int k = 0; k < 4; k++) {
-        rotations[4 * i + k] = (float) turned[k];
-      }
-    }
-    return rotations;
-  }
-
-  private void morphed(Channel channel, String clock, double duration, String path) {
-    AnimationSampler sampler = channel.sampler();
+  private void morphed(Channel channel, String path) {
+    Keyframes keys = channel.keys();
     for (GltfMeshes.Morph morph : morphs.getOrDefault(channel.node(), List.of())) {
-      int keys = sampler.times().length;
-      if ((long) keys * morph.points().length > MAX_MORPHED) {
+      int count = keys.times().length;
+      if ((long) count * morph.values().length > MAX_MORPHED) {
         problems.tell(path, "its morph targets need too many coordinates; they do not move");
         continue;
       }
-      float[] all = new float[keys * morph.points().length];
-      for (int i = 0; i < keys; i++) {
-        float[] value = sampler.value(i);
+      float[] all = new float[count * morph.values().length];
+      for (int i = 0; i < count; i++) {
+        float[] value = keys.value(i);
         double[] weights = new double[value.length];
         for (int k = 0; k < value.length; k++) {
           weights[k] = value[k];
         }
-        float[] moved = GltfMeshes.moved(morph.points(), morph.targets(), weights);
+        float[] moved =
+            morph.normals()
+                ? GltfPrimitive.turned(morph.values(), morph.targets(), weights)
+                : GltfPrimitive.moved(morph.values(), morph.targets(), weights);
         System.arraycopy(moved, 0, all, i * moved.length, moved.length);
       }
-      String name = morph.coordinate() + "_weights";
-      String def = interpolator("CoordinateInterpolator", sampler, duration, all, name);
-      out.route(clock, "fraction_changed", def, "set_fraction");
-      out.route(def, "value_changed", morph.coordinate(), "point");
+      if (morph.normals()) {
+        writer.change("NormalInterpolator", keys, all, morph.def(), "vector");
+      } else {
+        writer.change("CoordinateInterpolator", keys, all, morph.def(), "point");
+      }
     }
   }
 }

@@ -12,6 +12,8 @@ import java.nio.ByteOrder;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
+import org.selectiverenderer.models.scene.NodeTransform;
+import org.selectiverenderer.models.scene.XmlText;
 import org.selectiverenderer.models.structure.ModelStructureCheck;
 import org.selectiverenderer.models.structure.ModelStructureException;
 import org.selectiverenderer.x3d.model.ModelFile;
@@ -42,7 +44,8 @@ final class GltfFile {
   /**
    * Reads a file.
    *
-   * @throws IOException if it is damaged, not glTF 2.0 or beyond a limit
+   * @throws OldGltfException if it is glTF 1.0
+   * @throws IOException if it is damaged or beyond a limit
    */
   static GltfFile of(ModelFile model) throws IOException {
     try {
@@ -59,7 +62,7 @@ final class GltfFile {
       ByteBuffer all = ByteBuffer.wrap(model.bytes(), 0, model.length());
       all.order(ByteOrder.LITTLE_ENDIAN);
       if (all.getInt(4) != 2) {
-        throw old();
+        throw new OldGltfException();
       }
       start = HEADER + CHUNK_HEADER;
       end = start + all.getInt(HEADER); // the structure check has compared it with the length
@@ -72,7 +75,7 @@ final class GltfFile {
     }
     JsonNode root = mapper().readTree(model.bytes(), start, end - start);
     if (!root.path("asset").path("version").asText("").startsWith("2.")) {
-      throw old();
+      throw new OldGltfException();
     }
     return new GltfFile(model, root, binary.order(ByteOrder.LITTLE_ENDIAN));
   }
@@ -84,12 +87,6 @@ final class GltfFile {
             .maxStringLength(Integer.MAX_VALUE) // data urls hold whole buffers
             .build();
     return new ObjectMapper(JsonFactory.builder().streamReadConstraints(constraints).build());
-  }
-
-  private static IOException old() {
-    return new IOException(
-        "this is a model in glTF 1.0, and only 2.0 is read as a scene; convert it, for example "
-            + "with gltf-pipeline");
   }
 
   /** Returns the JSON of the file. */
@@ -120,22 +117,7 @@ final class GltfFile {
 
   /** Returns the text of a member, without characters that XML forbids (1.0, 2.2). */
   static String text(JsonNode from, String member) {
-    StringBuilder text = new StringBuilder();
-    from.path(member)
-        .asText("")
-        .codePoints()
-        .map(c -> isXml(c) ? c : 0xfffd)
-        .forEach(text::appendCodePoint);
-    return text.toString();
-  }
-
-  private static boolean isXml(int c) {
-    return c >= 0x20 && c < 0xd800
-        || c > 0xdfff && c < 0xfffe
-        || c > 0xffff
-        || c == '\t'
-        || c == '\n'
-        || c == '\r';
+    return XmlText.of(from.path(member).asText(""));
   }
 
   /** Returns a number that a member has, if it is finite. */
@@ -158,6 +140,19 @@ final class GltfFile {
       }
     }
     return numbers;
+  }
+
+  /** Returns the place of a node in its parent. */
+  static NodeTransform transform(JsonNode node) {
+    if (node.path("matrix").size() == 16) {
+      double[] identity = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+      return NodeTransform.of(numbers(node, "matrix", identity));
+    }
+    return new NodeTransform(
+        numbers(node, "translation", 0, 0, 0),
+        NodeTransform.unit(numbers(node, "rotation", 0, 0, 0, 1)),
+        numbers(node, "scale", 1, 1, 1),
+        false);
   }
 
   /** Returns the bytes of a bufferView. */

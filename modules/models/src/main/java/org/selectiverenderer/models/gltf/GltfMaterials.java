@@ -1,10 +1,14 @@
 package org.selectiverenderer.models.gltf;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import org.selectiverenderer.models.scene.DefNames;
+import org.selectiverenderer.models.scene.Numbers;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
 /**
@@ -13,6 +17,7 @@ import org.selectiverenderer.x3d.write.X3dWriter;
  */
 final class GltfMaterials {
   private static final double DEFAULT_CUTOFF = 0.5;
+  private static final String GLOSSY = "KHR_materials_pbrSpecularGlossiness";
 
   /**
    * How a surface is drawn.
@@ -40,6 +45,16 @@ final class GltfMaterials {
   /** Returns the material of a primitive; missing for the default. */
   JsonNode material(int index) {
     return file.part("materials", index);
+  }
+
+  /** Returns whether no light falls on a material. */
+  boolean isUnlit(int index) {
+    return unlit(material(index));
+  }
+
+  /** Returns whether normals of a texture are added to those of a surface. */
+  boolean hasNormalTexture(int index) {
+    return !isUnlit(index) && material(index).has("normalTexture");
   }
 
   /** Returns red, green, blue and opacity, by which vertex colours are multiplied. */
@@ -78,8 +93,25 @@ final class GltfMaterials {
         material.path("emissiveTexture"));
   }
 
+  /**
+   * Returns the metallic-roughness part of a material; for one that has only diffuse colour and
+   * glossiness (KHR_materials_pbrSpecularGlossiness), a part of no metal.
+   */
   private static JsonNode pbr(JsonNode material) {
-    return material.path("pbrMetallicRoughness");
+    JsonNode glossy = material.path("extensions").path(GLOSSY);
+    if (material.has("pbrMetallicRoughness") || !glossy.isObject()) {
+      return material.path("pbrMetallicRoughness");
+    }
+    ObjectNode part = JsonNodeFactory.instance.objectNode();
+    if (glossy.has("diffuseFactor")) {
+      part.set("baseColorFactor", glossy.get("diffuseFactor"));
+    }
+    if (glossy.has("diffuseTexture")) {
+      part.set("baseColorTexture", glossy.get("diffuseTexture"));
+    }
+    part.put("metallicFactor", 0.0);
+    double glossiness = Numbers.unit(GltfFile.number(glossy, "glossinessFactor", 1));
+    return part.put("roughnessFactor", 1 - glossiness);
   }
 
   private static boolean unlit(JsonNode material) {
@@ -253,6 +285,14 @@ final class GltfMaterials {
               switch (name) {
                 case "KHR_materials_unlit", "KHR_materials_emissive_strength" -> {
                   // expressed
+                }
+                case GLOSSY -> {
+                  if (!material.has("pbrMetallicRoughness")) {
+                    problems.tell(
+                        path,
+                        "its specular colour and texture of glossiness have no equal in X3D; its "
+                            + "diffuse colour and its glossiness are shown as those of no metal");
+                  }
                 }
                 default -> {
                   String shown = name.length() > 60 ? name.substring(0, 60) : name;

@@ -6,6 +6,8 @@ import java.nio.ByteBuffer;
 import java.util.Base64;
 import java.util.HashMap;
 import java.util.Map;
+import org.selectiverenderer.models.scene.DefNames;
+import org.selectiverenderer.models.scene.PictureType;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
 /** Writes glTF's textures as ImageTextures: pictures inside of the file as data urls. */
@@ -87,21 +89,15 @@ final class GltfTextures {
       ByteBuffer bytes = file.view(GltfFile.index(part, "bufferView"));
       byte[] picture = new byte[bytes.remaining()];
       bytes.get(picture);
-      return "data:" + type(picture) + ";base64," + Base64.getEncoder().encodeToString(picture);
+      String type = PictureType.of(picture);
+      return "data:"
+          + (type.isEmpty() ? "image/png" : type)
+          + ";base64,"
+          + Base64.getEncoder().encodeToString(picture);
     } catch (IOException e) {
       problems.tell("images[%d]".formatted(image), e.getMessage() + "; the picture is left out");
       return "";
     }
-  }
-
-  /** Returns the type that the first bytes of a picture tell; what the file says may be wrong. */
-  private static String type(byte[] picture) {
-    int first = picture.length > 3 ? picture[0] & 0xff : 0;
-    return switch (first) {
-      case 0xff -> "image/jpeg";
-      case 'R' -> "image/webp";
-      default -> "image/png";
-    };
   }
 
   private void properties(JsonNode sampler, int wrapS, int wrapT) {

@@ -7,8 +7,14 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.models.scene.AnimatedNodes;
+import org.selectiverenderer.models.scene.DefNames;
+import org.selectiverenderer.models.scene.NodeTransform;
+import org.selectiverenderer.models.scene.Numbers;
 import org.selectiverenderer.x3d.model.ModelFile;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
@@ -28,6 +34,7 @@ public final class GltfTranslator {
   private static final Set<String> KNOWN_EXTENSIONS =
       Set.of(
           "KHR_materials_unlit",
+          "KHR_materials_pbrSpecularGlossiness",
           "KHR_materials_emissive_strength",
           "KHR_texture_transform",
           "KHR_lights_punctual",
@@ -43,16 +50,22 @@ public final class GltfTranslator {
   private final GltfAccessors accessors;
   private final GltfMeshes meshes;
   private final GltfViews views;
-  private final Map<Integer, String> transforms = new HashMap<>();
+  private final AnimatedNodes animated = new AnimatedNodes();
+  private final List<SkinnedMesh> skinned = new ArrayList<>();
   private final Map<Integer, List<GltfMeshes.Morph>> morphs = new HashMap<>();
   private final Set<Integer> morphing = new HashSet<>();
   private final int maxDepth;
+
+  /** The mesh of a node with a skin, which is shown where its joints are. */
+  private record SkinnedMesh(int mesh, int skin, double @Nullable [] weights) {}
 
   private GltfTranslator(GltfFile file, ModelFile model, ProblemCollector collector) {
     this.file = file;
     problems = new GltfProblems(model.name(), collector);
     accessors = new GltfAccessors(file, model.limits().maxBytes() / CHARACTERS);
-    meshes = new GltfMeshes(file, accessors, out, names, problems);
+    GltfShapes shapes = new GltfShapes(file, out, names, problems);
+    GltfSkins skins = new GltfSkins(file, accessors, shapes, out, names, animated, problems);
+    meshes = new GltfMeshes(file, accessors, shapes, skins, out, names, problems);
     views = new GltfViews(file, out, names);
     maxDepth = Math.max(1, model.limits().maxDepth() - OTHER_DEPTH);
   }
@@ -60,17 +73,26 @@ public final class GltfTranslator {
   /**
    * Returns the X3D text of a model.
    *
+   * @return empty for glTF 1.0, which has other members than 2.0
    * @throws IOException if nothing of it can be read, with one sentence
    */
-  public static String x3d(ModelFile model, ProblemCollector problems) throws IOException {
-    return new GltfTranslator(GltfFile.of(model), model, problems).translate();
+  public static Optional<String> x3d(ModelFile model, ProblemCollector problems)
+      throws IOException {
+    GltfFile file;
+    try {
+      file = GltfFile.of(model);
+    } catch (OldGltfException e) {
+      return Optional.empty();
+    }
+    return Optional.of(new GltfTranslator(file, model, problems).translate());
   }
 
   private String translate() throws IOException {
     checkExtensions();
     loadBuffers();
     findMorphs();
-    out.file("Full", "4.0").open("head");
+    // the draft of X3D 4.1 has the node Tangent
+    out.file("Full", hasTangents() ? "4.1" : "4.0").open("head");
     String generator = GltfFile.text(file.root().path("asset"), "generator");
     if (!generator.isBlank()) {
       out.meta("reference", "glTF written by " + generator);
@@ -83,7 +105,10 @@ public final class GltfTranslator {
     for (int node : roots()) {
       node(node, 0);
     }
-    new GltfAnimations(file, accessors, out, names, problems, transforms, morphs).write();
+    for (SkinnedMesh mesh : skinned) {
+      meshes.writeSkinned(mesh.mesh(), mesh.skin(), mesh.weights(), maxDepth);
+    }
+    new GltfAnimations(file, accessors, out, names, problems, animated, morphs).write();
     return out.finish();
   }
 
@@ -117,6 +142,18 @@ public final class GltfTranslator {
         }
       }
     }
+  }
+
+  private boolean hasTangents() {
+    for (JsonNode mesh : file.root().path("meshes")) {
+      for (JsonNode primitive : mesh.path("primitives")) {
+        JsonNode material = file.referred(primitive, "material", "materials");
+        if (primitive.path("attributes").has("TANGENT") && material.has("normalTexture")) {
+          return true;
+        }
+      }
+    }
+    return false;
   }
 
   private List<Integer> roots() {
@@ -156,8 +193,8 @@ public final class GltfTranslator {
     }
     String name = GltfFile.text(node, "name");
     String def = names.unique(name, "node" + index);
-    transforms.put(index, def);
-    NodeTransform place = NodeTransform.of(node);
+    animated.add(index, def);
+    NodeTransform place = GltfFile.transform(node);
     if (place.sheared()) {
       problems.tell(path + ".matrix", "it shears, which a Transform cannot; the shear is left out");
     }
@@ -180,15 +217,17 @@ public final class GltfTranslator {
       problems.tell(path + ".mesh", "there is no meshes[%d]; the file is damaged".formatted(mesh));
       return;
     }
-    if (node.has("skin")) {
-      problems.tell(
-          path + ".skin", "skins are not read; the mesh is shown as it is without its skeleton");
-    }
     if (node.path("extensions").has("EXT_mesh_gpu_instancing")) {
       problems.tell(path, "EXT_mesh_gpu_instancing is not read; the mesh is shown once");
     }
     double[] weights = node.has("weights") ? GltfMeshes.all(node.path("weights")) : null;
-    if (morphing.contains(index)) {
+    if (node.has("skin")) {
+      if (morphing.contains(index)) {
+        problems.tell(
+            path, "its morph targets are animated, which a mesh with a skin is not; they stay");
+      }
+      skinned.add(new SkinnedMesh(mesh, GltfFile.index(node, "skin"), weights));
+    } else if (morphing.contains(index)) {
       List<GltfMeshes.Morph> moved = new ArrayList<>();
       meshes.write(mesh, weights, moved);
       morphs.put(index, moved);

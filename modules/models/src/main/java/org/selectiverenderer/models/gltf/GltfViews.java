@@ -3,6 +3,8 @@ package org.selectiverenderer.models.gltf;
 import com.fasterxml.jackson.databind.JsonNode;
 import java.util.ArrayList;
 import java.util.List;
+import org.selectiverenderer.models.scene.DefNames;
+import org.selectiverenderer.models.scene.Numbers;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
 /** Writes the cameras and lights of nodes, which both look along -z of their node in glTF. */

@@ -2,6 +2,7 @@ package org.selectiverenderer.models.gltf;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.util.List;
+import org.selectiverenderer.models.scene.Numbers;
 
 /**
  * A set of texture coordinates with its KHR_texture_transform. X3D finds the coordinates and the

@@ -1,23 +1,29 @@
 package org.selectiverenderer.models.importer;
 
+import static org.lwjgl.assimp.Assimp.AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS;
+import static org.lwjgl.assimp.Assimp.AI_CONFIG_IMPORT_NO_SKELETON_MESHES;
 import static org.lwjgl.assimp.Assimp.AI_MATKEY_COLOR_DIFFUSE;
 import static org.lwjgl.assimp.Assimp.AI_MATKEY_COLOR_EMISSIVE;
 import static org.lwjgl.assimp.Assimp.AI_MATKEY_COLOR_SPECULAR;
 import static org.lwjgl.assimp.Assimp.AI_MATKEY_OPACITY;
 import static org.lwjgl.assimp.Assimp.AI_MATKEY_SHININESS;
+import static org.lwjgl.assimp.Assimp.aiCreatePropertyStore;
 import static org.lwjgl.assimp.Assimp.aiGetMaterialColor;
 import static org.lwjgl.assimp.Assimp.aiGetMaterialFloatArray;
 import static org.lwjgl.assimp.Assimp.aiGetMaterialTexture;
 import static org.lwjgl.assimp.Assimp.aiGetMaterialTextureCount;
-import static org.lwjgl.assimp.Assimp.aiImportFileEx;
+import static org.lwjgl.assimp.Assimp.aiImportFileExWithProperties;
 import static org.lwjgl.assimp.Assimp.aiPrimitiveType_TRIANGLE;
+import static org.lwjgl.assimp.Assimp.aiProcess_GlobalScale;
 import static org.lwjgl.assimp.Assimp.aiProcess_JoinIdenticalVertices;
 import static org.lwjgl.assimp.Assimp.aiProcess_PreTransformVertices;
 import static org.lwjgl.assimp.Assimp.aiProcess_SortByPType;
 import static org.lwjgl.assimp.Assimp.aiProcess_Triangulate;
 import static org.lwjgl.assimp.Assimp.aiProcess_ValidateDataStructure;
 import static org.lwjgl.assimp.Assimp.aiReleaseImport;
+import static org.lwjgl.assimp.Assimp.aiReleasePropertyStore;
 import static org.lwjgl.assimp.Assimp.aiReturn_SUCCESS;
+import static org.lwjgl.assimp.Assimp.aiSetImportPropertyInteger;
 import static org.lwjgl.assimp.Assimp.aiTextureType_BASE_COLOR;
 import static org.lwjgl.assimp.Assimp.aiTextureType_DIFFUSE;
 import static org.lwjgl.assimp.Assimp.aiTextureType_NONE;
@@ -32,6 +38,7 @@ import org.lwjgl.assimp.AIColor4D;
 import org.lwjgl.assimp.AIFace;
 import org.lwjgl.assimp.AIMaterial;
 import org.lwjgl.assimp.AIMesh;
+import org.lwjgl.assimp.AIPropertyStore;
 import org.lwjgl.assimp.AIScene;
 import org.lwjgl.assimp.AIString;
 import org.lwjgl.assimp.AIVector3D;
@@ -45,18 +52,21 @@ import org.selectiverenderer.models.importer.ImportedModel.ImportedMaterial;
 final class AssimpImporter {
   private static final int STEPS =
       aiProcess_Triangulate
-          | aiProcess_PreTransformVertices
+          | aiProcess_GlobalScale // FBX tells its unit, most often centimetres
           | aiProcess_SortByPType
           | aiProcess_JoinIdenticalVertices
           | aiProcess_ValidateDataStructure;
 
   private final ServedFileIo files;
+  private final boolean whole;
 
   /**
    * @param files the model's files; closed by {@link #read}
+   * @param whole whether nodes are kept, instead of all meshes in one frame
    */
-  AssimpImporter(ServedFileIo files) {
+  AssimpImporter(ServedFileIo files, boolean whole) {
     this.files = files;
+    this.whole = whole;
   }
 
   /**
@@ -78,9 +88,17 @@ final class AssimpImporter {
 
   void read(String name, DataOutputStream out) throws IOException {
     AIScene scene;
+    AIPropertyStore properties = aiCreatePropertyStore();
     try (files) {
-      scene = aiImportFileEx(name, STEPS, files.io());
+      int steps = whole ? STEPS : STEPS | aiProcess_PreTransformVertices;
+      // The nodes of FBX become one each, not one for each of the parts of their matrices.
+      aiSetImportPropertyInteger(properties, AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, 0);
+      // A scene of nodes without meshes gets no figure of bones.
+      aiSetImportPropertyInteger(properties, AI_CONFIG_IMPORT_NO_SKELETON_MESHES, whole ? 1 : 0);
+      scene = aiImportFileExWithProperties(name, steps, files.io(), properties);
       files.check();
+    } finally {
+      aiReleasePropertyStore(properties);
     }
     if (scene == null) {
       out.writeByte(ImportProtocol.UNREADABLE);
@@ -91,25 +109,30 @@ final class AssimpImporter {
     aiReleaseImport(scene);
   }
 
-  private static void write(AIScene scene, ImportedModelEncoder out) throws IOException {
+  private void write(AIScene scene, ImportedModelEncoder out) throws IOException {
     boolean[] textured = new boolean[scene.mNumMaterials()];
     out.number(textured.length);
     for (int i = 0; i < textured.length; i++) {
-      ImportedMaterial material = material(AIMaterial.create(scene.mMaterials().get(i)));
+      ImportedMaterial material = material(scene, AIMaterial.create(scene.mMaterials().get(i)));
       textured[i] = material.texture() != null;
       out.material(material);
     }
+    int[] written = new int[scene.mNumMeshes()]; // meshes without triangles are left out
     int count = 0;
-    for (int i = 0; i < scene.mNumMeshes(); i++) {
-      count += hasTriangles(mesh(scene, i)) ? 1 : 0;
+    for (int i = 0; i < written.length; i++) {
+      written[i] = hasTriangles(mesh(scene, i)) ? count++ : -1;
     }
+    AssimpSceneTree tree = new AssimpSceneTree(scene, whole, out);
+    tree.writeNodes(written);
     out.number(count);
-    for (int i = 0; i < scene.mNumMeshes(); i++) {
+    for (int i = 0; i < written.length; i++) {
       AIMesh mesh = mesh(scene, i);
-      if (hasTriangles(mesh)) {
+      if (written[i] >= 0) {
         write(mesh, textured[mesh.mMaterialIndex()], out);
+        tree.writeBones(mesh);
       }
     }
+    tree.writeViews();
   }
 
   private static AIMesh mesh(AIScene scene, int index) {
@@ -123,7 +146,7 @@ final class AssimpImporter {
 
   private static void write(AIMesh mesh, boolean textured, ImportedModelEncoder out)
       throws IOException {
-    out.string(mesh.mName().dataString());
+    out.string(AssimpSceneTree.text(mesh.mName()));
     out.number(mesh.mMaterialIndex());
     out.floats(vectors(mesh.mVertices()), 3, 3);
     out.floats(vectors(mesh.mNormals()), 3, 3);
@@ -161,14 +184,14 @@ final class AssimpImporter {
     return triangles.flip();
   }
 
-  private static ImportedMaterial material(AIMaterial material) {
+  private static ImportedMaterial material(AIScene scene, AIMaterial material) {
     return new ImportedMaterial(
         color(material, AI_MATKEY_COLOR_DIFFUSE),
         color(material, AI_MATKEY_COLOR_SPECULAR),
         color(material, AI_MATKEY_COLOR_EMISSIVE),
         number(material, AI_MATKEY_SHININESS),
         number(material, AI_MATKEY_OPACITY),
-        texture(material));
+        texture(scene, material));
   }
 
   private static float @Nullable [] color(AIMaterial material, String key) {
@@ -189,7 +212,7 @@ final class AssimpImporter {
         : null;
   }
 
-  private static @Nullable String texture(AIMaterial material) {
+  private static @Nullable String texture(AIScene scene, AIMaterial material) {
     for (int kind : new int[] {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}) {
       if (aiGetMaterialTextureCount(material, kind) > 0) {
         try (MemoryStack stack = MemoryStack.stackPush()) {
@@ -198,7 +221,8 @@ final class AssimpImporter {
               aiGetMaterialTexture(
                   material, kind, 0, path, (IntBuffer) null, null, null, null, null, null);
           if (result == aiReturn_SUCCESS) {
-            return path.dataString();
+            int inside = AssimpSceneTree.embedded(scene, path);
+            return inside < 0 ? AssimpSceneTree.text(path) : "*" + inside;
           }
         }
       }

@@ -30,6 +30,29 @@ final class ImportedModelEncoder {
     out.writeUTF(text);
   }
 
+  void truth(boolean value) throws IOException {
+    out.writeBoolean(value);
+  }
+
+  void number(float value) throws IOException {
+    out.writeFloat(value);
+  }
+
+  /** Writes an array of bytes; null for none. */
+  void bytes(@Nullable ByteBuffer bytes) throws IOException {
+    if (bytes == null) {
+      out.writeInt(0);
+      return;
+    }
+    out.writeInt(bytes.remaining());
+    byte[] part = new byte[CHUNK];
+    while (bytes.hasRemaining()) {
+      int length = Math.min(part.length, bytes.remaining());
+      bytes.get(part, 0, length);
+      out.write(part, 0, length);
+    }
+  }
+
   void material(ImportedMaterial material) throws IOException {
     floats(material.diffuse());
     floats(material.specular());
@@ -42,7 +65,7 @@ final class ImportedModelEncoder {
     }
   }
 
-  private void floats(float @Nullable ... values) throws IOException {
+  void floats(float @Nullable ... values) throws IOException {
     floats(values == null ? null : FloatBuffer.wrap(values), 1, 1);
   }
 

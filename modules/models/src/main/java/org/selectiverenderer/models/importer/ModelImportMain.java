@@ -30,9 +30,12 @@ public final class ModelImportMain {
       out.writeInt(ImportProtocol.VERSION);
       out.writeUTF(AssimpImporter.load());
       out.flush();
-      while (in.read() == ImportProtocol.READ) {
+      for (int request = in.read();
+          request == ImportProtocol.READ_MESHES || request == ImportProtocol.READ_SCENE;
+          request = in.read()) {
         String name = in.readUTF();
-        new AssimpImporter(new ServedFileIo(in, out)).read(name, out);
+        boolean whole = request == ImportProtocol.READ_SCENE;
+        new AssimpImporter(new ServedFileIo(in, out), whole).read(name, out);
         out.flush();
       }
     }

@@ -55,7 +55,7 @@ public final class ModelImportProcess implements AutoCloseable {
   }
 
   /**
-   * Reads a model.
+   * Reads the meshes of a model, all in one frame, without nodes, cameras, lights and animations.
    *
    * @param name the name by which the model itself is asked for, whose extension tells the format
    * @param files the model's files
@@ -63,7 +63,26 @@ public final class ModelImportProcess implements AutoCloseable {
    * @throws IOException if a file cannot be read, or no process started
    * @throws ModelImportException if it exceeds a limit, or the process ends while it reads it
    */
-  public synchronized Optional<ImportedModel> read(String name, ModelFileSource files)
+  public Optional<ImportedModel> read(String name, ModelFileSource files)
+      throws IOException, ModelImportException {
+    return read(name, files, ImportProtocol.READ_MESHES);
+  }
+
+  /**
+   * Reads a model with its nodes, cameras, lights and animations.
+   *
+   * @param name the name by which the model itself is asked for, whose extension tells the format
+   * @param files the model's files
+   * @return empty if it is damaged or not of the format that its name says
+   * @throws IOException if a file cannot be read, or no process started
+   * @throws ModelImportException if it exceeds a limit, or the process ends while it reads it
+   */
+  public Optional<ImportedModel> readScene(String name, ModelFileSource files)
+      throws IOException, ModelImportException {
+    return read(name, files, ImportProtocol.READ_SCENE);
+  }
+
+  private synchronized Optional<ImportedModel> read(String name, ModelFileSource files, int request)
       throws IOException, ModelImportException {
     start();
     Connection child = connection;
@@ -75,7 +94,7 @@ public final class ModelImportProcess implements AutoCloseable {
         new ChildProcessWatchdog(
             child.process, "the model reader", limits.time(0), limits.memory(0))) {
       try {
-        Optional<ImportedModel> model = new Dialogue(child, files, watchdog).model(name);
+        Optional<ImportedModel> model = new Dialogue(child, files, watchdog).model(name, request);
         done = true;
         return model;
       } catch (ChildException e) {
@@ -129,14 +148,14 @@ public final class ModelImportProcess implements AutoCloseable {
     /**
      * @throws IOException if the process can read no models
      */
-    void send(String name) throws IOException, ChildException {
+    void send(String name, int request) throws IOException, ChildException {
       String fault = greeted ? "" : greeting();
       if (!fault.isEmpty()) {
         throw new IOException("models of other programs cannot be read: " + fault);
       }
       greeted = true;
       try {
-        out.writeByte(ImportProtocol.READ);
+        out.writeByte(request);
         out.writeUTF(name);
         out.flush();
       } catch (IOException e) {
@@ -232,9 +251,9 @@ public final class ModelImportProcess implements AutoCloseable {
       this.watchdog = watchdog;
     }
 
-    Optional<ImportedModel> model(String name)
+    Optional<ImportedModel> model(String name, int request)
         throws IOException, ModelImportException, ChildException {
-      child.send(name);
+      child.send(name, request);
       while (true) {
         switch (child.answer()) {
           case ImportProtocol.OPEN -> serve(child.url());

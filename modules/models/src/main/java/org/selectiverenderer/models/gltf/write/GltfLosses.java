@@ -19,13 +19,26 @@ final class GltfLosses {
     return problems;
   }
 
-  /** Reports a node whose type glTF has nothing for. */
+  /**
+   * Reports a node whose type glTF has nothing for: as information, if nothing of what is seen,
+   * heard or done is lost with it.
+   */
   void node(NodeView node) {
     String type = node.type().name();
-    tell(
-        type,
-        node.location(),
-        "glTF has nothing for %s; this one and all others are left out".formatted(type));
+    String message =
+        "glTF has nothing for %s; this one and all others are left out".formatted(type);
+    if (type.equals("NavigationInfo")) {
+      note(type, node.location(), message);
+    } else {
+      tell(type, node.location(), message);
+    }
+  }
+
+  /** Reports, as information, what almost every scene has and glTF has no word for. */
+  void note(String kind, SourceLocation place, String message) {
+    if (told.add(kind)) {
+      problems.info(place, message);
+    }
   }
 
   /**

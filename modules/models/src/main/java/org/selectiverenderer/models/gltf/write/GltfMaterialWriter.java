@@ -153,6 +153,7 @@ final class GltfMaterialWriter {
     } else {
       surface.put("roughnessFactor", roughness(material));
       losses(material, "ambientTexture", "specularTexture", "shininessTexture");
+      tellColours(material);
     }
     if (glow[0] + glow[1] + glow[2] > 0) {
       GltfDocument.numbers(to, "emissiveFactor", glow);
@@ -174,6 +175,17 @@ final class GltfMaterialWriter {
       if (!appearance.nodes("shaders").isEmpty()) {
         losses.node(appearance.nodes("shaders").get(0));
       }
+    }
+  }
+
+  private void tellColours(NodeView material) {
+    float[] specular = colour(material, "specularColor");
+    if (specular[0] + specular[1] + specular[2] > 0) {
+      losses.note(
+          "specular",
+          material.location(),
+          "glTF has neither a specularColor nor an ambientIntensity; highlights follow from the"
+              + " roughness, which is that of shininess");
     }
   }
 

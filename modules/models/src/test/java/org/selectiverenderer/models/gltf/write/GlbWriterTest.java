@@ -99,6 +99,21 @@ final class GlbWriterTest {
   }
 
   @Test
+  void whatLosesNothingOfThePictureIsInformation() throws IOException {
+    read(
+        scene(
+            "<NavigationInfo/><NavigationInfo/><Shape><Appearance><Material specularColor='1 0 0'/>"
+                + "</Appearance><Box/></Shape>"));
+    assertThat(problems.list())
+        .extracting(Problem::message)
+        .containsExactly(
+            "glTF has nothing for NavigationInfo; this one and all others are left out",
+            "glTF has neither a specularColor nor an ambientIntensity; highlights follow from the"
+                + " roughness, which is that of shininess");
+    assertThat(problems.any()).as("something that counts").isFalse();
+  }
+
+  @Test
   void whatGltfCannotHoldIsToldOncePerKindWithItsFirstPlace() throws IOException {
     read(scene("<Fog DEF='F'/><TouchSensor/><Fog/><TouchSensor/>" + BOX));
     assertThat(problems.list())

@@ -1,37 +1,26 @@
-package org.selectiverenderer.models.gltf;
+package org.selectiverenderer.models.scene;
 
-import com.fasterxml.jackson.databind.JsonNode;
+import org.joml.Matrix4d;
 
 /**
  * The place of a node: translation in metres, rotation as a unit quaternion x, y, z, w, and scale.
  *
  * @param sheared whether the node's matrix also shears, which is left out
  */
-record NodeTransform(double[] translation, double[] rotation, double[] scale, boolean sheared) {
+public record NodeTransform(
+    double[] translation, double[] rotation, double[] scale, boolean sheared) {
   private static final double SHEAR = 1e-3;
 
-  static NodeTransform of(JsonNode node) {
-    if (node.path("matrix").size() == 16) {
-      double[] identity = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-      return decomposed(GltfFile.numbers(node, "matrix", identity));
-    }
-    return new NodeTransform(
-        GltfFile.numbers(node, "translation", 0, 0, 0),
-        unit(GltfFile.numbers(node, "rotation", 0, 0, 0, 1)),
-        GltfFile.numbers(node, "scale", 1, 1, 1),
-        false);
-  }
-
   /** Returns a quaternion of length 1; no rotation for one of length 0. */
-  static double[] unit(double[] q) {
+  public static double[] unit(double[] q) {
     double length = Math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
     return length > 0
         ? new double[] {q[0] / length, q[1] / length, q[2] / length, q[3] / length}
         : new double[] {0, 0, 0, 1};
   }
 
-  /** Decomposes a matrix in column-major order. */
-  private static NodeTransform decomposed(double[] m) {
+  /** Decomposes a matrix of 16 numbers in column-major order. */
+  public static NodeTransform of(double... m) {
     double[] scale = new double[3];
     double[][] axes = new double[3][];
     for (int i = 0; i < 3; i++) {
@@ -54,6 +43,22 @@ record NodeTransform(double[] translation, double[] rotation, double[] scale, bo
     boolean flat = scale[0] == 0 || scale[1] == 0 || scale[2] == 0;
     double[] place = {m[12], m[13], m[14]};
     return new NodeTransform(place, unit(quaternion(axes)), scale, shear > SHEAR && !flat);
+  }
+
+  /** Returns the matrix. */
+  Matrix4d matrix() {
+    return new Matrix4d()
+        .translationRotateScale(
+            translation[0],
+            translation[1],
+            translation[2],
+            rotation[0],
+            rotation[1],
+            rotation[2],
+            rotation[3],
+            scale[0],
+            scale[1],
+            scale[2]);
   }
 
   /** Returns the quaternion of a rotation whose columns are axes (Shepperd 1978). */

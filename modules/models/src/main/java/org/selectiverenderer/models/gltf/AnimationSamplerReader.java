@@ -2,17 +2,16 @@ package org.selectiverenderer.models.gltf;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
-import java.util.Arrays;
+import org.selectiverenderer.models.scene.Keyframes;
 
 /**
- * The values of an animation over time, as X3D's interpolators have them: linear between keys.
- * Steps have two keys at one time; cubic splines (glTF 2.0, appendix C) are sampled.
- *
- * @param times seconds, not decreasing
- * @param values {@code size} numbers for each time
+ * Reads the values of an animation over time, as X3D's interpolators have them: linear between
+ * keys. Steps have two keys at one time; cubic splines (glTF 2.0, appendix C) are sampled.
  */
-record AnimationSampler(float[] times, float[] values, int size) {
+final class AnimationSamplerReader {
   private static final int SAMPLES = 8;
+
+  private AnimationSamplerReader() {}
 
   /**
    * Reads a sampler.
@@ -20,8 +19,7 @@ record AnimationSampler(float[] times, float[] values, int size) {
    * @param size the numbers of a value
    * @throws IOException if it is damaged, with one sentence
    */
-  static AnimationSampler of(JsonNode sampler, GltfAccessors accessors, int size)
-      throws IOException {
+  static Keyframes read(JsonNode sampler, GltfAccessors accessors, int size) throws IOException {
     float[] times = accessors.floats(GltfFile.index(sampler, "input"));
     float[] values = accessors.floats(GltfFile.index(sampler, "output"));
     String interpolation = sampler.path("interpolation").asText("LINEAR");
@@ -39,11 +37,11 @@ record AnimationSampler(float[] times, float[] values, int size) {
     return switch (interpolation) {
       case "STEP" -> stepped(times, values, size);
       case "CUBICSPLINE" -> sampled(times, values, size);
-      default -> new AnimationSampler(times, values, size);
+      default -> new Keyframes(times, values, size);
     };
   }
 
-  private static AnimationSampler stepped(float[] times, float[] values, int size) {
+  private static Keyframes stepped(float[] times, float[] values, int size) {
     int count = 2 * times.length - 1;
     float[] keys = new float[count];
     float[] stepped = new float[Math.multiplyExact(count, size)];
@@ -51,10 +49,10 @@ record AnimationSampler(float[] times, float[] values, int size) {
       keys[i] = times[(i + 1) / 2];
       System.arraycopy(values, i / 2 * size, stepped, i * size, size);
     }
-    return new AnimationSampler(keys, stepped, size);
+    return new Keyframes(keys, stepped, size);
   }
 
-  private static AnimationSampler sampled(float[] times, float[] values, int size) {
+  private static Keyframes sampled(float[] times, float[] values, int size) {
     int count = (times.length - 1) * SAMPLES + 1;
     float[] keys = new float[count];
     float[] sampled = new float[Math.multiplyExact(count, size)];
@@ -80,25 +78,6 @@ record AnimationSampler(float[] times, float[] values, int size) {
                     + step * (t3 - t2) * in);
       }
     }
-    return new AnimationSampler(keys, sampled, size);
-  }
-
-  /** Returns the last time in seconds. */
-  float end() {
-    return times[times.length - 1];
-  }
-
-  /** Returns the keys as fractions of a duration. */
-  float[] fractions(double duration) {
-    float[] keys = new float[times.length];
-    for (int i = 0; i < keys.length; i++) {
-      keys[i] = duration > 0 ? (float) Numbers.unit(times[i] / duration) : 0;
-    }
-    return keys;
-  }
-
-  /** Returns the value of a key. */
-  float[] value(int key) {
-    return Arrays.copyOfRange(values, key * size, (key + 1) * size);
+    return new Keyframes(keys, sampled, size);
   }
 }

@@ -1,4 +1,4 @@
-package org.selectiverenderer.models.gltf;
+package org.selectiverenderer.models.scene;
 
 import java.util.HashMap;
 import java.util.HashSet;
@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.Set;
 
 /** Makes the names of a model valid and unique as DEF names of one scene. */
-final class DefNames {
+public final class DefNames {
   private static final int LONGEST = 200;
 
   private final Set<String> taken = new HashSet<>();
@@ -18,7 +18,7 @@ final class DefNames {
    * @param name the name in the model, or ""
    * @param otherwise the name for a part without one
    */
-  String unique(String name, String otherwise) {
+  public String unique(String name, String otherwise) {
     String valid = valid(name.isBlank() ? otherwise : name);
     String unique = valid;
     while (!taken.add(unique)) {

@@ -1,15 +1,15 @@
-package org.selectiverenderer.models.gltf;
+package org.selectiverenderer.models.scene;
 
 import org.selectiverenderer.base.decimal.DecimalFormatter;
 
 /** Numbers as values of X3D fields. */
-final class Numbers {
+public final class Numbers {
   private static final int PER_LINE = 48;
 
   private Numbers() {}
 
   /** Returns numbers in the precision of X3D's floats, one after the other. */
-  static String of(double... values) {
+  public static String of(double... values) {
     StringBuilder text = new StringBuilder();
     for (double value : values) {
       text.append(text.length() == 0 ? "" : " ").append(DecimalFormatter.shortest((float) value));
@@ -18,7 +18,7 @@ final class Numbers {
   }
 
   /** Returns many numbers in several lines. */
-  static CharSequence list(float[] values) {
+  public static CharSequence list(float[] values) {
     StringBuilder text = new StringBuilder(8 * values.length);
     for (int i = 0; i < values.length; i++) {
       separate(text, i).append(DecimalFormatter.shortest(values[i]));
@@ -27,7 +27,7 @@ final class Numbers {
   }
 
   /** Returns many whole numbers in several lines. */
-  static CharSequence list(int[] values) {
+  public static CharSequence list(int[] values) {
     StringBuilder text = new StringBuilder(6 * values.length);
     for (int i = 0; i < values.length; i++) {
       separate(text, i).append(values[i]);
@@ -40,12 +40,12 @@ final class Numbers {
   }
 
   /** Returns a fraction between 0 and 1. */
-  static double unit(double value) {
+  public static double unit(double value) {
     return value >= 0 ? Math.min(value, 1) : 0;
   }
 
   /** Returns the axis and angle of a unit quaternion x, y, z, w. */
-  static double[] axisAngle(double[] quaternion) {
+  public static double[] axisAngle(double[] quaternion) {
     double x = quaternion[0];
     double y = quaternion[1];
     double z = quaternion[2];

@@ -1,0 +1,148 @@
+package org.selectiverenderer.models.scene;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.selectiverenderer.x3d.write.X3dWriter;
+
+/** Writes a skin with its joints as an HAnimHumanoid (X3D 4.0, 26.3.2). */
+public final class HumanoidWriter {
+  private final X3dWriter out;
+  private final DefNames names;
+  private final AnimatedNodes animated;
+
+  /**
+   * @param animated receives the joints
+   */
+  public HumanoidWriter(X3dWriter out, DefNames names, AnimatedNodes animated) {
+    this.out = out;
+    this.names = names;
+    this.animated = animated;
+  }
+
+  /** The vertices that follow a joint, and by how much. */
+  private static final class Influence {
+    private final StringBuilder vertices = new StringBuilder();
+    private final StringBuilder weights = new StringBuilder();
+  }
+
+  /**
+   * Tells how much a vertex follows a joint.
+   *
+   * @param vertex the index of the vertex
+   * @param joint the index of the joint in its skin
+   * @param weight more than 0
+   */
+  public record Weight(int vertex, int joint, float weight) {}
+
+  /**
+   * What is drawn.
+   *
+   * @param points x, y, z of the mesh
+   * @param normals x, y, z of the mesh; empty for none
+   * @param weights of all vertices
+   */
+  public record Surface(float[] points, float[] normals, List<Weight> weights) {}
+
+  /** Writes the Shapes of the skin, whose Coordinate and Normal have been written before. */
+  @FunctionalInterface
+  public interface Shapes {
+    /**
+     * @param coordinate the DEF name of the Coordinate
+     * @param normal that of the Normal; "" for none
+     */
+    void write(String coordinate, String normal);
+  }
+
+  /**
+   * Writes a figure.
+   *
+   * @param name the name of the mesh, or ""
+   */
+  public void write(Skin skin, String name, Surface surface, Shapes shapes) {
+    String def = names.unique(name, "figure");
+    out.open("HAnimHumanoid", "DEF", def, "name", def, "version", "2.0");
+    List<String> joints = joints(skin, surface.weights());
+    joints.forEach(joint -> out.empty("HAnimJoint", "USE", joint, "containerField", "joints"));
+    String coordinate = names.unique("", def + "_points");
+    out.open("Coordinate", "DEF", coordinate, "containerField", "skinCoord").ownLine();
+    out.numbers("point", Numbers.list(skin.atRest(surface.points(), false))).close();
+    String normal = surface.normals().length == 0 ? "" : names.unique("", def + "_normals");
+    if (!normal.isEmpty()) {
+      out.open("Normal", "DEF", normal, "containerField", "skinNormal").ownLine();
+      out.numbers("vector", Numbers.list(skin.atRest(surface.normals(), true))).close();
+    }
+    shapes.write(coordinate, normal);
+    out.close();
+  }
+
+  private List<String> joints(Skin skin, List<Weight> weights) {
+    Map<Integer, Influence> influences = new HashMap<>();
+    for (Weight weight : weights) {
+      Influence influence =
+          influences.computeIfAbsent(skin.node(weight.joint()), unused -> new Influence());
+      influence.vertices.append(weight.vertex()).append(' ');
+      influence.weights.append(Numbers.of(weight.weight())).append(' ');
+    }
+    List<Integer> used = weights.stream().map(Weight::joint).distinct().sorted().toList();
+    Map<Integer, List<Integer>> children = new HashMap<>();
+    for (int node : skin.closure(used)) {
+      int parent = skin.nodes().get(node).parent();
+      children.computeIfAbsent(parent, unused -> new ArrayList<>()).add(node);
+    }
+    List<String> written = new ArrayList<>();
+    for (int root : children.getOrDefault(-1, List.of())) {
+      joint(skin, root, "skeleton", children, influences, written);
+    }
+    return written;
+  }
+
+  private void joint(
+      Skin skin,
+      int node,
+      String container,
+      Map<Integer, List<Integer>> children,
+      Map<Integer, Influence> influences,
+      List<String> written) {
+    ModelNode from = skin.nodes().get(node);
+    JointBinding binding = skin.binding(node);
+    String def = names.unique(from.name(), "joint" + node);
+    written.add(def);
+    animated.add(node, def, binding);
+    out.open("HAnimJoint", "DEF", def, "containerField", container, "name", def);
+    double[] t = from.place().translation();
+    double[] r = from.place().rotation();
+    double[] s = from.place().scale();
+    field("center", 0, binding.position().x, binding.position().y, binding.position().z);
+    field("translation", 0, binding.translation(t[0], t[1], t[2]));
+    double[] turn = binding.rotation(r[0], r[1], r[2], r[3]);
+    if (turn[3] != 0) {
+      out.attribute("rotation", Numbers.of(turn));
+    }
+    field("scale", 1, binding.scale(s[0], s[1], s[2]));
+    double[] axes =
+        Numbers.axisAngle(
+            new double[] {
+              binding.rotation().x, binding.rotation().y, binding.rotation().z, binding.rotation().w
+            });
+    if (axes[3] != 0) {
+      out.attribute("scaleOrientation", Numbers.of(axes));
+    }
+    Influence influence = influences.get(node);
+    if (influence != null) {
+      out.ownLine().numbers("skinCoordIndex", influence.vertices.toString().stripTrailing());
+      out.ownLine().numbers("skinCoordWeight", influence.weights.toString().stripTrailing());
+    }
+    for (int child : children.getOrDefault(node, List.of())) {
+      joint(skin, child, "children", children, influences, written);
+    }
+    out.close();
+  }
+
+  private void field(String name, double otherwise, double... value) {
+    if (value[0] != otherwise || value[1] != otherwise || value[2] != otherwise) {
+      out.attribute(name, Numbers.of(value));
+    }
+  }
+}
