@@ -46,9 +46,11 @@ final class ModelFileAccess implements ModelFileSource {
     }
     UrlContent content = ((UrlResolver.Target.Found) target).content();
     return Optional.of(
-        content.file().isPresent()
-            ? ModelSource.open(content.file().get())
-            : new OpenFile(content.size(), content.open()));
+        VtkMaterialLibrary.corrected(
+            url,
+            content.file().isPresent()
+                ? ModelSource.open(content.file().get())
+                : new OpenFile(content.size(), content.open())));
   }
 
   /**
