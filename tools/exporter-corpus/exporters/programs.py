@@ -42,11 +42,11 @@ def assimp():
 
 def tovrmlx3d():
     folder = scene.begin("tovrmlx3d", version("tovrmlx3d", "--version"))
-    for source in ("scene.glb", "scene.wrl", "scene.x3d", "scene.dae", "scene.stl"):
+    for source in ("../vtk/scene.wrl", "../x3d_psail/scene.x3d", "../bpy/scene.glb", "../trimesh/scene.stl"):
         if not (SOURCE / source).exists():
             continue
         for encoding, ending in (("xml", "x3d"), ("classic", "x3dv")):
-            out = folder / (source.replace(".", "-") + "." + ending)
+            out = folder / (Path(source).name.replace(".", "-") + "." + ending)
 
             def write():
                 out.write_bytes(subprocess.run(["tovrmlx3d", str(SOURCE / source), "--encoding=" + encoding],

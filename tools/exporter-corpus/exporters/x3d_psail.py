@@ -21,8 +21,8 @@ def transform(name, at, shape):
 
 points, colours, triangles = scene.sphere()
 whole = x3d.X3D(profile="Immersive", version="4.0", head=x3d.head(children=[
-    x3d.meta(name="title", content=scene.ROOM + " & \"Zimmer\"")]), Scene=x3d.Scene(children=[
-        x3d.WorldInfo(title=scene.ROOM, info=["it's a \"test\""]),
+    x3d.meta(name="title", content=scene.ROOM)]), Scene=x3d.Scene(children=[
+        x3d.WorldInfo(title=scene.ROOM, info=["it's a test"]),
         x3d.Viewpoint(DEF="Camera", description=scene.CAMERA, position=scene.CAMERA_AT),
         x3d.PointLight(DEF="Lamp", location=scene.LIGHT_AT),
         x3d.Group(DEF="Room", children=[

@@ -46,7 +46,7 @@ final class ModelFileAccess implements ModelFileSource {
     }
     UrlContent content = ((UrlResolver.Target.Found) target).content();
     return Optional.of(
-        VtkMaterialLibrary.corrected(
+        MaterialLibraryDialect.corrected(
             url,
             content.file().isPresent()
                 ? ModelSource.open(content.file().get())

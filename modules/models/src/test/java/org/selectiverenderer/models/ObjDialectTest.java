@@ -9,6 +9,8 @@ import java.util.List;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 
@@ -45,11 +47,12 @@ class ObjDialectTest {
   }
 
   /** VTK writes its opacity as Tr, and so do PyVista and ParaView, which use its exporter. */
-  @Test
-  void trIsTheOpacityWhereVtkWroteTheMaterials() throws IOException {
+  @ParameterizedTest
+  @ValueSource(strings = {VTK, "# Created by Jmol 14.32.83  2023-01-07 08:24\n\n"})
+  void trIsTheOpacityWhereVtkOrJmolWroteTheMaterials(String header) throws IOException {
     List<ModelPart> parts =
         read(
-            VTK + "newmtl a\nKd 1 1 1\nTr 1\nillum 3\nnewmtl b\r\nKd 0 0 1\r\n\tTr  0.25\r\n",
+            header + "newmtl a\nKd 1 1 1\n Tr 1\nillum 3\nnewmtl b\r\nKd 0 0 1\r\n\tTr  0.25\r\n",
             TWO_TRIANGLES);
 
     assertThat(transparencies(parts)).containsExactly(0f, 0.75f);

@@ -4,20 +4,22 @@ import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
+import java.util.List;
 import java.util.Locale;
 import java.util.regex.Pattern;
 import org.selectiverenderer.models.importer.ModelFileSource.OpenFile;
 
 /**
- * Corrects the material libraries (MTL) that VTK's exporter of OBJ writes, which PyVista and
- * ParaView use, too: their {@code Tr} is the opacity, 1 for all that is opaque. Everywhere else it
- * is the transparency, so that nothing of such a model would be seen.
+ * Corrects material libraries (MTL) of exporters to whom {@code Tr} is the opacity, 1 for all that
+ * is opaque: VTK, whose exporter PyVista and ParaView use, too, and Jmol. Everywhere else it is the
+ * transparency, so that nothing of such a model would be seen.
  */
-final class VtkMaterialLibrary {
+final class MaterialLibraryDialect {
   private static final String ENDING = ".mtl";
-  private static final String SIGNATURE = "written by the visualization toolkit";
+  private static final List<String> SIGNATURES =
+      List.of("written by the visualization toolkit", "created by jmol");
 
-  /** VTK writes its signature into the first line. */
+  /** Exporters write their signatures into the first line. */
   private static final int BEGINNING = 200;
 
   /** A library of materials is small; a larger file is passed on as it is. */
@@ -25,11 +27,11 @@ final class VtkMaterialLibrary {
 
   private static final Pattern OPACITY = Pattern.compile("(?m)^([ \\t]*)Tr(?=[ \\t])");
 
-  private VtkMaterialLibrary() {}
+  private MaterialLibraryDialect() {}
 
   /**
    * Returns a file with {@code Tr} replaced by {@code d}, the word for the opacity, if it is a
-   * material library of VTK; else the file with the same bytes.
+   * material library of one of these exporters; else the file with the same bytes.
    *
    * @param url the url of the file as the model states it
    * @param file the file, open
@@ -44,9 +46,9 @@ final class VtkMaterialLibrary {
     }
     // Each byte is one character of it, whatever the names are encoded in.
     String text = new String(bytes, StandardCharsets.ISO_8859_1);
-    if (text.substring(0, Math.min(BEGINNING, text.length()))
-        .toLowerCase(Locale.ROOT)
-        .contains(SIGNATURE)) {
+    String beginning =
+        text.substring(0, Math.min(BEGINNING, text.length())).toLowerCase(Locale.ROOT);
+    if (SIGNATURES.stream().anyMatch(beginning::contains)) {
       bytes = OPACITY.matcher(text).replaceAll("$1d").getBytes(StandardCharsets.ISO_8859_1);
     }
     return new OpenFile(bytes.length, new ByteArrayInputStream(bytes));
