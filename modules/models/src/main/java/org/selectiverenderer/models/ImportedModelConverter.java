@@ -64,7 +64,7 @@ final class ImportedModelConverter {
     return MeshFactory.of(
         new TriangleMesh(clean(positions), triangles),
         normals,
-        colors(mesh.colors()),
+        isWithoutColors(mesh.colors()) ? null : colors(mesh.colors()),
         textured && mesh.texCoords() != null ? clean(mesh.texCoords()) : null,
         CREASE_ANGLE,
         true);
@@ -121,6 +121,22 @@ final class ImportedModelConverter {
               + normals[i + 1] * (double) normals[i + 1]
               + normals[i + 2] * (double) normals[i + 2];
       if (!(Math.abs(square - 1) < 0.01)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /**
+   * Returns whether a mesh of an OBJ file has no colours of its own: if only some vertices of the
+   * file have colours, Assimp makes all others black.
+   */
+  private boolean isWithoutColors(float @Nullable [] colors) {
+    if (colors == null || !file.ending().equals("obj")) {
+      return false;
+    }
+    for (int i = 0; i < colors.length; i++) {
+      if (colors[i] != 0 && i % 4 != 3) {
         return false;
       }
     }

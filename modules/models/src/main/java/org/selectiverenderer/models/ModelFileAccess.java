@@ -53,9 +53,11 @@ final class ModelFileAccess implements ModelFileSource {
     }
     UrlContent content = ((UrlResolver.Target.Found) target).content();
     return Optional.of(
-        content.file().isPresent()
-            ? ModelSource.open(content.file().get())
-            : new OpenFile(content.size(), content.open()));
+        MaterialLibraryDialect.corrected(
+            url,
+            content.file().isPresent()
+                ? ModelSource.open(content.file().get())
+                : new OpenFile(content.size(), content.open())));
   }
 
   /**
