@@ -191,7 +191,7 @@ class RunningSceneLoaderTest extends RunningSceneLoaderTestCase {
         """);
     String nothing =
         "broken.x3d: this is neither XML nor VRML nor JSON: a scene begins with '<', '#X3D V',"
-            + " '#VRML V2.0' or '{'; nothing can be shown (the Inline at test.x3d:%s names this file)";
+            + " '#VRML V' or '{'; nothing can be shown (the Inline at test.x3d:%s names this file)";
     assertThat(problems.list())
         .extracting(problem -> problem.toString().replace(folder + File.separator, ""))
         .containsExactly(

@@ -31,6 +31,7 @@ class GltfTranslatorTest extends GltfSceneTest {
     ParsedNode triangles = first(file, "IndexedTriangleSet");
     assertThat(triangles.ints("index")).containsExactly(0, 1, 2);
     assertThat(triangles.bool("normalPerVertex")).isFalse();
+    assertThat(first(file, "Viewpoint").bool("viewAll")).isTrue(); // as there is no camera
     assertThat(messages()).isEmpty();
   }
 

@@ -3,6 +3,7 @@ package org.selectiverenderer.x3d.source;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.x3d.source.DocumentError.Kind;
@@ -20,6 +21,13 @@ public record Preflight(
   /** Checks a file's bytes. */
   public static Preflight of(String name, SceneBytes bytes) {
     SourceText text = SourceText.of(bytes.bytes(), bytes.length());
+    if (isBinary(bytes)) {
+      return refused(
+          name,
+          text,
+          "this is a scene in X3D's binary encoding (.x3db), which is not read; save it as X3D XML"
+              + " in the program that made it, or convert it with Xj3D's converter");
+    }
     SourceLocation whole = SourceLocation.of(name);
     if (bytes.refused() != null) {
       return refused(name, text, bytes.refused());
@@ -36,6 +44,21 @@ public record Preflight(
       }
     }
     return of(name, text, faults, true);
+  }
+
+  /**
+   * Returns whether a file is a Fast Infoset, as ISO/IEC 19776-3 has it (ITU-T X.891, 12.6), or in
+   * EXI, which has been proposed in its place.
+   */
+  private static boolean isBinary(SceneBytes file) {
+    byte[] bytes = file.bytes();
+    return starts(bytes, file.length(), 0xe0, 0, 0, 1)
+        || starts(bytes, file.length(), '$', 'E', 'X', 'I');
+  }
+
+  private static boolean starts(byte[] bytes, int length, int... magic) {
+    return length >= magic.length
+        && IntStream.range(0, magic.length).allMatch(i -> (bytes[i] & 0xff) == magic[i]);
   }
 
   /** Checks a text and expands its entities. */

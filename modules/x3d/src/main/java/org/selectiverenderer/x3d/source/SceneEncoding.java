@@ -32,6 +32,10 @@ public enum SceneEncoding {
           Pattern.DOTALL);
 
   private static final Pattern VRML1_HEAD = Pattern.compile("#VRML[ \\t]+V1\\.");
+
+  /** The header that some exporters write instead of {@code #X3D V4.0}. */
+  private static final Pattern MISNAMED_CLASSIC = Pattern.compile("#VRML[ \\t]+V[34]\\.");
+
   private static final Pattern VRML2 = Pattern.compile("#VRML[ \\t]+V2\\.");
 
   private final String title;
@@ -62,7 +66,7 @@ public enum SceneEncoding {
     if (start.startsWith("{")) {
       return Optional.of(JSON);
     }
-    if (start.startsWith("#X3D")) {
+    if (start.startsWith("#X3D") || MISNAMED_CLASSIC.matcher(start).lookingAt()) {
       return Optional.of(CLASSIC);
     }
     if (VRML1_HEAD.matcher(start).lookingAt()) {

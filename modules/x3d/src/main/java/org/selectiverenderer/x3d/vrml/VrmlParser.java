@@ -10,7 +10,7 @@ import org.selectiverenderer.x3d.source.XmlParseException;
 
 /** Parses a file: its header line, its head statements, and its scene. */
 public final class VrmlParser implements ElementTreeBuilder.Parser {
-  private static final Pattern VERSION = Pattern.compile("#X3D\\s+V?(\\d+\\.\\d+).*");
+  private static final Pattern VERSION = Pattern.compile("#(?:X3D|VRML)\\s+V?(\\d+\\.\\d+).*");
 
   /**
    * The X3D profile that corresponds to VRML97; the version below still has all nodes of VRML97.

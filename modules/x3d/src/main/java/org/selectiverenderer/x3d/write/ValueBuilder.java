@@ -85,7 +85,9 @@ final class ValueBuilder {
         }
         default -> {
           Value value =
+              // FontStyle and others have a field "style", which is not HTML's
               StatementRules.ofHtml(attribute.name())
+                      && (type == null || type.field(attribute.name()).isEmpty())
                   ? ofHtml(attribute)
                   : type == null
                       ? ofStatement(element, attribute, known, notes)

@@ -125,6 +125,10 @@ class BadInputTest {
     fixture.assertOnly(
         "test.x3d: this is a scene of Open Inventor, which is not read; convert it to X3D, for "
             + "example with view3dscene");
+    fixture.read(new byte[] {(byte) 0xe0, 0, 0, 1, 0, 1, 'x'});
+    fixture.assertOnly(
+        "test.x3d: this is a scene in X3D's binary encoding (.x3db), which is not read; save it as "
+            + "X3D XML in the program that made it, or convert it with Xj3D's converter");
     assertThat(fixture.read(" ".repeat(100)).nodes()).isEmpty();
     assertThat(fixture.problems.list()).hasSize(1);
   }

@@ -62,6 +62,14 @@ class ConversionLossesTest {
 
   @ParameterizedTest
   @EnumSource
+  void aFieldNamedAsAnAttributeOfHtmlIsKept(SceneFormat format) throws IOException {
+    String text = converted(scene("<Shape><Text><FontStyle style='BOLD'/></Text></Shape>"), format);
+    assertThat(told()).isEmpty();
+    assertThat(text).contains("BOLD");
+  }
+
+  @ParameterizedTest
+  @EnumSource
   void controlCharactersAreToldWhereTheyAreForbidden(SceneFormat format) throws IOException {
     String scene = "#X3D V4.0 utf8\nPROFILE Full\nWorldInfo { title \"a\u0001b\" }\n";
     String text = converted(scene, format);

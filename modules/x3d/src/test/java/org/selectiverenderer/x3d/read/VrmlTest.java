@@ -56,6 +56,14 @@ class VrmlTest {
   }
 
   @Test
+  void aHeaderThatNamesX3dsVersionAfterVrmlIsThatOfX3d() {
+    X3dFile file = fixture.read("#VRML V4.0 utf8\nPROFILE Full\nDEF A Group { }\n");
+    fixture.assertClean();
+    assertThat(file.version()).isEqualTo("4.0");
+    assertThat(file.named()).containsOnlyKeys("A");
+  }
+
+  @Test
   void theHeadIsThatOfX3d() {
     X3dFile file =
         fixture.read(

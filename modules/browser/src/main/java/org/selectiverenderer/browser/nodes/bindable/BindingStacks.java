@@ -178,23 +178,32 @@ public final class BindingStacks {
     }
 
     void visit(Node start) {
-      List<Node> open = new ArrayList<>(List.of(start));
+      List<Entry> open = new ArrayList<>(List.of(new Entry(start, false)));
       while (!open.isEmpty()) {
-        Node node = open.remove(open.size() - 1);
+        Entry entry = open.remove(open.size() - 1);
+        Node node = entry.node();
         if (node instanceof BindableNode bindable) {
-          found.add(bindable);
           if (bindable instanceof ViewpointNode viewpoint && intoInlines) {
+            if (entry.inlined() && viewpoint.isUnnamedOverview()) {
+              continue;
+            }
+            found.add(bindable);
             viewpoint.navigationInfo().ifPresent(found::add);
+          } else {
+            found.add(bindable);
           }
         } else if (node instanceof GroupingNode group
             && groups.add(group)
             && (intoInlines || !(group instanceof InlineNode))) {
+          boolean inlined = entry.inlined() || group instanceof InlineNode;
           List<Node> children = group.children();
           for (int i = children.size() - 1; i >= 0; i--) {
-            open.add(children.get(i));
+            open.add(new Entry(children.get(i), inlined));
           }
         }
       }
     }
+
+    private record Entry(Node node, boolean inlined) {}
   }
 }

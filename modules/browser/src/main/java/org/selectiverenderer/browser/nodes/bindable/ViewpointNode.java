@@ -83,6 +83,15 @@ public class ViewpointNode extends BindableNode {
     return bool("viewAll");
   }
 
+  /**
+   * Returns whether this shows the whole scene and has no description, as the viewpoint that a
+   * model of another program without a camera is given. In an Inline it is offered to nobody: it
+   * would show the scene around the model.
+   */
+  boolean isUnnamedOverview() {
+    return viewAll() && "".equals(value("description"));
+  }
+
   Optional<BindableNode> navigationInfo() {
     return value(navigationInfo) instanceof BindableNode info
         ? Optional.of(info)

@@ -127,6 +127,18 @@ class BindingStacksTest {
   }
 
   @Test
+  void theViewOfAWholeModelIsNotOfferedWhereAnInlineShowsTheModel() {
+    Node overview = nodes.node("Viewpoint", "viewAll", true);
+    Node named = nodes.node("Viewpoint", "viewAll", true, "description", "All");
+    InlineNode inline = (InlineNode) nodes.node("Inline");
+    inline.fill(new Scene(nodes.group(overview, named), "", "4.0", "Full", Map.of(), 1), 1);
+    Node outside = nodes.node("Viewpoint", "viewAll", true);
+    BindingStacks stacks = new BindingStacks(nodes.group(inline, outside), nodes.cascade);
+    assertThat(stacks.all("Viewpoint")).containsExactly(named, outside);
+    assertThat(stacks.bound("Viewpoint")).containsSame(outside);
+  }
+
+  @Test
   void aViewpointThatComesLaterCanBeBoundAndOneThatGoesIsUnbound() {
     Node first = viewpoint("first");
     Node later = viewpoint("later");
