@@ -145,7 +145,7 @@ public final class XmlRules {
               translation does not read, is missing in the scene.""")
           .bad(
               """
-              {"asset": {"version": "2.0"}, "meshes": [{}], "nodes": [{"mesh": 0, "skin": 0}]}""")
+              {"asset": {"version": "2.0"}, "extensionsRequired": ["KHR_texture_basisu"]}""")
           .good(
               """
               {"asset": {"version": "2.0"}, "meshes": [{}], "nodes": [{"mesh": 0}]}""")
