@@ -88,11 +88,11 @@ class ConvertCommandTest extends CommandTestCase {
 
   @Test
   void aFileOfAnotherKindIsToldAndNotConverted() throws IOException {
-    Path scene = scene("page.x3d", "<html><body/></html>");
+    Path scene = scene("page.x3d", "<svg><g/></svg>");
     Path output = folder.resolve("page.x3dj");
     assertThat(execute("convert", scene.toString(), output.toString())).isEqualTo(1);
     assertThat(messages())
-        .contains("the root element of a scene must be X3D, not html; nothing is written");
+        .contains("the root element of a scene must be X3D, not svg; nothing is written");
     assertThat(output).doesNotExist();
   }
 

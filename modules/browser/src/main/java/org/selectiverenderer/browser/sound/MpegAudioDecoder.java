@@ -36,12 +36,14 @@ final class MpegAudioDecoder {
    */
   static AudioBuffer decode(byte[] file, AtomicLong budget) throws IOException {
     MpegFrames frames = MpegFrames.of(file);
-    SoundFileReader.spend(2L * frames.samples() * frames.channels() * frames.count(), budget);
+    long bytes = 2L * frames.samples() * frames.channels() * frames.count();
+    SoundFileReader.spend(bytes, budget);
     // JLayer fills tables of its classes when it first needs them, without a lock of its own.
     synchronized (MpegAudioDecoder.class) {
       MpegAudioDecoder decoder = new MpegAudioDecoder(frames);
       decoder.decode();
       if (!decoder.any) {
+        budget.addAndGet(bytes);
         throw new IOException("is damaged: none of its frames can be decoded");
       }
       return new AudioBuffer(decoder.samples, frames.channels(), frames.rate());

@@ -116,6 +116,7 @@ public final class SoundFileReader {
   static void spend(long bytes, AtomicLong budget) throws IOException {
     check(bytes);
     if (budget.addAndGet(-bytes) < 0) {
+      budget.addAndGet(bytes); // smaller sounds may still fit
       throw tooMany();
     }
   }

@@ -20,6 +20,9 @@ public final class PageParser implements ElementTreeBuilder.Parser {
   /** More attributes than any node has. */
   private static final int MOST_ATTRIBUTES = 1000;
 
+  /** The characters of the longest reference that is read, such as {@code &#x10ffff;}. */
+  private static final int LONGEST_REFERENCE = 11;
+
   private static final String ROOT = "x3d";
   private static final String SCRIPT = "Script";
 
@@ -173,14 +176,16 @@ public final class PageParser implements ElementTreeBuilder.Parser {
               .map(FieldDefinition::type)
               .orElse(null);
       boolean words = type == null || type.kind() == FieldType.Kind.STRING;
-      if (!words && type.kind() != FieldType.Kind.BOOLEAN) {
+      String written = written(attribute);
+      boolean plain = written.indexOf('&') < 0;
+      if (plain && !words && type.kind() != FieldType.Kind.BOOLEAN) {
         document.attribute(name, attribute.at(), attribute.from(), attribute.to());
         return;
       }
-      String value = resolved(written(attribute));
+      String value = resolved(written);
       if (type == FieldType.MFString && !value.isBlank() && !value.strip().startsWith("\"")) {
         value = FieldTokenizer.string(value.strip()); // one string, as X3DOM reads it
-      } else if (!words) {
+      } else if (type != null && type.kind() == FieldType.Kind.BOOLEAN) {
         value = PageNames.lower(value.strip());
       }
       document.attribute(name, value, attribute.at(), attribute.from(), attribute.to());
@@ -222,9 +227,9 @@ public final class PageParser implements ElementTreeBuilder.Parser {
     int at = 0;
     for (int mark = text.indexOf('&'); mark >= 0; mark = text.indexOf('&', at)) {
       plain.append(text, at, mark);
-      int end = text.indexOf(';', mark);
-      String character =
-          end < 0 || end - mark > 10 ? null : character(text.substring(mark + 1, end));
+      String near = text.substring(mark, Math.min(text.length(), mark + LONGEST_REFERENCE));
+      int end = near.indexOf(';') < 0 ? -1 : mark + near.indexOf(';');
+      String character = end < 0 ? null : character(text.substring(mark + 1, end));
       plain.append(character == null ? "&" : character);
       at = character == null ? mark + 1 : end + 1;
     }

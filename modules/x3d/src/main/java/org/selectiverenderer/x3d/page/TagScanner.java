@@ -161,12 +161,21 @@ final class TagScanner {
     return kind;
   }
 
-  /** Goes to the end tag of an element whose content is no markup, and returns its content. */
+  /** Goes to the end tag of an element whose content is no markup. */
   void skipRawText() {
     contentFrom = at;
-    int found = find("</" + name.toLowerCase(Locale.ROOT), at);
+    String end = "</" + name.toLowerCase(Locale.ROOT);
+    int found = find(end, at);
+    while (found >= 0 && !endsName(found + end.length())) {
+      found = find(end, found + end.length());
+    }
     at = found < 0 ? length : found;
     contentTo = at;
+  }
+
+  /** Returns whether the name of a tag ends before a place (WHATWG HTML, 13.2.5.14). */
+  private boolean endsName(int place) {
+    return place >= length || text.charAt(place) <= ' ' || "/>".indexOf(text.charAt(place)) >= 0;
   }
 
   private String word() {

@@ -1,5 +1,11 @@
 package org.selectiverenderer.x3d.write;
 
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
@@ -14,6 +20,8 @@ import org.selectiverenderer.x3d.source.DocumentElement;
  */
 final class InterfaceDefaults {
   private final NodeCatalogue catalogue;
+  private final Map<DocumentElement, Map<String, List<DocumentElement>>> connections =
+      new IdentityHashMap<>();
 
   InterfaceDefaults(NodeCatalogue catalogue) {
     this.catalogue = catalogue;
@@ -29,21 +37,34 @@ final class InterfaceDefaults {
         .map(prototype -> connected(prototype, name, type));
   }
 
-  private @Nullable String connected(DocumentElement within, String name, FieldType type) {
+  private @Nullable String connected(DocumentElement prototype, String name, FieldType type) {
+    return connections
+        .computeIfAbsent(prototype, InterfaceDefaults::connections)
+        .getOrDefault(name, List.of())
+        .stream()
+        .map(connect -> value(connect, type))
+        .filter(Objects::nonNull)
+        .findFirst()
+        .orElse(null);
+  }
+
+  /** Returns the connect elements of a prototype by the field that they connect, in order. */
+  private static Map<String, List<DocumentElement>> connections(DocumentElement prototype) {
+    Map<String, List<DocumentElement>> found = new HashMap<>();
+    collect(prototype, found);
+    return found;
+  }
+
+  private static void collect(DocumentElement within, Map<String, List<DocumentElement>> found) {
     for (DocumentElement child : within.children()) {
-      if (child.name().equals("ProtoDeclare") || child.name().equals("ProtoInterface")) {
-        continue; // Another prototype has an interface of its own.
-      }
-      String found =
-          child.name().equals("connect")
-                  && child.text("protoField").filter(name::equals).isPresent()
-              ? value(child, type)
-              : connected(child, name, type);
-      if (found != null) {
-        return found;
+      if (child.name().equals("connect")) {
+        child
+            .text("protoField")
+            .ifPresent(name -> found.computeIfAbsent(name, n -> new ArrayList<>()).add(child));
+      } else if (!child.name().equals("ProtoDeclare") && !child.name().equals("ProtoInterface")) {
+        collect(child, found); // Another prototype has an interface of its own.
       }
     }
-    return null;
   }
 
   private @Nullable String value(DocumentElement connect, FieldType type) {

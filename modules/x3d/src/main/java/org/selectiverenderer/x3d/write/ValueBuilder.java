@@ -38,6 +38,7 @@ final class ValueBuilder {
   private final CharacterRules characters;
   private final ProblemCollector problems;
   private final @Nullable VrmlNames names;
+  private final InterfaceDefaults defaults;
   private final Set<String> toldOnce = new HashSet<>();
 
   ValueBuilder(
@@ -47,6 +48,7 @@ final class ValueBuilder {
       CharacterRules characters,
       ProblemCollector problems) {
     this.catalogue = catalogue;
+    defaults = new InterfaceDefaults(catalogue);
     json = document.encoding() == SceneEncoding.JSON;
     classic = format == SceneFormat.CLASSIC;
     this.characters = characters;
@@ -291,7 +293,7 @@ final class ValueBuilder {
       return Optional.empty();
     }
     String text =
-        new InterfaceDefaults(catalogue)
+        defaults
             .of(field, type)
             .orElse(
                 type == FieldType.SFString

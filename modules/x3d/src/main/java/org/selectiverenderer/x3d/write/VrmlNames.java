@@ -71,6 +71,9 @@ final class VrmlNames {
     private final Map<String, String> written = new HashMap<>();
     private final Set<String> taken = new HashSet<>();
 
+    /** How often a name that ClassicVRML can write has been made unique by a number. */
+    private final Map<String, Integer> numbers = new HashMap<>();
+
     Names(Predicate<String> reserved) {
       this.reserved = reserved;
     }
@@ -91,8 +94,8 @@ final class VrmlNames {
       name.chars().forEach(c -> text.append(ends(c) ? '_' : (char) c));
       String plain = text.isEmpty() ? "_" : text.toString();
       String unique = valid(plain) ? plain : plain + "_";
-      for (int i = 2; !taken.add(unique); i++) {
-        unique = plain + "_" + i;
+      while (!taken.add(unique)) {
+        unique = plain + "_" + (1 + numbers.merge(plain, 1, Integer::sum));
       }
       return unique;
     }

@@ -68,6 +68,23 @@ class PageTest {
   }
 
   @Test
+  void referencesInNumbersAreResolvedAndManyThatAreNoneTakeNoTime() {
+    assertThat(elements("<html><x3d><scene><transform translation='1&#10;2&#xA;3'></transform>"))
+        .contains("Transform translation=1\n2\n3");
+    String ampersands = "&".repeat(2_000_000); // a search for each ';' took hours
+    assertThat(elements("<html><x3d><scene><inline url='" + ampersands + "'></inline>"))
+        .contains("Inline url=\"" + ampersands + "\"");
+  }
+
+  @Test
+  void aLongerNameDoesNotEndAScript() {
+    assertThat(
+            elements("<html><script>a</scripty><x3d><scene><box/></script ><x3d><scene><group/>"))
+        .contains("Group")
+        .doesNotContain("Box");
+  }
+
+  @Test
   void theSceneOfAPageIsReadWithTheNamesOfX3d() {
     assertThat(elements(PAGE))
         .containsExactly(
