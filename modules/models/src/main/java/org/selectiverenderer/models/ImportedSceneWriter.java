@@ -83,7 +83,8 @@ final class ImportedSceneWriter {
   /** Returns the text. */
   String text(String title, String description) {
     boolean figure = model.meshes().stream().anyMatch(mesh -> !mesh.bones().isEmpty());
-    out.file(figure ? "Full" : "Immersive", "3.3").open("head");
+    // since X3D 4.0 a picture multiplies the diffuse colour, as in the formats that are imported
+    out.file(figure ? "Full" : "Immersive", "4.0").open("head");
     out.meta("title", title).meta("description", description);
     out.meta("generator", "Selective Renderer").close().open("Scene");
     List<Mesh> all = new ArrayList<>();
