@@ -29,11 +29,8 @@ final class AnimationSamplerReader {
         || values.length != (long) times.length * size * (cubic ? 3 : 1)) {
       throw new IOException("its times and values differ in number");
     }
-    for (int i = 0; i < times.length; i++) {
-      if (!Float.isFinite(times[i])) {
-        throw new IOException("one of its times is not a finite number");
-      }
-      if (i > 0 && times[i] < times[i - 1]) {
+    for (int i = 1; i < times.length; i++) {
+      if (times[i] < times[i - 1]) {
         throw new IOException("its times decrease");
       }
     }
