@@ -13,6 +13,7 @@ import org.selectiverenderer.models.importer.ModelImportProcess;
 import org.selectiverenderer.models.structure.ModelStructureCheck;
 import org.selectiverenderer.models.structure.ModelStructureException;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.source.ReadLimits;
 import org.selectiverenderer.x3d.url.UrlResolver;
 
 /** Reads OBJ, PLY, STL, COLLADA and FBX files in a child process. */
@@ -56,20 +57,20 @@ final class ForeignModelReader {
   /**
    * Returns the text of a scene of a model.
    *
-   * @param maxDepth how deep elements of the text may be nested
+   * @param limits the limits of the text
    * @param title the title of the scene
    * @param description a sentence that describes it
    * @return empty if the file is damaged or beyond a limit, which is reported as a problem
-   * @throws IOException if it cannot be read
+   * @throws IOException if it cannot be read, or the text would be longer than the limits allow
    */
-  Optional<String> scene(ModelSource file, int maxDepth, String title, String description)
+  Optional<String> scene(ModelSource file, ReadLimits limits, String title, String description)
       throws IOException {
     Optional<ImportedModel> model = imported(file, true);
     if (model.isEmpty() || model.get().meshes().isEmpty() && isDamaged(file)) {
       return Optional.empty();
     }
     return Optional.of(
-        new ImportedSceneWriter(model.get(), file, catalogue, maxDepth, problems)
+        new ImportedSceneWriter(model.get(), file, catalogue, limits, problems)
             .text(title, description));
   }
 

@@ -1,15 +1,11 @@
 package org.selectiverenderer.models;
 
 import java.util.Arrays;
-import java.util.Base64;
-import java.util.List;
 import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.models.importer.ImportedModel.ImportedMaterial;
-import org.selectiverenderer.models.importer.ImportedModel.ImportedTexture;
-import org.selectiverenderer.models.scene.PictureType;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
@@ -21,16 +17,16 @@ final class ImportedMaterialConverter {
   private static final float[] WHITE = {1, 1, 1};
 
   private final ImportedMaterial material;
-  private final List<ImportedTexture> textures;
+  private final ImportedPictures pictures;
   private final NodeCatalogue catalogue;
 
   /**
-   * @param textures the pictures inside of the model
+   * @param pictures the pictures of the model
    */
   ImportedMaterialConverter(
-      ImportedMaterial material, List<ImportedTexture> textures, NodeCatalogue catalogue) {
+      ImportedMaterial material, ImportedPictures pictures, NodeCatalogue catalogue) {
     this.material = material;
-    this.textures = textures;
+    this.pictures = pictures;
     this.catalogue = catalogue;
   }
 
@@ -57,7 +53,7 @@ final class ImportedMaterialConverter {
     put(look, "shininess", unit(exponent / EXPONENT));
     put(look, "transparency", unit(1 - number(material.opacity(), 1)));
     String texture = material.texture();
-    String url = texture == null ? "" : url(texture);
+    String url = texture == null ? "" : pictures.url(texture);
     if (!url.isEmpty()) {
       ParsedNode image = node("ImageTexture", location);
       put(image, "url", new String[] {url});
@@ -67,29 +63,6 @@ final class ImportedMaterialConverter {
           location, "a texture is inside the file in a form that is not read; it is left out");
     }
     return appearance;
-  }
-
-  /** Returns the url of a picture; "" for one in the file that is no PNG, JPEG or WebP. */
-  private String url(String texture) {
-    if (!texture.startsWith("*")) {
-      String url = texture.replace('\\', '/');
-      // a drive of the author's machine
-      return url.length() > 2 && url.charAt(1) == ':' && url.charAt(2) == '/'
-          ? url.substring(url.lastIndexOf('/') + 1)
-          : url;
-    }
-    int index;
-    try {
-      index = Integer.parseInt(texture.substring(1));
-    } catch (NumberFormatException e) {
-      return "";
-    }
-    byte[] bytes =
-        index >= 0 && index < textures.size() ? textures.get(index).bytes() : new byte[0];
-    String type = PictureType.of(bytes);
-    return type.isEmpty()
-        ? ""
-        : "data:" + type + ";base64," + Base64.getEncoder().encodeToString(bytes);
   }
 
   /**

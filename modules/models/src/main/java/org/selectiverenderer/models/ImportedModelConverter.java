@@ -34,10 +34,11 @@ final class ImportedModelConverter {
 
   Model model(ImportedModel imported) {
     List<ModelPart> parts = new ArrayList<>();
+    ImportedPictures pictures = new ImportedPictures(imported.textures());
     for (ImportedMesh mesh : imported.meshes()) {
       NodeView appearance =
           new ImportedMaterialConverter(
-                  imported.materials().get(mesh.material()), imported.textures(), catalogue)
+                  imported.materials().get(mesh.material()), pictures, catalogue)
               .appearance(file.name(), null, problems);
       Mesh read = mesh(mesh, TextureUsage.used(appearance));
       if (!read.isEmpty()) {

@@ -1,9 +1,13 @@
 package org.selectiverenderer.models;
 
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.geometry.mesh.Mesh;
@@ -21,6 +25,7 @@ import org.selectiverenderer.models.scene.Numbers;
 import org.selectiverenderer.models.scene.Skin;
 import org.selectiverenderer.models.scene.XmlText;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.source.ReadLimits;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
 /** Writes what Assimp has read as a scene: a Transform for each node, by its name. For one use. */
@@ -36,30 +41,31 @@ final class ImportedSceneWriter {
   private final ImportedMaterials materials;
   private final ImportedViewWriter views;
   private final HumanoidWriter figures;
-  private final X3dWriter out = new X3dWriter(1 << 16);
+  private final X3dWriter out;
   private final DefNames names = new DefNames();
   private final AnimatedNodes animated = new AnimatedNodes();
   private final List<List<Integer>> children = new ArrayList<>();
   private final List<ModelNode> nodes = new ArrayList<>();
   private final Map<Integer, Integer> uses = new HashMap<>();
   private final Map<Integer, String> written = new HashMap<>();
-  private final List<Integer> skinned = new ArrayList<>();
+  private final Set<Integer> skinned = new LinkedHashSet<>();
   private final int maxDepth;
   private int decimals;
 
   /**
-   * @param depth how deep elements of the text may be nested
+   * @param limits the limits of the text
    */
   ImportedSceneWriter(
       ImportedModel model,
       ModelSource file,
       NodeCatalogue catalogue,
-      int depth,
+      ReadLimits limits,
       ProblemCollector problems) {
     this.model = model;
     this.file = file;
     this.problems = problems;
-    maxDepth = Math.max(1, depth - OTHER_DEPTH);
+    out = new X3dWriter(1 << 16, limits.maxBytes());
+    maxDepth = Math.max(1, limits.maxDepth() - OTHER_DEPTH);
     meshes = new ImportedModelConverter(file, catalogue, problems);
     materials = new ImportedMaterials(model, file, catalogue, out, names, problems);
     views = new ImportedViewWriter(model, out, names, file, problems);
@@ -80,8 +86,20 @@ final class ImportedSceneWriter {
     }
   }
 
-  /** Returns the text. */
-  String text(String title, String description) {
+  /**
+   * Returns the text.
+   *
+   * @throws IOException if it would be longer than the limits allow, with one sentence
+   */
+  String text(String title, String description) throws IOException {
+    try {
+      return scene(title, description);
+    } catch (UncheckedIOException e) { // the text becomes too long
+      throw new IOException(e.getCause().getMessage(), e);
+    }
+  }
+
+  private String scene(String title, String description) {
     boolean figure = model.meshes().stream().anyMatch(mesh -> !mesh.bones().isEmpty());
     // since X3D 4.0 a picture multiplies the diffuse colour, as in the formats that are imported
     out.file(figure ? "Full" : "Immersive", "4.0").open("head");
@@ -136,7 +154,8 @@ final class ImportedSceneWriter {
     }
   }
 
-  private static String shown(String name) {
+  /** Returns a name of the model for a problem: in quotes, and cut where it is long. */
+  static String shown(String name) {
     return "'" + name.substring(0, Math.min(60, name.length())) + "'";
   }
 
@@ -179,9 +198,7 @@ final class ImportedSceneWriter {
       return;
     }
     if (!from.bones().isEmpty()) {
-      if (!skinned.contains(index)) {
-        skinned.add(index);
-      }
+      skinned.add(index);
       return;
     }
     String known = written.get(index);
@@ -217,7 +234,7 @@ final class ImportedSceneWriter {
     }
     int[] joints = bones.stream().mapToInt(ImportedBone::node).toArray();
     Skin skin = new Skin(nodes, joints, inverses);
-    if (skin.depth() > maxDepth) {
+    if (skin.isDeeperThan(maxDepth)) {
       problems.warning(
           SourceLocation.of(file.name()),
           "the joints of mesh %s are nested too deep; it is left out"
@@ -232,14 +249,19 @@ final class ImportedSceneWriter {
     }
     float[] normals = mesh.normals() == null ? new float[0] : mesh.normals();
     boolean usable = ImportedModelConverter.units(normals);
-    figures.write(
-        skin,
-        mesh.name(),
+    HumanoidWriter.Surface surface =
         new HumanoidWriter.Surface(
             ImportedModelConverter.clean(mesh.positions()),
             usable ? normals : new float[0],
-            weights),
-        (coordinate, normal) -> skinShape(mesh, coordinate, normal));
+            weights);
+    try {
+      figures.write(
+          skin, mesh.name(), surface, (coordinate, normal) -> skinShape(mesh, coordinate, normal));
+    } catch (IOException e) {
+      problems.warning(
+          SourceLocation.of(file.name()),
+          "%s; mesh %s is left out".formatted(e.getMessage(), shown(mesh.name())));
+    }
   }
 
   private void skinShape(ImportedMesh mesh, String coordinate, String normal) {

@@ -1,5 +1,9 @@
 package org.selectiverenderer.models;
 
+import static java.util.stream.Collectors.groupingBy;
+
+import java.util.List;
+import java.util.Map;
 import org.joml.Matrix3d;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
@@ -25,6 +29,8 @@ final class ImportedViewWriter {
   private final String file;
   private final boolean halved;
   private final ProblemCollector problems;
+  private final Map<Integer, List<ImportedCamera>> cameras;
+  private final Map<Integer, List<ImportedLight>> lights;
   private boolean told;
 
   ImportedViewWriter(
@@ -39,17 +45,15 @@ final class ImportedViewWriter {
     this.file = file.name();
     halved = file.ending().equals("fbx");
     this.problems = problems;
+    cameras = model.cameras().stream().collect(groupingBy(ImportedCamera::node));
+    lights = model.lights().stream().collect(groupingBy(ImportedLight::node));
   }
 
   /** Writes what a node has. */
   void write(int node) {
     String name = XmlText.of(model.nodes().get(node).name());
-    model.cameras().stream()
-        .filter(camera -> camera.node() == node)
-        .forEach(camera -> camera(camera, name));
-    model.lights().stream()
-        .filter(light -> light.node() == node)
-        .forEach(light -> light(light, name));
+    cameras.getOrDefault(node, List.of()).forEach(camera -> camera(camera, name));
+    lights.getOrDefault(node, List.of()).forEach(light -> light(light, name));
   }
 
   private void camera(ImportedCamera camera, String name) {
@@ -99,10 +103,13 @@ final class ImportedViewWriter {
     double most = Math.max(color[0], Math.max(color[1], color[2]));
     if (light.kind() == LightKind.OTHER) {
       if (!told) {
+        boolean alone =
+            model.lights().stream().filter(l -> l.kind() == LightKind.OTHER).count() == 1;
         problems.warning(
             SourceLocation.of(file),
-            "X3D has no ambient and no area lights; light %s and others are left out"
-                .formatted(name));
+            "X3D has no ambient and no area lights; light %s"
+                    .formatted(ImportedSceneWriter.shown(name))
+                + (alone ? " is left out" : " and others are left out"));
       }
       told = true;
       return;

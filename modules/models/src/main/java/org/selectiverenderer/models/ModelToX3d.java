@@ -45,7 +45,7 @@ public final class ModelToX3d implements ModelTranslator {
                   told)
               .scene(
                   ModelSource.of(file),
-                  file.limits().maxDepth(),
+                  file.limits(),
                   "Model in " + file.format().title(),
                   "translated when it was read");
     }

@@ -13,7 +13,7 @@ import org.selectiverenderer.x3d.write.X3dWriter;
 
 /** Writes glTF's animations of nodes and of the weights of morph targets. */
 final class GltfAnimations {
-  /** The maximum number of coordinates of one CoordinateInterpolator. */
+  /** The maximum number of coordinates of all interpolators of morph targets together. */
   private static final long MAX_MORPHED = 6_000_000;
 
   private final GltfFile file;
@@ -22,6 +22,7 @@ final class GltfAnimations {
   private final GltfProblems problems;
   private final AnimatedNodes nodes;
   private final Map<Integer, List<GltfMeshes.Morph>> morphs;
+  private long left = MAX_MORPHED;
 
   /**
    * @param nodes the nodes that have been written
@@ -109,10 +110,15 @@ final class GltfAnimations {
     Keyframes keys = channel.keys();
     for (GltfMeshes.Morph morph : morphs.getOrDefault(channel.node(), List.of())) {
       int count = keys.times().length;
-      if ((long) count * morph.values().length > MAX_MORPHED) {
-        problems.tell(path, "its morph targets need too many coordinates; they do not move");
+      long coordinates = (long) count * morph.values().length;
+      if (coordinates > left) {
+        problems.tell(
+            path,
+            "its morph targets need too many coordinates, more than %d for all of the model; some do not move"
+                .formatted(MAX_MORPHED));
         continue;
       }
+      left -= coordinates;
       float[] all = new float[count * morph.values().length];
       for (int i = 0; i < count; i++) {
         float[] value = keys.value(i);

@@ -21,9 +21,6 @@ import org.selectiverenderer.x3d.write.X3dWriter;
  * nodes themselves stay Transforms, which hold what hangs on a joint.
  */
 final class GltfSkins {
-  /** The maximum number of joints that are written; each primitive has its own. */
-  private static final int MAX_JOINTS = 20_000;
-
   private final GltfFile file;
   private final GltfAccessors accessors;
   private final GltfShapes shapes;
@@ -31,7 +28,6 @@ final class GltfSkins {
   private final HumanoidWriter figures;
   private final Map<Integer, Optional<Skin>> skins = new HashMap<>();
   private final List<ModelNode> nodes = new ArrayList<>();
-  private int left = MAX_JOINTS;
 
   GltfSkins(
       GltfFile file,
@@ -98,7 +94,7 @@ final class GltfSkins {
       inverses.add(matrix);
     }
     Skin read = new Skin(nodes, joints, inverses);
-    if (read.depth() > maxDepth) {
+    if (read.isDeeperThan(maxDepth)) {
       throw new IOException("its joints are nested too deep");
     }
     if (!read.isExact()) {
@@ -143,12 +139,6 @@ final class GltfSkins {
       throws IOException {
     Skin skin = skins.getOrDefault(index, Optional.empty()).orElseThrow();
     List<HumanoidWriter.Weight> weights = weights(skin, primitive);
-    left -= skin.size();
-    if (left < 0) {
-      throw new IOException(
-          "the parts of the model have more than %d joints together, which is the limit"
-              .formatted(MAX_JOINTS));
-    }
     GltfShapes.Skinned shape = shapes.skinned(primitive);
     figures.write(skin, name, new HumanoidWriter.Surface(points, normals, weights), shape::write);
   }

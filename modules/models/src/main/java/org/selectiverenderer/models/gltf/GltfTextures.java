@@ -20,7 +20,10 @@ final class GltfTextures {
   private final X3dWriter out;
   private final DefNames names;
   private final GltfProblems problems;
-  private final Map<Integer, String> written = new HashMap<>();
+  private final Map<Look, String> written = new HashMap<>();
+
+  /** What an ImageTexture shows; glTF may have several textures of it. */
+  private record Look(int image, int wrapS, int wrapT, int magFilter, int minFilter) {}
 
   GltfTextures(GltfFile file, X3dWriter out, DefNames names, GltfProblems problems) {
     this.file = file;
@@ -30,30 +33,38 @@ final class GltfTextures {
   }
 
   /**
-   * Writes a texture, and one that has been written as a USE.
+   * Writes a texture, and one like another that has been written as a USE, so that a picture is not
+   * repeated.
    *
    * @param path the path of the textureInfo, for problems
    * @param container the field that contains it
    * @return whether it can be read
    */
   boolean write(int texture, String path, String container) {
-    String known = written.get(texture);
+    JsonNode part = file.part("textures", texture);
+    int image = source(part);
+    JsonNode sampler = file.referred(part, "sampler", "samplers");
+    int wrapS = sampler.path("wrapS").asInt();
+    int wrapT = sampler.path("wrapT").asInt();
+    Look look =
+        new Look(
+            image,
+            wrapS,
+            wrapT,
+            sampler.path("magFilter").asInt(),
+            sampler.path("minFilter").asInt());
+    String known = written.get(look);
     if (known != null) {
       out.empty("ImageTexture", "USE", known, "containerField", container);
       return true;
     }
-    JsonNode part = file.part("textures", texture);
-    int image = source(part);
     String url = url(image, path);
     if (url.isEmpty()) {
       return false;
     }
-    JsonNode sampler = file.referred(part, "sampler", "samplers");
-    int wrapS = sampler.path("wrapS").asInt();
-    int wrapT = sampler.path("wrapT").asInt();
     String name = part.path("name").asText(file.part("images", image).path("name").asText(""));
     String def = names.unique(name, "texture" + texture);
-    written.put(texture, def);
+    written.put(look, def);
     out.open("ImageTexture", "DEF", def, "containerField", container);
     if (wrapS == CLAMP_TO_EDGE) {
       out.attribute("repeatS", "false");

@@ -2,6 +2,7 @@ package org.selectiverenderer.models.gltf;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -45,7 +46,7 @@ public final class GltfTranslator {
 
   private final GltfFile file;
   private final GltfProblems problems;
-  private final X3dWriter out = new X3dWriter(1 << 16);
+  private final X3dWriter out;
   private final DefNames names = new DefNames();
   private final GltfAccessors accessors;
   private final GltfMeshes meshes;
@@ -62,6 +63,7 @@ public final class GltfTranslator {
   private GltfTranslator(GltfFile file, ModelFile model, ProblemCollector collector) {
     this.file = file;
     problems = new GltfProblems(model.name(), collector);
+    out = new X3dWriter(1 << 16, model.limits().maxBytes());
     accessors = new GltfAccessors(file, model.limits().maxBytes() / CHARACTERS);
     GltfShapes shapes = new GltfShapes(file, out, names, problems);
     GltfSkins skins = new GltfSkins(file, accessors, shapes, out, names, animated, problems);
@@ -74,7 +76,8 @@ public final class GltfTranslator {
    * Returns the X3D text of a model.
    *
    * @return empty for glTF 1.0, which has other members than 2.0
-   * @throws IOException if nothing of it can be read, with one sentence
+   * @throws IOException if nothing of it can be read, or the text would be longer than the limits
+   *     of the model allow, with one sentence
    */
   public static Optional<String> x3d(ModelFile model, ProblemCollector problems)
       throws IOException {
@@ -84,7 +87,11 @@ public final class GltfTranslator {
     } catch (OldGltfException e) {
       return Optional.empty();
     }
-    return Optional.of(new GltfTranslator(file, model, problems).translate());
+    try {
+      return Optional.of(new GltfTranslator(file, model, problems).translate());
+    } catch (UncheckedIOException e) { // the text becomes too long
+      throw new IOException(e.getCause().getMessage(), e);
+    }
   }
 
   private String translate() throws IOException {

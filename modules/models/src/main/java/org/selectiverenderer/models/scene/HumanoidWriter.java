@@ -1,5 +1,6 @@
 package org.selectiverenderer.models.scene;
 
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -8,9 +9,13 @@ import org.selectiverenderer.x3d.write.X3dWriter;
 
 /** Writes a skin with its joints as an HAnimHumanoid (X3D 4.0, 26.3.2). */
 public final class HumanoidWriter {
+  /** The maximum number of joints that are written; each figure has its own. */
+  static final int MAX_JOINTS = 20_000;
+
   private final X3dWriter out;
   private final DefNames names;
   private final AnimatedNodes animated;
+  private int left = MAX_JOINTS;
 
   /**
    * @param animated receives the joints
@@ -59,11 +64,21 @@ public final class HumanoidWriter {
    * Writes a figure.
    *
    * @param name the name of the mesh, or ""
+   * @throws IOException if all figures together have too many joints, with one sentence; nothing is
+   *     written then
    */
-  public void write(Skin skin, String name, Surface surface, Shapes shapes) {
+  public void write(Skin skin, String name, Surface surface, Shapes shapes) throws IOException {
+    List<Integer> used = surface.weights().stream().map(Weight::joint).distinct().sorted().toList();
+    List<Integer> nodes = skin.closure(used);
+    if (nodes.size() > left) {
+      throw new IOException(
+          "the parts of the model have more than %d joints together, which is the limit"
+              .formatted(MAX_JOINTS));
+    }
+    left -= nodes.size();
     String def = names.unique(name, "figure");
     out.open("HAnimHumanoid", "DEF", def, "name", def, "version", "2.0");
-    List<String> joints = joints(skin, surface.weights());
+    List<String> joints = joints(skin, nodes, surface.weights());
     joints.forEach(joint -> out.empty("HAnimJoint", "USE", joint, "containerField", "joints"));
     String coordinate = names.unique("", def + "_points");
     out.open("Coordinate", "DEF", coordinate, "containerField", "skinCoord").ownLine();
@@ -77,7 +92,7 @@ public final class HumanoidWriter {
     out.close();
   }
 
-  private List<String> joints(Skin skin, List<Weight> weights) {
+  private List<String> joints(Skin skin, List<Integer> nodes, List<Weight> weights) {
     Map<Integer, Influence> influences = new HashMap<>();
     for (Weight weight : weights) {
       Influence influence =
@@ -85,9 +100,8 @@ public final class HumanoidWriter {
       influence.vertices.append(weight.vertex()).append(' ');
       influence.weights.append(Numbers.of(weight.weight())).append(' ');
     }
-    List<Integer> used = weights.stream().map(Weight::joint).distinct().sorted().toList();
     Map<Integer, List<Integer>> children = new HashMap<>();
-    for (int node : skin.closure(used)) {
+    for (int node : nodes) {
       int parent = skin.nodes().get(node).parent();
       children.computeIfAbsent(parent, unused -> new ArrayList<>()).add(node);
     }

@@ -99,17 +99,20 @@ public final class Skin {
     return joints.length;
   }
 
-  /** Returns how deep the joints are nested in the tree of nodes. */
-  public int depth() {
-    int deepest = 0;
+  /**
+   * Returns whether a joint is nested deeper in the tree of nodes than a number of levels. No more
+   * levels than these are walked up, so that the time does not grow with the depth of the tree.
+   */
+  public boolean isDeeperThan(int levels) {
     for (int joint : joints) {
       int depth = 0;
       for (int node = joint; node >= 0; node = nodes.get(node).parent()) {
-        depth++;
+        if (++depth > levels) {
+          return true;
+        }
       }
-      deepest = Math.max(deepest, depth);
     }
-    return deepest;
+    return false;
   }
 
   /** Returns the index of the node of a joint. */

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.X3dFile;
 
@@ -70,5 +72,48 @@ class GltfAnimationTest extends GltfSceneTest {
             new float[] {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 1, 0, 0, 1, 0, 0, half, half},
             within(1e-6f));
     assertThat(messages()).isEmpty();
+  }
+
+  @ParameterizedTest
+  @ValueSource(floats = {Float.NaN, Float.POSITIVE_INFINITY})
+  void anAnimationWithATimeThatIsNotFiniteIsLeftOut(float time) throws IOException {
+    X3dFile file =
+        mesh(
+            new GltfBuilder()
+                .triangle()
+                .floats("SCALAR", 3, 0, 1, time)
+                .floats("VEC3", 3, 0, 0, 0, 1, 2, 3, 4, 5, 6),
+            "{\"attributes\":{\"POSITION\":0}}",
+            """
+            ,"animations":[{"channels":[{"sampler":0,"target":{"node":0,"path":"translation"}}],
+             "samplers":[{"input":1,"output":2}]}]""");
+
+    assertThat(all(file, "TimeSensor")).isEmpty();
+    assertThat(messages())
+        .containsExactly("animations[0].channels[0]: its times decrease; it is left out");
+  }
+
+  @Test
+  void theCoordinatesOfAllAnimatedMorphTargetsHaveOneLimit() throws IOException {
+    int keys = 400_000; // 3.6 million coordinates for a triangle
+    float[] times = new float[keys];
+    for (int i = 0; i < keys; i++) {
+      times[i] = i;
+    }
+    X3dFile file =
+        mesh(
+            new GltfBuilder()
+                .triangle()
+                .floats("VEC3", 3, 0, 0, 1, 0, 0, 1, 0, 0, 1)
+                .floats("SCALAR", keys, times)
+                .floats("SCALAR", keys, new float[keys]),
+            "{\"attributes\":{\"POSITION\":0},\"targets\":[{\"POSITION\":1}]}",
+            """
+            ,"animations":[{"channels":[{"sampler":0,"target":{"node":0,"path":"weights"}},
+              {"sampler":0,"target":{"node":0,"path":"weights"}}],
+             "samplers":[{"input":2,"output":3}]}]""");
+
+    assertThat(all(file, "CoordinateInterpolator")).hasSize(1);
+    assertThat(messages()).singleElement().asString().contains("need too many coordinates");
   }
 }

@@ -121,4 +121,20 @@ class GltfMaterialTest extends GltfSceneTest {
     assertThat(material.number("roughness")).isEqualTo(0.25f);
     assertThat(messages()).singleElement().asString().contains("no equal in X3D");
   }
+
+  @Test
+  void texturesOfOnePictureAreOneImageTexture() throws IOException {
+    X3dFile file =
+        mesh(
+            new GltfBuilder().triangle(),
+            "{\"attributes\":{\"POSITION\":0},\"material\":0}",
+            """
+            ,"materials":[{"emissiveTexture":{"index":1},
+              "pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}],
+             "textures":[{"source":0},{"source":0}],"images":[{"uri":"data:image/png;base64,AAAA"}]
+            """);
+
+    ParsedNode material = first(file, "PhysicalMaterial");
+    assertThat(material.node("emissiveTexture")).isNotNull().isSameAs(material.node("baseTexture"));
+  }
 }

@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.read.X3dReader;
+import org.selectiverenderer.x3d.source.ReadLimits;
 
 class GltfTranslatorTest extends GltfSceneTest {
   @Test
@@ -174,5 +175,26 @@ class GltfTranslatorTest extends GltfSceneTest {
     read("{\"asset\":{\"version\":\"1.0\"},\"nodes\":{},\"scene\":7}");
 
     assertThat(messages()).hasSizeLessThanOrEqualTo(1);
+  }
+
+  @Test
+  void aModelThatBecomesTooLongATextIsRefused() throws IOException {
+    StringBuilder nodes = new StringBuilder("{}");
+    StringBuilder roots = new StringBuilder("0");
+    for (int i = 1; i < 5000; i++) {
+      nodes.append(",{}"); // each becomes a Transform
+      roots.append(',').append(i);
+    }
+    String gltf =
+        "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[%s]}],\"nodes\":[%s]}"
+            .formatted(roots, nodes);
+    Path path = Files.writeString(folder.resolve("model.gltf"), gltf);
+
+    new X3dReader(CATALOGUE, new ReadLimits(100_000, 1000, 100, 10_000)).read(path, problems);
+
+    assertThat(messages())
+        .singleElement()
+        .asString()
+        .contains("it becomes an X3D text of more than 0.1 MB, which is the limit");
   }
 }

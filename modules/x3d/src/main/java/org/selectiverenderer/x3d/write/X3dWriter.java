@@ -1,7 +1,10 @@
 package org.selectiverenderer.x3d.write;
 
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.Locale;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.x3d.catalogue.ContainerFieldRules;
 import org.selectiverenderer.x3d.catalogue.NodeType;
@@ -13,6 +16,7 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
  */
 public final class X3dWriter {
   private final StringBuilder text;
+  private final long maxCharacters;
   private final Deque<String> open = new ArrayDeque<>();
   private boolean inTag;
   private boolean ownLine;
@@ -28,7 +32,19 @@ public final class X3dWriter {
    * @param capacity the expected number of characters
    */
   public X3dWriter(int capacity) {
+    this(capacity, Long.MAX_VALUE);
+  }
+
+  /**
+   * Creates a writer of a text that must not become too long for the memory. What would make it
+   * longer ends with an {@link UncheckedIOException}, whose cause says so in one sentence.
+   *
+   * @param capacity the expected number of characters
+   * @param maxCharacters the maximum number of characters
+   */
+  public X3dWriter(int capacity, long maxCharacters) {
     text = new StringBuilder(capacity);
+    this.maxCharacters = maxCharacters;
   }
 
   /** Begins a file with the XML declaration and the X3D element. */
@@ -125,6 +141,7 @@ public final class X3dWriter {
 
   /** Writes an attribute of the current element. */
   public X3dWriter attribute(String name, String value) {
+    makeRoom(value);
     XmlAttributeEscaper.append(attribute(name), value, '\'');
     text.append('\'');
     return this;
@@ -132,6 +149,7 @@ public final class X3dWriter {
 
   /** Writes an attribute of numbers only, possibly in several lines. */
   public X3dWriter numbers(String name, CharSequence numbers) {
+    makeRoom(numbers);
     attribute(name).append(numbers).append('\'');
     return this;
   }
@@ -170,6 +188,7 @@ public final class X3dWriter {
   /** Writes a comment; double hyphens, which XML 1.0, 2.5 forbids there, are separated. */
   public X3dWriter comment(String words) {
     endTag();
+    makeRoom(words);
     String safe = words.replace("--", "- -").replace("--", "- -");
     indent().append("<!-- ").append(safe).append(" -->\n");
     return this;
@@ -178,6 +197,7 @@ public final class X3dWriter {
   /** Writes text in the current element as CDATA. */
   X3dWriter code(String code) {
     endTag();
+    makeRoom(code);
     String safe = code.replace("]]>", "]]]]><![CDATA[>");
     indent().append("<![CDATA[").append(safe).append("]]>\n");
     return this;
@@ -190,7 +210,21 @@ public final class X3dWriter {
     }
   }
 
+  /** Refuses what would make the text longer than it may be, before it is in memory again. */
+  private void makeRoom(CharSequence more) {
+    if (text.length() + (long) more.length() > maxCharacters) {
+      throw new UncheckedIOException(
+          new IOException(
+              String.format(
+                  Locale.ROOT,
+                  "it becomes an X3D text of more than %.1f MB, which is the limit; "
+                      + "make it smaller, or give Java a larger heap (-Xmx)",
+                  maxCharacters / 1e6)));
+    }
+  }
+
   private StringBuilder indent() {
+    makeRoom("");
     return text.append("  ".repeat(open.size()));
   }
 

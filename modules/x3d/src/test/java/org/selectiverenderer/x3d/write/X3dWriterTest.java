@@ -1,8 +1,10 @@
 package org.selectiverenderer.x3d.write;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.base.problem.ProblemCollector;
@@ -110,5 +112,16 @@ class X3dWriterTest {
     assertThat(
             TupleListBuilder.perLine(2).triangles(new int[] {0, 1, 2, 2, 1, 3}).text().toString())
         .isEqualTo("0 1 2 -1 2 1 3 -1");
+  }
+
+  @Test
+  void whatMakesTheTextLongerThanItMayBeIsRefused() {
+    X3dWriter out = new X3dWriter(100, 1000).open("Coordinate").attribute("DEF", "a");
+
+    assertThatExceptionOfType(UncheckedIOException.class)
+        .isThrownBy(() -> out.numbers("point", "0 ".repeat(500)))
+        .havingCause()
+        .withMessageContaining("an X3D text of more than 0.0 MB, which is the limit");
+    assertThat(out.finish()).isEqualTo("<Coordinate DEF='a'/>\n");
   }
 }
