@@ -122,7 +122,9 @@ final class GltfSceneBuilder {
         if (node.type().is("X3DShapeNode")) {
           shape(node, place, siblings);
         } else if (GltfViewWriter.isView(node)) {
-          siblings.add(add(node, views.view(node)));
+          if (!node.bool("viewAll")) { // a model without a camera is shown whole everywhere
+            siblings.add(add(node, views.view(node)));
+          }
         } else if (GltfViewWriter.isLight(node)) {
           light(node, siblings);
         } else if (GroupingNodeChildren.isGroup(node.type())

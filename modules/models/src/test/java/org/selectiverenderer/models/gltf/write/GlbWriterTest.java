@@ -157,13 +157,14 @@ final class GlbWriterTest {
             scene(
                 """
                 <Viewpoint DEF='V' description='Door' position='0 1 5' fieldOfView='0.5'/>
-                <OrthoViewpoint fieldOfView='-2 -1 2 1'/>
+                <Viewpoint viewAll='true'/><OrthoViewpoint fieldOfView='-2 -1 2 1'/>
                 <PointLight intensity='0.5' radius='7'/><SpotLight beamWidth='1.5'
                   cutOffAngle='1.5'/><DirectionalLight direction='1 0 0'/>
                 """));
     assertThat(gltf.at("/cameras/0/perspective/yfov").asDouble()).isEqualTo(0.5);
     assertThat(gltf.at("/cameras/0/name").asText()).isEqualTo("Door");
     assertThat(gltf.at("/cameras/1/orthographic/xmag").asDouble()).isEqualTo(2);
+    assertThat(gltf.get("cameras")).hasSize(2);
     JsonNode lights = gltf.at("/extensions/KHR_lights_punctual/lights");
     assertThat(lights.findValuesAsText("type")).containsExactly("point", "spot", "directional");
     assertThat(lights.at("/1/spot/innerConeAngle").asDouble())
