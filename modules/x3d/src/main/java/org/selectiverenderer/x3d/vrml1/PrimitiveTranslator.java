@@ -63,7 +63,7 @@ final class PrimitiveTranslator {
   private void copyAs(X3dElement element, Vrml1Node node, String name, String as) {
     Vrml1Field field = node.field(name);
     if (field != null) {
-      element.set(as, values.text(field).strip(), field);
+      element.set(as, values.brief(field), field);
     }
   }
 
@@ -83,7 +83,7 @@ final class PrimitiveTranslator {
       Vrml1Field field = node.field(name);
       given |= field != null;
       size.append(size.length() == 0 ? "" : " ");
-      size.append(field == null ? "2" : values.text(field).strip());
+      size.append(field == null ? "2" : values.brief(field));
     }
     return given ? box.set("size", size.toString(), node.typeAt()) : box;
   }
@@ -174,8 +174,7 @@ final class PrimitiveTranslator {
     Vrml1Node style = state.read(Property.FONT_STYLE);
     String justification = values.word(node, "justification");
     Vrml1Field spacing = node.field("spacing");
-    FontKey key =
-        new FontKey(style, justification, spacing == null ? "" : values.text(spacing).strip());
+    FontKey key = new FontKey(style, justification, spacing == null ? "" : values.brief(spacing));
     return text.add(
         style == null ? font(node, key) : shared.once(key, node.open(), () -> font(node, key)));
   }
@@ -193,7 +192,7 @@ final class PrimitiveTranslator {
     if (size == null) {
       font.set("size", "10", at);
     } else {
-      font.set("size", values.text(size).strip(), size);
+      font.set("size", values.brief(size), size);
     }
     String family = values.word(style, "family");
     if (family.equals("SANS") || family.equals("TYPEWRITER")) {

@@ -150,7 +150,7 @@ final class TransformChain {
       for (Map.Entry<String, Vrml1Field> field : node.fields().entrySet()) {
         String name = FIELDS.get(field.getKey());
         if (name != null) {
-          transform.set(name, values.text(field.getValue()), field.getValue());
+          transform.set(name, values.brief(field.getValue()), field.getValue());
         }
       }
     }

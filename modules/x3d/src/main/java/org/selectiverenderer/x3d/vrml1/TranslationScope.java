@@ -1,5 +1,8 @@
 package org.selectiverenderer.x3d.vrml1;
 
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
 /**
  * A group whose children are being translated: the element that contains them, and the
  * transformations that count for the next one.
@@ -10,6 +13,11 @@ final class TranslationScope {
   private final TransformChain pending;
   private final TransformChain total;
   private X3dElement container;
+
+  /** The container of which the first {@link #unlit} children are known to be lit by nothing. */
+  private @Nullable X3dElement asked;
+
+  private int unlit;
   private X3dElement wrapper;
   private boolean own;
   private boolean moved;
@@ -66,7 +74,7 @@ final class TranslationScope {
 
   /** Adds a light, which shines on what follows and not on what was before. */
   void addLight(X3dElement light) {
-    boolean first = container.children().stream().noneMatch(TranslationScope::isLit);
+    boolean first = isUnlit();
     if (!pending.isEmpty()) {
       container = target();
       pending.clear();
@@ -78,6 +86,19 @@ final class TranslationScope {
     own = false;
     moved = false;
     container.add(light);
+  }
+
+  /** Returns whether the container has no child that a light would shine on. */
+  private boolean isUnlit() {
+    List<X3dElement> children = container.children();
+    if (container != asked) {
+      asked = container;
+      unlit = 0;
+    }
+    while (unlit < children.size() && !isLit(children.get(unlit))) {
+      unlit++;
+    }
+    return unlit == children.size();
   }
 
   private static boolean isLight(X3dElement element) {

@@ -7,6 +7,9 @@ import org.selectiverenderer.x3d.vrml1.Vrml1State.Property;
 
 /** Translates IndexedFaceSet, IndexedLineSet and PointSet. */
 final class VertexShapeTranslator {
+  /** A digit, a point and what is between numbers. */
+  private static final long SHORTEST_NUMBER = 4;
+
   private static final String POINT = "point";
   private static final String COORD_INDEX = "coordIndex";
 
@@ -283,8 +286,9 @@ final class VertexShapeTranslator {
     return shape.add(appearances.appearance(node, kind, 0)).add(geometry);
   }
 
-  private static X3dElement part(Vrml1Node node, float[] all, int first, int number) {
+  private X3dElement part(Vrml1Node node, float[] all, int first, int number) {
     double[] part = new double[3 * number];
+    values.copied(SHORTEST_NUMBER * part.length);
     for (int i = 0; i < part.length; i++) {
       part[i] = all[3 * first + i];
     }

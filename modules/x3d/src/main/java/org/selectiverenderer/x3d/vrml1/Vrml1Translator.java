@@ -23,6 +23,9 @@ final class Vrml1Translator {
   /** The number of characters of nodes that are translated again where they look different. */
   private static final int LONGEST_COPIES = 1 << 24;
 
+  /** A few seconds of reading: a colour table of 250 kB counts for a thousand shapes. */
+  private static final int MOST_READ_AGAIN = 1 << 28;
+
   /** The number of characters for which a copy of a shorter node counts. */
   private static final int SHORTEST_COPY = 256;
 
@@ -340,7 +343,14 @@ final class Vrml1Translator {
       throws XmlParseException {
     boolean copy = translated.containsKey(node);
     copied += copy ? Math.max(SHORTEST_COPY, node.end() - node.start()) : 0;
-    if (copied > LONGEST_COPIES) {
+    if (values.readAgain() > MOST_READ_AGAIN) {
+      throw document.limit(
+          at,
+          "values are read again for each of the shapes that they count for, more than "
+              + DecimalFormatter.grouped(MOST_READ_AGAIN)
+              + " characters of them");
+    }
+    if (copied + values.copied() > LONGEST_COPIES) {
       throw document.limit(
           at,
           "nodes that are used with another state are copied, and these copies have more than "

@@ -2,9 +2,11 @@ package org.selectiverenderer.x3d.vrml1;
 
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.x3d.field.FieldParser;
@@ -16,9 +18,15 @@ import org.selectiverenderer.x3d.vrml1.Vrml1Field.Form;
 
 /** Reads values of fields, where their text is not enough. */
 final class Vrml1Values {
+  /** More characters than a rotation or a matrix has, with the comments that people write. */
+  private static final int BRIEF = 2000;
+
   private final ElementTreeBuilder document;
   private final FieldParser parser = new FieldParser();
   private final Map<Vrml1Field, Integer> counts = new HashMap<>();
+  private final Set<Vrml1Field> seen = new HashSet<>();
+  private long readAgain;
+  private long copied;
 
   Vrml1Values(ElementTreeBuilder document) {
     this.document = document;
@@ -26,7 +34,30 @@ final class Vrml1Values {
 
   /** Returns the text of a field without comments. */
   String text(Vrml1Field field) {
+    if (!seen.add(field)) {
+      readAgain += field.to() - field.from();
+    }
     return document.value(field.from(), field.to());
+  }
+
+  /** Returns the text of a field of one value, of which only so much as it can need is copied. */
+  String brief(Vrml1Field field) {
+    return document.value(field.from(), Math.min(field.to(), field.from() + BRIEF)).strip();
+  }
+
+  /** Returns how many characters were read that had been read before. */
+  long readAgain() {
+    return readAgain;
+  }
+
+  /** Counts characters that were written anew, though the file has them once. */
+  void copied(long characters) {
+    copied += characters;
+  }
+
+  /** Returns how many characters were written anew. */
+  long copied() {
+    return copied;
   }
 
   /** Returns how many numbers a field has; 0 if it is absent. */

@@ -597,6 +597,28 @@ class Vrml1Test {
         .satisfies(told -> assertThat(told.message()).endsWith("; the part before it is kept"));
   }
 
+  @Test
+  void partsOfPointsCountAsCopies() {
+    String points = "Coordinate3 { point [ " + "0 0 0, ".repeat(20_000) + "] }";
+    scene("Separator { " + points + "PointSet { startIndex 1 } ".repeat(400) + "}");
+    assertThat(fixture.problems.list())
+        .singleElement()
+        .satisfies(told -> assertThat(told.message()).contains("these copies have more than"));
+  }
+
+  @Test
+  void aFieldOfOneValueIsNotCopiedWholeForEachUse() {
+    X3dFile file =
+        scene(
+            "Separator { DEF T Translation { translation 1 2 3 "
+                + " ".repeat(1_000_000)
+                + "} "
+                + "Separator { USE T Cube { } } ".repeat(300)
+                + "}");
+    assertThat(file.nodes()).isNotEmpty();
+    fixture.assertClean();
+  }
+
   private static byte[] room() throws IOException {
     try (InputStream in = Vrml1Test.class.getResourceAsStream("vrml1-room.wrl")) {
       return Objects.requireNonNull(in).readAllBytes();
