@@ -42,7 +42,8 @@ public record ViewSettings(DepthRange range, boolean headlight) {
             tree,
             viewer.position(),
             info.map(NavigationParameters::of).orElse(NavigationParameters.WALKING).radius(),
-            info.map(node -> (double) node.number("visibilityLimit")).orElse(0.0));
+            info.map(node -> (double) node.number("visibilityLimit")).orElse(0.0),
+            viewpoint.filter(ViewSettings::viewsAll).isPresent());
     double near = distance(viewpoint, "nearDistance").orElse(range.near());
     double far = distance(viewpoint, "farDistance").orElse(Math.max(range.far(), 2 * near));
     return new ViewSettings(
@@ -50,9 +51,13 @@ public record ViewSettings(DepthRange range, boolean headlight) {
         info.map(node -> node.bool("headlight")).orElse(true));
   }
 
+  private static boolean viewsAll(Node node) {
+    return node instanceof ViewpointNode known && known.viewAll();
+  }
+
   private static Optional<Double> distance(Optional<? extends Node> viewpoint, String field) {
     return viewpoint
-        .filter(node -> !(node instanceof ViewpointNode known && known.viewAll()))
+        .filter(node -> !viewsAll(node))
         .map(node -> node.value(field) instanceof Float f ? (double) f : -1)
         .filter(distance -> distance > 0);
   }

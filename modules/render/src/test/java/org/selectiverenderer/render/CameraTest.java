@@ -65,4 +65,14 @@ class CameraTest {
     assertThat(DepthRange.of(both.tree(), new Vector3d(0, 0, -3.95), 0.25, 0).near())
         .isEqualTo(0.125);
   }
+
+  @Test
+  void theNearPlaneDoesNotCutASmallSceneThatIsToBeSeenWhole() {
+    TestScene small = TestScene.of("<Shape><Box size='0.02 0.02 0.02'/></Shape>");
+    Vector3d eye = new Vector3d(0, 0, 0.08);
+    assertThat(DepthRange.of(small.tree(), eye, 0.25, 0).near()).isEqualTo(0.125);
+    assertThat(DepthRange.of(small.tree(), eye, 0.25, 0, true).near()).isBetween(0.0009, 0.001);
+    TestScene large = TestScene.of("<Shape><Box size='90 90 90'/></Shape>");
+    assertThat(DepthRange.of(large.tree(), eye, 0.25, 0, true).near()).isEqualTo(0.125);
+  }
 }

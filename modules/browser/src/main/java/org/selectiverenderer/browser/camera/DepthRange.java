@@ -27,6 +27,21 @@ public record DepthRange(double near, double far) {
    */
   public static DepthRange of(
       InstanceTree tree, Vector3dc eye, double avatarRadius, double visibilityLimit) {
+    return of(tree, eye, avatarRadius, visibilityLimit, false);
+  }
+
+  /**
+   * Returns the range as above.
+   *
+   * @param whole whether all of the scene is to be in view, however small it is: the near plane is
+   *     then at most at a hundredth of the distance to the farthest shape
+   */
+  public static DepthRange of(
+      InstanceTree tree,
+      Vector3dc eye,
+      double avatarRadius,
+      double visibilityLimit,
+      boolean whole) {
     double near = Math.max(avatarRadius / 2, 1e-6);
     if (visibilityLimit > near) {
       return new DepthRange(near, visibilityLimit);
@@ -36,6 +51,9 @@ public record DepthRange(double near, double far) {
       if (shape.shown()) {
         farthest = Math.max(farthest, farthest(shape.bounds(), eye));
       }
+    }
+    if (whole && farthest > 0) {
+      near = Math.max(1e-6, Math.min(near, Math.sqrt(farthest) / 100));
     }
     double far = Math.max(near * 100, Math.sqrt(farthest) * 1.01);
     if (far > near * MOST) {
