@@ -27,7 +27,10 @@ final class Vrml1Translator {
   private static final int MOST_READ_AGAIN = 1 << 28;
 
   /** The number of characters for which a copy of a shorter node counts. */
-  private static final int SHORTEST_COPY = 256;
+  private static final int SHORTEST_COPY = 2048;
+
+  /** The nodes that USE may add to those of a file, which are at most its characters. */
+  private static final long MOST_USED_NODES = 100_000;
 
   private static final int ALL_CHILDREN = -3;
 
@@ -120,10 +123,10 @@ final class Vrml1Translator {
       throw document.limit(
           child.at(), "nodes are nested more than " + document.limits().maxDepth() + " deep");
     }
-    if (++visits > document.limits().maxNodes()) {
+    long most = Math.min(document.limits().maxNodes(), MOST_USED_NODES + document.text().length());
+    if (++visits > most) {
       throw document.limit(
-          child.at(),
-          "there are more than " + document.limits().maxNodes() + " nodes, with those of each USE");
+          child.at(), "there are more than " + most + " nodes, with those of each USE");
     }
     String type = type(node);
     if (type == null || child.use() && again(node, scope, child.at())) {
