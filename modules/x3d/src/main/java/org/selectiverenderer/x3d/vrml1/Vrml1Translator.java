@@ -30,7 +30,7 @@ final class Vrml1Translator {
   private static final int SHORTEST_COPY = 2048;
 
   /** The nodes that USE may add to those of a file, which are at most its characters. */
-  private static final long MOST_USED_NODES = 100_000;
+  private static final long MOST_USED_NODES = 10_000;
 
   private static final int ALL_CHILDREN = -3;
 
