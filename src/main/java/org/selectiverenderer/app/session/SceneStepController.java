@@ -233,9 +233,9 @@ final class SceneStepController implements RunController {
         "participant "
             + session.folder().participant()
             + session
-                .condition()
+                .group()
                 .filter(known -> !stage.blind())
-                .map(condition -> ", " + condition.spelling())
+                .map(group -> ", " + group.name())
                 .orElse(""));
     lines.add(left(seconds));
     return lines;

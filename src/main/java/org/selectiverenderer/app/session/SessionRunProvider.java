@@ -143,7 +143,12 @@ final class SessionRunProvider implements RunSequence.Runs {
     DisplayConfiguration presentation = show.presentation().withIpd(session.ipd() / 1000);
     return new RunSettings(
             scene,
-            new SelectiveController.Settings(session.condition().orElse(Condition.HIGH), lot()))
+            new SelectiveController.Settings(
+                session
+                    .group()
+                    .flatMap(group -> group.settings().condition())
+                    .orElse(Condition.HIGH),
+                lot()))
         .allowing(study.access())
         .muted(study.mute() || step instanceof SessionStep.Questions)
         .with(MotionSettings.walking(study.mouse()))

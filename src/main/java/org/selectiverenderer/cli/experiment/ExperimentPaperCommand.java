@@ -7,14 +7,12 @@ import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.ProblemCollector;
-import org.selectiverenderer.cli.option.ConditionOptions;
 import org.selectiverenderer.command.CliCommand;
 import org.selectiverenderer.command.output.CommandException;
 import org.selectiverenderer.command.output.Console;
 import org.selectiverenderer.command.output.ExitStatus;
 import org.selectiverenderer.command.output.OutputFile;
 import org.selectiverenderer.command.trust.TrustOption;
-import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.study.questionnaire.Questionnaire;
 import org.selectiverenderer.study.questionnaire.paper.DataEntryTemplate;
 import org.selectiverenderer.study.questionnaire.paper.PaperQuestionnaireHtml;
@@ -50,12 +48,11 @@ final class ExperimentPaperCommand extends CliCommand {
 
   @Option(
       names = "--condition",
-      converter = ConditionOptions.Converter.class,
       paramLabel = "NAME",
       description =
           "condition of the participant, for the table (default: the assigned one, "
               + "else left empty)")
-  private @Nullable Condition condition;
+  private @Nullable String condition;
 
   @Option(
       names = "--output",
@@ -85,6 +82,9 @@ final class ExperimentPaperCommand extends CliCommand {
     if (material.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
+    if (condition != null && material.get().study().design().group(condition).isEmpty()) {
+      throw CommandException.usage("the study has no group " + condition + " for --condition");
+    }
     List<Questionnaire> asked = new ArrayList<>();
     if (material.get().study().questionnaires().form().isPresent()) {
       asked.add(material.get().form());
@@ -108,11 +108,11 @@ final class ExperimentPaperCommand extends CliCommand {
 
   private String group(LoadedStudy material) throws IOException {
     if (condition != null) {
-      return condition.spelling();
+      return condition;
     }
     return new ParticipantsFile(material.study())
         .of(participant)
-        .map(assigned -> assigned.condition().spelling())
+        .map(ParticipantsFile.Assigned::group)
         .orElse("");
   }
 }

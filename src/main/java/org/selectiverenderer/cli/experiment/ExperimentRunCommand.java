@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.head.SharedHeadTracker;
 import org.selectiverenderer.app.session.OperatorViewSettings;
@@ -23,7 +24,6 @@ import org.selectiverenderer.apparatus.DisplayProfileLoader;
 import org.selectiverenderer.apparatus.EyeGeometry;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.browser.camera.MirroredEye;
-import org.selectiverenderer.cli.option.ConditionOptions;
 import org.selectiverenderer.cli.option.LslOptions;
 import org.selectiverenderer.cli.option.TrackerFilterOptions;
 import org.selectiverenderer.cli.view.ConsoleRunListener;
@@ -44,9 +44,9 @@ import org.selectiverenderer.render.context.GlUnavailableException;
 import org.selectiverenderer.render.context.OffscreenContext;
 import org.selectiverenderer.render.window.Monitor;
 import org.selectiverenderer.render.window.Monitors;
-import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.study.definition.LslSettings;
 import org.selectiverenderer.study.definition.Study;
+import org.selectiverenderer.study.design.StudyGroup;
 import org.selectiverenderer.study.session.LoadedStudy;
 import org.selectiverenderer.study.session.Session;
 import org.selectiverenderer.study.session.SessionFolder;
@@ -88,10 +88,9 @@ final class ExperimentRunCommand extends CliCommand {
 
   @Option(
       names = "--condition",
-      converter = ConditionOptions.Converter.class,
       paramLabel = "NAME",
-      description = "condition to assign instead of the next one; this is recorded")
-  private @Nullable Condition condition;
+      description = "group or condition to assign instead of the next one; this is recorded")
+  private @Nullable String condition;
 
   @Option(
       names = "--exposure",
@@ -155,9 +154,14 @@ final class ExperimentRunCommand extends CliCommand {
       return ExitStatus.PROBLEMS;
     }
     LoadedStudy material = found.get();
-    if (condition != null && !material.study().conditions().contains(condition)) {
+    if (condition != null && material.study().design().group(condition).isEmpty()) {
       throw CommandException.usage(
-          "the study has no condition " + condition.spelling() + " for --condition");
+          "the study has no group %s for --condition; it has %s"
+              .formatted(
+                  condition,
+                  material.study().design().groups().stream()
+                      .map(StudyGroup::name)
+                      .collect(Collectors.joining(", "))));
     }
     Optional<DisplayConfiguration> presentation = presentation(material.study(), problems);
     if (presentation.isEmpty()) {

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.selectiverenderer.apparatus.DisplayMode;
 import org.selectiverenderer.apparatus.MouseButtonMapping;
-import org.selectiverenderer.schema.Condition;
+import org.selectiverenderer.study.design.StudyDesign;
 import org.selectiverenderer.tracker.TrackerSpec;
 import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 
@@ -15,11 +15,11 @@ import org.selectiverenderer.x3d.url.ContentAccessPolicy;
  *
  * @param file the study file
  * @param scene the scene that is shown; empty for a study of questionnaires alone
- * @param conditions the conditions, one for each group
+ * @param design groups, factors and blocks of trials
  * @param participants number of planned participants, in all groups together
- * @param assignment how participants are assigned to conditions
+ * @param assignment how participants are assigned to groups
  * @param block number of participants in a block of the assignment, a multiple of the number of
- *     conditions
+ *     groups
  * @param seed random seed of the assignment and of the order of questions
  * @param fade seconds in which the picture of an area fades in and out, in addition to its exposure
  * @param language of the questionnaires, a code such as {@code en}
@@ -33,7 +33,7 @@ public record Study(
     Path file,
     String name,
     Optional<Path> scene,
-    List<Condition> conditions,
+    StudyDesign design,
     int participants,
     ConditionAssignment assignment,
     int block,
@@ -53,7 +53,6 @@ public record Study(
     boolean mute) {
 
   public Study {
-    conditions = List.copyOf(conditions);
     areas = List.copyOf(areas);
   }
 

@@ -23,6 +23,9 @@ import org.selectiverenderer.formats.json.JsonObjectReader;
 import org.selectiverenderer.formats.json.JsonSettingsReader;
 import org.selectiverenderer.formats.json.LocatedJsonValue;
 import org.selectiverenderer.schema.Condition;
+import org.selectiverenderer.study.design.StudyDesign;
+import org.selectiverenderer.study.design.StudyGroup;
+import org.selectiverenderer.study.questionnaire.read.LocalizedTexts;
 import org.selectiverenderer.tracker.TrackerSpec;
 import org.selectiverenderer.x3d.url.ContentAccessKeys;
 import org.selectiverenderer.x3d.url.NetworkShare;
@@ -45,8 +48,11 @@ public final class StudyReader {
   private final Path file;
   private final Path folder;
 
-  private StudyReader(Path file) {
+  private final ProblemCollector problems;
+
+  private StudyReader(Path file, ProblemCollector problems) {
     this.file = file;
+    this.problems = problems;
     folder = file.toAbsolutePath().getParent();
   }
 
@@ -71,8 +77,8 @@ public final class StudyReader {
    */
   public static Optional<Study> read(Path file, Predicate<Study> check, ProblemCollector problems)
       throws IOException {
-    StudyReader reader = new StudyReader(file);
     ProblemCollector faults = new ProblemCollector(problems::add);
+    StudyReader reader = new StudyReader(file, faults);
     return JSON.read(
         file,
         faults,
@@ -89,23 +95,26 @@ public final class StudyReader {
     List<Study.Area> areas = areas(keys);
     Optional<Path> scene =
         keys.text("scene", !areas.isEmpty()).map(name -> file(keys, "scene", name));
-    List<Condition> conditions = conditions(keys);
+    String language = keys.text("language", false).orElse("en");
+    StudyDesign design =
+        new StudyDesignReader(this::file, new LocalizedTexts(language), problems)
+            .read(keys, conditions(keys));
     int participants = (int) keys.whole("participants", 1, MOST_PARTICIPANTS, Double.NaN);
-    if (participants < conditions.size()) {
+    int groups = design.groups().size();
+    if (participants < groups) {
       keys.fault(
           "participants",
           "%s %s fewer than the %d groups"
               .formatted(
                   Pluralizer.of(participants, "participant"),
                   participants == 1 ? "is" : "are",
-                  conditions.size()));
+                  groups));
     }
-    int groups = Math.max(1, conditions.size());
     int block = (int) keys.whole("block", 1, MOST_PARTICIPANTS, groups);
     if (block % groups != 0) {
       keys.fault(
           "block",
-          "a block of %d participants cannot contain %d conditions equally often"
+          "a block of %d participants cannot contain %d groups equally often"
               .formatted(block, groups));
     }
     ConditionAssignment assignment =
@@ -117,7 +126,7 @@ public final class StudyReader {
     if (assignment == ConditionAssignment.LATIN_SQUARE && block != groups) {
       keys.fault(
           "block",
-          "a Latin square of %d conditions needs blocks of %d, not of %d"
+          "a Latin square of %d groups needs blocks of %d, not of %d"
               .formatted(groups, groups, block));
     }
     Study study =
@@ -125,7 +134,7 @@ public final class StudyReader {
             file,
             keys.text("name"),
             scene,
-            conditions,
+            design,
             participants,
             assignment,
             block,
@@ -140,7 +149,7 @@ public final class StudyReader {
                 List.of(MouseButtonMapping.values()),
                 mapping -> mapping.name().toLowerCase(Locale.ROOT),
                 MouseButtonMapping.EXPERIMENT),
-            keys.text("language", false).orElse("en"),
+            language,
             new StudyQuestionnairesReader(this::file)
                 .read(keys, !areas.isEmpty(), keys.has("practice")),
             QualityCriteriaReader.read(keys),
@@ -228,9 +237,9 @@ public final class StudyReader {
     return found;
   }
 
-  private List<Condition> conditions(JsonObjectReader keys) {
+  private List<StudyGroup> conditions(JsonObjectReader keys) {
     List<Condition> conditions = new ArrayList<>();
-    for (LocatedJsonValue value : keys.list("conditions", true)) {
+    for (LocatedJsonValue value : keys.list("conditions", !keys.has("factors"))) {
       Optional<Condition> found = Condition.of(value.toString());
       if (found.isEmpty()) {
         keys.fault(
@@ -245,7 +254,7 @@ public final class StudyReader {
     if (conditions.isEmpty() && keys.has("conditions")) {
       keys.fault("conditions", "a study needs at least one condition");
     }
-    return conditions;
+    return conditions.stream().map(StudyGroup::of).toList();
   }
 
   private Optional<Study.Practice> practice(JsonObjectReader keys) {

@@ -14,7 +14,6 @@ import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.formats.csv.CsvWriter;
 import org.selectiverenderer.formats.csv.SpreadsheetText;
-import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.schema.RatingBand;
 import org.selectiverenderer.study.questionnaire.Answer;
 import org.selectiverenderer.study.questionnaire.AnswerTableKind;
@@ -160,7 +159,7 @@ public record CollectedAnswers(
     }
 
     private String condition(String participant) {
-      return paper.condition(participant).map(Condition::spelling).orElse("");
+      return paper.condition(participant).orElse("");
     }
 
     private static Map<String, TimedAnswer> given(PaperAnswers.Sheet sheet) {
@@ -174,7 +173,7 @@ public record CollectedAnswers(
     }
 
     private static String condition(SessionHistory history) {
-      return history.condition().map(Condition::spelling).orElse("");
+      return history.group().orElse("");
     }
 
     private static Respondent by(

@@ -11,14 +11,14 @@ import java.util.Optional;
 import java.util.Set;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
-import org.selectiverenderer.schema.Condition;
+import org.selectiverenderer.study.design.StudyGroup;
 import org.selectiverenderer.study.questionnaire.Answer;
 import org.selectiverenderer.study.questionnaire.paper.DataEntryTable;
 import org.selectiverenderer.study.questionnaire.paper.DataEntryTable.Filled;
 
 /**
- * The answers that were given on paper, by participant and screen. A participant's condition is the
- * one in {@code participants.tsv}, or the one typed in if the program has assigned none.
+ * The answers that were given on paper, by participant and screen. A participant's group is the one
+ * in {@code participants.tsv}, or the one typed in if the program has assigned none.
  */
 public final class PaperAnswers {
   /** The answers to one screen by question, and the location of the first one in its file. */
@@ -27,7 +27,7 @@ public final class PaperAnswers {
   private record Key(String participant, String step) {}
 
   private final Map<Key, Sheet> sheets = new LinkedHashMap<>();
-  private final Map<String, Condition> conditions = new LinkedHashMap<>();
+  private final Map<String, String> conditions = new LinkedHashMap<>();
   private final Set<String> known = new HashSet<>();
   private final Set<String> refused = new HashSet<>();
 
@@ -48,7 +48,7 @@ public final class PaperAnswers {
       throws IOException {
     PaperAnswers paper = new PaperAnswers();
     for (ParticipantsFile.Assigned assigned : new ParticipantsFile(material.study()).all()) {
-      paper.conditions.put(assigned.participant(), assigned.condition());
+      paper.conditions.put(assigned.participant(), assigned.group());
     }
     paper.known.addAll(paper.conditions.keySet());
     for (Path file : files) {
@@ -99,8 +99,7 @@ public final class PaperAnswers {
     if (refused.contains(id)) {
       return false;
     }
-    Optional<Condition> typed =
-        Condition.of(row.condition()).filter(material.study().conditions()::contains);
+    Optional<String> typed = material.study().design().group(row.condition()).map(StudyGroup::name);
     String fault = "";
     if (!id.matches(SessionFolder.LABEL)) {
       fault = "a participant's id must consist of letters and digits";
@@ -108,17 +107,18 @@ public final class PaperAnswers {
       if (!row.condition().isEmpty() && !typed.equals(Optional.of(conditions.get(id)))) {
         fault =
             "the table has the condition %s, but %s was assigned"
-                .formatted(row.condition(), conditions.get(id).spelling());
+                .formatted(row.condition(), conditions.get(id));
       }
     } else if (!padded(id).equals(id) && known.contains(padded(id))) {
       fault =
           "there is a participant %s: did a spreadsheet remove the leading zeros?"
               .formatted(padded(id));
-    } else if (typed.isEmpty() && material.study().conditions().size() > 1) {
+    } else if (typed.isEmpty() && material.study().design().groups().size() > 1) {
       fault = "participants.tsv assigns no condition, and the table names none of the study";
     } else {
-      Condition own = typed.orElse(material.study().conditions().get(0));
-      if (conditions.putIfAbsent(id, own) != null && conditions.get(id) != own) {
+      String own = typed.orElse(material.study().design().groups().get(0).name());
+      String earlier = conditions.putIfAbsent(id, own);
+      if (earlier != null && !earlier.equals(own)) {
         fault = "the table names two conditions";
       }
     }
@@ -145,7 +145,7 @@ public final class PaperAnswers {
   }
 
   /** Returns the condition of one of {@link #participants}. */
-  Optional<Condition> condition(String participant) {
+  Optional<String> condition(String participant) {
     return Optional.ofNullable(conditions.get(participant));
   }
 

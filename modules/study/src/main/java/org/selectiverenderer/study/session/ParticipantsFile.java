@@ -17,10 +17,11 @@ import org.selectiverenderer.base.files.InputFileReader;
 import org.selectiverenderer.base.files.PrivateFiles;
 import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.study.definition.Study;
+import org.selectiverenderer.study.design.StudyGroup;
 
 /**
  * The file {@code participants.tsv} in a study's folder (BIDS, "Participants file"), which records
- * the condition of each participant. It is append-only and written under a lock, so that several
+ * the group of each participant. It is append-only and written under a lock, so that several
  * computers of a lab may share a folder.
  */
 public final class ParticipantsFile {
@@ -34,23 +35,24 @@ public final class ParticipantsFile {
    * A row of the file: the assignment of a participant.
    *
    * @param place in the schedule, from 1
-   * @param insteadOf the condition of the schedule, if the experimenter chose another
+   * @param group name of the group; in a study without factors its condition
+   * @param insteadOf the group of the schedule, if the experimenter chose another
    */
   public record Assigned(
       String participant,
-      Condition condition,
+      String group,
       int place,
-      Optional<Condition> insteadOf,
+      Optional<String> insteadOf,
       String age,
       boolean simulated) {
     private String line() {
       return String.join(
               "\t",
               "sub-" + participant,
-              condition.spelling(),
+              group,
               Integer.toString(place),
               insteadOf.isPresent() ? "experimenter" : "schedule",
-              insteadOf.map(Condition::spelling).orElse("n/a"),
+              insteadOf.orElse("n/a"),
               age.isEmpty() ? "n/a" : age,
               Boolean.toString(simulated))
           + "\n";
@@ -63,12 +65,12 @@ public final class ParticipantsFile {
   }
 
   /**
-   * Assigns a condition to a participant; one who has a condition keeps it.
+   * Assigns a group to a participant; one who has a group keeps it.
    *
-   * @param wanted the experimenter's choice; empty for the next condition of the schedule
+   * @param wanted the experimenter's choice; empty for the next group of the schedule
    * @throws IOException if the file cannot be read or written
    */
-  Assigned assign(String participant, Optional<Condition> wanted, String age, boolean simulated)
+  Assigned assign(String participant, Optional<StudyGroup> wanted, String age, boolean simulated)
       throws IOException {
     PrivateFiles.requireNoLink(file);
     try (FileChannel channel =
@@ -85,14 +87,14 @@ public final class ParticipantsFile {
       Set<Integer> taken = new HashSet<>();
       all.forEach(known -> taken.add(known.place()));
       RandomizationSchedule schedule = new RandomizationSchedule(study);
-      Condition turn = schedule.condition(schedule.free(taken, Optional.empty()));
+      StudyGroup turn = schedule.group(schedule.free(taken, Optional.empty()));
       int place = schedule.free(taken, wanted);
       Assigned assigned =
           new Assigned(
               participant,
-              schedule.condition(place),
+              schedule.group(place).name(),
               place,
-              wanted.filter(chosen -> chosen != turn).map(chosen -> turn),
+              wanted.filter(chosen -> !chosen.equals(turn)).map(chosen -> turn.name()),
               cell(age),
               simulated);
       String missing = text.isEmpty() ? HEADER : text.endsWith("\n") ? "" : "\n";
@@ -150,18 +152,20 @@ public final class ParticipantsFile {
     return new String(bytes.array(), 0, bytes.position(), StandardCharsets.UTF_8);
   }
 
-  private static List<Assigned> parse(String text) {
+  private List<Assigned> parse(String text) {
     List<Assigned> all = new ArrayList<>();
     for (String line : text.split("\n")) {
       String[] cells = line.strip().split("\t", -1);
-      Optional<Condition> condition = cells.length < 7 ? Optional.empty() : Condition.of(cells[1]);
-      if (condition.isPresent() && cells[2].matches("\\d{1,9}") && cells[0].startsWith("sub-")) {
+      if (cells.length >= 7
+          && (Condition.of(cells[1]).isPresent() || study.design().group(cells[1]).isPresent())
+          && cells[2].matches("\\d{1,9}")
+          && cells[0].startsWith("sub-")) {
         all.add(
             new Assigned(
                 cells[0].substring(4),
-                condition.get(),
+                cells[1],
                 Integer.parseInt(cells[2]),
-                Condition.of(cells[4]),
+                Optional.of(cells[4]).filter(name -> !name.equals("n/a")),
                 cells[5],
                 Boolean.parseBoolean(cells[6])));
       }

@@ -7,14 +7,14 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
 import java.util.stream.IntStream;
-import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.study.definition.Study;
+import org.selectiverenderer.study.design.StudyGroup;
 
 /**
- * The randomization schedule of a study: the condition of each place. Places come in blocks that
- * contain every condition equally often; the order within a block is random, by the study's seed
- * and the block's number. So a study always has the same schedule, and the groups are balanced
- * after each block.
+ * The randomization schedule of a study: the group of each place. Places come in blocks that
+ * contain every group equally often; the order within a block is random, by the study's seed and
+ * the block's number. So a study always has the same schedule, and the groups are balanced after
+ * each block.
  *
  * <p>Permuted blocks: Zelen 1974, "The randomization and stratification of patients to clinical
  * trials". Latin squares drawn by permuting the rows, columns and letters of the cyclic one: Fisher
@@ -28,8 +28,8 @@ final class RandomizationSchedule {
     this.study = study;
   }
 
-  /** Returns the condition of a place, counted from 1. */
-  Condition condition(int place) {
+  /** Returns the group of a place, counted from 1. */
+  StudyGroup group(int place) {
     int number = (place - 1) / study.block();
     int within = (place - 1) % study.block();
     return switch (study.assignment()) {
@@ -38,10 +38,10 @@ final class RandomizationSchedule {
     };
   }
 
-  private List<Condition> block(int number) {
-    List<Condition> block = new ArrayList<>();
+  private List<StudyGroup> block(int number) {
+    List<StudyGroup> block = new ArrayList<>();
     while (block.size() < study.block()) {
-      block.addAll(study.conditions());
+      block.addAll(study.design().groups());
     }
     Collections.shuffle(block, random(number));
     return block;
@@ -49,15 +49,15 @@ final class RandomizationSchedule {
 
   /**
    * Returns a cell of a Latin square, which has as many rows (blocks) and columns as there are
-   * conditions.
+   * groups.
    */
-  private Condition square(int number, int row, int column) {
-    int size = study.conditions().size();
+  private StudyGroup square(int number, int row, int column) {
+    int size = study.design().groups().size();
     Random random = random(number);
     List<Integer> rows = order(size, random);
     List<Integer> columns = order(size, random);
     List<Integer> letters = order(size, random);
-    return study.conditions().get(letters.get((rows.get(row) + columns.get(column)) % size));
+    return study.design().groups().get(letters.get((rows.get(row) + columns.get(column)) % size));
   }
 
   private static List<Integer> order(int size, Random random) {
@@ -72,13 +72,13 @@ final class RandomizationSchedule {
   }
 
   /**
-   * Returns the first free place, of a condition if one is wanted.
+   * Returns the first free place, of a group if one is wanted.
    *
    * @param taken the places that are taken
    */
-  int free(Set<Integer> taken, Optional<Condition> wanted) {
+  int free(Set<Integer> taken, Optional<StudyGroup> wanted) {
     int place = 1;
-    while (taken.contains(place) || wanted.isPresent() && condition(place) != wanted.get()) {
+    while (taken.contains(place) || wanted.isPresent() && !group(place).equals(wanted.get())) {
       place++;
     }
     return place;

@@ -10,9 +10,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
 import org.selectiverenderer.base.problem.ProblemCollector;
-import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.study.definition.SessionFlag;
 import org.selectiverenderer.study.definition.Study;
+import org.selectiverenderer.study.design.StudyGroup;
 import org.selectiverenderer.study.questionnaire.Answer;
 import org.selectiverenderer.study.questionnaire.AnswerTableKind;
 import org.selectiverenderer.study.questionnaire.AnswersCsvBuilder;
@@ -69,7 +69,7 @@ public final class Session implements AutoCloseable {
   /**
    * Begins a session: creates its folder and records its settings.
    *
-   * @param problems receives a warning if the participant already has another condition
+   * @param problems receives a warning if the participant already has another group
    * @throws IOException if the session was begun before, or a file cannot be written
    */
   public static Session begin(
@@ -144,9 +144,9 @@ public final class Session implements AutoCloseable {
     return options.tracker().orElse(material.study().tracker());
   }
 
-  /** Returns the participant's condition, once it is assigned. */
-  public Optional<Condition> condition() {
-    return history.condition();
+  /** Returns the participant's group, once it is assigned. */
+  public Optional<StudyGroup> group() {
+    return history.group().flatMap(material.study().design()::group);
   }
 
   /**
@@ -197,16 +197,20 @@ public final class Session implements AutoCloseable {
     journal.keep("step-finished", event);
   }
 
-  /** Assigns a condition after the form, first in {@code participants.tsv}, then in the journal. */
+  /** Assigns a group after the form, first in {@code participants.tsv}, then in the journal. */
   public void assign(String age) throws IOException {
     ParticipantsFile.Assigned assigned =
         new ParticipantsFile(material.study())
-            .assign(folder.participant(), options.condition(), age, options.unattended());
+            .assign(
+                folder.participant(),
+                options.group().flatMap(material.study().design()::group),
+                age,
+                options.unattended());
     Map<String, Object> event = new LinkedHashMap<>();
-    event.put("condition", assigned.condition().spelling());
+    event.put("condition", assigned.group());
     event.put("place", assigned.place());
     event.put("assigned_by", assigned.insteadOf().isPresent() ? "experimenter" : "schedule");
-    assigned.insteadOf().ifPresent(turn -> event.put("instead_of", turn.spelling()));
+    assigned.insteadOf().ifPresent(turn -> event.put("instead_of", turn));
     event.put("age", age);
     journal.keep("assigned", event);
     order(assigned);
@@ -366,7 +370,7 @@ public final class Session implements AutoCloseable {
       return new Respondent(
           folder.participant(),
           Integer.toString(folder.number()),
-          history.condition().map(Condition::spelling).orElse(""),
+          history.group().orElse(""),
           step.id());
     }
   }

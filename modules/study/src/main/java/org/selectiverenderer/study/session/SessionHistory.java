@@ -15,7 +15,6 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
-import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.study.definition.QualityCriteria;
 import org.selectiverenderer.study.definition.SessionFlag;
 import org.selectiverenderer.study.questionnaire.Answer;
@@ -36,7 +35,7 @@ public final class SessionHistory {
   private final List<String> headLogs = new ArrayList<>();
   private final Set<SessionFlagEvent> flags = new LinkedHashSet<>();
   private final List<String> areaOrder = new ArrayList<>();
-  private Optional<Condition> condition = Optional.empty();
+  private Optional<String> group = Optional.empty();
   private String checksum = "";
   private boolean aborted;
   private boolean over;
@@ -92,7 +91,8 @@ public final class SessionHistory {
         aborted = false;
         options(event);
       }
-      case "assigned" -> condition = Condition.of(event.path("condition").asText());
+      case "assigned" ->
+          group = Optional.of(event.path("condition").asText()).filter(name -> !name.isEmpty());
       case "area-order" -> {
         areaOrder.clear();
         event.path("areas").forEach(area -> areaOrder.add(area.asText()));
@@ -235,9 +235,9 @@ public final class SessionHistory {
     return List.copyOf(areaOrder);
   }
 
-  /** Returns the participant's condition, once it is assigned. */
-  public synchronized Optional<Condition> condition() {
-    return condition;
+  /** Returns the name of the participant's group, once it is assigned. */
+  public synchronized Optional<String> group() {
+    return group;
   }
 
   /** Returns the SHA-256 checksum of the study file at the session's begin. */

@@ -6,14 +6,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.study.definition.SessionFlag;
 import org.selectiverenderer.tracker.TrackerSpec;
 
 /**
  * The options of a session, all of which are recorded.
  *
- * @param condition the experimenter's choice instead of the schedule's
+ * @param group name of the group that the experimenter chooses instead of the schedule
  * @param exposure duration of each exposure in seconds instead of the study's, for tests
  * @param unattended whether a simulated participant takes part, for tests
  * @param tracker replaces the study's tracker: none for a session without it, or the one that a
@@ -21,7 +20,7 @@ import org.selectiverenderer.tracker.TrackerSpec;
  * @param software name and version of the program
  */
 public record SessionOptions(
-    Optional<Condition> condition,
+    Optional<String> group,
     OptionalDouble exposure,
     boolean unattended,
     Optional<TrackerSpec> tracker,
@@ -29,8 +28,8 @@ public record SessionOptions(
 
   /** Makes options with the study's tracker. */
   public SessionOptions(
-      Optional<Condition> condition, OptionalDouble exposure, boolean unattended, String software) {
-    this(condition, exposure, unattended, Optional.empty(), software);
+      Optional<String> group, OptionalDouble exposure, boolean unattended, String software) {
+    this(group, exposure, unattended, Optional.empty(), software);
   }
 
   /** Returns whether the session does without the study's tracker. */

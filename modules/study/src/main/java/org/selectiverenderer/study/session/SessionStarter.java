@@ -15,7 +15,6 @@ import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.formats.json.JsonTree;
 import org.selectiverenderer.formats.json.JsonWriter;
-import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.study.definition.SessionFlag;
 import org.selectiverenderer.study.definition.Study;
 
@@ -86,7 +85,7 @@ final class SessionStarter {
     tellConditionKept(
         new ParticipantsFile(material.study())
             .of(folder.participant())
-            .map(ParticipantsFile.Assigned::condition));
+            .map(ParticipantsFile.Assigned::group));
   }
 
   /** As {@link Session#resume}. */
@@ -164,20 +163,20 @@ final class SessionStarter {
       journal.keep("files-changed", Map.of("files", changed));
     }
     history.headLogs().forEach(session::writeMotion);
-    tellConditionKept(history.condition());
+    tellConditionKept(history.group());
   }
 
   /**
    * Warns that a participant keeps the condition of the first session if another one is requested.
    */
-  private void tellConditionKept(Optional<Condition> kept) throws IOException {
-    Optional<Condition> asked = options.condition();
+  private void tellConditionKept(Optional<String> kept) throws IOException {
+    Optional<String> asked = options.group();
     if (kept.isPresent() && asked.isPresent() && !kept.equals(asked)) {
       problems.warning(
           SourceLocation.of(new ParticipantsFile(material.study()).file().toString()),
           "participant %s keeps the assigned condition %s; --condition %s is ignored"
-              .formatted(folder.participant(), kept.get().spelling(), asked.get().spelling()));
-      journal.keep("condition-kept", Map.of("asked_for", asked.get().spelling()));
+              .formatted(folder.participant(), kept.get(), asked.get()));
+      journal.keep("condition-kept", Map.of("asked_for", asked.get()));
     }
   }
 

@@ -13,7 +13,7 @@ import org.selectiverenderer.base.markup.ControlCharacterEscaper;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.formats.json.JsonTree;
 import org.selectiverenderer.formats.json.JsonWriter;
-import org.selectiverenderer.schema.Condition;
+import org.selectiverenderer.study.design.StudyGroup;
 
 /**
  * The progress of a study: the state of each session, and the sizes of the groups.
@@ -91,13 +91,13 @@ public record StudyStatus(String study, int planned, List<Row> sessions, List<Gr
     }
     List<ParticipantsFile.Assigned> assigned = new ParticipantsFile(material.study()).all();
     List<Group> groups = new ArrayList<>();
-    int count = material.study().conditions().size();
-    for (Condition condition : material.study().conditions()) {
+    int count = material.study().design().groups().size();
+    for (StudyGroup group : material.study().design().groups()) {
       List<ParticipantsFile.Assigned> members =
-          assigned.stream().filter(member -> member.condition() == condition).toList();
+          assigned.stream().filter(member -> member.group().equals(group.name())).toList();
       groups.add(
           new Group(
-              condition.spelling(),
+              group.name(),
               (material.study().participants() + count - 1) / count,
               members.size(),
               among(members, finished),
@@ -115,7 +115,7 @@ public record StudyStatus(String study, int planned, List<Row> sessions, List<Gr
     return new Row(
         folder.participant(),
         folder.number(),
-        history.condition().map(Condition::spelling).orElse(""),
+        history.group().orElse(""),
         history.over()
             ? State.FINISHED
             : history.refused() ? State.REFUSED : history.aborted() ? State.ABORTED : State.OPEN,

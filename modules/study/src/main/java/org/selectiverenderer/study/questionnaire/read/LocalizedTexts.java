@@ -10,10 +10,10 @@ import org.selectiverenderer.study.questionnaire.QuestionKind;
  * Reads texts in one language: a JSON string is the text in all languages, an object has a text for
  * each, {@code {"en": "Yes", "el": "Ναι"}}.
  */
-final class LocalizedTexts implements QuestionKind.Texts {
+public final class LocalizedTexts implements QuestionKind.Texts {
   private final String language;
 
-  LocalizedTexts(String language) {
+  public LocalizedTexts(String language) {
     this.language = language;
   }
 
