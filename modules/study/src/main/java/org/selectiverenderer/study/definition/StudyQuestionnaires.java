@@ -39,7 +39,9 @@ public record StudyQuestionnaires(Optional<Path> form, List<Source> list) {
     AFTER_PRACTICE,
     /** After every area; a recognition list of an area after that area. */
     AFTER_AREA,
-    /** After all areas. */
+    /** In trials, which name it. */
+    IN_TRIALS,
+    /** After all areas and blocks. */
     END;
 
     /** Returns the spelling in the study file. */

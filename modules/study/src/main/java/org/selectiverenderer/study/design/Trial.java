@@ -10,8 +10,10 @@ import java.util.Map;
  * @param block name of its block
  * @param number its place in the block, from 1
  * @param round of a practice block, from 1; 1 for others
- * @param levels names of the levels by the names of the within factors of the block
+ * @param levels names of the levels by the names of the factors: those of the group, then those of
+ *     the block
  * @param stimulus cells of its row of the stimulus list, by column; empty without a list
+ * @param line line of that row in its file, from 1; 0 without a list
  * @param settings what it shows, with those of the participant's group
  * @param phases its phases, with all texts filled in
  */
@@ -21,10 +23,16 @@ public record Trial(
     int round,
     Map<String, String> levels,
     Map<String, String> stimulus,
+    int line,
     TrialSettings settings,
     List<TrialPhase> phases) {
   public Trial {
     phases = List.copyOf(phases);
+  }
+
+  /** Returns what identifies the trial in a recorded order. */
+  public TrialKey key() {
+    return new TrialKey(levels, line);
   }
 
   /** Returns the id in the journal and in names of files. */

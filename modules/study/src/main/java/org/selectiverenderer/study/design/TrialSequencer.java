@@ -23,7 +23,7 @@ public final class TrialSequencer {
   private final long seed;
 
   /** A trial without its place: a combination of levels and a stimulus. */
-  private record Cell(Map<String, String> levels, Optional<StimulusList.Stimulus> stimulus) {
+  record Cell(Map<String, String> levels, Optional<StimulusList.Stimulus> stimulus) {
     /** Returns the level of a factor, or the cell of a column. */
     String value(String name) {
       return levels.getOrDefault(
@@ -73,6 +73,25 @@ public final class TrialSequencer {
     };
   }
 
+  /**
+   * Returns the trials of an order that was recorded; rows that the list no longer has are left
+   * out.
+   */
+  List<Trial> rebuilt(List<TrialKey> keys, int round) {
+    List<Cell> cells = new ArrayList<>();
+    for (TrialKey key : keys) {
+      Optional<StimulusList.Stimulus> stimulus =
+          block
+              .stimuli()
+              .flatMap(
+                  list -> list.rows().stream().filter(row -> row.line() == key.line()).findFirst());
+      if (stimulus.isPresent() || key.line() == 0) {
+        cells.add(new Cell(key.levels(), stimulus));
+      }
+    }
+    return numbered(cells, round);
+  }
+
   /** Returns all combinations of the levels of factors, the last factor varying fastest. */
   static List<Map<String, String>> combinations(List<Factor> factors) {
     List<Map<String, String>> all = List.of(Map.of());
@@ -88,6 +107,17 @@ public final class TrialSequencer {
       all = more;
     }
     return all;
+  }
+
+  /** Returns the cells of all crossed factors but one, each once, without their order. */
+  List<Cell> cellsWithout(Factor varied) {
+    List<Map<String, String>> combinations =
+        combinations(block.crossed().stream().filter(factor -> !factor.equals(varied)).toList());
+    List<Cell> cells = new ArrayList<>();
+    for (int combination = 0; combination < combinations.size(); combination++) {
+      cells.addAll(of(combinations, combination, 0));
+    }
+    return cells;
   }
 
   private List<Cell> cells(List<Map<String, String>> combinations, int turn) {
@@ -205,7 +235,8 @@ public final class TrialSequencer {
     return List.copyOf(trials);
   }
 
-  private Trial trial(Cell cell, int number, int round) {
+  /** Returns the trial of a cell. */
+  Trial trial(Cell cell, int number, int round) {
     TrialSettings settings = block.settings().over(group.settings());
     for (Factor factor : block.factors()) {
       settings =
@@ -229,14 +260,16 @@ public final class TrialSequencer {
             round,
             levels,
             cell.stimulus().map(StimulusList.Stimulus::cells).orElse(Map.of()),
+            cell.stimulus().map(StimulusList.Stimulus::line).orElse(0),
             settings,
             List.of());
     return new Trial(
-        bare.block(),
+        block.name(),
         number,
         round,
         levels,
         bare.stimulus(),
+        bare.line(),
         settings,
         block.phases().stream().map(phase -> phase.filled(bare)).toList());
   }

@@ -136,8 +136,10 @@ public record LoadedStudy(
     steps.addAll(asked(Moment.BEGIN));
     study.practice().ifPresent(practice -> steps.add(new SessionStep.Practice(practice)));
     steps.addAll(asked(Moment.AFTER_PRACTICE));
+    study.design().blocks().forEach(block -> steps.add(new SessionStep.Block(block)));
     List<SessionStep.Questions> after = new ArrayList<>(asked(Moment.AFTER_AREA));
-    for (Study.Area area : areas) {
+    // In a study with blocks the areas are shown by trials.
+    for (Study.Area area : study.design().blocks().isEmpty() ? areas : List.<Study.Area>of()) {
       steps.add(new SessionStep.Exposure(area));
       List<SessionStep.Questions> now =
           after.stream().filter(step -> step.area().equals(area.name())).toList();

@@ -12,7 +12,10 @@ import java.util.OptionalLong;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.study.definition.SessionFlag;
 import org.selectiverenderer.study.definition.Study;
+import org.selectiverenderer.study.design.BlockProgress;
 import org.selectiverenderer.study.design.StudyGroup;
+import org.selectiverenderer.study.design.Trial;
+import org.selectiverenderer.study.design.TrialResult;
 import org.selectiverenderer.study.questionnaire.Answer;
 import org.selectiverenderer.study.questionnaire.AnswerTableKind;
 import org.selectiverenderer.study.questionnaire.AnswersCsvBuilder;
@@ -169,6 +172,10 @@ public final class Session implements AutoCloseable {
    * @param headLog whether the step writes a head log
    */
   public void began(SessionStep step, boolean headLog) throws IOException {
+    began(step, headLog, Map.of());
+  }
+
+  private void began(SessionStep step, boolean headLog, Map<String, ?> more) throws IOException {
     int run = history.runs(step) + 1;
     Map<String, Object> event = new LinkedHashMap<>();
     event.put("step", step.id());
@@ -176,10 +183,61 @@ public final class Session implements AutoCloseable {
     if (headLog) {
       event.put("head_log", SessionFolder.headName(step, run));
     }
+    event.putAll(more);
     journal.keep("step-began", event);
-    if (step instanceof SessionStep.Exposure && run > 1) {
+    boolean exposes = step instanceof SessionStep.Exposure || step instanceof SessionStep.OneTrial;
+    if (exposes && run > 1) {
       journal.flag(SessionFlag.REPEATED_EXPOSURE, Map.of("step", step.id(), "run", run));
     }
+  }
+
+  /**
+   * Returns the participant's progress through a block.
+   *
+   * @throws IllegalStateException if the participant has no group yet
+   */
+  public BlockProgress progress(SessionStep.Block step) {
+    Study study = material.study();
+    StudyGroup group =
+        group().orElseThrow(() -> new IllegalStateException("no group is assigned yet"));
+    BlockProgress progress =
+        new BlockProgress(
+            step.block(),
+            group,
+            AreaSequence.turn(study, Math.max(1, history.place())),
+            study.seed(),
+            history.orders(step.id()));
+    history.results().stream()
+        .filter(result -> result.block().equals(step.block().name()))
+        .forEach(
+            result -> {
+              progress.next();
+              progress.add(result);
+            });
+    return progress;
+  }
+
+  /** Records the begin of a trial, and before the first one of a round the order of all. */
+  public void began(SessionStep.OneTrial step, BlockProgress progress) throws IOException {
+    Trial trial = step.trial();
+    if (!history.orders(trial.block()).containsKey(trial.round()) && !progress.order().isEmpty()) {
+      journal.keep(
+          "trial-order", TrialEvents.order(trial.block(), trial.round(), progress.order()));
+    }
+    began(step, true, TrialEvents.members(trial));
+  }
+
+  /**
+   * Records the end of a trial.
+   *
+   * @param more further members of the event
+   */
+  public void finished(SessionStep.OneTrial step, TrialResult result, Map<String, ?> more)
+      throws IOException {
+    Map<String, Object> event = new LinkedHashMap<>(TrialEvents.members(step.trial()));
+    event.putAll(TrialEvents.members(result));
+    event.putAll(more);
+    finished(step, event);
   }
 
   /**
@@ -188,7 +246,7 @@ public final class Session implements AutoCloseable {
    * @param more further members of the event
    */
   public void finished(SessionStep step, Map<String, ?> more) throws IOException {
-    if (step instanceof SessionStep.Practice || step instanceof SessionStep.Exposure) {
+    if (step.shows() && !(step instanceof SessionStep.Block)) {
       motion.write(SessionFolder.headName(step, history.runs(step)));
     }
     Map<String, Object> event = new LinkedHashMap<>();

@@ -17,6 +17,8 @@ import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.study.definition.QualityCriteria;
 import org.selectiverenderer.study.definition.SessionFlag;
+import org.selectiverenderer.study.design.TrialKey;
+import org.selectiverenderer.study.design.TrialResult;
 import org.selectiverenderer.study.questionnaire.Answer;
 import org.selectiverenderer.study.questionnaire.TimedAnswer;
 
@@ -35,7 +37,10 @@ public final class SessionHistory {
   private final List<String> headLogs = new ArrayList<>();
   private final Set<SessionFlagEvent> flags = new LinkedHashSet<>();
   private final List<String> areaOrder = new ArrayList<>();
+  private final List<TrialResult> results = new ArrayList<>();
+  private final Map<String, Map<Integer, List<TrialKey>>> orders = new HashMap<>();
   private Optional<String> group = Optional.empty();
+  private int place;
   private String checksum = "";
   private boolean aborted;
   private boolean over;
@@ -91,8 +96,14 @@ public final class SessionHistory {
         aborted = false;
         options(event);
       }
-      case "assigned" ->
-          group = Optional.of(event.path("condition").asText()).filter(name -> !name.isEmpty());
+      case "trial-order" ->
+          orders
+              .computeIfAbsent(step, key -> new HashMap<>())
+              .put(event.path("round").asInt(1), TrialEvents.order(event));
+      case "assigned" -> {
+        place = event.path("place").asInt();
+        group = Optional.of(event.path("condition").asText()).filter(name -> !name.isEmpty());
+      }
       case "area-order" -> {
         areaOrder.clear();
         event.path("areas").forEach(area -> areaOrder.add(area.asText()));
@@ -105,6 +116,7 @@ public final class SessionHistory {
       }
       case "step-finished" -> {
         finished.add(step);
+        TrialEvents.result(event).ifPresent(results::add);
         if (event.path("head_log_incomplete").asBoolean()) {
           raise(SessionFlag.HEAD_LOG_INCOMPLETE, step);
         }
@@ -238,6 +250,21 @@ public final class SessionHistory {
   /** Returns the name of the participant's group, once it is assigned. */
   public synchronized Optional<String> group() {
     return group;
+  }
+
+  /** Returns the participant's place in the schedule, from 1; 0 before the assignment. */
+  synchronized int place() {
+    return place;
+  }
+
+  /** Returns the results of all finished trials, in order. */
+  public synchronized List<TrialResult> results() {
+    return List.copyOf(results);
+  }
+
+  /** Returns the recorded orders of a block's trials, by round. */
+  synchronized Map<Integer, List<TrialKey>> orders(String block) {
+    return Map.copyOf(orders.getOrDefault(block, Map.of()));
   }
 
   /** Returns the SHA-256 checksum of the study file at the session's begin. */

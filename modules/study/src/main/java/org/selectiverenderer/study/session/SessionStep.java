@@ -1,6 +1,8 @@
 package org.selectiverenderer.study.session;
 
 import org.selectiverenderer.study.definition.Study;
+import org.selectiverenderer.study.design.Trial;
+import org.selectiverenderer.study.design.TrialBlock;
 
 /** A step of a session. A finished step is never repeated; an interrupted step is begun again. */
 public sealed interface SessionStep {
@@ -9,7 +11,7 @@ public sealed interface SessionStep {
 
   /** Returns whether the step shows a scene, for which display and tracker are needed. */
   default boolean shows() {
-    return this instanceof Practice || this instanceof Exposure;
+    return !(this instanceof Form || this instanceof Questions);
   }
 
   /** The form: consent and questions about the person; after it the condition is assigned. */
@@ -33,6 +35,22 @@ public sealed interface SessionStep {
     @Override
     public String id() {
       return "exposure-" + area.name();
+    }
+  }
+
+  /** A block of trials, of which each is a {@link OneTrial}. */
+  record Block(TrialBlock block) implements SessionStep {
+    @Override
+    public String id() {
+      return block.name();
+    }
+  }
+
+  /** A trial, a part of its block that is never repeated either, with a head log of its own. */
+  record OneTrial(Trial trial) implements SessionStep {
+    @Override
+    public String id() {
+      return trial.id();
     }
   }
 
