@@ -3,9 +3,12 @@ package org.selectiverenderer.study.definition;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.selectiverenderer.apparatus.DisplayMode;
 import org.selectiverenderer.apparatus.MouseButtonMapping;
 import org.selectiverenderer.study.design.StudyDesign;
+import org.selectiverenderer.study.design.Trial;
+import org.selectiverenderer.study.design.TrialPhase;
 import org.selectiverenderer.tracker.TrackerSpec;
 import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 
@@ -114,6 +117,40 @@ public record Study(
   public record Worn(boolean seated, double scale, double turn, boolean asked) {
     /** A standing participant of real size, with snap turns of 30 degrees. */
     public static final Worn STANDING = new Worn(false, 1, 30, false);
+  }
+
+  /** Returns the area with a name. */
+  public Optional<Area> area(String wanted) {
+    return areas.stream().filter(area -> area.name().equals(wanted)).findFirst();
+  }
+
+  /** Returns the scene of a trial; empty for a trial without one. */
+  public Optional<Path> scene(Trial trial) {
+    return trial.settings().scene().or(() -> scene);
+  }
+
+  /** Returns the DEF of the viewpoint of a trial; empty for the first of the scene. */
+  public Optional<String> viewpoint(Trial trial) {
+    return trial
+        .settings()
+        .viewpoint()
+        .or(() -> trial.settings().area().flatMap(this::area).map(Area::viewpoint));
+  }
+
+  /** Returns the duration of an exposure in seconds; empty where a key or the scene ends it. */
+  public OptionalDouble seconds(Trial trial, TrialPhase.Exposure exposure) {
+    if (exposure.seconds().isPresent()) {
+      return exposure.seconds();
+    }
+    if (trial.settings().seconds().isPresent()) {
+      return trial.settings().seconds();
+    }
+    return trial
+        .settings()
+        .area()
+        .flatMap(this::area)
+        .map(area -> OptionalDouble.of(area.seconds()))
+        .orElse(OptionalDouble.empty());
   }
 
   /** Returns the study file's folder, which also contains the sessions. */

@@ -87,6 +87,9 @@ public final class StudyReader {
           boolean all = !faults.any() && check.test(study);
           UrlResolver own = new UrlResolver(study.folder());
           viewpoints(keys, study, scene -> all || own.mayBeNamed(scene));
+          new TrialChecker(
+                  study, (scene, name) -> (all || own.mayBeNamed(scene)) && lacks(scene, name))
+              .check(fault -> keys.fault("blocks", fault));
           return study;
         });
   }
@@ -94,7 +97,8 @@ public final class StudyReader {
   private Study study(JsonObjectReader keys) {
     List<Study.Area> areas = areas(keys);
     Optional<Path> scene =
-        keys.text("scene", !areas.isEmpty()).map(name -> file(keys, "scene", name));
+        keys.text("scene", !areas.isEmpty() && !keys.has("blocks"))
+            .map(name -> file(keys, "scene", name));
     String language = keys.text("language", false).orElse("en");
     StudyDesign design =
         new StudyDesignReader(this::file, new LocalizedTexts(language), problems)
@@ -157,8 +161,9 @@ public final class StudyReader {
             StudyStreamsReader.read(keys),
             ContentAccessKeys.of(keys, file.toAbsolutePath()),
             keys.truth("mute", false));
-    if (areas.isEmpty() && study.questionnaires().list().isEmpty()) {
-      keys.fault("the study has neither areas nor questionnaires, so there is nothing to do");
+    if (areas.isEmpty() && design.blocks().isEmpty() && study.questionnaires().list().isEmpty()) {
+      keys.fault(
+          "the study has neither areas nor blocks nor questionnaires, so there is nothing to do");
     }
     return study;
   }

@@ -13,6 +13,8 @@ import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.study.definition.Study;
 import org.selectiverenderer.study.definition.StudyQuestionnaires.Moment;
 import org.selectiverenderer.study.definition.StudyReader;
+import org.selectiverenderer.study.design.TrialBlock;
+import org.selectiverenderer.study.design.TrialPhase;
 import org.selectiverenderer.study.questionnaire.ParticipantMessages;
 import org.selectiverenderer.study.questionnaire.Questionnaire;
 
@@ -71,7 +73,9 @@ public record LoadedStudy(
     }
     LoadedStudy material = new LoadedStudy(study.get(), form.get(), asked.get(), wording.get());
     material.tellDesk(problems);
-    return material.distinct(problems) ? Optional.of(material) : Optional.empty();
+    return material.distinct(problems) && material.asksKnown(problems)
+        ? Optional.of(material)
+        : Optional.empty();
   }
 
   /** Returns whether the questions of a step are answered inside the headset. */
@@ -118,6 +122,34 @@ public record LoadedStudy(
       }
     }
     return true;
+  }
+
+  /** Checks that the questionnaires that trials name are there. */
+  private boolean asksKnown(ProblemCollector problems) {
+    boolean known = true;
+    for (TrialBlock block : study.design().blocks()) {
+      for (TrialPhase phase : block.phases()) {
+        if (phase instanceof TrialPhase.Questions questions
+            && inTrials(questions.questionnaire()).isEmpty()) {
+          problems.error(
+              SourceLocation.of(study.file().toString()),
+              ("the block %s asks the questionnaire '%s', which the study's \"questionnaires\" do"
+                      + " not have with \"when\": \"in-trials\". The study is not used")
+                  .formatted(block.name(), questions.questionnaire()));
+          known = false;
+        }
+      }
+    }
+    return known;
+  }
+
+  /** Returns a questionnaire that trials ask, by its name. */
+  public Optional<Questionnaire> inTrials(String name) {
+    return asked.stream()
+        .filter(each -> each.moment() == Moment.IN_TRIALS)
+        .map(Asked::questionnaire)
+        .filter(each -> each.name().equals(name))
+        .findFirst();
   }
 
   /** Returns the steps of a session, with the areas in the order of the study file. */

@@ -26,6 +26,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.schema.Condition;
+import org.selectiverenderer.study.design.StudyGroup;
 import org.selectiverenderer.study.questionnaire.ItemQuestionnaireKind;
 
 class StudyReaderTest {
@@ -53,8 +54,11 @@ class StudyReaderTest {
   @Test
   void aNewStudyIsTheThesiss() throws IOException {
     Study study = StudyReader.read(file, new ProblemCollector()).orElseThrow();
-    assertThat(study.conditions())
-        .containsExactly(Condition.HIGH, Condition.HIGH_LOW, Condition.SELECTIVE);
+    assertThat(study.design().groups())
+        .containsExactly(
+            StudyGroup.of(Condition.HIGH),
+            StudyGroup.of(Condition.HIGH_LOW),
+            StudyGroup.of(Condition.SELECTIVE));
     assertThat(study.participants()).isEqualTo(54);
     assertThat(study.areas())
         .extracting(Study.Area::name)
@@ -142,7 +146,7 @@ class StudyReaderTest {
       value = {
         "54, | 2, | 2 participants are fewer than the 3 groups",
         "\"block\": 6 | \"block\": 4 | a block of 4 participants cannot contain 3 conditions",
-        "\"blocked\" | \"latin-square\" | a Latin square of 3 conditions needs "
+        "\"blocked\" | \"latin-square\" | a Latin square of 3 groups needs "
             + "blocks of 3, not of 6",
         "\"blocked\" | \"alternating\" | 'alternating' is not one of blocked, latin-square",
         "\"high-low\", | \"low\", | 'low' is not a condition",

@@ -13,36 +13,11 @@ import java.util.Map;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.study.definition.Study;
 
 class AreaSequenceTest {
   @TempDir private Path folder;
-
-  @ParameterizedTest
-  @ValueSource(ints = {2, 3, 4, 5, 6, 7})
-  void eachAreaIsAtEachPlaceAndAfterEachOtherEquallyOften(int size) {
-    int rows = size % 2 == 0 ? size : 2 * size;
-    Map<List<Integer>, Integer> places = new HashMap<>();
-    Map<List<Integer>, Integer> pairs = new HashMap<>();
-    for (int turn = 0; turn < rows; turn++) {
-      List<Integer> row = AreaSequence.row(size, turn);
-      assertThat(row).hasSize(size).doesNotHaveDuplicates();
-      for (int at = 0; at < size; at++) {
-        places.merge(List.of(at, row.get(at)), 1, Integer::sum);
-        if (at > 0) {
-          pairs.merge(List.of(row.get(at - 1), row.get(at)), 1, Integer::sum);
-        }
-      }
-    }
-    assertThat(places).hasSize(size * size);
-    assertThat(places.values()).containsOnly(rows / size);
-    assertThat(pairs).hasSize(size * (size - 1));
-    assertThat(pairs.values()).containsOnly(rows / size);
-    assertThat(AreaSequence.row(size, rows)).isEqualTo(AreaSequence.row(size, 0));
-  }
 
   @Test
   void theGroupsHaveAllOrdersEquallyOften() throws IOException {
@@ -51,7 +26,7 @@ class AreaSequenceTest {
     RandomizationSchedule schedule = new RandomizationSchedule(study);
     for (int place = 1; place <= 36; place++) {
       List<String> order = names(study, "p" + place, AreaSequence.turn(study, place));
-      orders.merge(schedule.condition(place) + " " + order, 1, Integer::sum);
+      orders.merge(schedule.group(place).name() + " " + order, 1, Integer::sum);
     }
     assertThat(orders).hasSize(3 * 6);
     assertThat(orders.values()).containsOnly(2);

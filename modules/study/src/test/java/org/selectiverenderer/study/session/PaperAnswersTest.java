@@ -29,7 +29,7 @@ class PaperAnswersTest extends TwoRoomStudyFixture {
     String own;
     try (Session session = begin("001")) {
       form(session);
-      own = session.condition().orElseThrow().spelling();
+      own = session.group().orElseThrow().name();
       answerAll(session, "yes", 4);
       session.abort("recognition-bath");
     }

@@ -19,6 +19,7 @@ import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.study.definition.Study;
 import org.selectiverenderer.study.definition.StudyReader;
 import org.selectiverenderer.study.definition.StudyTemplate;
+import org.selectiverenderer.study.design.StudyGroup;
 
 class RandomizationScheduleTest {
   @TempDir Path folder;
@@ -32,14 +33,14 @@ class RandomizationScheduleTest {
   @Test
   void everyBlockHoldsEachConditionAsOften() throws IOException {
     RandomizationSchedule schedule = new RandomizationSchedule(study());
-    Set<List<Condition>> orders = new HashSet<>();
+    Set<List<StudyGroup>> orders = new HashSet<>();
     for (int block = 0; block < 9; block++) {
-      List<Condition> places = new ArrayList<>();
+      List<StudyGroup> places = new ArrayList<>();
       for (int place = 1; place <= 6; place++) {
-        places.add(schedule.condition(6 * block + place));
+        places.add(schedule.group(6 * block + place));
       }
       for (Condition condition : List.of(Condition.HIGH, Condition.HIGH_LOW, Condition.SELECTIVE)) {
-        assertThat(places).filteredOn(condition::equals).hasSize(2);
+        assertThat(places).filteredOn(StudyGroup.of(condition)::equals).hasSize(2);
       }
       orders.add(places);
     }
@@ -57,11 +58,11 @@ class RandomizationScheduleTest {
             .replace("\"selective\"]", "\"selective\", \"random\"]"));
     Study study = StudyReader.read(file, new ProblemCollector()).orElseThrow();
     RandomizationSchedule schedule = new RandomizationSchedule(study);
-    Set<List<Condition>> squares = new HashSet<>();
+    Set<List<StudyGroup>> squares = new HashSet<>();
     for (int square = 0; square < 5; square++) {
-      List<Condition> places = new ArrayList<>();
+      List<StudyGroup> places = new ArrayList<>();
       for (int place = 1; place <= 16; place++) {
-        places.add(schedule.condition(16 * square + place));
+        places.add(schedule.group(16 * square + place));
       }
       for (int i = 0; i < 4; i++) {
         int column = i;
@@ -80,9 +81,9 @@ class RandomizationScheduleTest {
     for (int i = 1; i <= 54; i++) {
       participants.assign("p" + i, Optional.empty(), "18-22", false);
     }
-    for (Condition condition : study(participants).conditions()) {
+    for (StudyGroup group : study(participants).design().groups()) {
       assertThat(participants.all())
-          .filteredOn(assigned -> assigned.condition() == condition)
+          .filteredOn(assigned -> assigned.group().equals(group.name()))
           .hasSize(18);
     }
   }
@@ -96,21 +97,21 @@ class RandomizationScheduleTest {
   void theExperimentersChoiceIsRecordedAndKeepsTheBalance() throws IOException {
     Study study = study();
     ParticipantsFile participants = new ParticipantsFile(study);
-    Condition turn = new RandomizationSchedule(study).condition(1);
-    Condition other =
-        study.conditions().stream()
-            .filter(condition -> condition != turn)
+    StudyGroup turn = new RandomizationSchedule(study).group(1);
+    StudyGroup other =
+        study.design().groups().stream()
+            .filter(group -> !group.equals(turn))
             .findFirst()
             .orElseThrow();
     ParticipantsFile.Assigned chosen = participants.assign("a", Optional.of(other), "18-22", false);
-    assertThat(chosen.condition()).isEqualTo(other);
-    assertThat(chosen.insteadOf()).contains(turn);
+    assertThat(chosen.group()).isEqualTo(other.name());
+    assertThat(chosen.insteadOf()).contains(turn.name());
     for (String next : List.of("b", "c", "d", "e", "f")) {
       participants.assign(next, Optional.empty(), "18-22", false);
     }
-    for (Condition condition : study.conditions()) {
+    for (StudyGroup group : study.design().groups()) {
       assertThat(participants.all())
-          .filteredOn(assigned -> assigned.condition() == condition)
+          .filteredOn(assigned -> assigned.group().equals(group.name()))
           .hasSize(2);
     }
   }

@@ -25,6 +25,7 @@ import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.study.dataset.RecordedStudy;
+import org.selectiverenderer.study.design.StudyGroup;
 import org.selectiverenderer.study.questionnaire.Answer;
 import org.selectiverenderer.study.questionnaire.Question;
 import org.selectiverenderer.testing.RequiresSymbolicLinks;
@@ -111,7 +112,7 @@ class SessionTest extends TwoRoomStudyFixture {
     String before = Files.readString(events);
     try (Session session = resume("001")) {
       assertThat(left(session)).first().isEqualTo("recognition-hall");
-      assertThat(session.condition()).isPresent();
+      assertThat(session.group()).isPresent();
       SessionStep.Questions hall = (SessionStep.Questions) session.remaining().get(0);
       Question first = session.questionnaire(hall).questions().get(0);
       assertThat(session.answers(hall)).containsOnly(Map.entry(first.id(), new Answer("no", 2)));
@@ -232,7 +233,7 @@ class SessionTest extends TwoRoomStudyFixture {
   @Test
   void aSessionThatIsBeingRunIsNotRunASecondTime() throws IOException {
     try (Session session = begin("001")) {
-      assertThat(session.condition()).isEmpty();
+      assertThat(session.group()).isEmpty();
       assertThatThrownBy(() -> resume("001"))
           .hasMessageContaining("is being run by test (process " + ProcessHandle.current().pid());
     }
@@ -296,12 +297,13 @@ class SessionTest extends TwoRoomStudyFixture {
 
   @Test
   void aConditionThatIsAskedForTooLateIsSaidNotToBeUsed() throws IOException {
-    Condition own;
+    StudyGroup own;
     try (Session session = begin("001")) {
       form(session);
-      own = session.condition().orElseThrow();
+      own = session.group().orElseThrow();
     }
-    Condition other = own == Condition.HIGH ? Condition.SELECTIVE : Condition.HIGH;
+    StudyGroup high = StudyGroup.of(Condition.HIGH);
+    String other = (own.equals(high) ? StudyGroup.of(Condition.SELECTIVE) : high).name();
     SessionOptions options =
         new SessionOptions(Optional.of(other), OptionalDouble.empty(), false, "test");
     ProblemCollector problems = new ProblemCollector();
@@ -315,6 +317,6 @@ class SessionTest extends TwoRoomStudyFixture {
                 text.equals(
                     ("participant 001 keeps the assigned condition %s; --condition %s "
                             + "is ignored")
-                        .formatted(own.spelling(), other.spelling())));
+                        .formatted(own.name(), other)));
   }
 }

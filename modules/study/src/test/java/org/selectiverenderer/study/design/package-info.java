@@ -1,0 +1,4 @@
+@NullMarked
+package org.selectiverenderer.study.design;
+
+import org.jspecify.annotations.NullMarked;
