@@ -145,7 +145,7 @@ class StudyReaderTest {
       quoteCharacter = '`',
       value = {
         "54, | 2, | 2 participants are fewer than the 3 groups",
-        "\"block\": 6 | \"block\": 4 | a block of 4 participants cannot contain 3 conditions",
+        "\"block\": 6 | \"block\": 4 | a block of 4 participants cannot contain 3 groups",
         "\"blocked\" | \"latin-square\" | a Latin square of 3 groups needs "
             + "blocks of 3, not of 6",
         "\"blocked\" | \"alternating\" | 'alternating' is not one of blocked, latin-square",
