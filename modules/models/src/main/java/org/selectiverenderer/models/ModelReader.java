@@ -28,7 +28,7 @@ import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 import org.selectiverenderer.x3d.url.UrlResolver;
 
 /**
- * Reads models in X3D, OBJ, PLY, STL and glTF; file name extensions select the format.
+ * Reads models in X3D, glTF, OBJ, PLY, STL, COLLADA and FBX; file name extensions select the format.
  * Transformations are applied, so that all parts are in the file's own frame. Faces that cannot be
  * drawn are left out and reported. Thread-safe.
  *

@@ -20,7 +20,7 @@ final class GltfMaterials {
   private static final String GLOSSY = "KHR_materials_pbrSpecularGlossiness";
 
   /**
-   * How a surface is drawn.
+   * Describes how a surface is drawn.
    *
    * @param index the index of the material; -1 for glTF's default
    * @param lit whether light falls on it

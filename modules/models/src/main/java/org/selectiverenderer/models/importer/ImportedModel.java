@@ -4,8 +4,8 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a model file holds, in metres and with y upwards. The arrays must not be modified; numbers
- * may be of any size, or not finite, indices are in range.
+ * Holds the content of a model file, in metres and with y upwards. The arrays must not be modified;
+ * numbers may be of any size, or not finite, indices are in range.
  *
  * @param materials the materials, to which meshes refer by index
  * @param meshes the meshes of triangles, each in the coordinates of the nodes that have it
@@ -114,7 +114,7 @@ public record ImportedModel(
   }
 
   /**
-   * How a node moves; each property has times in seconds and a value for each of them.
+   * Describes how a node moves; each property has times in seconds and a value for each of them.
    *
    * @param node the index of the node
    * @param rotations quaternions x, y, z, w

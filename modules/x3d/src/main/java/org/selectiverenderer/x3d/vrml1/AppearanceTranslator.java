@@ -7,7 +7,7 @@ import org.selectiverenderer.x3d.vrml1.Vrml1State.Property;
 
 /** Translates Material, Texture2 and Texture2Transform. */
 final class AppearanceTranslator {
-  /** How a shape takes its colours. */
+  /** Tells where a shape takes its colours from. */
   enum Kind {
     /** All of it has the colour of the material. */
     LIT,

@@ -32,7 +32,7 @@ final class VertexShapeTranslator {
     this.appearances = appearances;
   }
 
-  /** What a material binding or a normal binding means for a shape. */
+  /** A material binding or a normal binding means this for a shape. */
   private record Binding(boolean perVertex, boolean perPiece, boolean perPart, boolean indexed) {
     static Binding of(String word) {
       return new Binding(

@@ -180,9 +180,9 @@ final class SceneItemBuilder {
     boolean nodes = true;
     boolean one = false;
     if (element.name().equals("field") || element.name().equals("fieldValue")) {
-      FieldType field = StatementRules.type(element, "value", known);
+      FieldType field = StatementGrammar.type(element, "value", known);
       boolean declares = element.name().equals("field");
-      AccessType access = declares ? StatementRules.access(element) : AccessType.INPUT_OUTPUT;
+      AccessType access = declares ? StatementGrammar.access(element) : AccessType.INPUT_OUTPUT;
       boolean extern = element.parent().filter(p -> p.name().startsWith("Extern")).isPresent();
       nodes =
           (field == null || field.isNode()) && access != null && access.initialisable() && !extern;
@@ -264,12 +264,12 @@ final class SceneItemBuilder {
     if (type == null && !StatementNames.is(name)) {
       return "unknown element " + name + "; it and its children are left out";
     }
-    if (!StatementRules.contains(around, parent, name)) {
+    if (!StatementGrammar.contains(around, parent, name)) {
       return around == null
           ? "the root element of a scene must be X3D, not " + name + "; nothing is written"
           : notAllowed(name, around.name());
     }
-    String fault = StatementRules.fault(element);
+    String fault = StatementGrammar.fault(element);
     if (fault != null) {
       return fault;
     }

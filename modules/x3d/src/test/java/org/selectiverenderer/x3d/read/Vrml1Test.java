@@ -14,7 +14,6 @@ import java.util.Random;
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.selectiverenderer.base.problem.Problem;
@@ -671,7 +670,6 @@ class Vrml1Test {
   }
 
   @Test
-  @Timeout(60)
   void objectsThatUseOneAnotherAreLimited() {
     StringBuilder bomb = new StringBuilder("DEF A0 Separator { Sphere {} }\n");
     for (int i = 1; i < 60; i++) {
@@ -688,7 +686,6 @@ class Vrml1Test {
   }
 
   @Test
-  @Timeout(60)
   void copiesOfLongListsAreLimited() {
     ReaderFixture large = new ReaderFixture(ReadLimits.standard());
     String text =
