@@ -6,6 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import org.selectiverenderer.authoring.MFStringParser;
 import org.selectiverenderer.authoring.file.BrokenRelativeUrls;
@@ -45,10 +46,11 @@ import picocli.CommandLine.Parameters;
       "A .glb or .gltf file has what is inlined, and tells what glTF cannot hold."
     },
     footer = {
-      "  ./selective-renderer convert house.wrl house.x3d",
+      "  ./selective-renderer convert docs/examples/house.wrl house.x3d",
       "  ./selective-renderer convert scenes/trashcan.x3d scenes/trashcan.x3dv",
-      "  ./selective-renderer convert chair.glb chair.x3d",
-      "  ./selective-renderer convert scenes/trashcan.x3d trashcan.glb"
+      "  ./selective-renderer convert scenes/trashcan.x3d trashcan.glb",
+      "  ./selective-renderer convert inlineNodes/carpet.x3d carpet.glb",
+      "  ./selective-renderer convert carpet.glb carpet.x3d --embed"
     })
 public final class ConvertCommand extends CliCommand {
   /** The number of bytes by which a model is recognised. */
@@ -80,11 +82,7 @@ public final class ConvertCommand extends CliCommand {
     if (SceneFormat.of(output.toString()).isEmpty()
         && model.isEmpty()
         && !FileTransaction.sink(output)) {
-      throw CommandException.usage(
-          "OUT "
-              + output
-              + ": its file name extension names no encoding; use .x3d for X3D XML, .x3dv for"
-              + " ClassicVRML, .x3dj for X3D JSON or .glb for glTF");
+      throw CommandException.usage("OUT " + output + ": " + notWritten(output.toString()));
     }
     if (Files.isDirectory(scene)) {
       throw CommandException.environment("IN " + scene + ": is a folder, not a scene");
@@ -138,6 +136,15 @@ public final class ConvertCommand extends CliCommand {
             output.toAbsolutePath().getParent());
     MissingFilesWarning.tell(left, output, console());
     return ExitStatus.of(problems);
+  }
+
+  /** Returns why a file of this name is not written, and what is. */
+  private static String notWritten(String name) {
+    return name.toLowerCase(Locale.ROOT).matches(".*\\.(wrl|wrz|wrl\\.gz)")
+        ? "VRML97 and VRML 1.0 are read and not written; use .x3dv for ClassicVRML, which VRML97 has"
+            + " become, or .x3d for X3D XML"
+        : "its file name extension names no encoding; use .x3d for X3D XML, .x3dv for"
+            + " ClassicVRML, .x3dj for X3D JSON or .glb for glTF";
   }
 
   private boolean isModel() throws IOException {

@@ -41,8 +41,8 @@ import picocli.CommandLine.Option;
           + "versions from version 1."
     },
     footer = {
-      "  ./selective-renderer versions scene.x3d --object Vase --vert-percent 10 \\",
-      "      --dry-run"
+      "  ./selective-renderer versions docs/examples/music-room.x3d --object Vase \\",
+      "      --vert-percent 10 --dry-run"
     })
 public final class VersionsCommand extends CliCommand {
   /**

@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.cli.CommandTestCase;
 
 class ConvertCommandTest extends CommandTestCase {
@@ -46,6 +47,20 @@ class ConvertCommandTest extends CommandTestCase {
             elsewhere
                 + ": 1 file that the scene refers to (cup_v1.x3d) cannot be found from this folder;"
                 + " write the output into the folder of the scene, or copy these files too\n");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"house.wrl", "house.WRZ", "house.wrl.gz"})
+  void whatIsOnlyReadIsNotWrittenAndTheMessageSaysWhatIs(String name) throws IOException {
+    Path scene = scene("house.x3d", "<X3D version='4.0' profile='Full'><Scene/></X3D>");
+    Path wrl = folder.resolve(name);
+    assertThat(execute("convert", scene.toString(), wrl.toString())).isEqualTo(2);
+    assertThat(messages())
+        .contains(
+            "OUT %s: VRML97 and VRML 1.0 are read and not written; use .x3dv for ClassicVRML,"
+                    .formatted(wrl)
+                + " which VRML97 has become");
+    assertThat(wrl).doesNotExist();
   }
 
   @Test
