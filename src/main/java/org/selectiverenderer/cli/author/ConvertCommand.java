@@ -11,6 +11,7 @@ import org.selectiverenderer.authoring.MFStringParser;
 import org.selectiverenderer.authoring.file.BrokenRelativeUrls;
 import org.selectiverenderer.base.files.FileTransaction;
 import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.browser.loading.ImageTranscoder;
 import org.selectiverenderer.command.CliCommand;
 import org.selectiverenderer.command.output.CommandException;
 import org.selectiverenderer.command.output.CommandFileCheck;
@@ -22,6 +23,7 @@ import org.selectiverenderer.models.gltf.write.GlbWriter;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.model.ModelFormat;
 import org.selectiverenderer.x3d.read.PrototypeLibraryLoader;
+import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.read.X3dReader;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.DocumentError;
@@ -119,7 +121,7 @@ public final class ConvertCommand extends CliCommand {
     }
     keepInlined(document);
     if (model.isPresent()) {
-      return writeModel(catalogue, model.get());
+      return writeModel(catalogue, document, model.get(), problems);
     }
     String text = format.text(document, catalogue, problems);
     FileTransaction writing = new FileTransaction();
@@ -137,7 +139,7 @@ public final class ConvertCommand extends CliCommand {
             scene.toAbsolutePath().getParent(),
             output.toAbsolutePath().getParent());
     MissingFilesWarning.tell(left, output, console());
-    return ExitStatus.of(problems);
+    return status(problems);
   }
 
   private boolean isModel() throws IOException {
@@ -150,22 +152,28 @@ public final class ConvertCommand extends CliCommand {
   /** Returns the reader of the scene, which as a model may have files in its folder. */
   private X3dReader reader(NodeCatalogue catalogue) {
     X3dReader reader = new X3dReader(catalogue);
-    Path parent = scene.toAbsolutePath().getParent();
-    Path folder = parent == null ? scene.toAbsolutePath() : parent;
     return reader.with(
-        new PrototypeLibraryLoader(reader, new UrlResolver(folder)), BaseUrl.folder(folder));
+        new PrototypeLibraryLoader(reader, new UrlResolver(folder())), BaseUrl.folder(folder()));
   }
 
-  private ExitStatus writeModel(NodeCatalogue catalogue, GlbWriter.Form form) throws IOException {
-    ProblemCollector problems = new ProblemCollector(console()::problem);
-    Optional<byte[]> bytes =
-        new GlbWriter(catalogue, ContentAccessPolicy.none()).bytes(scene, form, problems);
+  /** Returns the folder of the scene. */
+  private Path folder() {
+    Path parent = scene.toAbsolutePath().getParent();
+    return parent == null ? scene.toAbsolutePath() : parent;
+  }
+
+  private ExitStatus writeModel(
+      NodeCatalogue catalogue, XmlDocument document, GlbWriter.Form form, ProblemCollector problems)
+      throws IOException {
+    X3dFile file = reader(catalogue).scene(document, problems);
+    GlbWriter writer = new GlbWriter(catalogue, ContentAccessPolicy.none(), ImageTranscoder::png);
+    Optional<byte[]> bytes = writer.bytes(file, folder(), form, problems);
     if (bytes.isPresent()) {
       FileTransaction writing = new FileTransaction();
       writing.add(output, bytes.get());
       UndeletedFilesWarning.tell(writing.commit(), console());
     }
-    return ExitStatus.of(problems);
+    return status(problems);
   }
 
   /** Rejects an output that would overwrite a file to which the scene refers. */

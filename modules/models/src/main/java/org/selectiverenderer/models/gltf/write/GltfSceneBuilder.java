@@ -3,23 +3,16 @@ package org.selectiverenderer.models.gltf.write;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
-import java.io.InputStream;
 import java.util.ArrayList;
-import java.util.HashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
 import org.selectiverenderer.x3d.catalogue.NodeView;
-import org.selectiverenderer.x3d.read.PrototypeLibraryLoader;
 import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.read.X3dReader;
 import org.selectiverenderer.x3d.tessellate.GroupingNodeChildren;
-import org.selectiverenderer.x3d.url.ResolvedUrlContent;
-import org.selectiverenderer.x3d.url.UrlContent;
 import org.selectiverenderer.x3d.url.UrlResolver;
 
 /**
@@ -36,29 +29,24 @@ final class GltfSceneBuilder {
       Set.of("Transform", "CADPart", "EspduTransform", "HAnimHumanoid", "HAnimJoint", "HAnimSite");
 
   private final GltfDocument out = new GltfDocument(maxBytes());
-  private final X3dReader reader;
-  private final UrlResolver root;
-  private final PrototypeLibraryLoader libraries;
   private final GltfLosses losses;
   private final GltfMetadata metadata;
   private final GltfMeshWriter meshes;
   private final GltfAnimationWriter animations;
+  private final GltfInlineReader inlines;
   private final GltfViewWriter views = new GltfViewWriter(out);
-  private final Map<String, X3dFile> files = new HashMap<>();
-  private final Set<String> open = new LinkedHashSet<>();
   private final ObjectNode scene = out.object();
   private int visits;
 
-  GltfSceneBuilder(X3dReader reader, UrlResolver root, GltfLosses losses) {
-    this.reader = reader;
-    this.root = root;
+  GltfSceneBuilder(
+      X3dReader reader, UrlResolver root, PngTranscoder transcoder, GltfLosses losses) {
     this.losses = losses;
-    libraries = new PrototypeLibraryLoader(reader, root);
     metadata = new GltfMetadata(losses);
-    GltfTextureWriter textures = new GltfTextureWriter(out, root, losses);
+    GltfTextureWriter textures = new GltfTextureWriter(out, root, transcoder, losses);
     meshes =
         new GltfMeshWriter(out, new GltfMaterialWriter(out, textures, losses, metadata), losses);
     animations = new GltfAnimationWriter(out, losses);
+    inlines = new GltfInlineReader(reader, root, losses, animations);
   }
 
   private static int maxBytes() {
@@ -243,75 +231,23 @@ final class GltfSceneBuilder {
   }
 
   private void inline(NodeView inline, GltfPlace place, List<Integer> siblings) throws IOException {
-    if (!inline.bool("load")) {
-      losses.tell("load", inline.location(), "an Inline with load FALSE is left out");
+    Optional<GltfPlace> inside = inlines.enter(inline, place);
+    if (inside.isEmpty()) {
       return;
     }
-    ResolvedUrlContent choice =
-        ResolvedUrlContent.of(inline, root, place.base(inline), "the Inline is left out");
-    if (!(choice instanceof ResolvedUrlContent.Found found)) {
-      losses.problems().add(((ResolvedUrlContent.None) choice).problem());
-      return;
-    }
-    UrlContent content = found.content();
-    if (!open.add(content.key())) {
-      losses
-          .problems()
-          .error(inline.location(), "the Inline names a file that contains it; it is left out");
-      return;
-    }
-    try {
-      Optional<X3dFile> file = read(inline, content);
-      if (file.isPresent()) {
-        inlined(
-            inline,
-            file.get(),
-            new GltfPlace(file.get(), content.base(), place.depth() + 1),
-            unit(file.get()) / unit(place.file()),
-            siblings);
-      }
-    } finally {
-      open.remove(content.key());
-    }
-  }
-
-  private void inlined(
-      NodeView inline, X3dFile file, GltfPlace place, double scale, List<Integer> siblings)
-      throws IOException {
+    X3dFile file = inside.get().file();
     ObjectNode group = out.object();
+    double scale = unit(file) / unit(place.file());
     if (scale != 1) {
       GltfDocument.numbers(group, "scale", scale, scale, scale);
     }
     siblings.add(add(inline, group));
     List<Integer> children = new ArrayList<>();
     for (NodeView node : file.nodes()) {
-      visit(node, place, children);
+      visit(node, inside.get(), children);
     }
     append(group, children);
-  }
-
-  /** Reads an inlined file, once for all Inlines, so that they share their meshes. */
-  private Optional<X3dFile> read(NodeView inline, UrlContent content) {
-    X3dFile known = files.get(content.key());
-    if (known == null) {
-      try (InputStream in = content.open()) {
-        known =
-            reader
-                .with(libraries, content.base())
-                .read(content.name(), in, content.size(), losses.problems());
-      } catch (IOException e) {
-        losses
-            .problems()
-            .error(
-                inline.location(),
-                "%s cannot be read (%s); the Inline is left out"
-                    .formatted(content.name(), e.getMessage()));
-        return Optional.empty();
-      }
-      files.put(content.key(), known);
-      animations.find(known);
-    }
-    return Optional.of(known);
+    inlines.leave(inside.get());
   }
 
   private static void append(ObjectNode parent, List<Integer> children) {
