@@ -142,6 +142,11 @@ public final class ConvertCommand extends CliCommand {
     return status(problems);
   }
 
+  /** Returns the status: what OUT cannot hold is a warning, and no fault of the scene. */
+  private static ExitStatus status(ProblemCollector problems) {
+    return problems.anyError() ? ExitStatus.PROBLEMS : ExitStatus.DONE;
+  }
+
   private boolean isModel() throws IOException {
     try (InputStream in = Files.newInputStream(scene)) {
       byte[] head = in.readNBytes(HEAD);

@@ -89,9 +89,14 @@ final class SceneItemBuilder {
     String name = named.name();
     boolean instance = name.equals("ProtoInstance");
     NodeType type = instance ? null : catalogue.find(name).orElse(null);
-    String fault = fault(element, type, parent, known);
+    String fault = fault(element, type, parent);
     if (fault != null) {
       return leftOut(element, fault);
+    }
+    String lost = classic ? notInClassicVrml(element, type, known) : null;
+    if (lost != null) {
+      problems.warning(element.location(), lost);
+      return without(element);
     }
     if (!name.equals(element.name())) {
       problems.warning(
@@ -221,7 +226,7 @@ final class SceneItemBuilder {
     boolean before = !taken.add("field " + name);
     String all = "field " + name + " " + field.text("type") + " " + field.text("accessType");
     if (taken.add(all) && before || before && field.text("value").isPresent()) {
-      problems.warning(
+      problems.error(
           field.location(), "there is a field " + name + " already; this one is left out");
     }
     return before;
@@ -235,7 +240,7 @@ final class SceneItemBuilder {
             || !item.values().stream().allMatch(value -> value.name().equals("name"))
             || item.items().stream().anyMatch(Element.class::isInstance);
     if (!valued) {
-      problems.warning(element.location(), "this fieldValue has no value; it is left out");
+      problems.error(element.location(), "this fieldValue has no value; it is left out");
     }
     return valued;
   }
@@ -253,12 +258,9 @@ final class SceneItemBuilder {
     return StatementNames.is(element) ? element : SpellingSuggester.one(element);
   }
 
-  /** Returns why an element cannot be written; null if it can. */
-  private @Nullable String fault(
-      DocumentElement element,
-      @Nullable NodeType type,
-      @Nullable NodeType parent,
-      PrototypeScope known) {
+  /** Returns what is wrong with an element; null for nothing. */
+  private static @Nullable String fault(
+      DocumentElement element, @Nullable NodeType type, @Nullable NodeType parent) {
     String name = element.name();
     DocumentElement around = element.parent().orElse(null);
     if (type == null && !StatementNames.is(name)) {
@@ -276,9 +278,14 @@ final class SceneItemBuilder {
     if (element.use().filter(String::isEmpty).isPresent()) {
       return "USE needs the name of a node; this " + name + " is left out";
     }
-    if (!classic) {
-      return null;
-    }
+    return null;
+  }
+
+  /** Returns why ClassicVRML cannot hold an element; null if it can. */
+  private static @Nullable String notInClassicVrml(
+      DocumentElement element, @Nullable NodeType type, PrototypeScope known) {
+    String name = element.name();
+    DocumentElement around = element.parent().orElse(null);
     if (type != null && around != null && around.name().equals("ProtoInstance")) {
       return "ClassicVRML has no place for %s in an instance; it is left out"
           .formatted(SpellingSuggester.one(name));
@@ -295,10 +302,14 @@ final class SceneItemBuilder {
     return late ? "in ClassicVRML a head must precede the Scene; this one is left out" : null;
   }
 
-  /** Leaves out an element with the comments in it. */
+  /** Leaves out an element in which something is wrong, with the comments in it. */
   private Optional<Element> leftOut(DocumentElement element, String why) {
     SourceLocation at = element.location();
-    problems.warning(at, why);
+    problems.error(at, why);
+    return without(element);
+  }
+
+  private Optional<Element> without(DocumentElement element) {
     inner(element, new ArrayList<>());
     return Optional.empty();
   }

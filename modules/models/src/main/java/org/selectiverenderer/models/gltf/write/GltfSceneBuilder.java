@@ -22,13 +22,10 @@ import org.selectiverenderer.x3d.url.UrlResolver;
 final class GltfSceneBuilder {
   private static final int DEEPEST = 500;
 
-  /** The most nodes of a document, since nested USEs multiply without bound. */
-  static final int MAX_NODES = 1_000_000;
-
   private static final Set<String> TRANSFORMS =
       Set.of("Transform", "CADPart", "EspduTransform", "HAnimHumanoid", "HAnimJoint", "HAnimSite");
 
-  private final GltfDocument out = new GltfDocument(maxBytes());
+  private final GltfDocument out = new GltfDocument();
   private final GltfLosses losses;
   private final GltfMetadata metadata;
   private final GltfMeshWriter meshes;
@@ -36,21 +33,16 @@ final class GltfSceneBuilder {
   private final GltfInlineReader inlines;
   private final GltfViewWriter views = new GltfViewWriter(out);
   private final ObjectNode scene = out.object();
-  private int visits;
 
   GltfSceneBuilder(
       X3dReader reader, UrlResolver root, PngTranscoder transcoder, GltfLosses losses) {
     this.losses = losses;
-    metadata = new GltfMetadata(losses);
+    metadata = new GltfMetadata(out, losses);
     GltfTextureWriter textures = new GltfTextureWriter(out, root, transcoder, losses);
     meshes =
         new GltfMeshWriter(out, new GltfMaterialWriter(out, textures, losses, metadata), losses);
     animations = new GltfAnimationWriter(out, losses);
     inlines = new GltfInlineReader(reader, root, losses, animations);
-  }
-
-  private static int maxBytes() {
-    return (int) Math.min(1 << 30, Runtime.getRuntime().maxMemory() / 4);
   }
 
   /**
@@ -83,11 +75,7 @@ final class GltfSceneBuilder {
   }
 
   private void visit(NodeView node, GltfPlace place, List<Integer> siblings) throws IOException {
-    if (++visits > MAX_NODES) {
-      throw new IOException(
-          "the scene contains itself or has more than %d nodes, which is the limit"
-              .formatted(MAX_NODES));
-    }
+    out.countNode();
     if (place.depth() > DEEPEST) {
       losses.tell(
           "depth",
@@ -125,7 +113,7 @@ final class GltfSceneBuilder {
     }
   }
 
-  private void light(NodeView light, List<Integer> siblings) {
+  private void light(NodeView light, List<Integer> siblings) throws IOException {
     if (light.bool("on")) {
       siblings.add(add(light, views.light(light)));
     } else {
@@ -201,14 +189,15 @@ final class GltfSceneBuilder {
     siblings.add(add(shape, node));
   }
 
-  private int add(NodeView from, ObjectNode node) {
+  private int add(NodeView from, ObjectNode node) throws IOException {
     describe(from, node);
     return out.add("nodes", node);
   }
 
   /** Adds what a node has besides its content: its name, its metadata, a Switch its choice. */
-  private void describe(NodeView from, ObjectNode to) {
+  private void describe(NodeView from, ObjectNode to) throws IOException {
     if (from.name() != null) {
+      out.countValue(from.name());
       to.put("name", from.name());
     }
     metadata.append(from, to);
@@ -217,7 +206,7 @@ final class GltfSceneBuilder {
     }
   }
 
-  private void worldInfo(NodeView info) {
+  private void worldInfo(NodeView info) throws IOException {
     metadata.append(info, scene);
     ObjectNode extras = GltfMetadata.extras(info, scene);
     if (!info.string("title").isEmpty()) {

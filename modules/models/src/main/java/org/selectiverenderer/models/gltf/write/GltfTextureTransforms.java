@@ -30,8 +30,8 @@ final class GltfTextureTransforms {
     if (multi && !several) {
       return;
     }
-    List<? extends NodeView> nodes =
-        several ? transforms.nodes("textureTransform") : List.of(transforms);
+    List<NodeView> nodes =
+        several ? List.copyOf(transforms.nodes("textureTransform")) : List.of(transforms);
     nodes.stream()
         .filter(node -> !mapping.isEmpty() && mapping.equals(mapping(node)))
         .findFirst()
@@ -73,8 +73,13 @@ final class GltfTextureTransforms {
     double d = s[1] * cos;
     double offsetS = s[0] * cos * x + b * y - c[0];
     double offsetT = s[1] * sin * x + d * y - c[1];
+    double offsetU = b + offsetS;
+    double offsetV = 1 - d - offsetT;
+    if (offsetU == 0 && offsetV == 0 && turn == 0 && s[0] == 1 && s[1] == 1) {
+      return;
+    }
     ObjectNode extension = out.extension(info, "KHR_texture_transform");
-    GltfDocument.numbers(extension, "offset", b + offsetS, 1 - d - offsetT);
+    GltfDocument.numbers(extension, "offset", offsetU, offsetV);
     extension.put("rotation", turn);
     GltfDocument.numbers(extension, "scale", s[0], s[1]);
   }

@@ -10,6 +10,8 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Base64;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
@@ -334,7 +336,7 @@ final class GlbWriterTest {
     assertThat(gltf.has("images")).isFalse();
     assertThat(problems.list())
         .extracting(Problem::message)
-        .containsExactly("sky.webp is no picture; the texture is left out");
+        .containsExactly(folder.resolve("sky.webp") + " is no picture; the texture is left out");
   }
 
   /** Returns a shape of two sets of texture coordinates with a texture for each. */
@@ -364,6 +366,35 @@ final class GlbWriterTest {
         <Shape><Appearance><Material/><ImageTexture url='"%s"'/></Appearance><Box/></Shape>
         """
         .formatted(url);
+  }
+
+  @Test
+  void metadataThatIsUsedTooOftenIsRefusedInOneSentence() throws IOException {
+    StringBuilder nested = new StringBuilder("<Group DEF='G0'><MetadataString name='a' value='");
+    nested.append("\"word\" ".repeat(20_000)).append("' containerField='metadata'/></Group>");
+    for (int i = 1; i < 14; i++) {
+      String use = "<Group USE='G" + (i - 1) + "'/>";
+      nested.append("<Group DEF='G").append(i).append("'>").append(use).append(use);
+      nested.append("</Group>");
+    }
+    assertThat(tryBytes(scene(nested.toString()), GlbWriter.Form.GLB)).isEmpty();
+    assertThat(problems.list().get(0).message()).endsWith("is the limit; nothing is written");
+  }
+
+  @Test
+  void textFormHoldsTheSameBytesWhateverTheSceneSays() throws IOException {
+    Path scene =
+        scene(
+            "<WorldInfo title='\"uri\":\"data:application/octet-stream;base64,'/><Shape>"
+                + "<IndexedTriangleSet index='0 1 2 "
+                + "0 1 2 ".repeat(20_000)
+                + "'><Coordinate point='0 0 0 1 0 0 0 1 0'/></IndexedTriangleSet></Shape>");
+    byte[] glb = bytes(scene, GlbWriter.Form.GLB);
+    JsonNode text = new ObjectMapper().readTree(bytes(scene, GlbWriter.Form.GLTF));
+    String url = text.at("/buffers/0/uri").asText();
+    int length = text.at("/buffers/0/byteLength").asInt();
+    assertThat(Base64.getDecoder().decode(url.substring(url.indexOf(',') + 1)))
+        .isEqualTo(Arrays.copyOfRange(glb, glb.length - length, glb.length));
   }
 
   @Test
