@@ -13,6 +13,7 @@ import org.selectiverenderer.base.files.FileTransaction;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.browser.loading.ImageTranscoder;
 import org.selectiverenderer.command.CliCommand;
+import org.selectiverenderer.command.option.AccessOptions;
 import org.selectiverenderer.command.output.CommandException;
 import org.selectiverenderer.command.output.CommandFileCheck;
 import org.selectiverenderer.command.output.Console;
@@ -34,6 +35,7 @@ import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 import org.selectiverenderer.x3d.url.UrlResolver;
 import org.selectiverenderer.x3d.write.SceneFormat;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -71,6 +73,8 @@ public final class ConvertCommand extends CliCommand {
       description = "keeps the pictures inside of a model in OUT, instead of in files beside it")
   private boolean embed;
 
+  @Mixin private AccessOptions access = new AccessOptions();
+
   public ConvertCommand(Console console) {
     super(console);
   }
@@ -97,9 +101,11 @@ public final class ConvertCommand extends CliCommand {
           "OUT " + output + ": is the scene itself, which would be lost; name another file");
     }
     NodeCatalogue catalogue = NodeCatalogue.load();
+    ContentAccessPolicy allowed = access.access();
+    X3dReader reader = reader(catalogue, allowed);
     XmlDocument document;
     try (InputStream in = Files.newInputStream(scene)) {
-      document = reader(catalogue).document(scene.toString(), in, Files.size(scene));
+      document = reader.document(scene.toString(), in, Files.size(scene));
     }
     ProblemCollector problems = new ProblemCollector(console()::problem);
     for (DocumentError fault : document.faults()) {
@@ -121,7 +127,9 @@ public final class ConvertCommand extends CliCommand {
     }
     keepInlined(document);
     if (model.isPresent()) {
-      return writeModel(catalogue, document, model.get(), problems);
+      X3dFile file = reader.scene(document, problems);
+      return writeModel(
+          file, new GlbWriter(catalogue, allowed, ImageTranscoder::png), model.get(), problems);
     }
     String text = format.text(document, catalogue, problems);
     FileTransaction writing = new FileTransaction();
@@ -155,10 +163,11 @@ public final class ConvertCommand extends CliCommand {
   }
 
   /** Returns the reader of the scene, which as a model may have files in its folder. */
-  private X3dReader reader(NodeCatalogue catalogue) {
+  private X3dReader reader(NodeCatalogue catalogue, ContentAccessPolicy allowed) {
     X3dReader reader = new X3dReader(catalogue);
     return reader.with(
-        new PrototypeLibraryLoader(reader, new UrlResolver(folder())), BaseUrl.folder(folder()));
+        new PrototypeLibraryLoader(reader, new UrlResolver(folder(), allowed)),
+        BaseUrl.folder(folder()));
   }
 
   /** Returns the folder of the scene. */
@@ -168,10 +177,8 @@ public final class ConvertCommand extends CliCommand {
   }
 
   private ExitStatus writeModel(
-      NodeCatalogue catalogue, XmlDocument document, GlbWriter.Form form, ProblemCollector problems)
+      X3dFile file, GlbWriter writer, GlbWriter.Form form, ProblemCollector problems)
       throws IOException {
-    X3dFile file = reader(catalogue).scene(document, problems);
-    GlbWriter writer = new GlbWriter(catalogue, ContentAccessPolicy.none(), ImageTranscoder::png);
     Optional<byte[]> bytes = writer.bytes(file, folder(), form, problems);
     if (bytes.isPresent()) {
       FileTransaction writing = new FileTransaction();

@@ -101,6 +101,27 @@ class ConvertCommandTest extends CommandTestCase {
   }
 
   @Test
+  void picturesOfOtherFoldersAreAllowedByTheOptionThatTheMessageNames() throws IOException {
+    Path pictures = other();
+    ImageIO.write(
+        new BufferedImage(2, 2, BufferedImage.TYPE_INT_RGB),
+        "png",
+        pictures.resolve("wood.png").toFile());
+    Path own = Files.createDirectories(folder.resolve("own"));
+    Path scene = own.resolve("cup.x3d");
+    Files.writeString(
+        scene,
+        "<X3D version='4.0' profile='Full'><Scene><Shape><Appearance><Material/>"
+            + "<ImageTexture url='\"../other/wood.png\"'/></Appearance><Box/></Shape></Scene></X3D>");
+    Path glb = own.resolve("cup.glb");
+    assertThat(execute("convert", scene.toString(), glb.toString())).isEqualTo(1);
+    assertThat(messages()).contains("--allow ");
+    assertThat(execute("convert", "--allow", pictures.toString(), scene.toString(), glb.toString()))
+        .isZero();
+    assertThat(Files.readString(glb, StandardCharsets.ISO_8859_1)).contains("image/png");
+  }
+
+  @Test
   void aBrokenSceneIsToldOnceAndNotWritten() throws IOException {
     Path scene = scene("cup.x3d", "<X3D version='4.0' profile='Full'><Scene><Group>");
     Path glb = folder.resolve("cup.glb");
