@@ -118,11 +118,10 @@ public final class ConvertCommand extends CliCommand {
     if (document.broken()) {
       return ExitStatus.PROBLEMS;
     }
-    DocumentElement root = document.root().orElse(null);
-    if (root != null && !root.name().equals("X3D")) {
+    if (document.rootFault().isPresent()) {
       problems.error(
-          root.location(),
-          "the root element of a scene must be X3D, not " + root.name() + "; nothing is written");
+          document.root().orElseThrow().location(),
+          document.rootFault().get() + "; nothing is written");
       return ExitStatus.PROBLEMS;
     }
     keepInlined(document);

@@ -59,7 +59,9 @@ final class SceneItemBuilder {
     SceneItemBuilder items = new SceneItemBuilder(document, catalogue, format, problems);
     List<SceneItem> all = new ArrayList<>();
     DocumentElement root = document.root().orElse(null);
-    if (root != null) {
+    if (document.rootFault().isPresent() && root != null) {
+      problems.error(root.location(), document.rootFault().get() + "; nothing is written");
+    } else if (root != null) {
       items.comments(root.start(), all);
       items.element(root, null, new PrototypeScope(null), new HashSet<>()).ifPresent(all::add);
       items.comments(Integer.MAX_VALUE, all);
@@ -267,9 +269,7 @@ final class SceneItemBuilder {
       return "unknown element " + name + "; it and its children are left out";
     }
     if (!StatementRules.contains(around, parent, name)) {
-      return around == null
-          ? "the root element of a scene must be X3D, not " + name + "; nothing is written"
-          : notAllowed(name, around.name());
+      return notAllowed(name, around == null ? "the file" : around.name());
     }
     String fault = StatementRules.fault(element);
     if (fault != null) {
