@@ -132,7 +132,7 @@ final class ImportedSceneWriter {
       String def = names.unique(node.name(), "node" + index);
       animated.add(index, def);
       out.open("Transform", "DEF", def);
-      place(node.place());
+      node.place().write(out);
       if (node.place().sheared()) {
         problems.warning(
             SourceLocation.of(file.name()),
@@ -175,21 +175,6 @@ final class ImportedSceneWriter {
         && s[0] == 1
         && s[1] == 1
         && s[2] == 1;
-  }
-
-  private void place(NodeTransform place) {
-    double[] t = place.translation();
-    if (t[0] != 0 || t[1] != 0 || t[2] != 0) {
-      out.attribute("translation", Numbers.of(t));
-    }
-    double[] rotation = Numbers.axisAngle(place.rotation());
-    if (rotation[3] != 0) {
-      out.attribute("rotation", Numbers.of(rotation));
-    }
-    double[] s = place.scale();
-    if (s[0] != 1 || s[1] != 1 || s[2] != 1) {
-      out.attribute("scale", Numbers.of(s));
-    }
   }
 
   private void mesh(int index, Mesh mesh) {

@@ -25,11 +25,11 @@ final class GltfTextures {
   /** An ImageTexture shows this picture in this way; glTF may have several textures of it. */
   private record Look(int image, int wrapS, int wrapT, int magFilter, int minFilter) {}
 
-  GltfTextures(GltfFile file, X3dWriter out, DefNames names, GltfProblems problems) {
-    this.file = file;
-    this.out = out;
-    this.names = names;
-    this.problems = problems;
+  GltfTextures(GltfTranslation shared) {
+    file = shared.file();
+    out = shared.out();
+    names = shared.names();
+    problems = shared.problems();
   }
 
   /**

@@ -111,8 +111,8 @@ final class ValueBuilder {
       return new Value(attribute.name(), FieldType.SFString, string(attribute));
     }
     if (toldOnce.add(attribute.name())) {
-      leftOut(
-          attribute,
+      problems.warning(
+          attribute.location(),
           "ClassicVRML has no %s for elements; this one and all others are left out"
               .formatted(attribute.name()));
     }
@@ -140,7 +140,8 @@ final class ValueBuilder {
     }
     if (classic && !StatementGrammar.inClassicVrml(statement, name)) {
       String words = name + ": " + string(attribute);
-      leftOut(attribute, "ClassicVRML has no " + name + "; it becomes a comment");
+      problems.warning(
+          attribute.location(), "ClassicVRML has no " + name + "; it becomes a comment");
       notes.add(new SceneItem.Words(words));
       return null;
     }
@@ -203,8 +204,9 @@ final class ValueBuilder {
         attribute.name(), FieldType.MFString, characters.written(urls, attribute::location, false));
   }
 
+  /** Reports what is wrong in the document. */
   private void leftOut(DocumentAttribute attribute, String why) {
-    problems.warning(attribute.location(), why);
+    problems.error(attribute.location(), why);
   }
 
   private void tell(DocumentAttribute attribute, FieldType type) {
