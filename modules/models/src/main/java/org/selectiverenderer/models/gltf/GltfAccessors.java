@@ -105,30 +105,34 @@ final class GltfAccessors {
     if (components == 0 || count < 0) {
       throw new IOException("accessors[%d] is missing or has no known type".formatted(index));
     }
-    left -= count * components;
-    if (count > Integer.MAX_VALUE || left < 0) {
-      throw new IOException("the model has more numbers than fit into the memory; nothing is read");
+    if (count > Integer.MAX_VALUE || count * components > Math.min(left, Integer.MAX_VALUE - 8)) {
+      throw new IOException("the model has more numbers than fit into the memory");
     }
-    double[] values = new double[(int) count * components];
+    left -= count * components;
     String path = "accessors[%d]".formatted(index);
     int type = accessor.path("componentType").asInt();
     boolean normalized = accessor.path("normalized").asBoolean(false);
     int view = GltfFile.index(accessor, "bufferView");
     Unpacked given = unpacked.get(index);
-    if (given != null) {
-      if (given.length() != values.length) {
-        throw new IOException(path + " announces another number of values than its Draco data");
-      }
+    Layout layout = null;
+    if (given == null && view >= 0) {
+      int stride = file.part("bufferViews", view).path("byteStride").asInt(0);
+      long offset = accessor.path("byteOffset").asLong(0);
+      layout = new Layout(file.view(view), offset, stride, type, components, normalized, path);
+      check(layout, count); // before there is an array for as many as are announced
+    }
+    if (given != null && given.length() != count * components) {
+      throw new IOException(path + " announces another number of values than its Draco data");
+    }
+    double[] values = new double[(int) count * components];
+    if (layout != null) {
+      read(layout, values);
+    } else if (given != null) {
       boolean fraction = normalized && given.integers();
       for (int i = 0; i < values.length; i++) {
         double value = given.values().applyAsDouble(i);
         values[i] = fraction ? fraction(type, value) : value;
       }
-    } else if (view >= 0) {
-      ByteBuffer bytes = file.view(view);
-      int stride = file.part("bufferViews", view).path("byteStride").asInt(0);
-      long offset = accessor.path("byteOffset").asLong(0);
-      read(new Layout(bytes, offset, stride, type, components, normalized, path), values);
     }
     JsonNode sparse = accessor.path("sparse");
     if (sparse.isObject()) {
@@ -173,22 +177,35 @@ final class GltfAccessors {
       int type,
       int components,
       boolean normalized,
-      String path) {}
+      String path) {
+    /** Returns the bytes of a value with all its components. */
+    long each() {
+      return (long) size(type) * components;
+    }
 
-  private static void read(Layout from, double[] into) throws IOException {
-    int size = size(from.type());
-    if (size == 0) {
+    /** Returns the bytes from one value to the next. */
+    long step() {
+      return stride > 0 ? stride : each();
+    }
+  }
+
+  private static void check(Layout from, long count) throws IOException {
+    if (size(from.type()) == 0) {
       throw new IOException(from.path() + ".componentType is none of glTF's");
     }
-    long each = (long) size * from.components();
-    long stride = from.stride() > 0 ? from.stride() : each;
-    long count = into.length / from.components();
-    long end = count == 0 ? 0 : from.offset() + (count - 1) * stride + each;
-    if (from.offset() < 0 || end > from.bytes().limit()) {
+    long end = count == 0 ? 0 : from.offset() + (count - 1) * from.step() + from.each();
+    int limit = from.bytes().limit();
+    if (from.offset() < 0 || from.offset() > limit || end > limit) {
       throw new IOException(from.path() + " lies outside of its bufferView; the file is damaged");
     }
+  }
+
+  private static void read(Layout from, double[] into) throws IOException {
+    long count = into.length / from.components();
+    check(from, count);
+    int size = size(from.type());
     for (int i = 0; i < count; i++) {
-      int at = (int) (from.offset() + i * stride);
+      int at = (int) (from.offset() + i * from.step());
       for (int k = 0; k < from.components(); k++) {
         into[i * from.components() + k] = value(from, at + k * size);
       }

@@ -73,7 +73,7 @@ public final class GltfTranslator {
     GltfShapes shapes = new GltfShapes(file, out, names, problems);
     GltfSkins skins = new GltfSkins(file, accessors, shapes, out, names, animated, problems);
     meshes = new GltfMeshes(file, accessors, draco, shapes, skins, out, names, problems);
-    views = new GltfViews(file, out, names);
+    views = new GltfViews(file, out, names, problems);
     maxDepth = Math.max(1, model.limits().maxDepth() - OTHER_DEPTH);
   }
 

@@ -28,8 +28,9 @@ import java.util.Set;
 
 /**
  * Checks the structure of a glTF file, in JSON or binary: how deeply it is nested, that its nodes
- * are a tree, and that its arrays of numbers lie inside of its buffers. Parts refer to each other
- * by the index in their array, in glTF 1.0 by a name; an index is read as a name here.
+ * are a tree, and that its arrays of numbers lie inside of its buffers, those of glTF 1.0 at least:
+ * of 2.0 only what shows an array outside is left out. Parts refer to each other by the index in
+ * their array, in glTF 1.0 by a name; an index is read as a name here.
  */
 final class GltfStructureCheck {
   /** The maximum nesting depth of values; those of glTF itself are 10 deep. */
@@ -83,6 +84,10 @@ final class GltfStructureCheck {
   private final List<List<String>> scenes = new ArrayList<>();
   private final List<String> otherArrays = new ArrayList<>();
   private boolean versioned;
+
+  /** Whether it is glTF 2.0, of which a reader of this program checks each array that it reads. */
+  private boolean second;
+
   private int parts;
 
   GltfStructureCheck(long maxBytes) {
@@ -111,6 +116,7 @@ final class GltfStructureCheck {
     }
     byte[] text = in.readNBytes((int) Math.min(first, Integer.MAX_VALUE - 8));
     json(new ByteArrayInputStream(text));
+    second &= chunks;
     long left = size - header.length - first;
     if (chunks && left >= 8) {
       left -= 8;
@@ -198,7 +204,9 @@ final class GltfStructureCheck {
               parser,
               member -> {
                 if (member.equals("version")) {
-                  versioned = parser.getValueAsString("").matches("[12]\\.\\d+");
+                  String version = parser.getValueAsString("");
+                  versioned = version.matches("[12]\\.\\d+");
+                  second = version.startsWith("2.");
                 }
               });
       case "nodes" -> members(parser, id -> node(parser, id));
@@ -364,7 +372,8 @@ final class GltfStructureCheck {
       }
       zeros += entry.getValue().has("uri") || inFile ? 0 : length;
     }
-    for (Map.Entry<String, Part> entry : views.entrySet()) {
+    Map<String, Part> checked = second ? Map.of() : views;
+    for (Map.Entry<String, Part> entry : checked.entrySet()) {
       Part view = entry.getValue();
       Part buffer = buffers.get(view.references().getOrDefault("buffer", ""));
       if (buffer == null
@@ -382,6 +391,9 @@ final class GltfStructureCheck {
     long count = accessor.number("count");
     if (!accessor.has("bufferView")) {
       return size(accessor);
+    }
+    if (second) {
+      return 0;
     }
     Part view = views.get(accessor.references().get("bufferView"));
     long each = size(accessor) / Math.max(1, count);
