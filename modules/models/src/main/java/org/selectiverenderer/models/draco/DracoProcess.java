@@ -80,7 +80,8 @@ public final class DracoProcess implements AutoCloseable {
   }
 
   private Duration left() {
-    return time.plus(TIME_PER_MEBIBYTE.multipliedBy(bytes >> 20)).minusNanos(nanos);
+    Duration left = time.plus(TIME_PER_MEBIBYTE.multipliedBy(bytes >> 20)).minusNanos(nanos);
+    return left.isNegative() ? Duration.ZERO : left;
   }
 
   private Process started() throws IOException {
