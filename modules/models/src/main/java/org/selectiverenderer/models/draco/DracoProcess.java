@@ -17,7 +17,7 @@ import org.selectiverenderer.base.platform.ChildProcessWatchdog;
  * thread-safe.
  */
 public final class DracoProcess implements AutoCloseable {
-  /** The heap of the child: a mesh of a million triangles with normals takes half of it. */
+  /** The heap of the child, in which a mesh of two million triangles with normals fits. */
   private static final int HEAP_MIB = 512;
 
   /** The heap and what the virtual machine itself takes. */
