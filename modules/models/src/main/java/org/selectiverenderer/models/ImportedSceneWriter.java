@@ -179,10 +179,11 @@ final class ImportedSceneWriter {
 
   private void mesh(int index, Mesh mesh) {
     ImportedMesh from = model.meshes().get(index);
-    if (mesh.isEmpty()) {
+    boolean points = ImportedPointWriter.isPoints(from);
+    if (mesh.isEmpty() && !points) {
       return;
     }
-    if (!from.bones().isEmpty()) {
+    if (!points && !from.bones().isEmpty()) {
       skinned.add(index);
       return;
     }
@@ -194,8 +195,12 @@ final class ImportedSceneWriter {
     String def = names.unique(from.name(), "mesh" + index);
     written.put(index, def);
     out.open("Shape", "DEF", def);
-    materials.write(from.material());
-    new MeshWriter(out, mesh, decimals).append();
+    if (points) {
+      new ImportedPointWriter(model, out).write(from);
+    } else {
+      materials.write(from.material());
+      new MeshWriter(out, mesh, decimals).append();
+    }
     out.close();
   }
 

@@ -40,7 +40,7 @@ public final class GltfTranslator {
           "KHR_lights_punctual",
           "KHR_mesh_quantization",
           "EXT_meshopt_compression",
-          "KHR_draco_mesh_compression", // told where it is used
+          "KHR_draco_mesh_compression",
           "EXT_texture_webp");
 
   private final GltfFile file;
@@ -59,15 +59,20 @@ public final class GltfTranslator {
   /** The mesh of a node with a skin, which is shown where its joints are. */
   private record SkinnedMesh(int mesh, int skin, double @Nullable [] weights) {}
 
-  private GltfTranslator(GltfFile file, ModelFile model, ProblemCollector collector) {
+  private GltfTranslator(
+      GltfFile file,
+      GltfAccessors accessors,
+      GltfDraco draco,
+      ModelFile model,
+      ProblemCollector collector) {
     this.file = file;
     problems = new GltfProblems(model.name(), collector);
     out = new X3dWriter(1 << 16, model.limits().maxBytes());
-    accessors = new GltfAccessors(file, model.limits().maxBytes() / CHARACTERS);
+    this.accessors = accessors;
     GltfShapes shapes = new GltfShapes(new GltfTranslation(file, out, names, problems));
     GltfSkins skins = new GltfSkins(file, accessors, shapes, out, names, animated, problems);
-    meshes = new GltfMeshes(file, accessors, shapes, skins, out, names, problems);
-    views = new GltfViews(file, out, names);
+    meshes = new GltfMeshes(file, accessors, draco, shapes, skins, out, names, problems);
+    views = new GltfViews(file, out, names, problems);
     maxDepth = Math.max(1, model.limits().maxDepth() - OTHER_DEPTH);
   }
 
@@ -86,8 +91,9 @@ public final class GltfTranslator {
     } catch (OldGltfException e) {
       return Optional.empty();
     }
-    try {
-      return Optional.of(new GltfTranslator(file, model, problems).translate());
+    GltfAccessors accessors = new GltfAccessors(file, model.limits().maxBytes() / CHARACTERS);
+    try (GltfDraco draco = new GltfDraco(file, accessors)) {
+      return Optional.of(new GltfTranslator(file, accessors, draco, model, problems).translate());
     } catch (UncheckedIOException e) { // the text becomes too long
       throw new IOException(e.getCause().getMessage(), e);
     }

@@ -8,7 +8,8 @@ import org.jspecify.annotations.Nullable;
  * numbers may be of any size, or not finite, indices are in range.
  *
  * @param materials the materials, to which meshes refer by index
- * @param meshes the meshes of triangles, each in the coordinates of the nodes that have it
+ * @param meshes the meshes of triangles, or of points, each in the coordinates of the nodes that
+ *     have it
  * @param textures pictures inside of the file
  * @param nodes the tree of nodes, parents before their children; the first is the root
  * @param cameras the cameras
@@ -166,7 +167,7 @@ public record ImportedModel(
    * @param normals x, y, z per vertex, or null
    * @param texCoords s, t per vertex, or null
    * @param colors r, g, b, a per vertex, or null
-   * @param triangles three vertex indices per triangle
+   * @param triangles three vertex indices per triangle; none in a cloud of points
    * @param bones the joints that move it; empty for none
    */
   public record ImportedMesh(

@@ -17,7 +17,8 @@ import org.selectiverenderer.models.structure.GltfStructure.Part;
 
 /**
  * Checks the structure of a glTF file, in JSON or binary: how deeply it is nested, that its nodes
- * are a tree, and that its arrays of numbers lie inside of its buffers.
+ * are a tree, and that its arrays of numbers lie inside of its buffers, those of glTF 1.0 at least:
+ * of 2.0 only what shows an array outside is left out.
  */
 final class GltfStructureCheck {
   /** The maximum nesting depth of nodes, as that of an X3D model's. */
@@ -35,9 +36,13 @@ final class GltfStructureCheck {
   private final long maxBytes;
   private final GltfStructure found;
 
-  private GltfStructureCheck(long maxBytes, GltfStructure found) {
+  /** Whether it is glTF 2.0, of which a reader of this program checks each array that it reads. */
+  private final boolean second;
+
+  private GltfStructureCheck(long maxBytes, GltfStructure found, boolean second) {
     this.maxBytes = maxBytes;
     this.found = found;
+    this.second = second;
   }
 
   /**
@@ -52,7 +57,8 @@ final class GltfStructureCheck {
     ByteBuffer numbers = ByteBuffer.wrap(header).order(ByteOrder.LITTLE_ENDIAN);
     if (header.length < 20 || numbers.getInt(0) != MAGIC) {
       InputStream whole = new SequenceInputStream(new ByteArrayInputStream(header), in);
-      new GltfStructureCheck(maxBytes, GltfStructureReader.read(whole)).checkParts(-1);
+      GltfStructure found = GltfStructureReader.read(whole);
+      new GltfStructureCheck(maxBytes, found, found.isSecond()).checkParts(-1);
       return;
     }
     long length = Integer.toUnsignedLong(numbers.getInt(8));
@@ -78,7 +84,7 @@ final class GltfStructureCheck {
         throw new ModelStructureException(GltfStructureReader.DAMAGED);
       }
     }
-    new GltfStructureCheck(maxBytes, found).checkParts(left);
+    new GltfStructureCheck(maxBytes, found, found.isSecond() && chunks).checkParts(left);
   }
 
   /**
@@ -125,7 +131,8 @@ final class GltfStructureCheck {
       }
       zeros += entry.getValue().has("uri") || inFile ? 0 : length;
     }
-    for (Map.Entry<String, Part> entry : found.views().entrySet()) {
+    Map<String, Part> checked = second ? Map.of() : found.views();
+    for (Map.Entry<String, Part> entry : checked.entrySet()) {
       Part view = entry.getValue();
       Part buffer = found.buffers().get(view.references().getOrDefault("buffer", ""));
       if (buffer == null
@@ -143,6 +150,9 @@ final class GltfStructureCheck {
     long count = accessor.number("count");
     if (!accessor.has("bufferView")) {
       return size(accessor);
+    }
+    if (second) {
+      return 0;
     }
     Part view = found.views().get(accessor.references().get("bufferView"));
     long each = size(accessor) / Math.max(1, count);

@@ -38,7 +38,7 @@ final class GltfStructureReader {
   private static final int BYTE_ORDER_MARK = 0xFEFF;
 
   private final GltfStructure found = new GltfStructure();
-  private boolean versioned;
+  private String version = "";
   private int parts;
 
   private GltfStructureReader() {}
@@ -52,7 +52,7 @@ final class GltfStructureReader {
   static GltfStructure read(InputStream in) throws IOException, ModelStructureException {
     GltfStructureReader reader = new GltfStructureReader();
     reader.json(in);
-    return reader.found;
+    return reader.found.of(reader.version);
   }
 
   private void json(InputStream in) throws IOException, ModelStructureException {
@@ -70,7 +70,7 @@ final class GltfStructureReader {
         throw new ModelStructureException(DAMAGED);
       }
       members(parser, key -> top(parser, key));
-      if (parser.nextToken() != null || !versioned) {
+      if (parser.nextToken() != null || !version.matches("[12]\\.\\d+")) {
         throw new ModelStructureException(DAMAGED);
       }
     } catch (StreamConstraintsException e) {
@@ -127,7 +127,7 @@ final class GltfStructureReader {
               parser,
               member -> {
                 if (member.equals("version")) {
-                  versioned = parser.getValueAsString("").matches("[12]\\.\\d+");
+                  version = parser.getValueAsString("");
                 }
               });
       case "nodes" -> members(parser, id -> node(parser, id));

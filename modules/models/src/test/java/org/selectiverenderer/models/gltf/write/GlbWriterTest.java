@@ -456,4 +456,14 @@ final class GlbWriterTest {
     assertThat(header.getInt(8)).isEqualTo(glb.length);
     return new ObjectMapper().readTree(glb, 20, header.getInt(12));
   }
+
+  @Test
+  void aNegativeRadiusIsNoLimitAndOneOfZeroDarkAsTheRendererHasIt() throws IOException {
+    JsonNode gltf = read(scene("<PointLight radius='-1'/><SpotLight radius='0'/>"));
+
+    JsonNode lights = gltf.at("/extensions/KHR_lights_punctual/lights");
+    assertThat(lights.at("/0/intensity").asDouble()).isEqualTo(1);
+    assertThat(lights.get(0).has("range")).isFalse();
+    assertThat(lights.at("/1/intensity").asDouble(1)).isZero();
+  }
 }
