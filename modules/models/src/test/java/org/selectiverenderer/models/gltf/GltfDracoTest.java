@@ -11,7 +11,10 @@ import org.selectiverenderer.x3d.read.X3dFile;
 
 /** Meshes that KHR_draco_mesh_compression compresses are read. */
 class GltfDracoTest extends GltfSceneTest {
-  /** A square of 2 by 2 with normals and red vertices, as Google's encoder 1.5.7 writes it. */
+  /**
+   * A square of 2 by 2 with normals and red vertices, as Google's encoder (npm's draco3d 1.5.9)
+   * writes it.
+   */
   private static final String SQUARE =
       "RFJBQ08CAgEAAAACBAEAAQICAQMBAwAJAwAAAQkDAAECAgQAAgIDAQABAQADAwEwARADACiCiBEAAAAA/z8AAAADAQAK"
           + "AwEwGwEQAwAcggD+A/8DAAD/AQAAAAEBAAIDAUABAAkAAAAAAP8AAAAAAAAAAAAAAAAAAAAAAABADgo=";
