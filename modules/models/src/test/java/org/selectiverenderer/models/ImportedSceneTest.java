@@ -255,4 +255,118 @@ class ImportedSceneTest {
     assertThat(all(file, "Viewpoint")).hasSize(1);
     assertThat(messages()).isEmpty();
   }
+
+  @Test
+  void pointsOfPlyAreAPointSetWithTheirColours() throws IOException {
+    String ply =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\n"
+            + "property double z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
+            + "end_header\n0 0 0 255 0 0\n1 0 0 0 255 0\n1 0 0 0 0 255\n";
+
+    X3dFile file = read("cloud.ply", ply.getBytes(StandardCharsets.UTF_8));
+
+    assertThat(messages()).isEmpty();
+    assertThat(all(file, "PointSet")).hasSize(1);
+    assertThat(all(file, "Coordinate").get(0).floats("point"))
+        .containsExactly(0, 0, 0, 1, 0, 0, 1, 0, 0);
+    assertThat(all(file, "ColorRGBA").get(0).floats("color"))
+        .containsExactly(1, 0, 0, 1, 0, 1, 0, 1, 0, 0, 1, 1);
+    assertThat(all(file, "Viewpoint").get(0).bool("viewAll")).isTrue();
+  }
+
+  @Test
+  void pointsOfBinaryPlyAreAPointSet() throws IOException {
+    byte[] header =
+        ("ply\nformat binary_little_endian 1.0\nelement vertex 2\nproperty float x\n"
+                + "property float y\nproperty float z\nend_header\n")
+            .getBytes(StandardCharsets.UTF_8);
+    ByteBuffer ply = ByteBuffer.allocate(header.length + 24).order(ByteOrder.LITTLE_ENDIAN);
+    ply.put(header).putFloat(1).putFloat(2).putFloat(3).putFloat(4).putFloat(5).putFloat(6);
+
+    X3dFile file = read("cloud.ply", ply.array());
+
+    assertThat(messages()).isEmpty();
+    assertThat(all(file, "Coordinate").get(0).floats("point")).containsExactly(1, 2, 3, 4, 5, 6);
+    assertThat(all(file, "UnlitMaterial")).hasSize(1);
+  }
+
+  @Test
+  void aPlyWhoseFacesAreCutOffIsNoCloudOfPoints() throws IOException {
+    String ply =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+            + "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+            + "end_header\n0 0 0\n1 0 0\n0 1 0\n";
+
+    X3dFile file = read("cut.ply", ply.getBytes(StandardCharsets.UTF_8));
+
+    assertThat(file.nodes()).isEmpty();
+    assertThat(messages()).singleElement().asString().contains("damaged or cut off");
+  }
+
+  @Test
+  void nodesOfColladaHaveTheirNamesNotTheirIds() throws IOException {
+    String collada =
+        COLLADA
+            .replace("id=\"door\" name=\"door\"", "id=\"door\" name=\"Haustür\"")
+            .replace("id=\"handle\" name=\"handle\"", "id=\"handle\" name=\"part\"")
+            .replace("id=\"knob\" name=\"knob\"", "id=\"knob\" name=\"part\"")
+            .replace("id=\"stand\" name=\"stand\"", "id=\"stand\"");
+
+    X3dFile file = read("door.dae", collada.getBytes(StandardCharsets.UTF_8));
+
+    assertThat(messages()).isEmpty();
+    assertThat(all(file, "Transform").stream().map(ParsedNode::name))
+        .contains("Haustür", "part", "part_1", "stand");
+    assertThat(all(file, "Viewpoint").get(0).string("description")).isEqualTo("stand");
+    assertThat(file.routes().stream().map(route -> String.valueOf(route.to().name())))
+        .contains("Haustür");
+  }
+
+  @Test
+  void lightsOfFbxFallOffByMetres() throws IOException {
+    String fbx =
+        """
+        ; FBX 7.4.0 project file
+        FBXHeaderExtension:  {
+        	FBXHeaderVersion: 1003
+        	FBXVersion: 7400
+        }
+        GlobalSettings:  {
+        	Version: 1000
+        	Properties70:  {
+        		P: "UnitScaleFactor", "double", "Number", "",1
+        	}
+        }
+        Objects:  {
+        	NodeAttribute: 1, "NodeAttribute::lamp", "Light" {
+        		Properties70:  {
+        			P: "LightType", "enum", "", "",0
+        			P: "Intensity", "Number", "", "A",100
+        			P: "DecayType", "enum", "", "",2
+        			P: "DecayStart", "Number", "", "A",50
+        		}
+        		TypeFlags: "Light"
+        		GeometryVersion: 124
+        	}
+        	Model: 2, "Model::lamp", "Light" {
+        		Version: 232
+        		Properties70:  {
+        			P: "Lcl Translation", "Lcl Translation", "", "A",0,100,0
+        		}
+        	}
+        }
+        Connections:  {
+        	C: "OO",2,0
+        	C: "OO",1,2
+        }
+        """;
+
+    X3dFile file = read("lamp.fbx", fbx.getBytes(StandardCharsets.UTF_8));
+
+    assertThat(messages()).isEmpty();
+    assertThat(named(file, "lamp").floats("translation")[1]).isCloseTo(1, within(1e-5f));
+    float[] attenuation = all(file, "PointLight").get(0).floats("attenuation");
+    // Assimp's 2 / 50 cm squared
+    assertThat(attenuation[2]).isCloseTo(8, within(1e-3f));
+  }
 }

@@ -1,6 +1,7 @@
 package org.selectiverenderer.models.scene;
 
 import org.joml.Matrix4d;
+import org.selectiverenderer.x3d.write.X3dWriter;
 
 /**
  * The place of a node: translation in metres, rotation as a unit quaternion x, y, z, w, and scale.
@@ -43,6 +44,20 @@ public record NodeTransform(
     boolean flat = scale[0] == 0 || scale[1] == 0 || scale[2] == 0;
     double[] place = {m[12], m[13], m[14]};
     return new NodeTransform(place, unit(quaternion(axes)), scale, shear > SHEAR && !flat);
+  }
+
+  /** Writes those attributes of a Transform that differ from their defaults. */
+  public void write(X3dWriter out) {
+    if (translation[0] != 0 || translation[1] != 0 || translation[2] != 0) {
+      out.attribute("translation", Numbers.of(translation));
+    }
+    double[] turn = Numbers.axisAngle(rotation);
+    if (turn[3] != 0) {
+      out.attribute("rotation", Numbers.of(turn));
+    }
+    if (scale[0] != 1 || scale[1] != 1 || scale[2] != 1) {
+      out.attribute("scale", Numbers.of(scale));
+    }
   }
 
   /** Returns the matrix. */

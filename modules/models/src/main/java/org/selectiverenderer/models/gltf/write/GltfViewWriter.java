@@ -75,8 +75,10 @@ final class GltfViewWriter {
     to.put("type", type.substring(0, type.indexOf("Light")).toLowerCase(Locale.ROOT));
     float[] rgb = light.floats("color");
     GltfDocument.numbers(to, "color", linear(rgb[0]), linear(rgb[1]), linear(rgb[2]));
-    to.put("intensity", positive(light.number("intensity"), 0));
-    if (!type.equals("DirectionalLight") && light.number("radius") > 0) {
+    boolean placed = !type.equals("DirectionalLight");
+    boolean shines = !placed || light.number("radius") != 0; // negative: without limit
+    to.put("intensity", shines ? positive(light.number("intensity"), 0) : 0);
+    if (placed && light.number("radius") > 0) {
       to.put("range", positive(light.number("radius"), 1));
     }
     if (type.equals("SpotLight")) {
