@@ -32,10 +32,14 @@ final class InputDispatcher {
 
   /** Dispatches an event of the participant's window; the scene may not be loaded yet. */
   void participant(InputEvent event, Optional<World> world) {
-    if (world.isEmpty() || !claimed(event, world.get())) {
+    boolean first = operatorKey(event, true);
+    boolean guided =
+        first
+            && event instanceof InputEvent.KeyInput key
+            && guide.pressed(key.key(), key.character(), key.nanos());
+    if (!guided && (world.isEmpty() || !claimed(event, world.get()))) {
       windowInput.accept(event);
     }
-    operatorKey(event, true);
   }
 
   /** Returns whether the scene consumes an event, so that it does not move the viewer. */

@@ -3,6 +3,7 @@ package org.selectiverenderer.app.run;
 import java.util.List;
 import java.util.Optional;
 import org.selectiverenderer.app.headset.ControllerCommand;
+import org.selectiverenderer.browser.camera.HeadFixedPage;
 import org.selectiverenderer.browser.camera.WorldSpacePanel;
 import org.selectiverenderer.browser.navigation.NavigationCommand;
 import org.selectiverenderer.browser.viewer.ViewerMotion;
@@ -115,6 +116,23 @@ public interface RunController {
    */
   default List<WorldSpacePanel> panels() {
     return List.of();
+  }
+
+  /** Returns the page of a window's user; called only when the picture is seen. */
+  default Optional<HeadFixedPage> page() {
+    return Optional.empty();
+  }
+
+  /**
+   * Reports that a key went down in the participant's window, before the scene and the navigation
+   * get it.
+   *
+   * @param character the character that it produced; empty for none
+   * @param nanos when it went down, as {@link System#nanoTime()}
+   * @return whether nobody else gets it
+   */
+  default boolean pressed(KeyboardKey key, String character, long nanos) {
+    return false;
   }
 
   /**

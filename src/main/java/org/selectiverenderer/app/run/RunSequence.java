@@ -14,6 +14,7 @@ import org.selectiverenderer.app.metrics.RunMetrics;
 import org.selectiverenderer.app.operator.OperatorConsole;
 import org.selectiverenderer.app.settings.RunSettings;
 import org.selectiverenderer.browser.World;
+import org.selectiverenderer.browser.camera.HeadFixedPage;
 import org.selectiverenderer.browser.camera.WorldSpacePanel;
 import org.selectiverenderer.render.FrameStatistics;
 import org.selectiverenderer.render.context.GlInfo;
@@ -255,6 +256,11 @@ public final class RunSequence implements WorldController {
   @Override
   public List<WorldSpacePanel> panels() {
     return current == null ? List.of() : current.panels();
+  }
+
+  @Override
+  public Optional<HeadFixedPage> page() {
+    return current == null ? Optional.empty() : current.page();
   }
 
   @Override

@@ -17,6 +17,7 @@ import org.selectiverenderer.app.metrics.RunMetricsCollector;
 import org.selectiverenderer.app.settings.RunSettings;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.browser.World;
+import org.selectiverenderer.browser.camera.HeadFixedPage;
 import org.selectiverenderer.browser.camera.WorldSpacePanel;
 import org.selectiverenderer.browser.navigation.KeyboardMouseControls;
 import org.selectiverenderer.browser.navigation.NavigationCommand;
@@ -286,6 +287,11 @@ final class SceneRun implements WorldController, AutoCloseable {
   @Override
   public List<WorldSpacePanel> panels() {
     return guide.panels();
+  }
+
+  @Override
+  public Optional<HeadFixedPage> page() {
+    return guide.page();
   }
 
   @Override

@@ -6,17 +6,14 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
-import org.joml.Quaterniond;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.run.RunController;
 import org.selectiverenderer.base.decimal.DecimalRounding;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.browser.navigation.NavigationCommand;
 import org.selectiverenderer.browser.viewer.ViewerMotion;
 import org.selectiverenderer.render.window.KeyboardKey;
 import org.selectiverenderer.study.definition.MovementConstraint;
-import org.selectiverenderer.study.definition.Study;
 import org.selectiverenderer.study.session.ExperimenterControls;
 import org.selectiverenderer.study.session.Session;
 import org.selectiverenderer.study.session.SessionStep;
@@ -28,9 +25,6 @@ import org.selectiverenderer.walkthrough.Walkthrough;
  * starts and fades out after it has ended.
  */
 final class SceneStepController implements RunController {
-  /** The angular speed of a simulated participant in radians per second: one turn in 20 s. */
-  private static final double TURN = 2 * Math.PI / 20;
-
   private final Session session;
   private final SessionStep step;
   private final String viewpoint;
@@ -80,46 +74,11 @@ final class SceneStepController implements RunController {
 
   @Override
   public ViewerMotion motion(ViewerMotion users) {
-    ViewerMotion moving =
-        session.options().unattended()
-            ? (viewer, time, dt) ->
-                viewer.turnTo(new Quaterniond().rotationY(TURN * dt).mul(viewer.orientation()))
-            : users;
+    ParticipantMotion motion = new ParticipantMotion(session, problem);
     Walkthrough scene = walk;
     return scene != null && step instanceof SessionStep.Exposure exposed
-        ? kept(scene, exposed.area(), moving)
-        : moving;
-  }
-
-  /** Confines the participant during an exposure as the study asks. */
-  private ViewerMotion kept(Walkthrough scene, Study.Area area, ViewerMotion moving) {
-    Study study = session.material().study();
-    MovementConstraint stay = study.stay(area);
-    if (stay == MovementConstraint.TURN) {
-      return MovementBounds.standing(scene.world().viewer(), moving);
-    }
-    MovementBounds enclosure = MovementBounds.open(scene);
-    if (stay == MovementConstraint.WALK
-        && !area.within().map(enclosure::add).orElseGet(enclosure::addRoom)) {
-      tell(
-          area,
-          area.within()
-                  .map(name -> "the viewpoint is not in " + name + ", a ProximitySensor or room")
-                  .orElse("the viewpoint is in no room")
-              + "; the participant can walk out of the area");
-    }
-    if (study.course().closed() && !enclosure.addRoom()) {
-      tell(area, "the viewpoint is in no room, so the room cannot be closed");
-    }
-    return enclosure.around(moving);
-  }
-
-  private void tell(Study.Area area, String what) {
-    problem.accept(
-        new Problem(
-            Problem.Severity.WARNING,
-            SourceLocation.of(session.material().study().file().toString()),
-            "area " + area.name() + ": " + what));
+        ? motion.within(scene, exposed.area(), users)
+        : motion.free(users);
   }
 
   @Override

@@ -25,10 +25,13 @@ import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.control.SelectiveController;
 import org.selectiverenderer.formats.json.JsonTree;
 import org.selectiverenderer.hmd.DisplayConfiguration;
+import org.selectiverenderer.hmd.HeadsetViewSettings;
 import org.selectiverenderer.openxr.HeadsetEvent;
 import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.study.definition.SessionFlag;
 import org.selectiverenderer.study.definition.Study;
+import org.selectiverenderer.study.design.BlockProgress;
+import org.selectiverenderer.study.design.Trial;
 import org.selectiverenderer.study.session.ExperimenterControls;
 import org.selectiverenderer.study.session.Session;
 import org.selectiverenderer.study.session.SessionStep;
@@ -45,6 +48,8 @@ final class SessionRunProvider implements RunSequence.Runs {
   private final ExperimenterControls controls;
   private final ExposureQualityCheck quality;
   private final Set<String> brokenLogs = ConcurrentHashMap.newKeySet();
+  private Optional<DisplayConfiguration> opened = Optional.empty();
+  private boolean reopens;
 
   SessionRunProvider(Session session, SessionDisplaySettings show, ExperimenterControls controls) {
     this.session = session;
@@ -71,10 +76,32 @@ final class SessionRunProvider implements RunSequence.Runs {
     return upcoming().isPresent();
   }
 
+  /** Forgets the display of the last chain of runs, as another one begins with its own windows. */
+  void chainBegins() {
+    opened = Optional.empty();
+    reopens = false;
+  }
+
+  /** Returns whether the chain has ended because the next step needs other windows. */
+  boolean reopens() {
+    return reopens;
+  }
+
   @Override
   public Optional<RunRequest> next() throws IOException {
     Optional<SessionStep> step = upcoming();
-    if (step.isEmpty() || controls.aborted()) {
+    if (step.isPresent() && step.get() instanceof SessionStep.Block block && !controls.aborted()) {
+      BlockProgress progress = session.progress(block);
+      Optional<Trial> trial = progress.next();
+      if (trial.isEmpty()) {
+        end(block, progress);
+        return next();
+      }
+      return trial(trial.get(), progress);
+    }
+    if (step.isEmpty()
+        || controls.aborted()
+        || !fits(show.presentation().withIpd(session.ipd() / 1000))) {
       return Optional.empty();
     }
     if (step.get() instanceof SessionStep.Questions questions) {
@@ -88,6 +115,93 @@ final class SessionRunProvider implements RunSequence.Runs {
             settings(step.get(), scene(step.get()), Optional.of(new HeadLogSettings(log))),
             listener,
             guide(step.get(), listener)));
+  }
+
+  /** Returns whether a display is that of the open windows, which it becomes if there are none. */
+  private boolean fits(DisplayConfiguration wanted) {
+    reopens = opened.filter(known -> !known.equals(wanted)).isPresent();
+    if (!reopens) {
+      opened = Optional.of(wanted);
+    }
+    return !reopens;
+  }
+
+  private Optional<RunRequest> trial(Trial trial, BlockProgress progress) throws IOException {
+    if (!fits(display(trial))) {
+      return Optional.empty();
+    }
+    SessionStep.OneTrial step = new SessionStep.OneTrial(trial);
+    Study study = session.material().study();
+    Path scene =
+        study
+            .scene(trial)
+            .or(session.material()::scenery)
+            .orElseThrow(
+                () -> new IOException("the study has no scene in which its trials could be shown"));
+    Path log = session.headLog(step);
+    session.began(step, progress);
+    RunListener listener = listener(step, Optional.of(log));
+    return Optional.of(
+        new RunRequest(
+            settings(
+                step,
+                scene,
+                new SelectiveController.Settings(
+                    trial.settings().condition().orElse(Condition.SELECTIVE),
+                    lot() + trial.number(),
+                    trial.settings().choices()),
+                display(trial),
+                Optional.of(new HeadLogSettings(log))),
+            listener,
+            new TrialController(
+                session,
+                step,
+                progress.restIsDue(),
+                controls,
+                show.stage(),
+                show.presentation().headset().map(HeadsetViewSettings::layout),
+                listener::problem)));
+  }
+
+  /** Returns the display of a trial, with the participant's eyes unless the trial has its own. */
+  private DisplayConfiguration display(Trial trial) {
+    DisplayConfiguration usual = show.presentation();
+    DisplayConfiguration mode = trial.settings().mode().map(usual::as).orElse(usual);
+    return mode.withIpd(trial.settings().ipd().orElse(session.ipd()) / 1000);
+  }
+
+  private void end(SessionStep.Block block, BlockProgress progress) throws IOException {
+    Map<String, Object> more = new LinkedHashMap<>();
+    more.put("trials", progress.done());
+    if (progress.failed()) {
+      quality.flag(
+          SessionFlag.PRACTICE_FAILED,
+          block,
+          Map.of("rounds", progress.round()),
+          "the practice did not reach its criterion");
+    }
+    List<Map<String, Object>> estimates =
+        progress.estimates().stream().map(SessionRunProvider::members).toList();
+    if (!estimates.isEmpty()) {
+      more.put("staircases", estimates);
+    }
+    session.finished(block, more);
+  }
+
+  private static Map<String, Object> members(BlockProgress.StaircaseEstimate estimate) {
+    Map<String, Object> members = new LinkedHashMap<>();
+    members.put("levels", estimate.levels());
+    if (estimate.line() > 0) {
+      members.put("line", estimate.line());
+    }
+    if (!Double.isNaN(estimate.level())) {
+      members.put("level", DecimalRounding.to(4, estimate.level()));
+    }
+    if (!Double.isNaN(estimate.value())) {
+      members.put("value", DecimalRounding.to(6, estimate.value()));
+    }
+    members.put("trials", estimate.trials());
+    return members;
   }
 
   private RunRequest asking(SessionStep.Questions step) throws IOException {
@@ -136,19 +250,27 @@ final class SessionRunProvider implements RunSequence.Runs {
   }
 
   private RunSettings settings(SessionStep step, Path scene, Optional<HeadLogSettings> log) {
+    return settings(
+        step,
+        scene,
+        new SelectiveController.Settings(
+            session.group().flatMap(group -> group.settings().condition()).orElse(Condition.HIGH),
+            lot()),
+        show.presentation().withIpd(session.ipd() / 1000),
+        log);
+  }
+
+  private RunSettings settings(
+      SessionStep step,
+      Path scene,
+      SelectiveController.Settings rendering,
+      DisplayConfiguration presentation,
+      Optional<HeadLogSettings> log) {
     Study study = session.material().study();
     Study.Display display = study.display();
     int width = display.width() > 0 ? display.width() : show.presentation().width();
     int height = display.height() > 0 ? display.height() : show.presentation().height();
-    DisplayConfiguration presentation = show.presentation().withIpd(session.ipd() / 1000);
-    return new RunSettings(
-            scene,
-            new SelectiveController.Settings(
-                session
-                    .group()
-                    .flatMap(group -> group.settings().condition())
-                    .orElse(Condition.HIGH),
-                lot()))
+    return new RunSettings(scene, rendering)
         .allowing(study.access())
         .muted(study.mute() || step instanceof SessionStep.Questions)
         .with(MotionSettings.walking(study.mouse()))
@@ -231,6 +353,10 @@ final class SessionRunProvider implements RunSequence.Runs {
     if (controls.aborted()) {
       return;
     }
+    if (run.guide() instanceof TrialController trial) {
+      ended(run, trial, figures);
+      return;
+    }
     SessionStep step = upcoming().orElseThrow();
     if (run.guide() instanceof HeadsetQuestionController asked) {
       asked.told().check();
@@ -241,6 +367,22 @@ final class SessionRunProvider implements RunSequence.Runs {
       }
       return;
     }
+    session.finished(step, figures(step, run, figures));
+  }
+
+  private void ended(RunRequest run, TrialController trial, RunMetrics figures) throws IOException {
+    trial.check();
+    if (!trial.through()) {
+      controls.abort();
+      return;
+    }
+    Map<String, Object> more = figures(trial.step(), run, figures);
+    more.put("phases", trial.shown());
+    session.finished(trial.step(), trial.result(), more);
+  }
+
+  /** Returns the members that the end of a shown step has, and flags it if it is due. */
+  private Map<String, Object> figures(SessionStep step, RunRequest run, RunMetrics figures) {
     Map<String, Object> more = new LinkedHashMap<>();
     more.put("condition", run.settings().scene().rendering().condition().spelling());
     more.put("lot", run.settings().scene().rendering().seed());
@@ -252,6 +394,6 @@ final class SessionRunProvider implements RunSequence.Runs {
       more.put("head_log_incomplete", true);
       session.journal().flag(SessionFlag.HEAD_LOG_INCOMPLETE, Map.of("step", step.id()));
     }
-    session.finished(step, more);
+    return more;
   }
 }

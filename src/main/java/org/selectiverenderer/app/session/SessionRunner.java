@@ -70,13 +70,13 @@ public final class SessionRunner {
   public Outcome run() throws IOException, InterruptedException {
     dialogue.open(controls);
     while (true) {
-      List<SessionStep> left = session.remaining();
-      if (left.isEmpty()) {
+      List<SessionStep> open = session.remaining();
+      if (open.isEmpty()) {
         session.end();
         dialogue.thanks(session);
         return Outcome.FINISHED;
       }
-      SessionStep step = left.get(0);
+      SessionStep step = open.get(0);
       controls.status(step.id());
       if (step instanceof SessionStep.Form) {
         form(step);
@@ -91,9 +91,11 @@ public final class SessionRunner {
           controls.abort();
         }
       } else {
+        shown.chainBegins();
         show();
         // Closing a window ends the session, as the experimenter's abort does.
-        if (session.remaining().contains(step) || shown.wanted()) {
+        boolean left = session.remaining().contains(step) || shown.wanted();
+        if (left && !shown.reopens()) {
           controls.abort();
         }
       }

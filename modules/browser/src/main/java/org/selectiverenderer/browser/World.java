@@ -33,6 +33,8 @@ import org.selectiverenderer.browser.viewer.ViewerMotion;
  * {@link #execute} meanwhile, it must read inside {@link #hold}.
  */
 public final class World {
+  private Optional<Boolean> headlight = Optional.empty();
+
   /** Is called when the world shows another scene. */
   @FunctionalInterface
   public interface ReplaceListener {
@@ -345,5 +347,18 @@ public final class World {
   /** Returns the last state of the pointing device since the last frame, if there was one. */
   Optional<PointingDeviceState> latestPointer() {
     return pointed.stream().reduce((before, after) -> after);
+  }
+
+  /** Turns the viewer's headlight on or off, whatever the scene's NavigationInfo says. */
+  public void headlight(boolean on) {
+    headlight = Optional.of(on);
+  }
+
+  /**
+   * Returns whether the headlight is on by {@link #headlight(boolean)}; empty where it was not
+   * called.
+   */
+  public Optional<Boolean> headlight() {
+    return headlight;
   }
 }

@@ -2,8 +2,10 @@ package org.selectiverenderer.control;
 
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -39,6 +41,7 @@ final class SceneController implements ControlledArea.Listener {
       new SchemaActivation<>();
   private final Map<X3DNode, ControlledArea> areas = new LinkedHashMap<>();
   private final Map<X3DNode, VersionedObject> objects = new LinkedHashMap<>();
+  private final Map<String, Integer> held;
   private boolean started;
   private double now;
 
@@ -58,6 +61,7 @@ final class SceneController implements ControlledArea.Listener {
       Consumer<ControlProblem> problems) {
     this.turn = turn;
     this.settings = settings;
+    held = new HashMap<>(settings.held());
     this.events = events;
     this.problems = problems;
     this.inlined = inlined;
@@ -111,6 +115,25 @@ final class SceneController implements ControlledArea.Listener {
     walk.close();
     areas.values().forEach(ControlledArea::close);
     objects.values().forEach(VersionedObject::close);
+  }
+
+  /** Holds the choices of Switches; returns the names that no Switch has. */
+  Set<String> hold(Map<String, Integer> choices) {
+    held.putAll(choices);
+    Set<String> missing = new LinkedHashSet<>(choices.keySet());
+    for (VersionedObject object : objects.values()) {
+      if (missing.remove(object.name())) {
+        hold(object);
+      }
+    }
+    return missing;
+  }
+
+  private void hold(VersionedObject object) {
+    Integer choice = held.get(object.name());
+    if (choice != null) {
+      show(object, choice);
+    }
   }
 
   List<ControlProblem> problems() {
@@ -263,6 +286,7 @@ final class SceneController implements ControlledArea.Listener {
     } else {
       settings.condition().initialChoices(enriched, activatedSchemas(), seed).forEach(this::show);
     }
+    candidates.forEach(this::hold);
   }
 
   private Set<String> activatedSchemas() {
@@ -288,6 +312,9 @@ final class SceneController implements ControlledArea.Listener {
   private void apply(List<Change<VersionedObject>> changes) {
     for (Change<VersionedObject> change : changes) {
       VersionedObject object = change.switchKey();
+      if (held.containsKey(object.name())) {
+        continue;
+      }
       show(object, change.to());
       events.accept(
           new ControlEvent.SwitchChange(

@@ -2,6 +2,7 @@ package org.selectiverenderer.control;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
@@ -38,10 +39,20 @@ public final class SelectiveController implements AutoCloseable {
    * The condition and random seed with which a scene is rendered.
    *
    * @param seed the random seed of {@link Condition#RANDOM}
+   * @param held the choices of Switches, by name, that neither condition nor areas change
    */
-  public record Settings(Condition condition, long seed) {
+  public record Settings(Condition condition, long seed, Map<String, Integer> held) {
     /** Selective rendering as in the thesis. */
     public static final Settings SELECTIVE = new Settings(Condition.SELECTIVE, 0);
+
+    public Settings {
+      held = Map.copyOf(held);
+    }
+
+    /** Creates settings in which the condition determines all choices. */
+    public Settings(Condition condition, long seed) {
+      this(condition, seed, Map.of());
+    }
   }
 
   private final ExternalBrowser browser;
@@ -89,6 +100,17 @@ public final class SelectiveController implements AutoCloseable {
   /** Returns the choice that each enriched Switch shows, by name, in the order of the scene. */
   public synchronized Map<String, Integer> choices() {
     return scene == null ? Map.of() : scene.choices();
+  }
+
+  /**
+   * Sets the choices of Switches, which from now on nothing else that the controller does changes.
+   * A Switch needs no metadata for that; one that comes later is set when it comes.
+   *
+   * @param choices {@code whichChoice} by the Switches' names
+   * @return the names that no Switch of the scene has
+   */
+  public synchronized Set<String> hold(Map<String, Integer> choices) {
+    return scene == null ? Set.copyOf(choices.keySet()) : scene.hold(choices);
   }
 
   /**

@@ -20,11 +20,13 @@ import org.selectiverenderer.browser.viewer.Viewer;
  */
 public record ViewSettings(DepthRange range, boolean headlight) {
   public static ViewSettings of(World world) {
-    return of(
-        world.instances(),
-        world.viewer(),
-        world.bindables().bound("NavigationInfo"),
-        world.bindables().bound("X3DViewpointNode"));
+    ViewSettings scenes =
+        of(
+            world.instances(),
+            world.viewer(),
+            world.bindables().bound("NavigationInfo"),
+            world.bindables().bound("X3DViewpointNode"));
+    return new ViewSettings(scenes.range, world.headlight().orElse(scenes.headlight));
   }
 
   /** Returns the settings of one of a world's layers. */

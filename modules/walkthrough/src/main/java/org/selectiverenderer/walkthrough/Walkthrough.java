@@ -5,6 +5,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
@@ -22,6 +24,9 @@ import org.selectiverenderer.walkthrough.timeline.TimelineEvent;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.ReadLimits;
 import org.selectiverenderer.x3d.url.ContentAccessPolicy;
+import org.web3d.x3d.sai.InvalidNodeException;
+import org.web3d.x3d.sai.MFString;
+import org.web3d.x3d.sai.X3DNode;
 
 /**
  * A loaded scene with its selective controller, stepped frame by frame. The same scene, settings,
@@ -30,6 +35,12 @@ import org.selectiverenderer.x3d.url.ContentAccessPolicy;
  * <p>One thread steps it: the thread that opened it or one to which it is handed over.
  */
 public final class Walkthrough implements AutoCloseable {
+  /**
+   * DEF of the MetadataString by which a scene marks events: a Script or ROUTE sets its {@code
+   * value}, of which the last text is the event. Other browsers pass it over.
+   */
+  public static final String MARKER = "SelectiveRendererEvents";
+
   private final World world;
   private final SceneLoader loader;
   private final EmbeddedBrowser browser;
@@ -127,6 +138,42 @@ public final class Walkthrough implements AutoCloseable {
   /** Returns the active schemas. */
   public List<String> activeSchemas() {
     return controller.activeSchemas();
+  }
+
+  /**
+   * Sets the choices of Switches by their names, which neither condition nor areas change from now
+   * on.
+   *
+   * @return the names that no Switch of the scene has
+   */
+  public Set<String> hold(Map<String, Integer> choices) {
+    return controller.hold(choices);
+  }
+
+  /**
+   * Listens to the events that the scene marks: each value that {@link #MARKER} gets is passed on.
+   */
+  public void listen(Consumer<String> marked) {
+    marker()
+        .map(node -> node.getField("value"))
+        .ifPresent(
+            field ->
+                field.addX3DEventListener(
+                    event -> {
+                      if (field instanceof MFString texts && texts.getSize() > 0) {
+                        marked.accept(texts.get1Value(texts.getSize() - 1));
+                      }
+                    }));
+  }
+
+  private Optional<X3DNode> marker() {
+    try {
+      X3DNode node = browser.getExecutionContext().getNamedNode(MARKER);
+      return Optional.ofNullable(node)
+          .filter(found -> found.getNodeName().equals("MetadataString"));
+    } catch (InvalidNodeException e) {
+      return Optional.empty(); // The scene has no node of that name.
+    }
   }
 
   /**

@@ -7,6 +7,8 @@ import java.util.Arrays;
  * are pixels from the upper left corner, +Y down.
  */
 public sealed interface Primitive2D {
+  /** Returns the primitive moved by that many pixels. */
+  Primitive2D moved(double right, double down);
 
   /**
    * A straight line.
@@ -14,7 +16,12 @@ public sealed interface Primitive2D {
    * @param width the line's width in pixels
    */
   record Line(double x0, double y0, double x1, double y1, double width, int color)
-      implements Primitive2D {}
+      implements Primitive2D {
+    @Override
+    public Line moved(double right, double down) {
+      return new Line(x0 + right, y0 + down, x1 + right, y1 + down, width, color);
+    }
+  }
 
   /**
    * A filled convex polygon.
@@ -22,6 +29,16 @@ public sealed interface Primitive2D {
    * @param corners x and y of each corner in turn; not to be changed
    */
   record Area(double[] corners, int color) implements Primitive2D {
+    @Override
+    public Area moved(double right, double down) {
+      double[] moved = corners.clone();
+      for (int at = 0; at + 1 < moved.length; at += 2) {
+        moved[at] += right;
+        moved[at + 1] += down;
+      }
+      return new Area(moved, color);
+    }
+
     @Override
     public boolean equals(Object other) {
       return other instanceof Area area
@@ -42,7 +59,12 @@ public sealed interface Primitive2D {
    * @param y the base line of the text
    * @param size the font size in pixels
    */
-  record Text(String text, double x, double y, double size, int color) implements Primitive2D {}
+  record Text(String text, double x, double y, double size, int color) implements Primitive2D {
+    @Override
+    public Text moved(double right, double down) {
+      return new Text(text, x + right, y + down, size, color);
+    }
+  }
 
   /**
    * An image, stretched to fill an axis-parallel rectangle.
@@ -51,7 +73,12 @@ public sealed interface Primitive2D {
    * @param y the rectangle's upper side
    */
   record Picture(ArgbImage pixels, double x, double y, double width, double height)
-      implements Primitive2D {}
+      implements Primitive2D {
+    @Override
+    public Picture moved(double right, double down) {
+      return new Picture(pixels, x + right, y + down, width, height);
+    }
+  }
 
   /** Makes a filled axis-parallel rectangle. */
   static Area rectangle(double x, double y, double width, double height, int color) {

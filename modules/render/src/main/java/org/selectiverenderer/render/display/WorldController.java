@@ -3,6 +3,7 @@ package org.selectiverenderer.render.display;
 import java.util.List;
 import java.util.Optional;
 import org.selectiverenderer.browser.World;
+import org.selectiverenderer.browser.camera.HeadFixedPage;
 import org.selectiverenderer.browser.camera.WorldSpacePanel;
 import org.selectiverenderer.render.FrameStatistics;
 import org.selectiverenderer.render.window.InputEvent;
@@ -77,6 +78,14 @@ public interface WorldController {
    */
   default List<WorldSpacePanel> panels() {
     return List.of();
+  }
+
+  /**
+   * Returns the page for the user of a window, drawn over the darkened picture; a headset shows
+   * {@link #panels()} instead.
+   */
+  default Optional<HeadFixedPage> page() {
+    return Optional.empty();
   }
 
   /** Called when a frame of the world was drawn and is about to be shown. */

@@ -8,7 +8,9 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import org.selectiverenderer.browser.World;
 import org.selectiverenderer.browser.camera.Camera;
+import org.selectiverenderer.browser.camera.DepthRange;
 import org.selectiverenderer.browser.camera.EyeView;
+import org.selectiverenderer.browser.camera.HeadFixedPage;
 import org.selectiverenderer.browser.camera.Primitive2D;
 import org.selectiverenderer.browser.camera.ViewLayout;
 import org.selectiverenderer.render.FrameStatistics;
@@ -28,6 +30,12 @@ import org.selectiverenderer.x3d.tessellate.TextMesher;
 public final class WorldRenderer {
   /** Side of a point of a PointSet in pixels. */
   private static final float POINT_SIZE = 2;
+
+  /** The depths of pages, which are in front of everything. */
+  private static final DepthRange READING = new DepthRange(1e-3, 1e6);
+
+  /** Share of a view that a page fills. */
+  private static final double PAGE = 0.9;
 
   private final SceneRenderer renderer;
   private final LayerRenderer layers;
@@ -117,6 +125,30 @@ public final class WorldRenderer {
     }
     undirect(gl, views.get(views.size() - 1).channel());
     return new FrameStatistics(layers.shapes(), views.size() * layers.indices() / 3);
+  }
+
+  /** Draws a page that moves with the head over each view. */
+  public void page(GL3 gl, World world, int width, int height, HeadFixedPage page) {
+    List<EyeView> views = layout.views(world, width, height, READING);
+    for (EyeView view : views) {
+      Camera camera = view.camera();
+      direct(gl, view.channel());
+      double scale =
+          PAGE * Math.min(camera.width() / page.width(), camera.height() / page.height());
+      int across = (int) Math.round(scale * page.width());
+      int down = (int) Math.round(scale * page.height());
+      // Where the view shows what lies straight ahead at infinity.
+      double ahead = -camera.projection().m20();
+      double above = -camera.projection().m21();
+      sketch.draw(
+          gl,
+          page,
+          camera.x() + (int) Math.round(camera.width() * (1 + ahead) / 2 - across / 2.0),
+          camera.y() + (int) Math.round(camera.height() * (1 + above) / 2 - down / 2.0),
+          across,
+          down);
+    }
+    undirect(gl, views.get(views.size() - 1).channel());
   }
 
   /** Returns whether the views fill the framebuffer; otherwise the rest is to be cleared. */

@@ -172,6 +172,7 @@ public final class WorldWindow implements WorldDisplay {
         FrameStatistics drawn =
             painter.paint(gl, shown, frame.width(), frame.height(), frame.scale());
         darken(gl, frame.width(), frame.height());
+        page(gl, shown, frame.width(), frame.height());
         return drawn;
       }
       int[] bound = new int[1];
@@ -180,8 +181,13 @@ public final class WorldWindow implements WorldDisplay {
       FrameStatistics drawn =
           painter.paint(gl, shown, 2 * frame.width(), frame.height(), frame.scale());
       darken(gl, 2 * frame.width(), frame.height());
+      page(gl, shown, 2 * frame.width(), frame.height());
       eyes.split(gl, bound[0], right);
       return drawn;
+    }
+
+    private void page(GL3 gl, World shown, int width, int height) {
+      host.page().ifPresent(page -> painter.page(gl, shown, width, height, page));
     }
 
     private void darken(GL3 gl, int width, int height) {

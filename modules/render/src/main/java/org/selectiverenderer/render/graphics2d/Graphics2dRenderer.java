@@ -12,6 +12,7 @@ import java.util.function.Consumer;
 import org.joml.Matrix4d;
 import org.selectiverenderer.browser.camera.ArgbImage;
 import org.selectiverenderer.browser.camera.Camera;
+import org.selectiverenderer.browser.camera.HeadFixedPage;
 import org.selectiverenderer.browser.camera.Primitive2D;
 import org.selectiverenderer.browser.camera.WorldSpacePanel;
 import org.selectiverenderer.geometry.font.FontFamily;
@@ -60,12 +61,26 @@ public final class Graphics2dRenderer {
    * @param height of the part, and of the page
    */
   public void draw(GL3 gl, List<Primitive2D> marks, int x, int y, int width, int height) {
-    if (marks.isEmpty()) {
+    draw(gl, new HeadFixedPage(marks, width, height), x, y, width, height);
+  }
+
+  /**
+   * Draws a page, stretched to a part of the framebuffer.
+   *
+   * @param x the left edge of the part in pixels
+   * @param y the bottom edge of the part in pixels
+   */
+  public void draw(GL3 gl, HeadFixedPage page, int x, int y, int width, int height) {
+    if (page.marks().isEmpty()) {
       return;
     }
-    fill(gl, marks);
+    fill(gl, page.marks());
     gl.glViewport(x, y, width, height);
-    show(gl, List.of(), used -> gl.glUniform2f(used.uniform(gl, "page"), width, height));
+    show(
+        gl,
+        List.of(),
+        used ->
+            gl.glUniform2f(used.uniform(gl, "page"), (float) page.width(), (float) page.height()));
   }
 
   /**

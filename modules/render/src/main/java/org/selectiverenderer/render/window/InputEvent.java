@@ -8,11 +8,18 @@ public sealed interface InputEvent {
    *
    * @param character the character that it produced when it was pressed, with line feed for Enter
    *     and backspace for Backspace; empty for keys that produce none
+   * @param nanos when the window system reported it, as {@link System#nanoTime()}
    */
-  record KeyInput(KeyboardKey key, boolean pressed, String character) implements InputEvent {
-    /** A key that produces no character. */
+  record KeyInput(KeyboardKey key, boolean pressed, String character, long nanos)
+      implements InputEvent {
+    /** A key that produces no character, now. */
     public KeyInput(KeyboardKey key, boolean pressed) {
       this(key, pressed, "");
+    }
+
+    /** A key, now. */
+    public KeyInput(KeyboardKey key, boolean pressed, String character) {
+      this(key, pressed, character, System.nanoTime());
     }
   }
 

@@ -83,6 +83,17 @@ public enum KeyboardKey {
         || this == ALT;
   }
 
+  /**
+   * Returns the name of the key in files: its lower-case letter or digit, {@code space}, {@code
+   * enter}, {@code left}, {@code right}, {@code up}, {@code down}; empty for others.
+   */
+  public String spelling() {
+    return switch (this) {
+      case SPACE, ENTER, LEFT, RIGHT, UP, DOWN -> name().toLowerCase(Locale.ROOT);
+      default -> letter();
+    };
+  }
+
   /** Returns the lower-case letter or digit of the key; empty for other keys. */
   String letter() {
     if (compareTo(Z) <= 0) {

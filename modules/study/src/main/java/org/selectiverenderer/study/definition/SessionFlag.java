@@ -25,6 +25,8 @@ public enum SessionFlag {
   HEADSET_LOST("headset taken off or lost"),
   /** An exposure had fewer frames per second than the study asks for. */
   LOW_FRAME_RATE("too few frames per second"),
+  /** A practice block ended without having reached its criterion. */
+  PRACTICE_FAILED("practice not passed"),
   /** The head log of a step lacks frames. */
   HEAD_LOG_INCOMPLETE("head log incomplete"),
   /** Exposures were shortened for a test. */

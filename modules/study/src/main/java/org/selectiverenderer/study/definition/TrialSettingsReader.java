@@ -25,6 +25,10 @@ final class TrialSettingsReader {
   /** The highest number of a Switch's child that a choice may name; a higher one is a mistake. */
   private static final int MOST_CHOICE = 999_999;
 
+  /** The modes with windows, which a trial may change. */
+  private static final List<DisplayMode> WINDOWS =
+      List.of(DisplayMode.values()).stream().filter(mode -> mode != DisplayMode.OPENXR).toList();
+
   private final FileOfKey files;
   private final ProblemCollector problems;
 
@@ -51,7 +55,7 @@ final class TrialSettingsReader {
                         ? Optional.of(
                             each.choice(
                                 "mode",
-                                List.of(DisplayMode.values()),
+                                WINDOWS,
                                 mode -> mode.name().toLowerCase(Locale.ROOT).replace('_', '-'),
                                 DisplayMode.WINDOW))
                         : Optional.empty(),

@@ -30,6 +30,11 @@ public record Trial(
     phases = List.copyOf(phases);
   }
 
+  /** Returns the trial with other phases. */
+  public Trial with(List<TrialPhase> others) {
+    return new Trial(block, number, round, levels, stimulus, line, settings, others);
+  }
+
   /** Returns what identifies the trial in a recorded order. */
   public TrialKey key() {
     return new TrialKey(levels, line);

@@ -14,7 +14,7 @@ import java.util.OptionalDouble;
  * @param levels names of its levels by factor
  * @param line line of its stimulus in the list, from 1; 0 without a list
  * @param response the key of the response; empty for none
- * @param milliseconds from the begin of the phase with keys to the response
+ * @param milliseconds from the begin of the first phase with keys to the response
  * @param correct whether the response was correct; empty where none is wrong, and false where a
  *     response was missing
  */

@@ -1,0 +1,174 @@
+package org.selectiverenderer.app.session;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.Random;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.app.headset.ControllerCommand;
+import org.selectiverenderer.render.window.KeyboardKey;
+import org.selectiverenderer.study.questionnaire.ButtonQuestionnaireController;
+import org.selectiverenderer.study.questionnaire.ChoiceOption;
+import org.selectiverenderer.study.questionnaire.ParticipantMessages;
+import org.selectiverenderer.study.questionnaire.Questionnaire;
+import org.selectiverenderer.study.questionnaire.QuestionnaireProgress;
+import org.selectiverenderer.study.session.Session;
+import org.selectiverenderer.study.session.SessionStep;
+
+/**
+ * The questions of a trial, which are asked in the picture and answered by keys or by the buttons
+ * of a headset's controllers: arrows mark an option, Enter or the space bar gives it, digits choose
+ * an option by its value or place, Backspace goes back.
+ */
+final class TrialQuestions {
+  /** Frames between two answers of a simulated participant. */
+  private static final int PRESS = 5;
+
+  private final Questionnaire questionnaire;
+  private final ParticipantMessages wording;
+  private final Session session;
+  private final SessionStep.OneTrial step;
+  private final AnswerRecorder recorder;
+  private final QuestionPanelRenderer renderer;
+  private final Random simulated;
+  private @Nullable ButtonQuestionnaireController buttons;
+  private int frames;
+
+  /**
+   * @throws IOException with a one-line message if a picture of the questionnaire cannot be read
+   */
+  TrialQuestions(Session session, SessionStep.OneTrial step, Questionnaire questionnaire)
+      throws IOException {
+    this.session = session;
+    this.step = step;
+    this.questionnaire = questionnaire;
+    wording = session.material().wording();
+    recorder = new AnswerRecorder(session, step);
+    renderer = new QuestionPanelRenderer(wording, PanelImageLoader.of(questionnaire));
+    simulated = new Random(session.material().study().seed() + step.id().hashCode());
+  }
+
+  /** Returns the recorder of the answers, whose failure is to be checked. */
+  AnswerRecorder recorder() {
+    return recorder;
+  }
+
+  private ButtonQuestionnaireController asking() {
+    ButtonQuestionnaireController known = buttons;
+    if (known == null) {
+      known =
+          new ButtonQuestionnaireController(
+              new QuestionnaireProgress(
+                  questionnaire, wording, session.answers(step), session.lastPage(step), recorder),
+              wording);
+      buttons = known;
+    }
+    return known;
+  }
+
+  /** Handles a frame: a simulated participant answers now and then. */
+  void frame() {
+    ButtonQuestionnaireController asking = asking();
+    if (!session.options().unattended() || asking.over() || ++frames % PRESS != 0) {
+      return;
+    }
+    boolean written = asking.line().isPresent();
+    if (written && asking.written().isEmpty()) {
+      asking.write(asking.line().orElseThrow().simulated(simulated));
+    }
+    if (asking.question().isEmpty() || written || simulated.nextBoolean()) {
+      asking.yes();
+    } else {
+      asking.no();
+    }
+  }
+
+  /** Returns whether all questions are answered. */
+  boolean over() {
+    return asking().over();
+  }
+
+  /** Returns the sheet of the present question. */
+  QuestionPanelRenderer.Sheet sheet() {
+    return renderer.of(asking(), false);
+  }
+
+  /** Handles a button of a headset's controller. */
+  void answered(ControllerCommand answer) {
+    ButtonQuestionnaireController asking = asking();
+    switch (answer) {
+      case YES -> asking.yes();
+      case NO -> asking.no();
+      case MORE -> asking.more();
+      case LESS -> asking.less();
+      case CHOOSE -> {
+        // Panels of trials follow the head; there is nothing to point at.
+      }
+    }
+  }
+
+  /** Handles a key. */
+  void pressed(KeyboardKey key, String character) {
+    ButtonQuestionnaireController asking = asking();
+    if (asking.over()) {
+      return;
+    }
+    boolean writing = asking.line().isPresent();
+    switch (key) {
+      case ENTER -> asking.yes();
+      case UP, RIGHT -> step(asking, key == KeyboardKey.RIGHT);
+      case DOWN, LEFT -> step(asking, key == KeyboardKey.DOWN);
+      case PAGE_UP -> asking.back();
+      case BACKSPACE -> {
+        if (writing) {
+          asking.erase();
+        } else {
+          asking.back();
+        }
+      }
+      default -> {
+        if (writing) {
+          asking.write(character);
+        } else if (key == KeyboardKey.SPACE) {
+          asking.yes();
+        } else {
+          choose(asking, character);
+        }
+      }
+    }
+  }
+
+  /** Moves the mark to the next or the previous option. */
+  private static void step(ButtonQuestionnaireController asking, boolean forward) {
+    if (asking.choice().isEmpty()) {
+      return;
+    }
+    boolean inLine = asking.choice().get().inLine();
+    if (forward == inLine) {
+      asking.more();
+    } else {
+      asking.less();
+    }
+  }
+
+  /** Chooses an option by its value, or else by its place. */
+  private static void choose(ButtonQuestionnaireController asking, String character) {
+    if (asking.choice().isEmpty() || character.isBlank()) {
+      return;
+    }
+    List<String> values =
+        asking.choice().get().options().stream().map(ChoiceOption::value).toList();
+    int at = values.indexOf(character);
+    if (at < 0) {
+      for (int option = 0; option < values.size() && at < 0; option++) {
+        boolean initial = values.get(option).regionMatches(true, 0, character, 0, 1);
+        at = initial && Character.isLetter(character.charAt(0)) ? option : -1;
+      }
+    }
+    if (at < 0 && character.matches("[1-9]")) {
+      at = Integer.parseInt(character) - 1;
+    }
+    if (at >= 0 && at < values.size()) {
+      asking.choose(at);
+    }
+  }
+}
