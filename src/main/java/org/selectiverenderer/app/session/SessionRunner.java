@@ -100,7 +100,8 @@ public final class SessionRunner {
         }
       }
       if (controls.aborted()) {
-        session.abort(step.id());
+        // Several steps may have been shown since this one began.
+        session.abort(session.remaining().stream().findFirst().orElse(step).id());
         return Outcome.ABORTED;
       }
     }

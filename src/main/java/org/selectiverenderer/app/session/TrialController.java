@@ -346,7 +346,7 @@ final class TrialController implements RunController {
     } else if (phase instanceof TrialPhase.Fixation) {
       return Optional.of(pages.fixation());
     } else if (phase instanceof TrialPhase.Feedback feedback) {
-      return Optional.of(pages.text(course.feedback(feedback), ""));
+      return Optional.of(pages.line(course.feedback(feedback)));
     }
     return asked().map(TrialQuestions::sheet).map(pages::sheet);
   }

@@ -46,6 +46,22 @@ final class TrialPages {
     return moved(pen.marks(), needed);
   }
 
+  /** Returns a short text, centred. */
+  HeadFixedPage line(String text) {
+    pen.begin();
+    double size = PanelCanvas.PLAIN;
+    List<String> lines = pen.wrapped(text, size, PanelCanvas.ROOM);
+    List<Primitive2D> marks = new ArrayList<>();
+    double y = 0;
+    for (String line : lines) {
+      y += size * PanelCanvas.LINE;
+      marks.add(
+          new Primitive2D.Text(
+              line, (WIDTH - pen.width(line, size)) / 2, y, size, PanelCanvas.INK));
+    }
+    return moved(marks, y);
+  }
+
   /** Returns a sheet of a question in the middle of a page. */
   HeadFixedPage sheet(QuestionPanelRenderer.Sheet sheet) {
     return moved(sheet.marks(), sheet.height());

@@ -3,8 +3,10 @@ package org.selectiverenderer.cli.experiment;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.ProblemCollector;
@@ -38,7 +40,9 @@ import picocli.CommandLine.Parameters;
     },
     footer = {
       "  ./selective-renderer experiment anova scores.csv --dv d_prime \\",
-      "      --subject participant --within object_type --between condition"
+      "      --subject participant --within object_type --between condition",
+      "  ./selective-renderer experiment anova trials.csv --dv ms --subject participant \\",
+      "      --within quality --where correct=yes --mean"
     })
 final class ExperimentAnovaCommand extends CliCommand {
   /** The largest number of factors; more have too many interactions to interpret. */
@@ -86,6 +90,19 @@ final class ExperimentAnovaCommand extends CliCommand {
           "column of a number of each participant whose linear effect is taken out of the "
               + "others (analysis of covariance, equal slopes in all groups); repeatable")
   private List<String> covariates = new ArrayList<>();
+
+  @Option(
+      names = "--where",
+      paramLabel = "COL=CELL",
+      description = "analyses only rows with that cell in that column; repeatable")
+  private Map<String, String> where = new LinkedHashMap<>();
+
+  @Option(
+      names = "--mean",
+      description =
+          "analyses the mean of a participant's rows at the same levels, as of a table of trials;"
+              + " otherwise there must be one row")
+  private boolean mean;
 
   @Option(names = "--correction", paramLabel = "C", description = "the same as --sphericity")
   private SphericityOption.@Nullable Words correction;
@@ -135,6 +152,7 @@ final class ExperimentAnovaCommand extends CliCommand {
         ObservationsReader.read(
             data,
             new ObservationsReader.Columns(measure, subject, within, between, covariates),
+            new ObservationsReader.Rows(where, mean),
             problems);
     if (read.isEmpty()) {
       return ExitStatus.PROBLEMS;

@@ -36,6 +36,7 @@ import picocli.CommandLine.Option;
       "      --answers answers.csv",
       "  ./selective-renderer experiment collect mystudy --paper 003.csv,004.csv \\",
       "      --responses r.csv",
+      "  ./selective-renderer experiment collect mystudy --trials trials.csv",
       "  ./selective-renderer experiment collect mystudy/pilot --ratings ratings.csv \\",
       "      --bands bands.csv"
     })
@@ -70,6 +71,19 @@ final class ExperimentCollectCommand extends CliCommand {
   private @Nullable Path scores;
 
   @Option(
+      names = "--trials",
+      paramLabel = "F.csv",
+      description =
+          "writes the finished trials of blocks to a file, one per row, with factors, stimuli,"
+              + " responses and answers")
+  private @Nullable Path trials;
+
+  @Option(
+      names = "--practice",
+      description = "writes the trials of practice blocks to that file, too")
+  private boolean practice;
+
+  @Option(
       names = "--bands",
       paramLabel = "F.csv",
       description =
@@ -100,6 +114,7 @@ final class ExperimentCollectCommand extends CliCommand {
     OutputFile.check("--ratings", ratings, ".csv");
     OutputFile.check("--answers", others, ".csv");
     OutputFile.check("--scores", scores, ".csv");
+    OutputFile.check("--trials", trials, ".csv");
     OutputFile.check("--bands", bands, ".csv");
     CommandFileCheck files =
         new CommandFileCheck()
@@ -107,6 +122,7 @@ final class ExperimentCollectCommand extends CliCommand {
             .writes("--ratings", ratings)
             .writes("--answers", others)
             .writes("--scores", scores)
+            .writes("--trials", trials)
             .writes("--bands", bands);
     paper.tables().forEach(table -> files.reads("--paper", table));
     files.check();
@@ -119,15 +135,17 @@ final class ExperimentCollectCommand extends CliCommand {
         CollectedAnswers.of(
             material.get(),
             number == null ? OptionalInt.empty() : OptionalInt.of(number),
+            practice,
             PaperAnswers.read(material.get(), paper.tables(), problems),
             problems);
-    if (Stream.of(responses, ratings, others, scores, bands).allMatch(Objects::isNull)) {
+    if (Stream.of(responses, ratings, others, scores, trials, bands).allMatch(Objects::isNull)) {
       console().out().print(answers.responses());
     }
     write(responses, answers.responses());
     write(ratings, answers.ratings());
     write(others, answers.others());
     write(scores, answers.scores());
+    write(trials, answers.trials());
     write(bands, answers.bands());
     console()
         .message(

@@ -27,6 +27,7 @@ public final class ExperimentCommand extends CliCommand {
         new ExperimentNewCommand(console()),
         new ExperimentRunCommand(console()),
         new ExperimentStatusCommand(console()),
+        new ExperimentPlanCommand(console()),
         new ExperimentCollectCommand(console()),
         new ExperimentBidsCommand(console()),
         new ExperimentExportCommand(console()),

@@ -59,12 +59,29 @@ public final class ObservationsReader {
     }
   }
 
+  /**
+   * Which rows of a table count, and how.
+   *
+   * @param where the cell that a row must have in each of these columns
+   * @param mean whether several values of a subject at the same levels are averaged, as those of
+   *     trials; otherwise they are an error
+   */
+  public record Rows(Map<String, String> where, boolean mean) {
+    /** All rows, with one value of a subject at each combination of levels. */
+    public static final Rows SINGLE = new Rows(Map.of(), false);
+
+    public Rows {
+      where = Map.copyOf(where);
+    }
+  }
+
   private static final String ONLY = "all";
 
   private static final class SubjectRows {
     final SourceLocation location;
     final List<String> group;
     final Map<List<String>, Double> values = new HashMap<>();
+    final Map<List<String>, Integer> counts = new HashMap<>();
     final Map<String, Double> covariates = new HashMap<>();
     boolean usable = true;
 
@@ -75,14 +92,16 @@ public final class ObservationsReader {
   }
 
   private final Columns columns;
+  private final Rows rows;
   private final ExclusionLog exclusions;
   private final Map<String, SubjectRows> subjects = new LinkedHashMap<>();
   private final Map<String, Set<String>> levels = new LinkedHashMap<>();
   private final SimilarNameDetector ids;
   private final Map<String, SimilarNameDetector> names = new LinkedHashMap<>();
 
-  private ObservationsReader(Columns columns, ProblemCollector problems) {
+  private ObservationsReader(Columns columns, Rows rows, ProblemCollector problems) {
     this.columns = columns;
+    this.rows = rows;
     exclusions = new ExclusionLog(problems, "the row");
     ids = new SimilarNameDetector(columns.subject());
   }
@@ -95,7 +114,18 @@ public final class ObservationsReader {
    */
   public static Optional<Observations> read(Path path, Columns columns, ProblemCollector problems)
       throws IOException {
-    ObservationsReader reader = new ObservationsReader(columns, problems);
+    return read(path, columns, Rows.SINGLE, problems);
+  }
+
+  /**
+   * Reads some rows of a file.
+   *
+   * @return empty when the file is not such a table, which is reported to {@code problems}
+   * @throws IOException if the file cannot be read at all
+   */
+  public static Optional<Observations> read(
+      Path path, Columns columns, Rows rows, ProblemCollector problems) throws IOException {
+    ObservationsReader reader = new ObservationsReader(columns, rows, problems);
     byte[] content = CsvTable.bytes(path);
     DataSource source = DataSource.of(path.getFileName().toString(), content);
     return CsvTable.parse(path.toString(), content, reader.form(), reader.exclusions)
@@ -105,7 +135,7 @@ public final class ObservationsReader {
   /** Reads a text as if it were a file of that name. */
   public static Optional<Observations> parse(
       String file, String text, Columns columns, ProblemCollector problems) {
-    ObservationsReader reader = new ObservationsReader(columns, problems);
+    ObservationsReader reader = new ObservationsReader(columns, Rows.SINGLE, problems);
     return CsvTable.parse(file, text, reader.form(), reader.exclusions)
         .flatMap(table -> reader.observations(DataSource.of(file, text), table));
   }
@@ -115,6 +145,10 @@ public final class ObservationsReader {
     wanted.addAll(columns.within());
     wanted.addAll(columns.between());
     wanted.addAll(columns.covariates());
+    rows.where().keySet().stream()
+        .sorted()
+        .filter(name -> !wanted.contains(name))
+        .forEach(wanted::add);
     return wanted;
   }
 
@@ -175,6 +209,10 @@ public final class ObservationsReader {
   }
 
   private void row(CsvRow row) {
+    if (!rows.where().entrySet().stream()
+        .allMatch(cell -> row.cell(cell.getKey()).equals(cell.getValue()))) {
+      return;
+    }
     String id = row.cell(columns.subject());
     List<String> wanted = new ArrayList<>(List.of(columns.subject()));
     wanted.addAll(columns.within());
@@ -216,7 +254,14 @@ public final class ObservationsReader {
     OptionalDouble value =
         CsvNumberParser.number(
             row, columns.measure(), (at, message) -> spoil(gathered, at, id, message));
-    if (value.isPresent() && gathered.values.put(level, value.getAsDouble()) != null) {
+    if (value.isEmpty()) {
+      return;
+    }
+    int count = gathered.counts.merge(level, 1, Integer::sum);
+    double before = gathered.values.getOrDefault(level, 0.0);
+    // The running mean; of a single value it is the value.
+    gathered.values.put(level, before + (value.getAsDouble() - before) / count);
+    if (count > 1 && !rows.mean()) {
       spoil(
           gathered,
           row.location(columns.measure()),

@@ -35,6 +35,7 @@ import org.selectiverenderer.study.questionnaire.TimedAnswer;
  * @param ratings ratings of expectancy as CSV, in the form that {@code enrich --ratings} reads
  * @param others all other answers as CSV, including those to the form
  * @param scores scores computed from the answers, as CSV
+ * @param trials finished trials of blocks as CSV
  * @param bands mean ratings with their bands as CSV, for people
  * @param participants number of participants with answers
  * @param answers number of answers in the tables
@@ -44,6 +45,7 @@ public record CollectedAnswers(
     String ratings,
     String others,
     String scores,
+    String trials,
     String bands,
     int participants,
     int answers) {
@@ -57,10 +59,13 @@ public record CollectedAnswers(
     private final ProblemCollector problems;
     private final AnswersCsvBuilder tables = new AnswersCsvBuilder();
     private final Map<Rated, List<Integer>> all = new LinkedHashMap<>();
+    private final TrialsTable trials;
     private int participants;
     private int answers;
 
-    Gathering(LoadedStudy material, PaperAnswers paper, ProblemCollector problems) {
+    Gathering(
+        LoadedStudy material, PaperAnswers paper, boolean practice, ProblemCollector problems) {
+      trials = new TrialsTable(material, practice);
       this.material = material;
       this.paper = paper;
       this.problems = problems;
@@ -93,14 +98,22 @@ public record CollectedAnswers(
           form(folder, history, form);
         }
       }
+      trials.add(folder.participant(), folder.number(), history);
+      answers += history.results().size();
       for (String step : history.answeredSteps()) {
-        if (!known.contains(step)) {
+        if (!known.contains(step) && !ofTrial(step)) {
           problems.warning(
               place, "the study no longer has " + step + "; the answers to it are left out");
         }
       }
       unasked(folder.participant());
       participants += answers > before ? 1 : 0;
+    }
+
+    /** Returns whether a step is a trial, whose answers are in the table of trials. */
+    private boolean ofTrial(String step) {
+      return material.study().design().blocks().stream()
+          .anyMatch(block -> step.startsWith(block.name() + "-"));
     }
 
     /** Adds a participant who answered on paper and has no session. */
@@ -252,18 +265,30 @@ public record CollectedAnswers(
     }
   }
 
+  /** Collects the answers, without trials of practice blocks. */
+  public static CollectedAnswers of(
+      LoadedStudy material, OptionalInt session, PaperAnswers paper, ProblemCollector problems)
+      throws IOException {
+    return of(material, session, false, paper, problems);
+  }
+
   /**
    * Collects the answers.
    *
    * @param session number of the session that counts; empty for each participant's first session
    *     with complete answers, or else the first with any answers
+   * @param practice whether trials of practice blocks are in the table of trials
    * @param paper answers on paper, which are used for screens that a session has not finished
    * @throws IOException if a journal cannot be read
    */
   public static CollectedAnswers of(
-      LoadedStudy material, OptionalInt session, PaperAnswers paper, ProblemCollector problems)
+      LoadedStudy material,
+      OptionalInt session,
+      boolean practice,
+      PaperAnswers paper,
+      ProblemCollector problems)
       throws IOException {
-    Gathering gathering = new Gathering(material, paper, problems);
+    Gathering gathering = new Gathering(material, paper, practice, problems);
     Set<String> onPaper = paper.participants();
     for (ParticipantSessions sessions : ParticipantSessions.all(material)) {
       sessions.tellDamage(problems);
@@ -285,6 +310,7 @@ public record CollectedAnswers(
         gathering.tables.text(AnswerTableKind.RATINGS),
         gathering.tables.text(AnswerTableKind.ANSWERS),
         gathering.tables.scores(),
+        gathering.trials.text(),
         bands(gathering.all),
         gathering.participants,
         gathering.answers);

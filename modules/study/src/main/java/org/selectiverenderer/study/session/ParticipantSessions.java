@@ -74,12 +74,12 @@ final class ParticipantSessions {
 
   private boolean answered(SessionFolder folder) {
     return material.steps().stream()
-        .filter(SessionStep.Questions.class::isInstance)
+        .filter(step -> step instanceof SessionStep.Questions || step instanceof SessionStep.Block)
         .allMatch(history(folder)::finished);
   }
 
   private boolean begun(SessionFolder folder) {
-    return !history(folder).answeredSteps().isEmpty();
+    return !history(folder).answeredSteps().isEmpty() || !history(folder).results().isEmpty();
   }
 
   /** Reports the answers that are left out because their session does not count. */

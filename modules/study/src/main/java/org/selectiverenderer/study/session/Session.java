@@ -419,6 +419,11 @@ public final class Session implements AutoCloseable {
           folder.writeOnce(table.file(), tables.text(table));
         }
       }
+      TrialsTable trials = new TrialsTable(material, true);
+      trials.add(folder.participant(), folder.number(), history);
+      if (!trials.isEmpty()) {
+        folder.writeOnce("trials.csv", trials.text());
+      }
       if (tables.hasScores()) {
         folder.writeOnce("scores.csv", tables.scores());
       }

@@ -217,6 +217,11 @@ public final class SessionHistory {
     return all;
   }
 
+  /** Returns the answers of the step with an id, by the questions' ids. */
+  synchronized Map<String, TimedAnswer> given(String step) {
+    return Map.copyOf(answers.getOrDefault(step, Map.of()));
+  }
+
   /** Returns the id of the page of a step that was shown last. */
   public synchronized Optional<String> page(SessionStep step) {
     return Optional.ofNullable(pages.get(step.id()));

@@ -1,0 +1,136 @@
+package org.selectiverenderer.study.session;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.selectiverenderer.formats.csv.CsvWriter;
+import org.selectiverenderer.formats.csv.SpreadsheetText;
+import org.selectiverenderer.study.design.Factor;
+import org.selectiverenderer.study.design.StimulusList;
+import org.selectiverenderer.study.design.TrialBlock;
+import org.selectiverenderer.study.design.TrialPhase;
+import org.selectiverenderer.study.design.TrialResult;
+import org.selectiverenderer.study.questionnaire.Answer;
+import org.selectiverenderer.study.questionnaire.Question;
+import org.selectiverenderer.study.questionnaire.TimedAnswer;
+
+/**
+ * A table of trials as CSV in long form: a row for each finished trial, with a column for each
+ * factor, each column of the stimuli, the response, and each question that trials ask. A cell
+ * without a value is empty.
+ */
+final class TrialsTable {
+  private final LoadedStudy material;
+  private final boolean practice;
+  private final List<String> factors;
+  private final Set<String> stimuli = new LinkedHashSet<>();
+  private final Map<String, List<String>> questions = new LinkedHashMap<>();
+  private final List<List<Object>> rows = new ArrayList<>();
+
+  /**
+   * @param practice whether trials of practice blocks are rows, too
+   */
+  TrialsTable(LoadedStudy material, boolean practice) {
+    this.material = material;
+    this.practice = practice;
+    factors = material.study().design().factors().stream().map(Factor::name).toList();
+    for (TrialBlock block : material.study().design().blocks()) {
+      block.stimuli().map(StimulusList::columns).ifPresent(stimuli::addAll);
+      for (TrialPhase phase : block.phases()) {
+        if (phase instanceof TrialPhase.Questions asked) {
+          questions.put(
+              asked.questionnaire(),
+              material.inTrials(asked.questionnaire()).orElseThrow().questions().stream()
+                  .filter(Question::inTables)
+                  .map(Question::id)
+                  .toList());
+        }
+      }
+    }
+    factors.forEach(stimuli::remove);
+  }
+
+  /** Adds the finished trials of a session, in order. */
+  void add(String participant, int session, SessionHistory history) {
+    for (TrialResult result : history.results()) {
+      Optional<TrialBlock> block =
+          material.study().design().blocks().stream()
+              .filter(known -> known.name().equals(result.block()))
+              .findFirst();
+      if (practice || block.flatMap(TrialBlock::practice).isEmpty()) {
+        rows.add(row(participant, session, history, result, block));
+      }
+    }
+  }
+
+  private List<Object> row(
+      String participant,
+      int session,
+      SessionHistory history,
+      TrialResult result,
+      Optional<TrialBlock> block) {
+    List<Object> row = new ArrayList<>();
+    row.add(participant);
+    row.add(session);
+    row.add(history.group().orElse(""));
+    row.add(result.block());
+    row.add(result.number());
+    row.add(result.round());
+    factors.forEach(factor -> row.add(result.levels().getOrDefault(factor, "")));
+    Map<String, String> cells =
+        block
+            .flatMap(TrialBlock::stimuli)
+            .flatMap(
+                list ->
+                    list.rows().stream()
+                        .filter(stimulus -> stimulus.line() == result.line())
+                        .findFirst())
+            .map(StimulusList.Stimulus::cells)
+            .orElse(Map.of());
+    stimuli.forEach(column -> row.add(SpreadsheetText.marked(cells.getOrDefault(column, ""))));
+    row.add(result.response());
+    row.add(
+        result.milliseconds().isPresent()
+            ? String.format(Locale.ROOT, "%.1f", result.milliseconds().getAsDouble())
+            : "");
+    row.add(result.correct().map(correct -> correct ? "yes" : "no").orElse(""));
+    Map<String, TimedAnswer> given = history.given(result.trial());
+    questions
+        .values()
+        .forEach(
+            ids ->
+                ids.forEach(
+                    id ->
+                        row.add(
+                            SpreadsheetText.marked(
+                                Optional.ofNullable(given.get(id))
+                                    .map(TimedAnswer::answer)
+                                    .map(Answer::value)
+                                    .orElse("")))));
+    return row;
+  }
+
+  /** Returns whether there are trials. */
+  boolean isEmpty() {
+    return rows.isEmpty();
+  }
+
+  /** Returns the table with its header. */
+  String text() {
+    List<Object> header =
+        new ArrayList<>(List.of("participant", "session", "group", "block", "trial", "round"));
+    header.addAll(factors);
+    header.addAll(stimuli);
+    header.addAll(List.of("response", "ms", "correct"));
+    questions.forEach((name, ids) -> ids.forEach(id -> header.add(name + "." + id)));
+    CsvWriter table = CsvWriter.bare();
+    table.row(header);
+    rows.forEach(table::row);
+    return table.toString();
+  }
+}
