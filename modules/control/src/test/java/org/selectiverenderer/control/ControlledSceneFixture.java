@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import org.joml.Vector3d;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.browser.World;
@@ -56,8 +57,15 @@ final class ControlledSceneFixture implements AutoCloseable {
   }
 
   void control(Condition condition) {
-    controller =
-        new SelectiveController(browser, new Settings(condition, 7), events::add, problems::add);
+    control(new Settings(condition, 7));
+  }
+
+  void control(Settings settings) {
+    controller = new SelectiveController(browser, settings, events::add, problems::add);
+  }
+
+  Set<String> hold(Map<String, Integer> choices) {
+    return controller.hold(choices);
   }
 
   private LoadedScene load(String nodes) {

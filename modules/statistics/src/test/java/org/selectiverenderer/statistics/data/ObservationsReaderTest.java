@@ -2,9 +2,14 @@ package org.selectiverenderer.statistics.data;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.selectiverenderer.base.problem.ProblemCollector;
@@ -12,6 +17,7 @@ import org.selectiverenderer.statistics.anova.Subject;
 import org.selectiverenderer.statistics.data.ObservationsReader.Columns;
 
 class ObservationsReaderTest {
+  @TempDir private Path folder;
   private static final Columns MIXED =
       new Columns("score", "id", Optional.of("type"), Optional.of("group"));
   private static final String GOOD = "id,group,type,score\na,x,one,1.5\nb,y,one,2\nb,y,two,-3e-1\n";
@@ -27,6 +33,39 @@ class ObservationsReaderTest {
         .containsExactly(
             new Subject("a", 0, List.of(1.5, 4.0)), new Subject("b", 1, List.of(2.0, -0.3)));
     assertThat(problems.list()).isEmpty();
+  }
+
+  @Test
+  void rowsOfTrialsAreChosenByACellAndAveraged() throws IOException {
+    Path file = folder.resolve("trials.csv");
+    Files.writeString(
+        file,
+        """
+        id,quality,correct,ms
+        a,high,yes,100
+        a,high,yes,300
+        a,high,no,9000
+        a,low,yes,400
+        b,high,yes,500
+        b,low,yes,600
+        b,low,yes,700
+        """);
+    Columns columns = new Columns("ms", "id", Optional.of("quality"), Optional.empty());
+    Observations found =
+        ObservationsReader.read(
+                file,
+                columns,
+                new ObservationsReader.Rows(Map.of("correct", "yes"), true),
+                problems)
+            .orElseThrow();
+    assertThat(found.design().subjects())
+        .containsExactly(
+            new Subject("a", 0, List.of(200.0, 400.0)), new Subject("b", 0, List.of(500.0, 650.0)));
+    assertThat(problems.list()).isEmpty();
+    ObservationsReader.read(
+        file, columns, new ObservationsReader.Rows(Map.of("correct", "yes"), false), problems);
+    assertThat(problems.list().toString())
+        .contains("trials.csv:3:12: a second value at quality high; the participant is left out");
   }
 
   @Test

@@ -5,13 +5,16 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
+import java.util.regex.Pattern;
 import org.selectiverenderer.apparatus.DisplayMode;
 import org.selectiverenderer.apparatus.DisplayProfileLoader;
 import org.selectiverenderer.apparatus.EyeGeometry;
@@ -41,6 +44,13 @@ public final class StudyReader {
   private static final int MOST_PARTICIPANTS = 100_000;
 
   private static final double LONGEST = 36_000;
+
+  /** Name of an X3D file in the text of another one. */
+  private static final Pattern FILE = Pattern.compile("[\\w][\\w ./-]{0,200}\\.x3d\\b");
+
+  /** Number of inlined files in which a name is looked for. */
+  private static final int MOST_INLINED = 500;
+
   private static final JsonSettingsReader JSON =
       new JsonSettingsReader("a study", "the study is not used");
   private static final String LABEL = "[0-9A-Za-z]+";
@@ -225,6 +235,40 @@ public final class StudyReader {
       String name =
           new String(viewpoint.getBytes(StandardCharsets.UTF_8), StandardCharsets.ISO_8859_1);
       return !text.contains("'" + name + "'") && !text.contains('"' + name + '"');
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  /**
+   * Returns whether neither a scene nor the X3D files below its folder that it names have a DEF.
+   */
+  private static boolean lacksWithInlines(Path scene, String name) {
+    Deque<Path> open = new ArrayDeque<>(List.of(scene));
+    Set<Path> seen = new HashSet<>(open);
+    while (!open.isEmpty()) {
+      Path file = open.pop();
+      if (!lacks(file, name)) {
+        return false;
+      }
+      for (Path inlined : inlined(file)) {
+        boolean below = inlined.startsWith(scene.toAbsolutePath().normalize().getParent());
+        if (below && seen.size() < MOST_INLINED && seen.add(inlined)) {
+          open.push(inlined);
+        }
+      }
+    }
+    return true;
+  }
+
+  private static List<Path> inlined(Path scene) {
+    try {
+      String text = new String(InputFileReader.bytes(scene), StandardCharsets.ISO_8859_1);
+      return FILE.matcher(text)
+          .results()
+          .map(found -> scene.toAbsolutePath().resolveSibling(found.group()).normalize())
+          .filter(Files::isRegularFile)
+          .toList();
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }

@@ -20,14 +20,18 @@ import org.selectiverenderer.study.design.TrialSequencer;
 final class TrialChecker {
   private final Study study;
   private final BiPredicate<Path, String> lacks;
+  private final BiPredicate<Path, String> lacksSwitch;
   private final Set<String> faults = new LinkedHashSet<>();
 
   /**
    * @param lacks whether a scene has no node with a DEF, as far as that can be seen
+   * @param lacksSwitch the same of a scene with what it inlines
    */
-  TrialChecker(Study study, BiPredicate<Path, String> lacks) {
+  TrialChecker(
+      Study study, BiPredicate<Path, String> lacks, BiPredicate<Path, String> lacksSwitch) {
     this.study = study;
     this.lacks = lacks;
+    this.lacksSwitch = lacksSwitch;
   }
 
   /** Passes each fault on once. */
@@ -79,7 +83,7 @@ final class TrialChecker {
     Set<String> switches = new LinkedHashSet<>(trial.settings().choices().keySet());
     trial.phases().forEach(phase -> switches(phase, switches));
     switches.stream()
-        .filter(name -> lacks.test(scene, name))
+        .filter(name -> lacksSwitch.test(scene, name))
         .forEach(
             name ->
                 faults.add(
