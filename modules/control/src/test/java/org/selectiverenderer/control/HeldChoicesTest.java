@@ -26,7 +26,7 @@ class HeldChoicesTest {
           .noneMatch(
               event ->
                   event instanceof ControlEvent.SwitchChange change
-                      && change.name().equals("Vase"));
+                      && change.switchName().equals("Vase"));
       scene.walkTo(9);
       assertThat(scene.choice("Lamp")).isEqualTo(1);
       assertThat(scene.choice("Vase")).isEqualTo(1);

@@ -65,7 +65,8 @@ class ObservationsReaderTest {
     ObservationsReader.read(
         file, columns, new ObservationsReader.Rows(Map.of("correct", "yes"), false), problems);
     assertThat(problems.list().toString())
-        .contains("trials.csv:3:12: a second value at quality high; the participant is left out");
+        .contains(
+            "trials.csv:3:12: participant a: a second value at quality high; the participant is left out");
   }
 
   @Test

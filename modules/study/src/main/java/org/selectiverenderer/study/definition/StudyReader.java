@@ -98,7 +98,9 @@ public final class StudyReader {
           UrlResolver own = new UrlResolver(study.folder());
           viewpoints(keys, study, scene -> all || own.mayBeNamed(scene));
           new TrialChecker(
-                  study, (scene, name) -> (all || own.mayBeNamed(scene)) && lacks(scene, name))
+                  study,
+                  (scene, name) -> (all || own.mayBeNamed(scene)) && lacks(scene, name),
+                  (scene, name) -> (all || own.mayBeNamed(scene)) && lacksWithInlines(scene, name))
               .check(fault -> keys.fault("blocks", fault));
           return study;
         });

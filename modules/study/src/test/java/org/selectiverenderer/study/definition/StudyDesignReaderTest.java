@@ -73,6 +73,7 @@ class StudyDesignReaderTest {
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',
+      quoteCharacter = '`',
       textBlock =
           """
           "varies": "within" | "varies": "often" | 'often' is not one of between, within

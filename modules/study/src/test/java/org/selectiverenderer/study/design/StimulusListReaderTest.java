@@ -58,9 +58,9 @@ class StimulusListReaderTest {
             "2:1: 'medium' is not a condition (high, high-low, selective or random); the list is"
                 + " not used",
             "2:8: there is no file 'none.x3d' relative to the list; the list is not used",
-            "2:18: '0' is no number of seconds above 0 and up to 36000; the list is not used",
-            "2:20: 'dim' is not on or off; the list is not used",
-            "2:24: 'Vase' is no choice of a Switch; write its DEF, an equals sign and a number, as"
+            "2:17: '0' is no number of seconds above 0 and up to 36000; the list is not used",
+            "2:19: 'dim' is not on or off; the list is not used",
+            "2:23: 'Vase' is no choice of a Switch; write its DEF, an equals sign and a number, as"
                 + " in Vase=1; the list is not used",
             "3:7: 'soon' is no number of seconds above 0 and up to 36000; the list is not used",
             "3:15: 'Vase=x' is no choice of a Switch; write its DEF, an equals sign and a number,"
