@@ -83,6 +83,44 @@ class ImportedSceneTest {
 
   @TempDir Path folder;
 
+  /** A lamp 1 m above the floor, in centimetres. */
+  private static final String LAMP =
+      """
+        ; FBX 7.4.0 project file
+        FBXHeaderExtension:  {
+        	FBXHeaderVersion: 1003
+        	FBXVersion: 7400
+        }
+        GlobalSettings:  {
+        	Version: 1000
+        	Properties70:  {
+        		P: "UnitScaleFactor", "double", "Number", "",1
+        	}
+        }
+        Objects:  {
+        	NodeAttribute: 1, "NodeAttribute::lamp", "Light" {
+        		Properties70:  {
+        			P: "LightType", "enum", "", "",0
+        			P: "Intensity", "Number", "", "A",100
+        			P: "DecayType", "enum", "", "",2
+        			P: "DecayStart", "Number", "", "A",50
+        		}
+        		TypeFlags: "Light"
+        		GeometryVersion: 124
+        	}
+        	Model: 2, "Model::lamp", "Light" {
+        		Version: 232
+        		Properties70:  {
+        			P: "Lcl Translation", "Lcl Translation", "", "A",0,100,0
+        		}
+        	}
+        }
+        Connections:  {
+        	C: "OO",2,0
+        	C: "OO",1,2
+        }
+        """;
+
   private final ProblemCollector problems = new ProblemCollector();
 
   private X3dFile read(String name, byte[] content) throws IOException {
@@ -142,6 +180,31 @@ class ImportedSceneTest {
     ParsedNode light = all(file, "PointLight").get(0);
     assertThat(light.floats("color")).containsExactly(1, 0.5f, 0);
     assertThat(light.floats("attenuation")).containsExactly(0, 0, 2);
+  }
+
+  /** Blender writes lamps in watts, 500 where a hundredth would make all white at 1 m. */
+  @Test
+  void lampsInWattsHaveTheRadiantIntensityThatGltfGivesThem() throws IOException {
+    String watts =
+        COLLADA
+            .replace("1 0.5 0</color>", "500 250 0</color>")
+            .replace("<quadratic_attenuation>2<", "<quadratic_attenuation>0.0016<");
+    assertThat(watts).contains("500 250 0", "0.0016");
+
+    X3dFile file = read("door.dae", watts.getBytes(StandardCharsets.UTF_8));
+
+    ParsedNode light = all(file, "PointLight").get(0);
+    assertThat(light.number("intensity")).isCloseTo((float) (500 / (4 * Math.PI)), within(1e-3f));
+    assertThat(light.floats("color")).containsExactly(1, 0.5f, 0);
+    // In the coordinates of the light, which are those of the file's unit of length.
+    assertThat(light.floats("attenuation")).startsWith(0, 0);
+    assertThat(light.floats("attenuation")[2]).isCloseTo(unit(file) * unit(file), within(1e-6f));
+    assertThat(unit(file)).isLessThan(1);
+    assertThat(messages())
+        .singleElement()
+        .asString()
+        .contains("watts")
+        .contains("X3D has no exposure");
   }
 
   @Test
@@ -324,49 +387,28 @@ class ImportedSceneTest {
 
   @Test
   void lightsOfFbxFallOffByMetres() throws IOException {
-    String fbx =
-        """
-        ; FBX 7.4.0 project file
-        FBXHeaderExtension:  {
-        	FBXHeaderVersion: 1003
-        	FBXVersion: 7400
-        }
-        GlobalSettings:  {
-        	Version: 1000
-        	Properties70:  {
-        		P: "UnitScaleFactor", "double", "Number", "",1
-        	}
-        }
-        Objects:  {
-        	NodeAttribute: 1, "NodeAttribute::lamp", "Light" {
-        		Properties70:  {
-        			P: "LightType", "enum", "", "",0
-        			P: "Intensity", "Number", "", "A",100
-        			P: "DecayType", "enum", "", "",2
-        			P: "DecayStart", "Number", "", "A",50
-        		}
-        		TypeFlags: "Light"
-        		GeometryVersion: 124
-        	}
-        	Model: 2, "Model::lamp", "Light" {
-        		Version: 232
-        		Properties70:  {
-        			P: "Lcl Translation", "Lcl Translation", "", "A",0,100,0
-        		}
-        	}
-        }
-        Connections:  {
-        	C: "OO",2,0
-        	C: "OO",1,2
-        }
-        """;
-
-    X3dFile file = read("lamp.fbx", fbx.getBytes(StandardCharsets.UTF_8));
+    X3dFile file = read("lamp.fbx", LAMP.getBytes(StandardCharsets.UTF_8));
 
     assertThat(messages()).isEmpty();
     assertThat(named(file, "lamp").floats("translation")[1]).isCloseTo(1, within(1e-5f));
     float[] attenuation = all(file, "PointLight").get(0).floats("attenuation");
     // Assimp's 2 / 50 cm squared
     assertThat(attenuation[2]).isCloseTo(8, within(1e-3f));
+  }
+
+  /** X3D measures from a light in the light's own coordinates (X3D 4.0, 17.2.1.4). */
+  @Test
+  void theScaleOfNodesDoesNotChangeHowLightsFallOff() throws IOException {
+    String scaled =
+        LAMP.replace(
+            "P: \"Lcl Translation\"",
+            "P: \"Lcl Scaling\", \"Lcl Scaling\", \"\", \"A\",100,100,100\n\t\t\tP: \"Lcl Translation\"");
+
+    X3dFile file = read("lamp.fbx", scaled.getBytes(StandardCharsets.UTF_8));
+
+    assertThat(named(file, "lamp").floats("scale")[0]).isCloseTo(100, within(1e-3f));
+    ParsedNode light = all(file, "PointLight").get(0);
+    assertThat(light.floats("attenuation")[2]).isCloseTo(80_000, within(10f));
+    assertThat(light.number("radius")).isCloseTo(10_000, within(1f));
   }
 }

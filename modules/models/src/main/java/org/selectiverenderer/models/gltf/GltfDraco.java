@@ -14,7 +14,10 @@ import org.selectiverenderer.models.draco.DracoProcess;
 final class GltfDraco implements AutoCloseable {
   private static final String EXTENSION = "KHR_draco_mesh_compression";
 
-  /** Where Draco's header tells the method, and the one that keeps the order of vertices. */
+  /**
+   * Offset of the byte in Draco's header that names the method, and its value for the sequential
+   * one.
+   */
   private static final int METHOD = 8;
 
   private static final int SEQUENTIAL = 0;

@@ -115,7 +115,7 @@ public final class GltfTranslator {
     }
     out.meta("generator", "Selective Renderer").close().open("Scene");
     for (int node : roots()) {
-      node(node, 0);
+      node(node, 0, 1);
     }
     for (SkinnedMesh mesh : skinned) {
       meshes.writeSkinned(mesh.mesh(), mesh.skin(), mesh.weights(), maxDepth);
@@ -192,7 +192,12 @@ public final class GltfTranslator {
     return roots;
   }
 
-  private void node(int index, int depth) {
+  /**
+   * Writes a node.
+   *
+   * @param scale by what the nodes around it multiply lengths
+   */
+  private void node(int index, int depth, double scale) {
     JsonNode node = file.part("nodes", index);
     String path = "nodes[%d]".formatted(index);
     if (node.isMissingNode()) {
@@ -215,12 +220,13 @@ public final class GltfTranslator {
     if (!name.isBlank() && !name.equals(def)) {
       out.empty("MetadataString", "name", "name", "value", quoted(name));
     }
-    views.write(node, path, name);
+    double inside = scale * NodeTransform.averageScale(place.matrix());
+    views.write(node, path, name, inside);
     int mesh = GltfFile.index(node, "mesh");
     if (mesh >= 0) {
       mesh(node, mesh, index, path);
     }
-    node.path("children").forEach(child -> node(child.asInt(-1), depth + 1));
+    node.path("children").forEach(child -> node(child.asInt(-1), depth + 1, inside));
     out.close();
   }
 

@@ -41,8 +41,9 @@ final class GltfViews {
    * Writes what a node has.
    *
    * @param name the node's name, for those that have none themselves
+   * @param scale by what the node and those around it multiply lengths
    */
-  void write(JsonNode node, String path, String name) {
+  void write(JsonNode node, String path, String name, double scale) {
     JsonNode camera = file.referred(node, "camera", "cameras");
     if (camera.isObject()) {
       camera(camera, camera.has("name") ? GltfFile.text(camera, "name") : name);
@@ -50,7 +51,7 @@ final class GltfViews {
     int light = GltfFile.index(node.path("extensions").path("KHR_lights_punctual"), "light");
     JsonNode lights = lights();
     if (light >= 0 && lights.path(light).isObject()) {
-      light(lights.path(light), path, lights.path(light).path("name").asText(name));
+      light(lights.path(light), path, lights.path(light).path("name").asText(name), scale);
     }
   }
 
@@ -104,7 +105,7 @@ final class GltfViews {
     return light.path("type").asText("").equals("directional");
   }
 
-  private void light(JsonNode light, String path, String name) {
+  private void light(JsonNode light, String path, String name, double scale) {
     double[] color = GltfFile.numbers(light, "color", 1, 1, 1);
     double intensity = intensity(light);
     String kind = light.path("type").asText("");
@@ -120,9 +121,10 @@ final class GltfViews {
     double[] shown = {Numbers.unit(color[0]), Numbers.unit(color[1]), Numbers.unit(color[2])};
     fields.addAll(List.of("color", Numbers.of(shown)));
     if (!isDirectional(light)) {
-      // light falls off by the square of the distance
-      String radius = Numbers.of(positive(light, "range", UNLIMITED));
-      fields.addAll(List.of("attenuation", "0 0 1", "radius", radius));
+      // Light falls off by the square of the distance in the scene; X3D measures in the light's own
+      // coordinates (X3D 4.0, 17.2.1.4).
+      String radius = Numbers.of(positive(light, "range", UNLIMITED) / scale);
+      fields.addAll(List.of("attenuation", Numbers.of(0, 0, scale * scale), "radius", radius));
     }
     switch (kind) {
       case "directional" -> out.empty("DirectionalLight", fields.toArray(String[]::new));

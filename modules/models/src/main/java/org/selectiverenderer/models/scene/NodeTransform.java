@@ -1,6 +1,7 @@
 package org.selectiverenderer.models.scene;
 
 import org.joml.Matrix4d;
+import org.joml.Matrix4dc;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
 /**
@@ -60,8 +61,17 @@ public record NodeTransform(
     }
   }
 
+  /**
+   * Returns by what a matrix multiplies lengths, on average of all directions; 1 where it leaves no
+   * volume.
+   */
+  public static double averageScale(Matrix4dc matrix) {
+    double scale = Math.cbrt(Math.abs(matrix.determinant3x3()));
+    return scale > 0 && Double.isFinite(scale) ? scale : 1;
+  }
+
   /** Returns the matrix. */
-  Matrix4d matrix() {
+  public Matrix4d matrix() {
     return new Matrix4d()
         .translationRotateScale(
             translation[0],

@@ -232,4 +232,21 @@ class GltfTranslatorTest extends GltfSceneTest {
     assertThat(first(file, "SpotLight").number("intensity")).isEqualTo(6.83f);
     assertThat(messages()).isEmpty();
   }
+
+  /** X3D measures from a light in the light's own coordinates (X3D 4.0, 17.2.1.4). */
+  @Test
+  void theScaleOfNodesDoesNotChangeHowLightsFallOff() throws IOException {
+    X3dFile file =
+        read(
+            new GltfBuilder()
+                .json(
+                    """
+                    "scenes":[{"nodes":[0]}],"nodes":[{"scale":[2,2,2],"children":[1]},
+                     {"scale":[5,5,5],"extensions":{"KHR_lights_punctual":{"light":0}}}],
+                    "extensions":{"KHR_lights_punctual":{"lights":[{"type":"point","range":40}]}}"""));
+
+    ParsedNode light = first(file, "PointLight");
+    assertThat(light.floats("attenuation")).containsExactly(0, 0, 100);
+    assertThat(light.number("radius")).isEqualTo(4);
+  }
 }

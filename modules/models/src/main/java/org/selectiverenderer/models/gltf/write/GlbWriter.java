@@ -66,7 +66,7 @@ public final class GlbWriter {
         new GltfSceneBuilder(new X3dReader(catalogue), root, transcoder, new GltfLosses(problems));
     try {
       GltfDocument document =
-          builder.build(scene, new GltfPlace(scene, "", BaseUrl.folder(folder), 0));
+          builder.build(scene, new GltfPlace(scene, "", BaseUrl.folder(folder), 0, 1));
       return Optional.of(form == Form.GLB ? document.glb() : document.gltf());
     } catch (JsonProcessingException e) {
       throw new IllegalStateException("a tree of JSON nodes can always be written", e);

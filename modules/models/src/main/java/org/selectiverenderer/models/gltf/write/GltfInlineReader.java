@@ -63,7 +63,9 @@ final class GltfInlineReader {
     if (file.isPresent()) {
       open.add(content.key());
     }
-    return file.map(read -> new GltfPlace(read, content.key(), content.base(), place.depth() + 1));
+    return file.map(
+        read ->
+            new GltfPlace(read, content.key(), content.base(), place.depth() + 1, place.scale()));
   }
 
   /** Ends what {@link #enter} began. */

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
+import org.selectiverenderer.models.scene.NodeTransform;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.read.X3dReader;
@@ -54,8 +55,9 @@ final class GltfSceneBuilder {
     animations.find(file);
     List<Integer> roots = new ArrayList<>();
     double unit = unit(file);
+    GltfPlace outermost = new GltfPlace(place.file(), place.key(), place.base(), 0, unit);
     for (NodeView node : file.nodes()) {
-      visit(node, place, roots);
+      visit(node, outermost, roots);
     }
     file.loose().forEach(losses::node);
     if (unit != 1 && !roots.isEmpty()) {
@@ -102,7 +104,7 @@ final class GltfSceneBuilder {
             siblings.add(add(node, views.view(node)));
           }
         } else if (GltfViewWriter.isLight(node)) {
-          light(node, siblings);
+          light(node, place, siblings);
         } else if (GroupingNodeChildren.isGroup(node.type())
             || node.type().name().equals("LayerSet")) {
           group(node, place, siblings);
@@ -113,9 +115,9 @@ final class GltfSceneBuilder {
     }
   }
 
-  private void light(NodeView light, List<Integer> siblings) throws IOException {
+  private void light(NodeView light, GltfPlace place, List<Integer> siblings) throws IOException {
     if (light.bool("on")) {
-      siblings.add(add(light, views.light(light)));
+      siblings.add(add(light, views.light(light, place.scale())));
     } else {
       losses.tell("light", light.location(), "glTF has no lights that are off; they are left out");
     }
@@ -126,8 +128,10 @@ final class GltfSceneBuilder {
     siblings.add(nodes.outer());
     describe(node, out.get("nodes", nodes.outer()));
     List<Integer> children = new ArrayList<>();
+    double scale =
+        GroupingNodeChildren.placement(node).map(NodeTransform::averageScale).orElse(1.0);
     for (NodeView child : shown(node)) {
-      visit(child, place.deeper(), children);
+      visit(child, place.inside(scale), children);
     }
     append(out.get("nodes", nodes.inner()), children);
   }

@@ -68,8 +68,12 @@ final class GltfViewWriter {
     return node.put("camera", out.add("cameras", camera));
   }
 
-  /** Returns the node of a light that is on. */
-  ObjectNode light(NodeView light) {
+  /**
+   * Returns the node of a light that is on.
+   *
+   * @param scale by what the nodes around it multiply lengths, as glTF's range is one of the scene
+   */
+  ObjectNode light(NodeView light, double scale) {
     ObjectNode to = out.object();
     String type = light.type().name();
     to.put("type", type.substring(0, type.indexOf("Light")).toLowerCase(Locale.ROOT));
@@ -79,7 +83,7 @@ final class GltfViewWriter {
     boolean shines = !placed || light.number("radius") != 0; // negative: without limit
     to.put("intensity", shines ? positive(light.number("intensity"), 0) : 0);
     if (placed && light.number("radius") > 0) {
-      to.put("range", positive(light.number("radius"), 1));
+      to.put("range", positive(light.number("radius") * scale, 1));
     }
     if (type.equals("SpotLight")) {
       double outer = Math.min(positive(light.number("cutOffAngle"), Math.PI / 2), Math.PI / 2);

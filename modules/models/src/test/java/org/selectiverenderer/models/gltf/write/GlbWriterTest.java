@@ -466,4 +466,17 @@ final class GlbWriterTest {
     assertThat(lights.get(0).has("range")).isFalse();
     assertThat(lights.at("/1/intensity").asDouble(1)).isZero();
   }
+
+  @Test
+  void theRangeOfALightIsItsRadiusInTheScene() throws IOException {
+    JsonNode gltf =
+        read(
+            scene(
+                "<Transform scale='3 3 3'><Group><PointLight radius='2'/></Group></Transform>"
+                    + "<PointLight radius='2'/>"));
+
+    JsonNode lights = gltf.at("/extensions/KHR_lights_punctual/lights");
+    assertThat(lights.at("/0/range").asDouble()).isEqualTo(6);
+    assertThat(lights.at("/1/range").asDouble()).isEqualTo(2);
+  }
 }
