@@ -8,6 +8,7 @@ import java.awt.Font;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import javax.swing.BorderFactory;
 import javax.swing.Box;
 import javax.swing.BoxLayout;
@@ -17,8 +18,10 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 import javax.swing.SwingConstants;
+import javax.swing.Timer;
 import org.selectiverenderer.study.questionnaire.AnswerField;
 import org.selectiverenderer.study.questionnaire.ChoiceOption;
+import org.selectiverenderer.study.questionnaire.NumberKeys;
 import org.selectiverenderer.swing.PlainText;
 
 /**
@@ -32,11 +35,23 @@ final class ChoiceView implements FieldView {
    */
   private static final String CHOSEN = "selectedBackground:#1f66b5; selectedForeground:#ffffff";
 
+  /**
+   * How long a digit waits for a second one, in milliseconds; the messages to participants say it,
+   * too.
+   */
+  private static final int SECOND_DIGIT_MS = 1500;
+
   private final AnswerField.Choice field;
   private final Listener listener;
   private final JPanel panel = new JPanel();
   private final List<JToggleButton> buttons = new ArrayList<>();
   private final ButtonGroup group = new ButtonGroup();
+  private final Optional<NumberKeys> numbers;
+  private final Timer wait = new Timer(SECOND_DIGIT_MS, event -> settle());
+  private NumberKeys typed;
+
+  /** The last answer that does not wait for a digit. */
+  private String known = "";
 
   /**
    * @param id id of the question, for the names of the buttons
@@ -50,6 +65,9 @@ final class ChoiceView implements FieldView {
       Listener listener) {
     this.field = field;
     this.listener = listener;
+    numbers = NumberKeys.of(field);
+    typed = numbers.orElse(new NumberKeys(List.of(), ""));
+    wait.setRepeats(false);
     panel.setOpaque(false);
     if (list(field)) {
       panel.setLayout(new BoxLayout(panel, BoxLayout.Y_AXIS));
@@ -81,7 +99,7 @@ final class ChoiceView implements FieldView {
   }
 
   private JComponent inLine(ChoiceOption option, String id, String asked, QuestionRowLayout shape) {
-    JToggleButton button = named(new HiDpiComponents.Button(option.label()), option, id, asked);
+    JToggleButton button = named(QuestionRowLayout.button(option), option, id, asked);
     button.putClientProperty(FlatClientProperties.STYLE, CHOSEN);
     button.setPreferredSize(
         new Dimension(QuestionRowLayout.width(field, button), QuestionRowLayout.BUTTON_HEIGHT));
@@ -123,19 +141,32 @@ final class ChoiceView implements FieldView {
     if (!field.several()) {
       group.add(button);
     }
-    button.addActionListener(event -> told());
+    button.addActionListener(event -> chosen());
     buttons.add(button);
     return button;
   }
 
+  private void chosen() {
+    wait.stop();
+    typed = typed.none();
+    if (numbers.isPresent()) {
+      listener.filled(value(), false); // The time is that of the mouse, not of a key before it.
+    }
+    told();
+  }
+
   private void told() {
-    listener.filled(
-        field.joined(
-            buttons.stream()
-                .filter(JToggleButton::isSelected)
-                .map(JToggleButton::getActionCommand)
-                .toList()),
-        true);
+    wait.stop();
+    typed = typed.none();
+    listener.filled(value(), true);
+  }
+
+  private String value() {
+    return field.joined(
+        buttons.stream()
+            .filter(JToggleButton::isSelected)
+            .map(JToggleButton::getActionCommand)
+            .toList());
   }
 
   @Override
@@ -145,6 +176,11 @@ final class ChoiceView implements FieldView {
 
   @Override
   public void show(String value) {
+    known = value;
+    select(value);
+  }
+
+  private void select(String value) {
     List<String> chosen = AnswerField.Choice.parts(value);
     if (chosen.isEmpty()) {
       group.clearSelection();
@@ -153,8 +189,11 @@ final class ChoiceView implements FieldView {
   }
 
   @Override
-  public boolean key(char typed) {
-    String lower = String.valueOf(typed).toLowerCase(Locale.ROOT);
+  public boolean key(char key) {
+    if (numbers.isPresent()) {
+      return number(key);
+    }
+    String lower = String.valueOf(key).toLowerCase(Locale.ROOT);
     for (int i = 0; i < buttons.size(); i++) {
       if (field.options().get(i).keys().contains(lower)) {
         buttons.get(i).setSelected(!field.several() || !buttons.get(i).isSelected());
@@ -163,6 +202,28 @@ final class ChoiceView implements FieldView {
       }
     }
     return false;
+  }
+
+  /** Handles a key of a number: shows the number so far, which counts when it waits no more. */
+  private boolean number(char key) {
+    if (!typed.takes(key)) {
+      return waits(); // A key that the scale has not must not answer anything else meanwhile.
+    }
+    typed = typed.and(key);
+    String shown = typed.value().orElse(known);
+    select(shown);
+    listener.filled(shown, false);
+    if (typed.waits()) {
+      wait.restart();
+    } else {
+      told();
+    }
+    return true;
+  }
+
+  @Override
+  public boolean waits() {
+    return typed.waits();
   }
 
   @Override
@@ -177,7 +238,14 @@ final class ChoiceView implements FieldView {
 
   @Override
   public void settle() {
-    // Every change has been reported.
+    if (waits()) {
+      boolean number = typed.value().isPresent();
+      wait.stop();
+      typed = typed.none();
+      if (number) {
+        told();
+      }
+    }
   }
 
   /** Returns the space between two fields of a row. */

@@ -33,6 +33,11 @@ interface FieldView {
   /** Returns whether the field takes text. */
   boolean takesText();
 
+  /** Returns whether the field waits for a second digit of a number. */
+  default boolean waits() {
+    return false;
+  }
+
   /** Reports text that was typed and is not reported yet. */
   void settle();
 }

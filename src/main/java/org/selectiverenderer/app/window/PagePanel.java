@@ -167,6 +167,9 @@ final class PagePanel implements QuestionRow.Listener {
   }
 
   private void mark(int number) {
+    if (number != current && rows.get(current).waits()) {
+      rows.get(current).settle(); // A digit that waits for a second one counts.
+    }
     rows.get(current).current(false);
     current = number;
     QuestionRow row = rows.get(current);
@@ -226,6 +229,11 @@ final class PagePanel implements QuestionRow.Listener {
       }
     }
     return true;
+  }
+
+  /** Returns whether a row waits for a second digit of a number. */
+  boolean waits() {
+    return rows.stream().anyMatch(QuestionRow::waits);
   }
 
   /** Reports text that was typed and is not reported yet. */

@@ -190,6 +190,11 @@ final class QuestionRow {
         .allMatch(field -> field instanceof AnswerField.Choice choice && !choice.several());
   }
 
+  /** Returns whether a field waits for a second digit of a number. */
+  boolean waits() {
+    return views.stream().anyMatch(FieldView::waits);
+  }
+
   /** Reports text that was typed and is not reported yet. */
   void settle() {
     views.forEach(FieldView::settle);

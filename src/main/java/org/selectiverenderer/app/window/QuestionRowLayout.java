@@ -4,6 +4,7 @@ import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Font;
 import java.awt.FontMetrics;
+import java.awt.Insets;
 import java.util.List;
 import java.util.function.Function;
 import javax.swing.BorderFactory;
@@ -37,6 +38,7 @@ record QuestionRowLayout(boolean beside, int name, int least, int most, boolean 
   static final int FIELD_GAP = 36;
   static final int BUTTON_HEIGHT = 32;
   private static final int NUMBER_WIDTH = 46;
+  private static final int NUMBER_MARGIN = 6;
   private static final int NOTED_WIDTH = 78;
   private static final int NAME_WIDTH = 260;
   private static final int END_WIDTH = 200;
@@ -91,15 +93,45 @@ record QuestionRowLayout(boolean beside, int name, int least, int most, boolean 
         .orElse(0);
   }
 
-  /** Returns the width of an option's button. */
+  /** Returns the button of an option; a number has narrow margins, so that long scales fit. */
+  static JToggleButton button(ChoiceOption option) {
+    JToggleButton button = new HiDpiComponents.Button(option.label());
+    if (number(option)) {
+      button.setMargin(new Insets(2, NUMBER_MARGIN, 2, NUMBER_MARGIN));
+    }
+    return button;
+  }
+
+  private static boolean number(ChoiceOption option) {
+    return option.label().matches("-?\\d{1,3}");
+  }
+
+  /** Returns the width of the widest number with its margins. */
+  private static int widestNumber(AnswerField.Choice field) {
+    return field.options().stream()
+        .map(QuestionRowLayout::button)
+        .mapToInt(
+            button -> {
+              Insets around = button.getInsets();
+              int text = button.getFontMetrics(button.getFont()).stringWidth(button.getText());
+              return text + around.left + around.right + 2;
+            })
+        .max()
+        .orElse(0);
+  }
+
+  /** Returns the width of an option's button; those of numbers are equally wide. */
   static int width(AnswerField.Choice field, JToggleButton button) {
-    boolean numbers =
-        field.options().stream().allMatch(option -> option.label().matches("-?\\d{1,2}"));
+    boolean numbers = field.options().stream().allMatch(QuestionRowLayout::number);
     boolean noted = field.options().stream().anyMatch(option -> !option.note().isEmpty());
     if (noted) {
-      return NOTED_WIDTH;
+      return numbers
+          ? Math.max(NOTED_WIDTH, widestNumber(field))
+          : Math.max(NOTED_WIDTH, button.getPreferredSize().width);
     }
-    return numbers ? NUMBER_WIDTH : Math.max(64, button.getPreferredSize().width);
+    return numbers
+        ? Math.max(NUMBER_WIDTH, widestNumber(field))
+        : Math.max(64, button.getPreferredSize().width);
   }
 
   /** Returns a text that wraps at a width. */
@@ -167,9 +199,7 @@ record QuestionRowLayout(boolean beside, int name, int least, int most, boolean 
     column.setLayout(new BoxLayout(column, BoxLayout.Y_AXIS));
     column.setAlignmentY(Component.BOTTOM_ALIGNMENT);
     int buttons =
-        choice.options().stream()
-            .mapToInt(option -> width(choice, new HiDpiComponents.Button(option.label())) + GAP)
-            .sum();
+        choice.options().stream().mapToInt(option -> width(choice, button(option)) + GAP).sum();
     int whole = buttons + GAP + (least > 0 ? least + GAP : 0) + (most > 0 ? most + GAP : 0);
     if (!title.isEmpty()) {
       JLabel label = new HiDpiComponents.Label();
@@ -191,7 +221,7 @@ record QuestionRowLayout(boolean beside, int name, int least, int most, boolean 
         notes.add(Box.createHorizontalStrut(least));
       }
       for (ChoiceOption option : choice.options()) {
-        notes.add(note(option.note(), width(choice, new HiDpiComponents.Button(option.label()))));
+        notes.add(note(option.note(), width(choice, button(option))));
       }
       column.add(notes);
     }

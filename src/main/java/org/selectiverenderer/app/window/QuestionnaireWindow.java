@@ -23,6 +23,7 @@ import javax.swing.WindowConstants;
 import javax.swing.text.JTextComponent;
 import org.selectiverenderer.study.questionnaire.Answer;
 import org.selectiverenderer.study.questionnaire.AnswerField;
+import org.selectiverenderer.study.questionnaire.NumberKeys;
 import org.selectiverenderer.study.questionnaire.ParticipantMessages;
 import org.selectiverenderer.study.questionnaire.Questionnaire;
 import org.selectiverenderer.study.questionnaire.QuestionnairePage;
@@ -218,7 +219,15 @@ public final class QuestionnaireWindow {
         course.page().questions().stream()
             .flatMap(question -> question.kind().fields(wording).stream())
             .anyMatch(field -> field instanceof AnswerField.Line line && line.lines() > 1);
+    boolean digits =
+        course.page().questions().stream()
+            .flatMap(question -> question.kind().fields(wording).stream())
+            .anyMatch(
+                field ->
+                    field instanceof AnswerField.Choice choice
+                        && NumberKeys.of(choice).filter(NumberKeys::mayWait).isPresent());
     return keysOf
+        + (digits ? " " + wording.of("keys.digits") : "")
         + (lines ? " " + wording.of("keys.lines") : "")
         + (course.pages().size() > 1 ? " " + wording.of("keys.back") : "");
   }
@@ -235,8 +244,11 @@ public final class QuestionnaireWindow {
       if (lines && !control) {
         return false; // A new line.
       }
+      boolean waited = panel.waits();
       panel.settle();
-      goOn();
+      if (!waited) { // Else Enter ends a number.
+        goOn();
+      }
       return true;
     }
     if (event.getID() == KeyEvent.KEY_PRESSED && event.getKeyCode() == KeyEvent.VK_PAGE_UP) {

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Component;
 import java.awt.Container;
+import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -15,6 +16,7 @@ import java.util.concurrent.FutureTask;
 import javax.swing.JButton;
 import javax.swing.JFrame;
 import javax.swing.JScrollPane;
+import javax.swing.JToggleButton;
 import javax.swing.SwingUtilities;
 import javax.swing.text.JTextComponent;
 import org.junit.jupiter.api.Test;
@@ -237,6 +239,95 @@ class QuestionnaireWindowTest extends SessionWindowFixture {
     hands.press(KeyEvent.VK_ENTER);
     assertThat(WindowFinder.answer(asked)).isTrue();
     assertThat(pages).containsExactly("read", "ask", "feel", "ask", "feel");
+  }
+
+  private LoadedStudy ofLongScales() throws IOException {
+    return ofKinds(
+        """
+        {"name": "all", "title": "Long scales", "pages": [{"name": "rate", "questions": [
+          {"id": "bright", "kind": "scale", "from": 0, "to": 10, "text": "How bright?",
+           "least": "dark", "most": "bright"},
+          {"id": "warm", "kind": "scale", "from": 0, "to": 10, "text": "How warm?"},
+          {"id": "below", "kind": "scale", "from": -10, "to": 0, "text": "How far below?"},
+          {"id": "above", "kind": "scale", "from": 10, "to": 20, "text": "How far above?"}]}]}
+        """);
+  }
+
+  @Test
+  void digitsWaitForASecondOneWhereOneCanFollow() throws IOException {
+    LoadedStudy material = ofLongScales();
+    List<String> heard = new CopyOnWriteArrayList<>();
+    FutureTask<Boolean> asked =
+        asking(material, material.questionnaires("001").get(0), false, heard);
+    JFrame window = WindowFinder.named(hands, "questionnaire");
+    focus(window);
+    hands.press(KeyEvent.VK_1);
+    hands.press(KeyEvent.VK_0);
+    hands.await("10", () -> !heard.isEmpty());
+    assertThat(heard).containsExactly("bright 10");
+    hands.press(KeyEvent.VK_1);
+    hands.await("1, when no digit follows", () -> heard.size() == 2);
+    hands.press(KeyEvent.VK_MINUS);
+    hands.press(KeyEvent.VK_1);
+    hands.press(KeyEvent.VK_ENTER);
+    hands.await("-1, by Enter", () -> heard.size() == 3);
+    hands.press(KeyEvent.VK_1);
+    hands.press(KeyEvent.VK_7);
+    hands.await("17", () -> heard.size() == 4);
+    assertThat(heard).containsExactly("bright 10", "warm 1", "below -1", "above 17");
+    pictures(window, "session-long-scales");
+    hands.press(KeyEvent.VK_ENTER);
+    assertThat(WindowFinder.answer(asked)).isTrue();
+  }
+
+  @Test
+  void aDigitThatWaitsCountsWhenTheParticipantGoesElsewhere() throws IOException {
+    LoadedStudy material = ofLongScales();
+    List<String> heard = new CopyOnWriteArrayList<>();
+    FutureTask<Boolean> asked =
+        asking(material, material.questionnaires("001").get(0), false, heard);
+    JFrame window = WindowFinder.named(hands, "questionnaire");
+    focus(window);
+    hands.press(KeyEvent.VK_1);
+    hands.press(KeyEvent.VK_DOWN);
+    hands.press(KeyEvent.VK_1);
+    hands.press(KeyEvent.VK_5);
+    hands.await("both", () -> heard.size() == 2);
+    assertThat(heard).as("15 is none").containsExactly("bright 1", "warm 5");
+    over.set(true);
+    assertThat(WindowFinder.answer(asked)).isFalse();
+  }
+
+  @Test
+  void buttonsOfNumbersShowTheirWholeText() throws IOException {
+    LoadedStudy material = ofLongScales();
+    FutureTask<Boolean> asked =
+        asking(
+            material, material.questionnaires("001").get(0), false, new CopyOnWriteArrayList<>());
+    JFrame window = WindowFinder.named(hands, "questionnaire");
+    for (String name : List.of("How bright?: 10", "How far below?: -10", "How far above?: 20")) {
+      JToggleButton button = GuiRobot.named(window, name, JToggleButton.class);
+      assertThat(GuiRobot.onEdt(() -> drawn(button))).isEqualTo(button.getText());
+    }
+    over.set(true);
+    assertThat(WindowFinder.answer(asked)).isFalse();
+  }
+
+  /** Returns the text that a button has room for: with dots at its end if it is cut. */
+  private static String drawn(JToggleButton button) {
+    return SwingUtilities.layoutCompoundLabel(
+        button,
+        button.getFontMetrics(button.getFont()),
+        button.getText(),
+        null,
+        button.getVerticalAlignment(),
+        button.getHorizontalAlignment(),
+        button.getVerticalTextPosition(),
+        button.getHorizontalTextPosition(),
+        SwingUtilities.calculateInnerArea(button, new Rectangle()),
+        new Rectangle(),
+        new Rectangle(),
+        button.getIconTextGap());
   }
 
   private static JTextComponent named(JFrame window, String name) {
