@@ -22,6 +22,8 @@ import org.selectiverenderer.formats.csv.CsvRow;
 import org.selectiverenderer.formats.csv.CsvTable;
 import org.selectiverenderer.study.definition.Study;
 import org.selectiverenderer.study.definition.StudyQuestionnaires.Content;
+import org.selectiverenderer.study.design.StimulusList;
+import org.selectiverenderer.study.design.TrialBlock;
 import org.selectiverenderer.study.questionnaire.ItemQuestionnaireKind;
 import org.selectiverenderer.study.rehearsal.StudyDuration;
 import org.selectiverenderer.study.session.LoadedStudy;
@@ -131,6 +133,27 @@ public record StudyCheck(
       return new SourceLocation(study.file().toString(), line, found - before.lastIndexOf('\n'));
     }
 
+    /**
+     * Returns where a name comes from: the study file, the stimulus that has it as a cell, else the
+     * step in the study file.
+     */
+    private SourceLocation source(String name, String step) {
+      SourceLocation here = at(name);
+      if (here.line() > 0) {
+        return here;
+      }
+      for (TrialBlock block : study.design().blocks()) {
+        if (block.name().equals(step) && block.stimuli().isPresent()) {
+          for (StimulusList.Stimulus row : block.stimuli().get().rows()) {
+            if (row.cells().containsValue(name)) {
+              return new SourceLocation(block.stimuli().get().file().toString(), row.line(), 1);
+            }
+          }
+        }
+      }
+      return at(step);
+    }
+
     private void tell(SourceLocation at, String sentence) {
       if (told.add(at + sentence)) {
         problems.error(at, sentence);
@@ -146,7 +169,7 @@ public record StudyCheck(
       String file = String.valueOf(view.scene().getFileName());
       if (!view.viewpoint().isEmpty() && !names.viewpoints().contains(view.viewpoint())) {
         tell(
-            at(view.viewpoint()),
+            source(view.viewpoint(), view.step()),
             "the scene %s and its Inlines have no Viewpoint with the DEF '%s', from which %s is seen%s"
                 .formatted(
                     file,
@@ -160,13 +183,13 @@ public record StudyCheck(
                 Integer choices = names.switches().get(name);
                 if (choices == null) {
                   tell(
-                      at(name),
+                      source(name, view.step()),
                       "the scene %s and its Inlines have no Switch with the DEF '%s', whose choice %s sets%s"
                           .formatted(
                               file, name, view.step(), meant(name, names.switches().keySet())));
                 } else if (choice < -1 || choice >= choices) {
                   tell(
-                      at(name),
+                      source(name, view.step()),
                       "the Switch %s of the scene %s has the choices 0 to %d, and -1 for none, but %s sets %d"
                           .formatted(name, file, choices - 1, view.step(), choice));
                 }
