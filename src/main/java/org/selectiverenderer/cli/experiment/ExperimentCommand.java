@@ -25,6 +25,9 @@ public final class ExperimentCommand extends CliCommand {
   public List<CliCommand> subcommands() {
     return List.of(
         new ExperimentNewCommand(console()),
+        new ExperimentCheckCommand(console()),
+        new ExperimentPlanCommand(console()),
+        new ExperimentPreviewCommand(console()),
         new ExperimentRunCommand(console()),
         new ExperimentStatusCommand(console()),
         new ExperimentPlanCommand(console()),

@@ -4,12 +4,15 @@ import java.io.IOException;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.command.CliCommand;
 import org.selectiverenderer.command.output.CommandException;
 import org.selectiverenderer.command.output.CommandFileCheck;
 import org.selectiverenderer.command.output.Console;
 import org.selectiverenderer.command.output.ExitStatus;
 import org.selectiverenderer.command.trust.TrustOption;
+import org.selectiverenderer.study.definition.Study;
+import org.selectiverenderer.study.rehearsal.PlanReport;
 import org.selectiverenderer.study.session.LoadedStudy;
 import org.selectiverenderer.study.session.StudyPlan;
 import picocli.CommandLine.Command;
@@ -19,18 +22,20 @@ import picocli.CommandLine.Option;
 @Command(
     name = "plan",
     description = {
-      "Shows the plan of a study before anybody comes: who is next, and for each place the group"
-          + " and the order of areas or trials.",
-      "It tells the conditions: keep it from experimenters who must not know them."
+      "Shows who comes next, and the group and the order of trials of each participant to come.",
+      "The plan tells the conditions, also of a blind study."
     },
     footer = {
       "  ./selective-renderer experiment plan mystudy",
-      "  ./selective-renderer experiment plan mystudy --format csv --output plan.csv"
+      "  ./selective-renderer experiment plan mystudy --format html --output plan.html"
     })
 final class ExperimentPlanCommand extends CliCommand {
+  private static final int MOST = 10_000;
+
   private enum Format {
     text,
-    csv
+    csv,
+    html
   }
 
   @Mixin private StudyArgument study = new StudyArgument();
@@ -40,8 +45,8 @@ final class ExperimentPlanCommand extends CliCommand {
   @Option(
       names = "--participants",
       paramLabel = "N",
-      description = "number of places to show (default: the study's number of participants)")
-  private @Nullable Integer count;
+      description = "number of places to show (default: the study's participants)")
+  private @Nullable Integer participants;
 
   @Option(
       names = "--format",
@@ -58,8 +63,8 @@ final class ExperimentPlanCommand extends CliCommand {
 
   @Override
   public ExitStatus run() throws IOException {
-    if (count != null && (count < 1 || count > 100_000)) {
-      throw CommandException.usage("--participants must be a whole number from 1 to 100000");
+    if (participants != null && (participants < 1 || participants > MOST)) {
+      throw CommandException.usage("--participants must be a whole number from 1 to " + MOST);
     }
     output.check(new CommandFileCheck());
     ProblemCollector problems = new ProblemCollector(console()::problem);
@@ -67,10 +72,19 @@ final class ExperimentPlanCommand extends CliCommand {
     if (material.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
+    Study planned = material.get().study();
     StudyPlan plan =
         StudyPlan.of(
-            material.get().study(), count == null ? material.get().study().participants() : count);
-    output.write(format == Format.csv ? plan.csv(material.get().study()) : plan.text(), console());
+            planned, participants != null ? participants : Math.min(MOST, planned.participants()));
+    plan.faults()
+        .forEach(fault -> problems.error(SourceLocation.of(planned.file().toString()), fault));
+    output.write(
+        switch (format) {
+          case text -> PlanReport.text(plan);
+          case csv -> PlanReport.csv(plan);
+          case html -> PlanReport.html(plan);
+        },
+        console());
     return ExitStatus.of(problems);
   }
 }

@@ -1,0 +1,239 @@
+package org.selectiverenderer.app.rehearsal;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Base64;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.stream.Collectors;
+import org.selectiverenderer.base.files.InputFileReader;
+import org.selectiverenderer.base.markup.MarkupEscaper;
+import org.selectiverenderer.study.design.StudyGroup;
+import org.selectiverenderer.study.design.Trial;
+import org.selectiverenderer.study.design.TrialPhase;
+import org.selectiverenderer.study.design.TrialSequencer;
+import org.selectiverenderer.study.questionnaire.AnswerField;
+import org.selectiverenderer.study.questionnaire.ChoiceOption;
+import org.selectiverenderer.study.questionnaire.Question;
+import org.selectiverenderer.study.questionnaire.Questionnaire;
+import org.selectiverenderer.study.questionnaire.QuestionnairePage;
+import org.selectiverenderer.study.session.LoadedStudy;
+import org.selectiverenderer.study.session.SessionStep;
+
+/** Shows all screens of a session, one after the other, on one page. */
+public final class StudyPreviewPage {
+  private static final String STYLE =
+      """
+      body{font:11pt/1.4 sans-serif;margin:1.5cm;color:#222;max-width:62em}
+      .banner{background:#a00000;color:#fff;padding:.3em 1em;font-weight:bold}
+      .screen{border:1px solid #999;padding:1em;margin:1em 0;background:#fafafa}
+      .screen.dark{background:#000;color:#fff;text-align:center}
+      .note{color:#555;font-size:9pt}
+      .option{display:inline-block;border:1px solid #888;border-radius:4px;padding:1px 9px;margin:2px}
+      .line{display:inline-block;border:1px solid #888;background:#fff;width:20em;height:1.4em}
+      figure{display:inline-block;margin:.5em}figcaption{font-size:9pt;max-width:480px}
+      img{max-width:100%}
+      """;
+
+  private final LoadedStudy material;
+  private final boolean drawn;
+  private final List<StudyView> views;
+  private final Consumer<String> message;
+  private final StringBuilder html = new StringBuilder();
+  private int pictures;
+
+  private StudyPreviewPage(LoadedStudy material, boolean drawn, Consumer<String> message) {
+    this.material = material;
+    this.drawn = drawn;
+    this.message = message;
+    views = StudyView.of(material.study());
+  }
+
+  /**
+   * Returns the page.
+   *
+   * @param drawn whether scenes are drawn, for which OpenGL is needed
+   * @param message receives a sentence for each scene that cannot be drawn
+   * @throws IOException if a picture of a questionnaire cannot be read
+   */
+  public static String html(LoadedStudy material, boolean drawn, Consumer<String> message)
+      throws IOException {
+    StudyPreviewPage page = new StudyPreviewPage(material, drawn, message);
+    for (SessionStep step : material.steps()) {
+      page.step(step);
+    }
+    String title = MarkupEscaper.attribute("Preview of " + material.study().name());
+    return "<!DOCTYPE html>\n<html lang=\"%s\">\n<head><meta charset=\"utf-8\"><title>%s</title>\n<style>\n%s</style></head>\n<body>\n<p class=\"banner\">PREVIEW</p>\n<h1>%s</h1>\n%s</body>\n</html>\n"
+        .formatted(
+            MarkupEscaper.attribute(material.wording().language()), title, STYLE, title, page.html);
+  }
+
+  private void step(SessionStep step) throws IOException {
+    html.append("<h2>").append(MarkupEscaper.attribute(step.id())).append("</h2>\n");
+    if (step instanceof SessionStep.Block block) {
+      StudyGroup first = material.study().design().groups().get(0);
+      Optional<Trial> trial =
+          new TrialSequencer(block.block(), first, material.study().seed())
+              .trials(0, 1)
+              .flatMap(trials -> trials.stream().findFirst());
+      note("a trial of the block, with the first stimulus of the first participant");
+      if (trial.isPresent()) {
+        for (TrialPhase phase : trial.get().phases()) {
+          phase(phase);
+        }
+      }
+      scenes(block.block().name());
+    } else if (step instanceof SessionStep.Exposure exposure) {
+      note(String.format(Locale.ROOT, "%.1f s, fades not counted", exposure.area().seconds()));
+      scenes(exposure.area().name());
+    } else if (step instanceof SessionStep.Practice) {
+      note("until the experimenter continues");
+      scenes("practice");
+    } else {
+      questionnaire(material.questionnaire(step, "001"));
+    }
+  }
+
+  private void note(String text) {
+    html.append("<p class=\"note\">").append(MarkupEscaper.attribute(text)).append("</p>\n");
+  }
+
+  private void dark(String text) {
+    html.append("<div class=\"screen dark\">")
+        .append(MarkupEscaper.attribute(text).replace("\n", "<br>"))
+        .append("</div>\n");
+  }
+
+  private void phase(TrialPhase phase) throws IOException {
+    if (phase instanceof TrialPhase.Instruction instruction) {
+      note("instruction, until the participant goes on");
+      dark(instruction.text());
+    } else if (phase instanceof TrialPhase.Fixation fixation) {
+      note("fixation, %s s".formatted(fixation.seconds()));
+      dark("+");
+    } else if (phase instanceof TrialPhase.Blank blank) {
+      note("blank, " + time(blank.seconds().isPresent(), blank.seconds().orElse(0)));
+      dark(" ");
+    } else if (phase instanceof TrialPhase.Exposure exposure) {
+      note(
+          "exposure, "
+              + time(exposure.seconds().isPresent(), exposure.seconds().orElse(0))
+              + (exposure.response().keys().isEmpty()
+                  ? ""
+                  : ", keys " + String.join(", ", exposure.response().keys()))
+              + "; the pictures follow below");
+    } else if (phase instanceof TrialPhase.Feedback feedback) {
+      note("feedback, %s s: correct, wrong, no response".formatted(feedback.seconds()));
+      dark(feedback.correct() + "\n" + feedback.wrong() + "\n" + feedback.missing());
+    } else if (phase instanceof TrialPhase.Questions questions) {
+      Optional<Questionnaire> asked = material.inTrials(questions.questionnaire());
+      if (asked.isPresent()) {
+        questionnaire(asked.get());
+      }
+    } else if (phase instanceof TrialPhase.Repeat repeat) {
+      note("repeated until there is a response, at most %d times:".formatted(repeat.most()));
+      for (TrialPhase each : repeat.phases()) {
+        phase(each);
+      }
+    }
+  }
+
+  private static String time(boolean known, double seconds) {
+    return known ? seconds + " s" : "as long as the level, the area or a response says";
+  }
+
+  private void scenes(String step) {
+    for (StudyView view : views) {
+      if (!view.step().equals(step)) {
+        continue;
+      }
+      if (pictures == StudyCheck.MOST_VIEWS) {
+        note("the first %d scenes are drawn; more follow".formatted(pictures));
+        pictures++;
+      }
+      if (pictures > StudyCheck.MOST_VIEWS) {
+        continue;
+      }
+      pictures++;
+      html.append("<figure>");
+      if (drawn) {
+        try {
+          picture("png", ScenePicture.png(view, material.study()));
+        } catch (IOException e) {
+          message.accept("%s cannot be drawn: %s".formatted(view.title(), e.getMessage()));
+        }
+      }
+      html.append("<figcaption>")
+          .append(MarkupEscaper.attribute(view.title()))
+          .append("</figcaption></figure>\n");
+    }
+  }
+
+  private void picture(String kind, byte[] bytes) {
+    html.append("<img alt=\"\" src=\"data:image/")
+        .append(kind)
+        .append(";base64,")
+        .append(Base64.getEncoder().encodeToString(bytes))
+        .append("\">");
+  }
+
+  private void questionnaire(Questionnaire questionnaire) throws IOException {
+    for (QuestionnairePage page : questionnaire.pages()) {
+      page.when()
+          .ifPresent(
+              when ->
+                  note(
+                      "only if %s is %s".formatted(when.question(), String.join(", ", when.is()))));
+      html.append("<div class=\"screen\">\n");
+      if (!page.title().isEmpty()) {
+        html.append("<h3>").append(MarkupEscaper.attribute(page.title())).append("</h3>\n");
+      }
+      page.text()
+          .lines()
+          .filter(line -> !line.isBlank())
+          .forEach(
+              line -> html.append("<p>").append(MarkupEscaper.attribute(line)).append("</p>\n"));
+      if (page.picture().isPresent()) {
+        Path file = page.picture().get();
+        boolean png = file.toString().toLowerCase(Locale.ROOT).endsWith("png");
+        picture(png ? "png" : "jpeg", InputFileReader.bytes(file));
+      }
+      page.questions().forEach(this::question);
+      html.append("</div>\n");
+    }
+  }
+
+  private void question(Question question) {
+    html.append("<p>").append(MarkupEscaper.attribute(question.text()));
+    question
+        .when()
+        .ifPresent(
+            when ->
+                html.append(" <span class=\"note\">")
+                    .append(
+                        MarkupEscaper.attribute(
+                            "only if %s is %s"
+                                .formatted(when.question(), String.join(", ", when.is()))))
+                    .append("</span>"));
+    html.append("<br>\n");
+    for (AnswerField field : question.kind().fields(material.wording())) {
+      html.append(
+          field instanceof AnswerField.Choice choice
+              ? choice(choice)
+              : "<span class=\"line\"></span> ");
+    }
+    html.append("</p>\n");
+  }
+
+  private static String choice(AnswerField.Choice choice) {
+    return MarkupEscaper.attribute(choice.least())
+        + choice.options().stream()
+            .map(ChoiceOption::label)
+            .map(label -> "<span class=\"option\">" + MarkupEscaper.attribute(label) + "</span>")
+            .collect(Collectors.joining())
+        + MarkupEscaper.attribute(choice.most())
+        + " ";
+  }
+}
