@@ -98,7 +98,8 @@ public final class SessionRunner {
         }
       }
       if (controls.aborted()) {
-        session.abort(step.id());
+        // Several steps may have been shown since this one.
+        session.abort();
         return Outcome.ABORTED;
       }
     }
