@@ -42,6 +42,7 @@ public final class HeadTrackingSession implements AutoCloseable {
   private final TrackerRecorder tap;
   private final LatencyHistogram latency = new LatencyHistogram();
   private final TrackerSilenceMeter silence = new TrackerSilenceMeter();
+  private final PoseSample newest = new PoseSample();
   private @Nullable HeadSampleListener listener;
   private @Nullable HeadTrackedMotion motion;
   private @Nullable HeadLogRecorder recorder;
@@ -207,10 +208,24 @@ public final class HeadTrackingSession implements AutoCloseable {
     unlogged = frame;
     Supplier<Optional<Vector3d>> told = eyes;
     looked = told == null ? Optional.empty() : told.get();
-    HeadTrackedMotion tracked = motion;
-    if (tracked != null) {
-      silence.frame(frame.time(), tracked.fresh());
+    if (motion != null) {
+      // Of several frames that are stepped at once after a slow picture only one is fresh: the
+      // scene's time between them is not a silence.
+      double now = replay != null ? frame.time() : (frame.nanos() - frame.paused()) * 1e-9;
+      silence.frame(now, heard(frame));
     }
+  }
+
+  /**
+   * Returns whether a record has come since the last frame. The tracker itself is asked, because a
+   * run may leave out the motion that reads it: a simulated participant turns the view.
+   */
+  private boolean heard(FrameTimestamp frame) {
+    if (replay != null && tracker instanceof FrameSteppedReplay stepped) {
+      stepped.advanceTo(replay.time(0) + frame.time());
+    }
+    long before = newest.number();
+    return tracker.read(newest) && newest.number() != before;
   }
 
   /** Returns the longest time that the run went on without a tracker sample, in seconds. */

@@ -11,7 +11,7 @@ final class TrackerSilenceMeter {
   /**
    * Reports that a frame was stepped.
    *
-   * @param time time of the run in seconds
+   * @param time time of the run in seconds, pauses not counted
    * @param fresh whether the frame used a sample that no earlier frame had used
    */
   void frame(double time, boolean fresh) {

@@ -37,7 +37,7 @@ final class RunWindowFactory {
   private RunWindowFactory(DisplaySettings settings, Path scene, Consumer<String> message) {
     this.settings = settings;
     this.message = message;
-    title = scene.getFileName() + " - Selective Renderer";
+    title = settings.title().orElseGet(() -> scene.getFileName() + " - Selective Renderer");
     samples = settings.samples().orElseGet(AntiAliasing::forMotion);
   }
 

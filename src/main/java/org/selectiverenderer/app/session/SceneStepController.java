@@ -84,11 +84,7 @@ final class SceneStepController implements RunController {
   @Override
   public void heard(NavigationCommand command) {
     if (command == NavigationCommand.RESET_HEADING) {
-      session
-          .journal()
-          .tell(
-              "heading-reset",
-              Map.of("step", step.id(), "mono", DecimalRounding.to(6, System.nanoTime() * 1e-9)));
+      session.journal().tell("heading-reset", Map.of("step", step.id()));
     }
   }
 

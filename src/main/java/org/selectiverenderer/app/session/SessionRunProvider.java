@@ -20,7 +20,6 @@ import org.selectiverenderer.app.settings.DisplaySettings;
 import org.selectiverenderer.app.settings.HeadLogSettings;
 import org.selectiverenderer.app.settings.MotionSettings;
 import org.selectiverenderer.app.settings.RunSettings;
-import org.selectiverenderer.base.decimal.DecimalRounding;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.control.SelectiveController;
 import org.selectiverenderer.formats.json.JsonTree;
@@ -278,7 +277,9 @@ final class SessionRunProvider implements RunSequence.Runs {
             DisplaySettings.of(presentation)
                 .filling(width, height)
                 .operator(show.operator())
-                .operatorOn(show.stage().monitor()))
+                .operatorOn(show.stage().monitor())
+                // The scene's name may tell what a participant must not know.
+                .titled(Optional.of(session.material().wording().of("form.title"))))
         .with(show.tracker(session.tracker()), log);
   }
 
@@ -316,9 +317,7 @@ final class SessionRunProvider implements RunSequence.Runs {
                     "what",
                     news.kind().name().toLowerCase(Locale.ROOT),
                     "text",
-                    news.text(),
-                    "mono",
-                    DecimalRounding.to(6, System.nanoTime() * 1e-9)));
+                    news.text()));
         quality.check(step, news);
         show.listener().headset(news);
       }

@@ -100,8 +100,8 @@ public final class SessionRunner {
         }
       }
       if (controls.aborted()) {
-        // Several steps may have been shown since this one began.
-        session.abort(session.remaining().stream().findFirst().orElse(step).id());
+        // Several steps may have been shown since this one.
+        session.abort();
         return Outcome.ABORTED;
       }
     }

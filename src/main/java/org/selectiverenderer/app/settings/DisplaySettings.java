@@ -23,6 +23,7 @@ import org.selectiverenderer.render.window.Monitor;
  * @param operator whether the operator of a session has a window
  * @param operatorMonitor monitor of the operator's window; empty for one that no eye uses
  * @param saved whether the last picture is written to a file
+ * @param title of the windows; empty for the name of the scene's file
  */
 public record DisplaySettings(
     DisplayConfiguration presentation,
@@ -33,7 +34,8 @@ public record DisplaySettings(
     RenderOptions style,
     boolean operator,
     Optional<Monitor> operatorMonitor,
-    boolean saved) {
+    boolean saved,
+    Optional<String> title) {
   /** A window on a desktop monitor. */
   public static final DisplaySettings WINDOW =
       of(
@@ -53,7 +55,8 @@ public record DisplaySettings(
         RenderOptions.of(ShadingMode.AUTO),
         false,
         Optional.empty(),
-        false);
+        false,
+        Optional.empty());
   }
 
   /** Returns these settings with a size chosen by the user. */
@@ -67,19 +70,29 @@ public record DisplaySettings(
         style,
         operator,
         operatorMonitor,
-        saved);
+        saved,
+        title);
   }
 
   /** Returns these settings with another number of samples per pixel. */
   public DisplaySettings samples(OptionalInt wanted) {
     return new DisplaySettings(
-        presentation, width, height, sized, wanted, style, operator, operatorMonitor, saved);
+        presentation, width, height, sized, wanted, style, operator, operatorMonitor, saved, title);
   }
 
   /** Returns these settings for a run whose last picture is written to a file, or is not. */
   public DisplaySettings saved(boolean wanted) {
     return new DisplaySettings(
-        presentation, width, height, sized, samples, style, operator, operatorMonitor, wanted);
+        presentation,
+        width,
+        height,
+        sized,
+        samples,
+        style,
+        operator,
+        operatorMonitor,
+        wanted,
+        title);
   }
 
   /**
@@ -100,19 +113,43 @@ public record DisplaySettings(
   /** Returns these settings with another drawing style. */
   public DisplaySettings style(RenderOptions wanted) {
     return new DisplaySettings(
-        presentation, width, height, sized, samples, wanted, operator, operatorMonitor, saved);
+        presentation,
+        width,
+        height,
+        sized,
+        samples,
+        wanted,
+        operator,
+        operatorMonitor,
+        saved,
+        title);
   }
 
   /** Returns these settings with or without a window for the operator. */
   public DisplaySettings operator(boolean wanted) {
     return new DisplaySettings(
-        presentation, width, height, sized, samples, style, wanted, operatorMonitor, saved);
+        presentation, width, height, sized, samples, style, wanted, operatorMonitor, saved, title);
   }
 
   /** Returns these settings with the operator's window on a given monitor. */
   public DisplaySettings operatorOn(Optional<Monitor> wanted) {
     return new DisplaySettings(
-        presentation, width, height, sized, samples, style, operator, wanted, saved);
+        presentation, width, height, sized, samples, style, operator, wanted, saved, title);
+  }
+
+  /** Returns these settings with a title of the windows, which must not tell the scene's name. */
+  public DisplaySettings titled(Optional<String> wanted) {
+    return new DisplaySettings(
+        presentation,
+        width,
+        height,
+        sized,
+        samples,
+        style,
+        operator,
+        operatorMonitor,
+        saved,
+        wanted);
   }
 
   /** Returns these settings with the real size of a monitor. */
@@ -126,7 +163,8 @@ public record DisplaySettings(
         style,
         operator,
         operatorMonitor,
-        saved);
+        saved,
+        title);
   }
 
   /** Returns these settings with another presentation; a size chosen by the user stays. */
@@ -137,7 +175,8 @@ public record DisplaySettings(
             .style(style)
             .operator(operator)
             .operatorOn(operatorMonitor)
-            .saved(saved);
+            .saved(saved)
+            .titled(title);
     return sized ? suited.sized(width, height) : suited;
   }
 }

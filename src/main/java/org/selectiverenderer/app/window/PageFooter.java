@@ -74,7 +74,7 @@ final class PageFooter {
    * @param at number of the page, from 0
    * @param pages number of pages after the answers so far
    * @param open number of questions of the page that still need an answer
-   * @param asked number of questions on the page
+   * @param asked number of questions on the page that need an answer
    * @param refused whether an answer refuses consent
    * @param keys explanation of the keys; empty for a page to be read
    * @param begins whether the session begins after the last page

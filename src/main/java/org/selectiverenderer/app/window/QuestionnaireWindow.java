@@ -198,7 +198,7 @@ public final class QuestionnaireWindow {
         course.number(),
         course.pages().size(),
         course.open(),
-        course.asked().size(),
+        course.needed(),
         course.refuses(),
         course.page().questions().isEmpty() ? "" : hint(),
         asking.mayRefuse());

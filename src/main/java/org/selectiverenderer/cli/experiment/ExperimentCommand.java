@@ -30,7 +30,6 @@ public final class ExperimentCommand extends CliCommand {
         new ExperimentPreviewCommand(console()),
         new ExperimentRunCommand(console()),
         new ExperimentStatusCommand(console()),
-        new ExperimentPlanCommand(console()),
         new ExperimentCollectCommand(console()),
         new ExperimentBidsCommand(console()),
         new ExperimentExportCommand(console()),

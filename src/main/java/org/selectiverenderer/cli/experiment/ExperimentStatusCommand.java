@@ -12,10 +12,13 @@ import org.selectiverenderer.study.session.LoadedStudy;
 import org.selectiverenderer.study.session.StudyStatus;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
 
 @Command(
     name = "status",
-    description = "Shows who is done, how full the groups are, and what is missing.",
+    description =
+        "Shows who is done, how full the groups are, and what is missing; of a blind study no"
+            + " conditions.",
     footer = "  ./selective-renderer experiment status mystudy")
 final class ExperimentStatusCommand extends CliCommand {
   @Mixin private StudyArgument study = new StudyArgument();
@@ -23,6 +26,11 @@ final class ExperimentStatusCommand extends CliCommand {
   @Mixin private TrustOption trust = new TrustOption();
 
   @Mixin private FormatOption format = new FormatOption();
+
+  @Option(
+      names = "--show-condition",
+      description = "shows conditions and the sizes of the groups, even if the study is blind")
+  private boolean showCondition;
 
   ExperimentStatusCommand(Console console) {
     super(console);
@@ -35,7 +43,9 @@ final class ExperimentStatusCommand extends CliCommand {
     if (material.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
-    StudyStatus status = StudyStatus.of(material.get(), problems);
+    StudyStatus known = StudyStatus.of(material.get(), problems);
+    boolean blind = material.get().study().course().blind() && !showCondition;
+    StudyStatus status = blind ? known.blinded() : known;
     console().out().print(format.json() ? status.json() : status.text());
     return ExitStatus.of(problems);
   }

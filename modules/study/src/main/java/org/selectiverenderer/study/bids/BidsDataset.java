@@ -60,7 +60,8 @@ public record BidsDataset(int sessions, int files) {
       people.computeIfAbsent(session.folder().participant(), id -> new ArrayList<>()).add(session);
     }
     for (Map.Entry<String, List<RecordedSession>> person : people.entrySet()) {
-      BidsParticipantFiles.sessions(person.getKey(), person.getValue(), files);
+      BidsParticipantFiles.sessions(
+          person.getKey(), person.getValue(), study.study().fade(), files);
       for (RecordedSession session : person.getValue()) {
         new BidsSessionFiles(study.material(), session, origin, files, problems).add();
       }

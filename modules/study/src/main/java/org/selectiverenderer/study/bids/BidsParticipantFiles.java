@@ -1,5 +1,6 @@
 package org.selectiverenderer.study.bids;
 
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -7,6 +8,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.study.dataset.DataTable;
 import org.selectiverenderer.study.dataset.ParticipantsTable;
 import org.selectiverenderer.study.dataset.RecordedSession;
@@ -48,7 +50,8 @@ final class BidsParticipantFiles {
     ParticipantsTable people = study.participants();
     List<TableColumn> columns = new ArrayList<>();
     for (String name : people.columns()) {
-      columns.add(renamed(ParticipantsTable.column(name), values(people, name)));
+      columns.add(
+          renamed(ParticipantsTable.column(name, study.material().form()), values(people, name)));
     }
     DataTable table = new DataTable("participants", "", columns);
     Set<String> known = new LinkedHashSet<>();
@@ -89,7 +92,9 @@ final class BidsParticipantFiles {
     return new TableColumn(name, column.type(), column.unit(), column.levels(), column.meaning());
   }
 
-  static void sessions(String participant, List<RecordedSession> sessions, BidsFileSet files) {
+  static void sessions(
+      String participant, List<RecordedSession> sessions, double fade, BidsFileSet files)
+      throws IOException {
     // The id is in the file's name, and BIDS wants session_id first.
     List<TableColumn> columns = new ArrayList<>(SessionsTable.columns());
     Map<String, String> names = new LinkedHashMap<>();
@@ -106,7 +111,7 @@ final class BidsParticipantFiles {
                 column.meaning()));
     DataTable table = new DataTable("sessions", "", columns);
     for (RecordedSession session : sessions) {
-      List<Object> row = new ArrayList<>(SessionsTable.row(session));
+      List<@Nullable Object> row = new ArrayList<>(SessionsTable.row(session, fade));
       row.remove(0);
       row.set(0, session.folder().path().getFileName());
       row.set(1, BidsSessionFiles.time(session.began()));

@@ -13,6 +13,8 @@ import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.formats.csv.CsvColumnSpec;
 import org.selectiverenderer.formats.csv.CsvErrorHandler;
 import org.selectiverenderer.formats.csv.CsvTable;
+import org.selectiverenderer.study.questionnaire.Question;
+import org.selectiverenderer.study.questionnaire.Questionnaire;
 
 /**
  * The contents of a study's {@code participants.tsv}. The program documents its own columns; any
@@ -69,12 +71,39 @@ public record ParticipantsTable(List<String> columns, List<Map<String, String>> 
     return new ParticipantsTable(columns, rows);
   }
 
-  /** Returns the documentation of a column. */
-  public static TableColumn column(String name) {
+  /**
+   * Returns the documentation of a column.
+   *
+   * @param form the study's form, whose questions the columns answer
+   */
+  public static TableColumn column(String name, Questionnaire form) {
+    if (name.equals("age")) {
+      return age(form);
+    }
     TableColumn known = KNOWN.get(name);
     return known != null
         ? known
         : TableColumn.text(name, "the answer to the form's question " + name.replace('_', ' '));
+  }
+
+  /** Returns the documentation of the age, which each study asks in its own way. */
+  private static TableColumn age(Questionnaire form) {
+    Optional<Question> asked =
+        form.questions().stream()
+            .filter(question -> question.sets().equals(Optional.of(Question.Sets.AGE)))
+            .findFirst();
+    if (asked.isEmpty()) {
+      return TableColumn.text("age", "the participant's age; the form does not ask it");
+    }
+    String question = asked.get().text().isEmpty() ? asked.get().id() : asked.get().text();
+    return asked.get().kind().numbers().isPresent()
+        ? TableColumn.number(
+            "age",
+            "year",
+            "age, a number as the participant wrote it, the answer to the form's question: "
+                + question)
+        : TableColumn.text(
+            "age", "age, as the participant answered the form's question: " + question);
   }
 
   private static Map<String, TableColumn> known() {
@@ -93,20 +122,23 @@ public record ParticipantsTable(List<String> columns, List<Map<String, String>> 
             TableColumn.category("assigned_by", assigned, "who assigned the condition"),
             ConditionColumnFactory.column(
                 "instead_of", "the condition of the schedule that was replaced"),
-            TableColumn.text("age", "age band, as the participant chose it in the form"),
             TableColumn.category("simulated", simulated, "who took part"))) {
       known.put(column.name(), column);
     }
     return known;
   }
 
-  /** Returns the table as it is in the study's folder. */
-  public DataTable table() {
+  /**
+   * Returns the table as it is in the study's folder.
+   *
+   * @param form the study's form
+   */
+  public DataTable table(Questionnaire form) {
     DataTable table =
         new DataTable(
             "participants",
             "a participant who was assigned a condition",
-            columns.stream().map(ParticipantsTable::column).toList());
+            columns.stream().map(name -> column(name, form)).toList());
     rows.forEach(row -> table.add(columns.stream().map(row::get).toList()));
     return table;
   }

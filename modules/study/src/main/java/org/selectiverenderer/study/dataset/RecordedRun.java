@@ -8,7 +8,7 @@ import java.time.Duration;
 import java.time.OffsetDateTime;
 import java.util.List;
 import java.util.Optional;
-import org.jspecify.annotations.Nullable;
+import java.util.OptionalDouble;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.study.headlog.HeadLog;
 import org.selectiverenderer.study.headlog.HeadLogReader;
@@ -59,16 +59,34 @@ public record RecordedRun(
         .findFirst();
   }
 
-  /** Returns for how long the experimenter had the run paused, in seconds of wall-clock time. */
+  /**
+   * Returns the head log with the limits of the time in view, as the codebook defines it: from when
+   * the picture has faded in completely until it begins to fade out. A run that something cut off
+   * is in view to the end of its log; one that was cut off before its picture was complete never
+   * was.
+   *
+   * @param fade seconds of the picture's fade-out
+   */
+  public HeadLog inView(HeadLog log, double fade) {
+    double begin = shown().orElse(finished ? Double.NEGATIVE_INFINITY : Double.POSITIVE_INFINITY);
+    return log.inView(begin, finished ? end(log) - fade : Double.POSITIVE_INFINITY);
+  }
+
+  /** Returns the time of a log's last sample. */
+  static double end(HeadLog log) {
+    return log.samples().get(log.samples().size() - 1).t();
+  }
+
+  /** Returns for how long the experimenter had the run paused, in seconds. */
   public double paused() {
     double seconds = 0;
-    @Nullable OffsetDateTime since = null;
+    double since = Double.NaN;
     for (JournalEvent line : events) {
-      if (line.event().equals("paused") && since == null) {
-        since = line.time();
-      } else if (line.event().equals("continued") && since != null) {
-        seconds += seconds(since, line.time());
-        since = null;
+      if (line.event().equals("paused") && Double.isNaN(since)) {
+        since = line.seconds();
+      } else if (line.event().equals("continued") && !Double.isNaN(since)) {
+        seconds += line.seconds() - since;
+        since = Double.NaN;
       }
     }
     return seconds;
@@ -81,17 +99,42 @@ public record RecordedRun(
    */
   public Optional<OffsetDateTime> started(Optional<HeadLog> log) {
     for (JournalEvent line : events) {
-      double t =
-          switch (line.event()) {
-            case "shown" -> line.members().path("t").asDouble();
-            case "scene" -> line.members().path("what").path("t").asDouble();
-            default -> Double.NaN;
-          };
+      double t = runTime(line);
       if (!Double.isNaN(t)) {
         return Optional.of(line.time().minusNanos(Math.round(t * 1e9)));
       }
     }
     return log.flatMap(read -> time(read.description().started()));
+  }
+
+  /**
+   * Returns the beginning of the run in {@link JournalEvent#seconds}; empty if nothing was logged.
+   *
+   * @param log the head log of this run
+   */
+  public OptionalDouble beganAt(Optional<HeadLog> log) {
+    for (JournalEvent line : events) {
+      double t = runTime(line);
+      if (!Double.isNaN(t)) {
+        return OptionalDouble.of(line.seconds() - t);
+      }
+    }
+    JournalEvent first = events.get(0);
+    return started(log)
+        .map(
+            wall ->
+                OptionalDouble.of(
+                    first.seconds() + Duration.between(first.time(), wall).toNanos() * 1e-9))
+        .orElseGet(OptionalDouble::empty);
+  }
+
+  /** Returns the time of the run that an event has; NaN if it has none. */
+  private static double runTime(JournalEvent line) {
+    return switch (line.event()) {
+      case "shown" -> line.members().path("t").asDouble();
+      case "scene" -> line.members().path("what").path("t").asDouble();
+      default -> Double.NaN;
+    };
   }
 
   private static Optional<OffsetDateTime> time(String text) {
@@ -100,9 +143,5 @@ public record RecordedRun(
     } catch (DateTimeException e) {
       return Optional.empty();
     }
-  }
-
-  static double seconds(OffsetDateTime from, OffsetDateTime to) {
-    return Duration.between(from, to).toNanos() * 1e-9;
   }
 }

@@ -7,15 +7,20 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.study.definition.SessionFlag;
+import org.selectiverenderer.study.headlog.HeadLog;
+import org.selectiverenderer.study.headlog.HeadLogAnalysis;
 import org.selectiverenderer.study.questionnaire.TimedAnswer;
 import org.selectiverenderer.study.session.SessionFolder;
 import org.selectiverenderer.study.session.SessionHistory;
 
 /** A session as recorded by its journal. */
 public final class RecordedSession {
+  private static final String PRACTICE = "practice";
+
   private final SessionFolder folder;
   private final List<JournalEvent> events;
   private final List<RecordedRun> runs;
@@ -106,9 +111,32 @@ public final class RecordedSession {
     return events.get(0).time();
   }
 
-  /** Returns the time of the last event. */
-  public OffsetDateTime ended() {
-    return events.get(events.size() - 1).time();
+  /** Returns the seconds from the first event to the last ({@link JournalEvent#seconds}). */
+  public double duration() {
+    return events.get(events.size() - 1).seconds();
+  }
+
+  /**
+   * Returns how long exposures were in view in all runs but those of the practice, in seconds;
+   * empty if a head log is missing.
+   *
+   * @param fade seconds of the picture's fade-out
+   * @throws IOException if a head log cannot be read
+   */
+  OptionalDouble inView(double fade) throws IOException {
+    double seconds = 0;
+    for (RecordedRun run : runs) {
+      if (run.step().equals(PRACTICE)) {
+        continue;
+      }
+      // The tables of runs report the log's faults.
+      Optional<HeadLog> log = run.head(new ProblemCollector());
+      if (log.isEmpty()) {
+        return OptionalDouble.empty();
+      }
+      seconds += HeadLogAnalysis.of(run.inView(log.get(), fade)).seconds();
+    }
+    return OptionalDouble.of(seconds);
   }
 
   /** Returns the condition; empty if none was assigned. */

@@ -1,13 +1,13 @@
 package org.selectiverenderer.study.dataset;
 
 import com.fasterxml.jackson.databind.JsonNode;
-import java.time.OffsetDateTime;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.decimal.DecimalRounding;
 import org.selectiverenderer.study.headlog.HeadLog;
@@ -34,9 +34,11 @@ public final class RunEventsTable {
   private final double fade;
   private final List<Event> events = new ArrayList<>();
 
-  private final Optional<OffsetDateTime> zero;
+  /** Begin of the run in {@link JournalEvent#seconds}. */
+  private final OptionalDouble zero;
+
   private final List<Pause> pauses = new ArrayList<>();
-  private @Nullable OffsetDateTime pausedAt;
+  private @Nullable JournalEvent pausedAt;
 
   /**
    * A pause, in which the time of the run stands still.
@@ -49,7 +51,7 @@ public final class RunEventsTable {
     this.run = run;
     this.log = log;
     this.fade = fade;
-    zero = run.started(log);
+    zero = run.beganAt(log);
   }
 
   /** Returns the columns of {@link #rows}. */
@@ -154,13 +156,12 @@ public final class RunEventsTable {
    * them.
    */
   private void pause(JournalEvent line) {
-    OffsetDateTime since = pausedAt;
+    JournalEvent since = pausedAt;
     if (line.event().equals("paused") && since == null) {
-      pausedAt = line.time();
+      pausedAt = line;
     } else if (line.event().equals("continued") && since != null && zero.isPresent()) {
       Pause pause =
-          new Pause(
-              RecordedRun.seconds(zero.get(), since), RecordedRun.seconds(since, line.time()));
+          new Pause(since.seconds() - zero.getAsDouble(), line.seconds() - since.seconds());
       double t = run(pause.from());
       pauses.add(pause);
       events.add(
@@ -170,7 +171,7 @@ public final class RunEventsTable {
               "pause",
               cells(),
               t,
-              since.toString()));
+              since.time().toString()));
       pausedAt = null;
     }
   }
@@ -195,11 +196,7 @@ public final class RunEventsTable {
 
   /** Returns when the exposure ends: when the picture begins to fade out. */
   private double exposureEnd() {
-    return run.finished() && log.isPresent() ? last(log.get()) - fade : Double.NaN;
-  }
-
-  private static double last(HeadLog log) {
-    return log.samples().get(log.samples().size() - 1).t();
+    return run.finished() && log.isPresent() ? RecordedRun.end(log.get()) - fade : Double.NaN;
   }
 
   private double first() {
@@ -216,13 +213,13 @@ public final class RunEventsTable {
         return later.path("t").asDouble();
       }
     }
-    return log.map(RunEventsTable::last).orElse(Double.NaN);
+    return log.map(RecordedRun::end).orElse(Double.NaN);
   }
 
-  /** Adds an event of which the journal has the wall-clock time only. */
+  /** Adds an event of which the journal has the time of the session only. */
   private void moment(JournalEvent line, String type, List<@Nullable Object> cells) {
     if (zero.isPresent()) {
-      double real = Math.max(0, RecordedRun.seconds(zero.get(), line.time()));
+      double real = Math.max(0, line.seconds() - zero.getAsDouble());
       events.add(new Event(real - first(), 0, type, cells, run(real), line.time().toString()));
     }
   }

@@ -1,8 +1,12 @@
 package org.selectiverenderer.study.dataset;
 
+import java.io.IOException;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalDouble;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.decimal.DecimalRounding;
 
 /** The {@code sessions} table, with a row for each session. */
@@ -20,7 +24,15 @@ public final class SessionsTable {
         TableColumn.text("participant", "the participant's id"),
         TableColumn.whole("session", "number of the participant's session, from 1"),
         TableColumn.time("began", "when it began"),
-        TableColumn.number("duration", "s", "from the first event to the last, breaks included"),
+        TableColumn.number(
+            "duration",
+            "s",
+            "from the first event to the last, breaks included, by the monotonic clock; a break"
+                + " between two runs of the program by the clock on the wall"),
+        TableColumn.number(
+            "in_view",
+            "s",
+            "time in view of all exposures, the practice left out: see in_view of exposures"),
         ConditionColumnFactory.column("how objects were rendered"),
         TableColumn.category("outcome", outcomes, "how it ended"),
         TableColumn.yesNo(
@@ -29,13 +41,21 @@ public final class SessionsTable {
         TableColumn.text("software", "the program that ran it"));
   }
 
-  /** Returns the cells of one session. */
-  public static List<Object> row(RecordedSession session) {
-    return List.of(
+  /**
+   * Returns the cells of one session.
+   *
+   * @param fade seconds in which pictures fade out
+   * @throws IOException if a head log cannot be read
+   */
+  public static List<@Nullable Object> row(RecordedSession session, double fade)
+      throws IOException {
+    OptionalDouble seen = session.inView(fade);
+    return Arrays.asList(
         session.folder().participant(),
         session.folder().number(),
         session.began().toString(),
-        DecimalRounding.to(3, RecordedRun.seconds(session.began(), session.ended())),
+        DecimalRounding.to(3, session.duration()),
+        seen.isPresent() ? DecimalRounding.to(3, seen.getAsDouble()) : null,
         session.condition(),
         session.outcome(),
         session.simulated() ? "yes" : "no",

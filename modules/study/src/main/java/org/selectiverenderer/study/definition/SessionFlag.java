@@ -29,6 +29,8 @@ public enum SessionFlag {
   PRACTICE_FAILED("practice not passed"),
   /** The head log of a step lacks frames. */
   HEAD_LOG_INCOMPLETE("head log incomplete"),
+  /** The wall clock was set, or the computer slept, while the session ran. */
+  CLOCK_MOVED("wall clock moved"),
   /** Exposures were shortened for a test. */
   SHORTENED("exposure shortened"),
   /** A simulated participant took part. */

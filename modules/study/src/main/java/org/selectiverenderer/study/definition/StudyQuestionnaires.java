@@ -14,9 +14,11 @@ import org.selectiverenderer.study.questionnaire.ItemQuestionnaireKind;
  * @param form file of the form at the beginning: consent and questions about the person; empty for
  *     the built-in form, consent and age
  * @param list the other questionnaires, in the study's order
+ * @param itemAreas areas that tables of items may name besides those of the study and its scene
  */
-public record StudyQuestionnaires(Optional<Path> form, List<Source> list) {
+public record StudyQuestionnaires(Optional<Path> form, List<Source> list, List<String> itemAreas) {
   public StudyQuestionnaires {
+    itemAreas = List.copyOf(itemAreas);
     list = List.copyOf(list);
   }
 

@@ -13,7 +13,7 @@ import org.selectiverenderer.study.definition.StudyQuestionnaires.Source;
 import org.selectiverenderer.study.questionnaire.ItemQuestionnaireKind;
 import org.selectiverenderer.study.questionnaire.read.StandardScales;
 
-/** Reads the keys {@code form} and {@code questionnaires} of a study. */
+/** Reads the keys {@code form}, {@code questionnaires} and {@code item_areas} of a study. */
 final class StudyQuestionnairesReader {
   /** Pattern of names, which become ids of steps. */
   private static final String NAME = "[0-9A-Za-z][0-9A-Za-z_-]*";
@@ -32,7 +32,7 @@ final class StudyQuestionnairesReader {
   }
 
   /**
-   * Reads the two keys.
+   * Reads the keys.
    *
    * @param areas whether the study has areas
    * @param practice whether it has a practice
@@ -40,7 +40,8 @@ final class StudyQuestionnairesReader {
   StudyQuestionnaires read(JsonObjectReader keys, boolean areas, boolean practice) {
     return new StudyQuestionnaires(
         keys.text("form", false).map(name -> files.find(keys, "form", name)),
-        keys.objects("questionnaires", "a questionnaire", each -> source(each, areas, practice)));
+        keys.objects("questionnaires", "a questionnaire", each -> source(each, areas, practice)),
+        keys.texts("item_areas"));
   }
 
   private Source source(JsonObjectReader keys, boolean areas, boolean practice) {

@@ -83,14 +83,20 @@ final class RunTables {
                 "shown", "s", "when its picture was complete, in the head log's time"),
             TableColumn.number(
                 "recorded", "s", "from the first sample of the head log to the last"),
+            TableColumn.number(
+                "in_view",
+                "s",
+                "time in view: the net exposure, from when the picture is complete until it begins"
+                    + " to fade out, without pauses and without frames that nobody could see; dwell"
+                    + " times, idle and eyes_tracked count it only"),
             TableColumn.number("paused", "s", "time in which the experimenter had it paused"),
             TableColumn.whole("samples", "rows of the head log"),
             TableColumn.number(
-                "idle", "", "share of the time in which the head kept still, 0 to 1"),
+                "idle", "", "share of the time in view in which the head kept still, 0 to 1"),
             TableColumn.number(
                 "eyes_tracked",
                 "",
-                "share of the time with a picture in which the eye tracker saw the eyes, 0 to 1;"
+                "share of the time in view in which the eye tracker saw the eyes, 0 to 1;"
                     + " empty without one"),
             TableColumn.number("fps", "1/s", "frames per second, the mean"),
             TableColumn.number("frame_p50", "ms", "median of the times between frames"),
@@ -103,8 +109,14 @@ final class RunTables {
     return keys(
         List.of(
             TableColumn.text("object", "the object's DEF, as the head log has it"),
-            TableColumn.number("dwell", "s", "time in which it was in the middle of the view"),
-            TableColumn.whole("looks", "how often it came into the middle of the view"),
+            TableColumn.number(
+                "dwell",
+                "s",
+                "time in view in which it was in the middle of the view; each moment counts for one"
+                    + " object at most, so that the sum of all is at most in_view of exposures"),
+            TableColumn.whole(
+                "looks",
+                "how often it came into the middle of the view; what is gone for up to 0.15 s goes on"),
             TableColumn.number("first", "s", "when first, in the head log's time"),
             TableColumn.number("longest", "s", "the longest look")));
   }
@@ -113,8 +125,13 @@ final class RunTables {
     return keys(
         List.of(
             TableColumn.text("object", "the object's DEF, as the head log has it"),
-            TableColumn.number("dwell", "s", "time in which the eyes looked at it"),
-            TableColumn.whole("looks", "how often the eyes came to it"),
+            TableColumn.number(
+                "dwell",
+                "s",
+                "time in view in which the eyes looked at it; each moment counts for one object at"
+                    + " most"),
+            TableColumn.whole(
+                "looks", "how often the eyes came to it; what is gone for up to 0.15 s goes on"),
             TableColumn.number("first", "s", "when first, in the head log's time"),
             TableColumn.number("longest", "s", "the longest look"),
             TableColumn.whole(
@@ -131,7 +148,7 @@ final class RunTables {
 
   void add(RecordedRun run) throws IOException {
     Optional<HeadLog> log = run.head(problems);
-    Optional<HeadLogAnalysis> seen = log.map(HeadLogAnalysis::of);
+    Optional<HeadLogAnalysis> seen = log.map(read -> HeadLogAnalysis.of(run.inView(read, fade)));
     exposure(run, log, seen);
     seen.ifPresent(analysis -> gaze(run, analysis));
     for (List<@Nullable Object> event : RunEventsTable.rows(run, log, fade)) {
@@ -159,6 +176,7 @@ final class RunTables {
     row.add(run.started(log).map(Object::toString).orElse(null));
     row.add(run.shown().orElse(null));
     row.add(log.map(HeadLog::duration).orElse(null));
+    row.add(seen.map(all -> DecimalRounding.to(3, all.seconds())).orElse(null));
     row.add(DecimalRounding.to(3, run.paused()));
     row.add(log.map(read -> read.samples().size()).orElse(null));
     row.add(seen.map(HeadLogAnalysis::idle).orElse(null));

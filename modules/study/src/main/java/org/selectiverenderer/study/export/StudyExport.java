@@ -79,14 +79,14 @@ public record StudyExport(List<String> files) {
         new DataTable("sessions", "a session of a participant", SessionsTable.columns());
     RunTables runs = new RunTables(study.study().fade(), problems);
     for (RecordedSession session : study.sessions()) {
-      sessions.add(SessionsTable.row(session));
+      sessions.add(SessionsTable.row(session, study.study().fade()));
       for (RecordedRun run : session.runs()) {
         runs.add(run);
       }
     }
     AnswerTableParser asked = new AnswerTableParser(problems);
     List<DataTable> tables = new ArrayList<>();
-    tables.add(study.participants().table());
+    tables.add(study.participants().table(study.material().form()));
     tables.add(sessions);
     tables.addAll(runs.tables());
     tables.add(

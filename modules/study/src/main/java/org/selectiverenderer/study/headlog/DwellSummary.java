@@ -12,7 +12,8 @@ import java.util.stream.Collectors;
 
 /**
  * The dwells of a head log: on objects in the middle of the view (head), or under the gaze (eyes).
- * Only samples with a visible picture count.
+ * Only the time in view counts ({@link HeadLogAnalysis}), and each moment of it for at most one
+ * object, so that the dwell times of all objects add up to at most the time in view.
  *
  * @param all the dwells in order of time
  * @param objects totals of each object that was looked at, the longest first
@@ -24,7 +25,7 @@ public record DwellSummary(
 
   /**
    * Gap in seconds up to which a dwell continues, as when the line of sight crosses an edge or the
-   * leg of a chair.
+   * leg of a chair. Time of the gap counts for the object only where no other one was looked at.
    */
   static final double GAP = 0.15;
 
@@ -34,7 +35,7 @@ public record DwellSummary(
    * @param seconds total dwell time
    * @param looks number of dwells
    * @param first begin of the first dwell, in seconds since the session began
-   * @param longest duration of the longest dwell in seconds
+   * @param longest time on the object in the longest dwell, in seconds
    */
   public record ObjectView(
       String object, double seconds, int looks, double first, double longest) {}
@@ -81,24 +82,29 @@ public record DwellSummary(
       HeadLog log, Function<HeadSample, String> object, ToIntFunction<HeadSample> version) {
     List<Dwell> looks = new ArrayList<>();
     Map<String, Integer> last = new LinkedHashMap<>();
+    String latest = "";
     for (int i = 0; i < log.samples().size(); i++) {
       HeadSample sample = log.samples().get(i);
-      if (!sample.visible() || log.pauseBefore(i) > 0) {
+      if (!log.inView(i) || log.pauseBefore(i) > 0) {
         last.clear();
       }
       String name = object.apply(sample);
-      if (!sample.visible() || name.isEmpty()) {
+      if (!log.inView(i) || name.isEmpty()) {
         continue;
       }
-      double end = sample.t() + log.shown(i);
+      double start = log.start(i);
+      double seconds = log.shown(i);
       Integer at = last.get(name);
-      if (at != null && sample.t() - looks.get(at).end() <= GAP) {
+      if (at != null && start - looks.get(at).end() <= GAP) {
         Dwell before = looks.get(at);
-        looks.set(at, new Dwell(before.object(), before.start(), end, before.version()));
+        // A blink within the look is a part of it; another object's time is not.
+        double since = latest.equals(name) ? before.end() : start;
+        looks.set(at, before.until(start + seconds, start + seconds - since));
       } else {
         last.put(name, looks.size());
-        looks.add(new Dwell(name, sample.t(), end, version.applyAsInt(sample)));
+        looks.add(new Dwell(name, start, start + seconds, version.applyAsInt(sample), seconds));
       }
+      latest = name;
     }
     return looks;
   }
@@ -108,7 +114,7 @@ public record DwellSummary(
     for (Dwell look : looks) {
       views.merge(
           look.object(),
-          new ObjectView(look.object(), look.duration(), 1, look.start(), look.duration()),
+          new ObjectView(look.object(), look.seconds(), 1, look.start(), look.seconds()),
           (a, b) ->
               new ObjectView(
                   a.object(),

@@ -6,7 +6,7 @@ import java.util.Optional;
 /**
  * The analysis of a log's gaze data: tracking ratio, dwells and fixations.
  *
- * @param tracked share of the time with a visible picture in which the eyes were tracked, 0 to 1
+ * @param tracked share of the time in view in which the eyes were tracked, 0 to 1
  * @param looks the dwells of the gaze on objects
  * @param fixations all fixations in order of time
  */
@@ -21,7 +21,7 @@ public record EyeTrackingAnalysis(double tracked, DwellSummary looks, List<Fixat
     for (int i = 0; i < log.samples().size(); i++) {
       HeadSample sample = log.samples().get(i);
       EyeSample eyes = sample.eyes();
-      if (sample.visible()) {
+      if (log.inView(i)) {
         all += log.shown(i);
         tracked += eyes != null && eyes.tracked() ? log.shown(i) : 0;
       }

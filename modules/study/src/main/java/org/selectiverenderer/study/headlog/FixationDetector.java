@@ -36,26 +36,26 @@ final class FixationDetector {
     for (int i = 0; i < log.samples().size(); i++) {
       HeadSample sample = log.samples().get(i);
       EyeSample eyes = sample.eyes();
-      if (!sample.visible() || log.pauseBefore(i) > 0) {
+      if (!log.inView(i) || log.pauseBefore(i) > 0) {
         fixations.finish();
       }
-      if (sample.visible() && eyes != null && eyes.tracked()) {
-        fixations.add(sample, eyes, sample.t() + log.shown(i));
+      if (log.inView(i) && eyes != null && eyes.tracked()) {
+        fixations.add(sample, eyes, log.start(i), log.start(i) + log.shown(i));
       }
     }
     fixations.finish();
     return fixations.found;
   }
 
-  private void add(HeadSample sample, EyeSample eyes, double until) {
+  private void add(HeadSample sample, EyeSample eyes, double from, double until) {
     Vector3d direction = direction(sample, eyes);
     boolean rests =
         !counts.isEmpty()
-            && sample.t() - end <= DwellSummary.GAP
+            && from - end <= DwellSummary.GAP
             && sum.angle(direction) <= Math.toRadians(RADIUS);
     if (!rests) {
       finish();
-      start = sample.t();
+      start = from;
     }
     sum.add(direction);
     counts.merge(eyes.object(), 1, Integer::sum);

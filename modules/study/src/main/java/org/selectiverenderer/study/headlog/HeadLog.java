@@ -6,13 +6,47 @@ import java.util.List;
  * The contents of a head log.
  *
  * @param samples in order of time, at least one
+ * @param from begin of the time in view, in seconds of the samples' {@code t}
+ * @param to end of the time in view
  */
-public record HeadLog(HeadLogMetadata description, List<HeadSample> samples) {
+public record HeadLog(
+    HeadLogMetadata description, List<HeadSample> samples, double from, double to) {
   public HeadLog {
     samples = List.copyOf(samples);
     if (samples.isEmpty()) {
       throw new IllegalArgumentException("a head log has samples");
     }
+  }
+
+  /** Creates a log that is in view from its first sample to its last. */
+  public HeadLog(HeadLogMetadata description, List<HeadSample> samples) {
+    this(description, samples, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
+  }
+
+  /**
+   * Returns this log with limits of the time in view, as an exposure has: from when the picture is
+   * complete until it begins to fade out. {@link HeadLogAnalysis} counts the time in view only, of
+   * which pauses and frames without a visible picture are not a part.
+   */
+  public HeadLog inView(double begin, double end) {
+    return new HeadLog(description, samples, begin, end);
+  }
+
+  /** Returns whether a sample's frame was in view, if only for a part of its time. */
+  boolean inView(int sample) {
+    return samples.get(sample).visible()
+        && end(sample) >= from
+        && samples.get(sample).t() <= to
+        && (shown(sample) > 0 || frame(sample) <= 0);
+  }
+
+  /** Returns when a sample's frame came into view. */
+  double start(int sample) {
+    return Math.max(from, samples.get(sample).t());
+  }
+
+  private double end(int sample) {
+    return samples.get(sample).t() + frame(sample);
   }
 
   /** Returns the time from the first sample to the last, in seconds. */
@@ -39,10 +73,14 @@ public record HeadLog(HeadLogMetadata description, List<HeadSample> samples) {
   }
 
   /**
-   * Returns how long the frame of a sample was shown, in seconds: until the next one; the last
-   * frame counts as long as the one before.
+   * Returns how long the frame of a sample was shown in the time between {@link #from} and {@link
+   * #to}, in seconds: until the next one; the last frame counts as long as the one before.
    */
   double shown(int sample) {
+    return Math.max(0, Math.min(to, end(sample)) - start(sample));
+  }
+
+  private double frame(int sample) {
     if (samples.size() < 2) {
       return 0;
     }

@@ -4,10 +4,11 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The analysis of a head log. Only samples with a visible picture count: nobody looks at an object
- * in the middle of a black view.
+ * The analysis of a head log. Only the time in view counts: nobody looks at an object in the middle
+ * of a black view. It is the time with a visible picture, pauses left out, within the limits of the
+ * log ({@link HeadLog#inView(double, double)}).
  *
- * @param seconds total time with a visible picture
+ * @param seconds total time in view
  * @param unshown samples and pauses that are left out
  * @param idle share of that time in which the head did not move, 0 to 1
  * @param head dwells of objects in the middle of the view
@@ -37,7 +38,7 @@ public record HeadLogAnalysis(
     double idle = 0;
     double all = 0;
     for (int i = 0; i < log.samples().size(); i++) {
-      if (log.samples().get(i).visible()) {
+      if (log.inView(i)) {
         all += log.shown(i);
         idle += log.samples().get(i).moved() ? 0 : log.shown(i);
       }

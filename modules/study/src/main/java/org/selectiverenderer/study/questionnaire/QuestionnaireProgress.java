@@ -118,6 +118,18 @@ public final class QuestionnaireProgress {
         asked().stream().filter(question -> !question.complete(answer(question), wording)).count();
   }
 
+  /**
+   * Returns how many questions of the page need an answer: an optional one does not, unless its
+   * answer is begun.
+   */
+  public int needed() {
+    return (int)
+        asked().stream()
+            .filter(
+                question -> !question.optional() || !question.complete(answer(question), wording))
+            .count();
+  }
+
   /** Returns whether an answer of the page refuses consent. */
   public boolean refuses() {
     return asked().stream().anyMatch(question -> question.refuses(answer(question)));

@@ -302,9 +302,15 @@ public final class Session implements AutoCloseable {
     return history.refused();
   }
 
-  /** Records that the experimenter aborts the session. */
+  /** Records that the experimenter aborts the session in a step. */
   public void abort(String step) throws IOException {
     journal.keep("aborted", Map.of("step", step));
+  }
+
+  /** Records that the experimenter aborts the session, in the first step that is not finished. */
+  public void abort() throws IOException {
+    List<SessionStep> left = remaining();
+    journal.keep("aborted", left.isEmpty() ? Map.of() : Map.of("step", left.get(0).id()));
   }
 
   /** Returns the questionnaire of a step. */

@@ -7,7 +7,7 @@ import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
-import java.time.OffsetDateTime;
+import java.time.Duration;
 import java.time.temporal.ChronoUnit;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -18,6 +18,7 @@ import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.decimal.DecimalRounding;
 import org.selectiverenderer.base.files.DiskSync;
 import org.selectiverenderer.base.files.PrivateFiles;
 import org.selectiverenderer.formats.json.JsonTree;
@@ -27,12 +28,17 @@ import org.selectiverenderer.study.definition.SessionFlag;
  * The journal of a session: an append-only log of events (JSON Lines), each forced to the disk. The
  * thread {@code session-journal} writes, so that a frame need not wait for the disk; {@link #keep}
  * waits until an event is written. {@link SessionLock} ensures that one program writes at a time.
- * Thread-safe.
+ *
+ * <p>Each event has {@code time}, by the wall clock, and {@code mono}, the monotonic clock in
+ * seconds, which head logs have too. Durations come from {@code mono}. Its origin holds for one
+ * process: from {@code session-began}, and from each {@code resumed} (or the {@code journal-mended}
+ * before it), to the process's end. A wall clock that moves against it is flagged. Thread-safe.
  */
 public final class SessionJournal implements AutoCloseable {
   private final Path file;
   private final FileChannel channel;
   private final SessionHistory history;
+  private final JournalClock clock;
   private final ExecutorService writer =
       Executors.newSingleThreadExecutor(
           work -> {
@@ -43,7 +49,9 @@ public final class SessionJournal implements AutoCloseable {
   private volatile @Nullable IOException failure;
   private volatile Consumer<JsonNode> listener = event -> {};
 
-  private SessionJournal(Path file, FileChannel channel, SessionHistory history) {
+  private SessionJournal(
+      Path file, FileChannel channel, SessionHistory history, JournalClock clock) {
+    this.clock = clock;
     this.file = file;
     this.channel = channel;
     this.history = history;
@@ -55,10 +63,16 @@ public final class SessionJournal implements AutoCloseable {
    * @throws IOException if the file cannot be created, or exists already
    */
   static SessionJournal begin(Path file) throws IOException {
+    return begin(file, JournalClock.system());
+  }
+
+  /** As {@link #begin(Path)}, with clocks of its own. */
+  static SessionJournal begin(Path file, JournalClock clock) throws IOException {
     return new SessionJournal(
         file,
         PrivateFiles.open(file, StandardOpenOption.CREATE_NEW, StandardOpenOption.APPEND),
-        SessionHistory.none());
+        SessionHistory.none(),
+        clock);
   }
 
   /**
@@ -69,7 +83,8 @@ public final class SessionJournal implements AutoCloseable {
   static SessionJournal resume(Path file) throws IOException {
     PrivateFiles.requireNoLink(file);
     SessionHistory history = SessionHistory.read(file);
-    return new SessionJournal(file, FileChannel.open(file, StandardOpenOption.APPEND), history);
+    return new SessionJournal(
+        file, FileChannel.open(file, StandardOpenOption.APPEND), history, JournalClock.system());
   }
 
   /** Returns the history of the events that are on the disk; it grows as events are written. */
@@ -133,8 +148,25 @@ public final class SessionJournal implements AutoCloseable {
   }
 
   private Future<?> submit(String event, Map<String, ?> more) {
+    JournalClock.Reading now = clock.read();
+    now.moved().ifPresent(moved -> submit(now, "flag", moved(moved, more)));
+    return submit(now, event, more);
+  }
+
+  private static Map<String, Object> moved(Duration moved, Map<String, ?> more) {
+    Map<String, Object> members = new LinkedHashMap<>();
+    Object step = more.get("step");
+    if (step != null) {
+      members.put("step", step);
+    }
+    members.put("flag", SessionFlag.CLOCK_MOVED.spelling());
+    members.put("seconds", DecimalRounding.to(3, moved.toNanos() * 1e-9));
+    return members;
+  }
+
+  private Future<?> submit(JournalClock.Reading now, String event, Map<String, ?> more) {
     ObjectNode line = JsonTree.object();
-    line.put("time", OffsetDateTime.now().truncatedTo(ChronoUnit.MILLIS).toString());
+    line.put("time", now.wall().truncatedTo(ChronoUnit.MILLIS).toString());
     line.put("event", event);
     // Map.of has another order in every process: the step comes first.
     Object step = more.get("step");
@@ -142,6 +174,7 @@ public final class SessionJournal implements AutoCloseable {
       line.put("step", String.valueOf(step));
     }
     more.forEach((key, value) -> line.set(key, JsonTree.of(value)));
+    line.put("mono", DecimalRounding.to(6, now.nanos() * 1e-9));
     listener.accept(line);
     return writer.submit(() -> write(line));
   }

@@ -50,20 +50,52 @@ final class SessionStarter {
     SessionFolder folder = new SessionFolder(material.study().folder(), participant, number);
     folder.create();
     SessionLock lock = SessionLock.take(folder.path(), options.software());
+    boolean fresh = false;
     try {
       folder.requireNew();
+      fresh = true;
       Session session =
           new Session(material, folder, options, lock, SessionJournal.begin(folder.journal()));
       try {
         new SessionStarter(session, problems).tellBegun();
         return session;
       } catch (IOException e) {
-        session.journal().close();
+        try {
+          session.journal().close();
+        } catch (IOException again) {
+          e.addSuppressed(again); // A full disk fails twice.
+        }
         throw e;
       }
     } catch (IOException e) {
       lock.close();
+      if (fresh) {
+        withdraw(folder);
+      }
       throw e;
+    }
+  }
+
+  /**
+   * Deletes what a failed start has written, which is nobody's data yet, so that a rerun begins
+   * anew. What cannot be deleted, or holds anything else, stays.
+   */
+  private static void withdraw(SessionFolder folder) {
+    for (Path made :
+        List.of(
+            folder.journal(),
+            folder.path().resolve("study.json"),
+            folder.path().resolve(SessionSettings.FILE),
+            folder.path().resolve(SessionLock.HOLDER),
+            folder.path().resolve(SessionLock.LOCK),
+            folder.path().resolve("head"),
+            folder.path(),
+            folder.study().resolve("sub-" + folder.participant()))) {
+      try {
+        Files.deleteIfExists(made);
+      } catch (IOException e) {
+        continue; // Another file is in the folder, or the disk cannot be written at all.
+      }
     }
   }
 

@@ -67,6 +67,7 @@ final class StudyQuestionnaireLoader {
           items.kind(),
           items.file(),
           source.name().orElse(items.kind().spelling()),
+          KnownAreas.of(study),
           wording,
           problems);
     }

@@ -106,6 +106,34 @@ public record StudyStatus(String study, int planned, List<Row> sessions, List<Gr
     return new StudyStatus(material.study().name(), material.study().participants(), rows, groups);
   }
 
+  /**
+   * Returns this status without the conditions, for the experimenter of a blind study: sessions
+   * have none, and all groups are one, as the sizes of groups tell whose turn it was.
+   */
+  public StudyStatus blinded() {
+    Group all =
+        new Group(
+            "all",
+            planned,
+            groups.stream().mapToInt(Group::assigned).sum(),
+            groups.stream().mapToInt(Group::finished).sum(),
+            groups.stream().mapToInt(Group::counting).sum());
+    List<Row> rows =
+        sessions.stream()
+            .map(
+                row ->
+                    new Row(
+                        row.participant,
+                        row.session,
+                        row.condition.isEmpty() ? "" : "hidden",
+                        row.state,
+                        row.missing,
+                        row.flags,
+                        row.excluded))
+            .toList();
+    return new StudyStatus(study, planned, rows, List.of(all));
+  }
+
   private static int among(List<ParticipantsFile.Assigned> members, Set<String> participants) {
     return (int)
         members.stream().filter(member -> participants.contains(member.participant())).count();

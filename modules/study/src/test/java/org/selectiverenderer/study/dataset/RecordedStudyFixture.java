@@ -125,13 +125,16 @@ public final class RecordedStudyFixture {
     Files.writeString(tracked, withEyes(Files.readString(tracked)));
   }
 
-  /** The eyes look at the boat for a second; then nobody sees them, until the last sample's. */
+  /**
+   * The eyes look at the boat for two seconds, one of them in view; then nobody sees them, until
+   * the last sample's.
+   */
   private static String withEyes(String log) {
     List<String> lines = new ArrayList<>(log.lines().toList());
     lines.set(0, lines.get(0) + ",eyes,gaze_yaw,gaze_pitch,gaze_object,gaze_distance,gaze_version");
     for (int i = 1; i < lines.size(); i++) {
       String eyes =
-          i < 3 ? "tracked,10,0,Boat,2," : i < lines.size() - 1 ? "lost,,,,," : "tracked,90,0,,,";
+          i < 5 ? "tracked,10,0,Boat,2," : i < lines.size() - 1 ? "lost,,,,," : "tracked,90,0,,,";
       lines.set(i, lines.get(i) + "," + eyes);
     }
     return String.join("\n", lines) + "\n";

@@ -85,17 +85,17 @@ class StudyExportTest {
     assertThat(lines("eyes.csv"))
         .containsExactly(
             "participant,session,condition,step,run,object,dwell,looks,first,longest,fixations",
-            "P2,1,high,exposure-hall,1,Boat,1,1,0,1,1",
+            "P2,1,high,exposure-hall,1,Boat,1,1,1,1,1",
             "P2,1,high,exposure-hall,1,Coat,0,0,,0,0");
     assertThat(lines("exposures.csv").get(0)).contains(",idle,eyes_tracked,fps,");
-    assertThat(lines("exposures.csv").get(2)).contains(",0.2,");
+    assertThat(lines("exposures.csv").get(2)).contains(",0.230769,");
   }
 
   @Test
   void anExposureSaysHowItWasShown() throws IOException {
     assertThat(lines("exposures.csv").get(1))
         .isEqualTo(
-            "001,1,selective,exposure-hall,1,yes,2026-03-01T10:00:12+02:00,1,7,2,15,0,,50,20,25,"
+            "001,1,selective,exposure-hall,1,yes,2026-03-01T10:00:12+02:00,1,7,5,2,15,0,,50,20,25,"
                 + "low-frame-rate,sub-001/ses-01/head/exposure-hall_run-01.csv");
     assertThat(lines("exposures.csv").get(2)).startsWith("P2,1,high,exposure-hall,1,no,");
   }
@@ -114,6 +114,44 @@ class StudyExportTest {
             "001,1,selective,closing,p1,remarks,text,\"long, \"\"but\"\" fine\",9000,2");
     assertThat(lines("scores.csv"))
         .containsExactly("participant,session,condition,questionnaire,score,value");
+  }
+
+  @Test
+  void theCodebookDescribesTheAgeAsTheFormAsksIt() throws IOException {
+    assertThat(age("")).isEqualTo("the participant's age; the form does not ask it");
+    assertThat(
+            age(
+                """
+                {"id": "years", "kind": "number", "sets": "age", "text": "How old are you?",
+                 "min": 18, "max": 99}
+                """))
+        .isEqualTo(
+            "age, a number as the participant wrote it, the answer to the form's question:"
+                + " How old are you?");
+    assertThat(
+            age(
+                """
+                {"id": "age", "kind": "single", "sets": "age", "text": "Age",
+                 "options": [{"value": "18-22", "text": "18 to 22"}, {"value": "23", "text": "more"}]}
+                """))
+        .isEqualTo("age, as the participant answered the form's question: Age");
+  }
+
+  private String age(String question) throws IOException {
+    Path study = folder.resolve("study");
+    Files.writeString(
+        study.resolve("form.json"),
+        """
+        {"name": "form", "pages": [{"questions": [
+          {"id": "eyes", "kind": "text", "text": "Colour of the eyes"}%s]}]}
+        """
+            .formatted(question.isEmpty() ? "" : "," + question));
+    RecordedStudy read = RecordedStudy.read(RecordedStudyFixture.material(study), problems);
+    return read.participants().table(read.material().form()).columns().stream()
+        .filter(column -> column.name().equals("age"))
+        .findFirst()
+        .orElseThrow()
+        .meaning();
   }
 
   @Test

@@ -63,6 +63,38 @@ class SessionTest extends TwoRoomStudyFixture {
   }
 
   @Test
+  void aStartThatFailsLeavesNoFolderSoThatARerunBeginsAnew() throws IOException {
+    LoadedStudy material = material();
+    Path items = folder.resolve("r.csv");
+    String text = Files.readString(items);
+    Files.delete(items);
+    assertThatThrownBy(
+            () -> Session.begin(material, "001", 1, OPTIONS, new ProblemCollector()))
+        .isInstanceOf(IOException.class);
+    assertThat(folder.resolve("sub-001")).doesNotExist();
+    Files.writeString(items, text);
+    begin("001").close();
+    assertThatThrownBy(() -> begin("001"))
+        .isInstanceOf(IOException.class)
+        .hasMessageContaining("exists already");
+    assertThat(folder.resolve("sub-001/ses-01/events.jsonl")).exists();
+  }
+
+  @Test
+  void anAbortNamesTheStepThatWasUnderWay() throws IOException {
+    try (Session session = begin("001")) {
+      form(session);
+      String under = session.remaining().get(0).id();
+      assertThat(under).isNotEqualTo("form");
+      session.abort();
+      assertThat(Files.readAllLines(folder.resolve("sub-001/ses-01/events.jsonl")))
+          .last()
+          .asString()
+          .contains("\"event\":\"aborted\",\"step\":\"" + under + "\"");
+    }
+  }
+
+  @Test
   @RequiresSymbolicLinks
   void aLinkTakesNoDataElsewhere(@TempDir Path elsewhere) throws IOException {
     Files.createSymbolicLink(folder.resolve("sub-002"), elsewhere);

@@ -125,4 +125,18 @@ class StudyStatusTest extends TwoRoomStudyFixture {
     Files.writeString(stray.resolve("events.jsonl"), "");
     assertThat(StudyStatus.of(material(), new ProblemCollector()).sessions()).isEmpty();
   }
+
+  @Test
+  void theExperimenterOfABlindStudySeesNoConditions() throws IOException {
+    try (Session session = begin("001")) {
+      form(session);
+    }
+    StudyStatus status = StudyStatus.of(material(), new ProblemCollector());
+    assertThat(status.text()).containsPattern("high|selective");
+    StudyStatus blinded = status.blinded();
+    assertThat(blinded.text() + blinded.json())
+        .contains("hidden")
+        .doesNotContain("high", "selective");
+    assertThat(blinded.groups()).containsExactly(new StudyStatus.Group("all", 4, 1, 0, 0));
+  }
 }

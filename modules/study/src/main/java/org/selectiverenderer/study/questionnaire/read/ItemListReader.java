@@ -9,8 +9,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.base.problem.SpellingSuggester;
 import org.selectiverenderer.formats.csv.CsvColumnSpec;
 import org.selectiverenderer.formats.csv.CsvNumberParser;
 import org.selectiverenderer.formats.csv.CsvRow;
@@ -35,17 +37,35 @@ public final class ItemListReader {
   private final ItemQuestionnaireKind kind;
   private final String language;
   private final ProblemCollector problems;
+  private final Optional<Set<String>> known;
   private final Map<String, Integer> lines = new HashMap<>();
 
-  private ItemListReader(ItemQuestionnaireKind kind, String language, ProblemCollector problems) {
+  private ItemListReader(
+      ItemQuestionnaireKind kind,
+      String language,
+      Optional<Set<String>> known,
+      ProblemCollector problems) {
+    this.known = known;
     this.kind = kind;
     this.language = language;
     this.problems = problems;
   }
 
+  /** Reads a table of items of any areas. */
+  public static Optional<List<Questionnaire>> read(
+      ItemQuestionnaireKind kind,
+      Path file,
+      String name,
+      ParticipantMessages wording,
+      ProblemCollector problems)
+      throws IOException {
+    return read(kind, file, name, Optional.empty(), wording, problems);
+  }
+
   /**
    * Reads a table of items.
    *
+   * @param known the areas that the table may name; empty for any
    * @param name of the questionnaire in the study
    * @param wording messages in the language in which the names are needed
    * @return a questionnaire for each area, in the table's order; empty if there are faults, which
@@ -56,11 +76,12 @@ public final class ItemListReader {
       ItemQuestionnaireKind kind,
       Path file,
       String name,
+      Optional<Set<String>> known,
       ParticipantMessages wording,
       ProblemCollector problems)
       throws IOException {
     ProblemCollector own = new ProblemCollector(problems::add);
-    ItemListReader reader = new ItemListReader(kind, wording.language(), own);
+    ItemListReader reader = new ItemListReader(kind, wording.language(), known, own);
     Optional<CsvTable> table =
         CsvTable.read(
             file,
@@ -110,6 +131,9 @@ public final class ItemListReader {
       }
       String area = row.cell("area");
       String object = row.cell("object");
+      if (!areas.containsKey(area)) {
+        requireKnown(row, area);
+      }
       Integer earlier = lines.putIfAbsent(area + '/' + object, row.location().line());
       if (earlier != null) {
         problems.error(
@@ -125,6 +149,22 @@ public final class ItemListReader {
       problems.error(SourceLocation.of(table.file()), "there are no items" + UNUSED);
     }
     return areas;
+  }
+
+  /** Reports an area that nobody knows: mistyped, it would become another memory list. */
+  private void requireKnown(CsvRow row, String area) {
+    if (area.isEmpty() || known.isEmpty() || known.get().contains(area)) {
+      return;
+    }
+    problems.error(
+        row.location("area"),
+        "%s is no area of the study or its scene, and not in the study's \"item_areas\"%s%s"
+            .formatted(
+                CsvNumberParser.quoted(area),
+                SpellingSuggester.nearest(area, known.get())
+                    .map(near -> "; did you mean \"%s\"?".formatted(near))
+                    .orElse("; declare it there if it is meant"),
+                UNUSED));
   }
 
   private StimulusItem item(CsvRow row, String area, String object) {
