@@ -224,6 +224,7 @@ public final class TrialSimulator {
 
   private TrialResult result(TrialBlock block, Trial trial, Person person) {
     ResponseKeys keys = keys(trial.phases());
+    String key = trial.filled(keys.correct());
     String response = "";
     OptionalDouble milliseconds = OptionalDouble.empty();
     Optional<Boolean> correct = Optional.empty();
@@ -240,12 +241,12 @@ public final class TrialSimulator {
                       + WITHIN * person.random.nextGaussian()));
       boolean right =
           person.random.nextDouble() < ease(block, trial) + effect(SimulatedEffect.CORRECT, trial);
-      List<String> wrong = keys.keys().stream().filter(key -> !key.equals(keys.correct())).toList();
-      if (keys.correct().isEmpty()) {
+      List<String> wrong = keys.keys().stream().filter(each -> !each.equals(key)).toList();
+      if (key.isEmpty()) {
         response = keys.keys().get(person.random.nextInt(keys.keys().size()));
       } else {
         right |= wrong.isEmpty();
-        response = right ? keys.correct() : wrong.get(person.random.nextInt(wrong.size()));
+        response = right ? key : wrong.get(person.random.nextInt(wrong.size()));
         correct = Optional.of(right);
       }
     }
