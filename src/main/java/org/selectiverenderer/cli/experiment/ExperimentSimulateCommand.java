@@ -11,6 +11,7 @@ import org.selectiverenderer.command.output.CommandException;
 import org.selectiverenderer.command.output.CommandFileCheck;
 import org.selectiverenderer.command.output.Console;
 import org.selectiverenderer.command.output.ExitStatus;
+import org.selectiverenderer.command.trust.TrustOption;
 import org.selectiverenderer.statistics.anova.AnovaOptions;
 import org.selectiverenderer.statistics.data.ResponsesCsvWriter;
 import org.selectiverenderer.statistics.detection.DetectionMeasure;
@@ -31,13 +32,17 @@ import picocli.CommandLine.Option;
           + " analyse reads; with --power, how often studies like this find an effect, by simulation"
           + " and by formula, and with --needed, how many participants that takes.",
       "The objects are those of the thesis's Tables 6 to 11, and as many absent ones.",
-      "A list of numbers has one number for each condition, or one for all."
+      "A list of numbers has one number for each condition, or one for all.",
+      "With --study it simulates the trials of a study with blocks, and of the other options only"
+          + " --effect, --participants, --seed, --output and --trust count."
     },
     footer = {
       "  ./selective-renderer experiment simulate --participants 54 --d-prime 1.1 \\",
       "      --output r.csv",
       "  ./selective-renderer experiment simulate --participants 54 \\",
-      "      --d-prime 0.9,1.2,1.1 --needed"
+      "      --d-prime 0.9,1.2,1.1 --needed",
+      "  ./selective-renderer experiment simulate --study docs/examples/quality-and-light \\",
+      "      --effect quality=reduced:ms+80 --output trials.csv"
     })
 final class ExperimentSimulateCommand extends CliCommand {
   private enum Format {
@@ -59,12 +64,13 @@ final class ExperimentSimulateCommand extends CliCommand {
 
   @Option(
       names = "--participants",
-      defaultValue = "54",
       paramLabel = "N",
       description =
-          "number of participants, assigned to the conditions in turn (default: "
-              + "${DEFAULT-VALUE})")
-  private int participants;
+          "number of participants, assigned to the conditions in turn (default: 54, or as many as"
+              + " the study of --study plans)")
+  private @Nullable Integer wanted;
+
+  private int participants = 54;
 
   @Option(
       names = "--conditions",
@@ -184,6 +190,8 @@ final class ExperimentSimulateCommand extends CliCommand {
               + "${DEFAULT-VALUE})")
   private Dependent dependent = Dependent.dprime;
 
+  @Mixin private TrialSimulationOptions trials = new TrialSimulationOptions();
+  @Mixin private TrustOption trust = new TrustOption();
   @Mixin private ScoringOptions scoring = new ScoringOptions();
   @Mixin private SphericityOption sphericity = new SphericityOption();
   @Mixin private EquivalenceBoundOptions choices = new EquivalenceBoundOptions();
@@ -204,8 +212,14 @@ final class ExperimentSimulateCommand extends CliCommand {
 
   @Override
   public ExitStatus run() throws IOException {
+    if (wanted != null) {
+      participants = wanted;
+    }
     AnovaOptions options = sphericity.in(choices.options());
     check();
+    if (trials.wanted()) {
+      return trials.write(wanted, seed, trust, output, console());
+    }
     SimulationModel model =
         new SimulationModel(
             conditions,

@@ -22,6 +22,13 @@ final class StudyArgument {
       description = "study file, or the folder that contains study.json")
   private Path study = Path.of("");
 
+  StudyArgument() {}
+
+  /** Creates the argument of a command that names its study by an option. */
+  StudyArgument(Path study) {
+    this.study = study;
+  }
+
   /**
    * Reads the study for a command that shows no scene and opens no device; it needs the user's
    * agreement to files outside of the study's folder only, and such pictures as are in folders that
