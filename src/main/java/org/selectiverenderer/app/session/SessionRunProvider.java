@@ -20,6 +20,7 @@ import org.selectiverenderer.app.settings.DisplaySettings;
 import org.selectiverenderer.app.settings.HeadLogSettings;
 import org.selectiverenderer.app.settings.MotionSettings;
 import org.selectiverenderer.app.settings.RunSettings;
+import org.selectiverenderer.base.decimal.DecimalRounding;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.control.SelectiveController;
 import org.selectiverenderer.formats.json.JsonTree;

@@ -68,8 +68,7 @@ class SessionTest extends TwoRoomStudyFixture {
     Path items = folder.resolve("r.csv");
     String text = Files.readString(items);
     Files.delete(items);
-    assertThatThrownBy(
-            () -> Session.begin(material, "001", 1, OPTIONS, new ProblemCollector()))
+    assertThatThrownBy(() -> Session.begin(material, "001", 1, OPTIONS, new ProblemCollector()))
         .isInstanceOf(IOException.class);
     assertThat(folder.resolve("sub-001")).doesNotExist();
     Files.writeString(items, text);
