@@ -97,7 +97,7 @@ class TrialSessionTest extends CommandTestCase {
   void aStudyOfTrialsIsPlannedRunCollectedAndAnalysed() throws IOException {
     assertThat(execute("experiment", "plan", study.toString())).as(messages()).isZero();
     String plan = printed();
-    assertThat(plan).contains("1  -            all").contains("training: 1").contains("line 2");
+    assertThat(plan).contains(">1     all").contains("training: trial").contains("line 2");
     for (String participant : List.of("001", "002", "003")) {
       assertThat(run("--participant", participant)).as(messages()).isZero();
     }
