@@ -13,6 +13,12 @@
  * answers, and {@link org.selectiverenderer.app.session.QuestionPanelRenderer} lays out the text.
  * The participant's progress is kept by {@code study.questionnaire}, for windows and headset alike.
  *
+ * <p>A trial of a block is one run of the chain, too: {@link
+ * org.selectiverenderer.app.session.TrialController} goes through the phases by the clock of the
+ * frames ({@link org.selectiverenderer.study.design.TrialCourse} decides when each ends), holds the
+ * choices of Switches, and draws texts and questions into the picture by {@code app.session}'s
+ * pages. Windows stay open from trial to trial; only another display opens new ones.
+ *
  * <p>In: a {@link org.selectiverenderer.study.session.Session} begun or resumed, and a {@link
  * org.selectiverenderer.app.session.SessionUi}, which asks participant and experimenter. Out: the
  * session's files, and how it ended. Uses {@code app.run} with its settings and measurements,
