@@ -90,20 +90,23 @@ public final class StudyReader {
     ProblemCollector faults = new ProblemCollector(problems::add);
     StudyReader reader = new StudyReader(file, faults);
     return JSON.read(
-        file,
-        faults,
-        keys -> {
-          Study study = reader.study(keys);
-          boolean all = !faults.any() && check.test(study);
-          UrlResolver own = new UrlResolver(study.folder());
-          viewpoints(keys, study, scene -> all || own.mayBeNamed(scene));
-          new TrialChecker(
-                  study,
-                  (scene, name) -> (all || own.mayBeNamed(scene)) && lacks(scene, name),
-                  (scene, name) -> (all || own.mayBeNamed(scene)) && lacksWithInlines(scene, name))
-              .check(fault -> keys.fault("blocks", fault));
-          return study;
-        });
+            file,
+            faults,
+            keys -> {
+              Study study = reader.study(keys);
+              boolean all = !faults.any() && check.test(study);
+              UrlResolver own = new UrlResolver(study.folder());
+              viewpoints(keys, study, scene -> all || own.mayBeNamed(scene));
+              new TrialChecker(
+                      study,
+                      (scene, name) -> (all || own.mayBeNamed(scene)) && lacks(scene, name),
+                      (scene, name) ->
+                          (all || own.mayBeNamed(scene)) && lacksWithInlines(scene, name))
+                  .check(fault -> keys.fault("blocks", fault));
+              return study;
+            })
+        // Tables that the file names report faults of their own places.
+        .filter(study -> !faults.anyError());
   }
 
   private Study study(JsonObjectReader keys) {
