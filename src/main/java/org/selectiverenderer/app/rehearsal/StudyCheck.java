@@ -25,6 +25,7 @@ import org.selectiverenderer.study.definition.StudyQuestionnaires.Content;
 import org.selectiverenderer.study.design.StimulusList;
 import org.selectiverenderer.study.design.TrialBlock;
 import org.selectiverenderer.study.questionnaire.ItemQuestionnaireKind;
+import org.selectiverenderer.study.questionnaire.ParticipantMessages;
 import org.selectiverenderer.study.rehearsal.StudyDuration;
 import org.selectiverenderer.study.session.LoadedStudy;
 import org.selectiverenderer.study.session.StudyPlan;
@@ -67,6 +68,22 @@ public record StudyCheck(
     if (study.display().mode() != DisplayMode.OPENXR
         && DisplayProfileLoader.builtIn(study.display().hmd()).isEmpty()) {
       DisplayProfileLoader.read(Path.of(study.display().hmd()), problems);
+    }
+    for (String language : study.languages()) {
+      Optional<ParticipantMessages> words =
+          ParticipantMessages.of(language, study.folder(), problems);
+      List<String> missing = words.map(ParticipantMessages::untranslated).orElse(List.of());
+      if (!missing.isEmpty() && !language.equals("en")) {
+        problems.warning(
+            SourceLocation.of(ParticipantMessages.file(language, study.folder()).toString()),
+            "%s in the language '%s', as %s; English stands in"
+                .formatted(
+                    missing.size() == 1
+                        ? "a text of the program is missing"
+                        : missing.size() + " texts of the program are missing",
+                    language,
+                    missing.get(0)));
+      }
     }
     long free = Files.getFileStore(study.folder()).getUsableSpace();
     if (free < LEAST_FREE) {

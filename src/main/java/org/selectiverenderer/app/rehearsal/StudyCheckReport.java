@@ -44,6 +44,7 @@ public final class StudyCheckReport {
     StringBuilder text = new StringBuilder(verdict(check, found)).append('\n');
     text.append(duration(check)).append('\n');
     PlanBalance.of(check.plan()).forEach(balance -> text.append(balance.sentence()).append('\n'));
+    text.append(languages(check)).append('\n');
     text.append("place ").append(check.plan().next()).append(" is next\n");
     text.append(free(check)).append('\n');
     if (!check.polygons().isEmpty()) {
@@ -60,6 +61,12 @@ public final class StudyCheckReport {
       text.append(more(check)).append('\n');
     }
     return text.toString();
+  }
+
+  private static String languages(StudyCheck check) {
+    List<String> languages = check.material().study().languages();
+    return (languages.size() == 1 ? "language: " : "languages, the first unless --language: ")
+        + String.join(", ", languages);
   }
 
   private static String free(StudyCheck check) {
@@ -98,6 +105,7 @@ public final class StudyCheckReport {
     root.put("participants", check.material().study().participants());
     root.put("next_place", check.plan().next());
     root.put("session_s", Math.round(check.duration().seconds()));
+    check.material().study().languages().forEach(root.putArray("languages")::add);
     root.put("free_bytes", check.free());
     ArrayNode balances = root.putArray("balance");
     for (PlanBalance balance : PlanBalance.of(check.plan())) {
@@ -128,6 +136,7 @@ public final class StudyCheckReport {
     paragraph(html, verdict(check, found) + ".");
     html.append(findings(found));
     paragraph(html, duration(check) + ".");
+    paragraph(html, languages(check) + ".");
     paragraph(html, free(check) + ".");
     if (!check.polygons().isEmpty()) {
       html.append("<h2>Polygons at the begin</h2>\n<table>\n");

@@ -52,22 +52,44 @@ public final class StudyPreviewPage {
   }
 
   /**
-   * Returns the page.
+   * Returns the page, with a section for each language.
    *
+   * @param translations the study in each language that is shown
    * @param drawn whether scenes are drawn, for which OpenGL is needed
    * @param message receives a sentence for each scene that cannot be drawn
    * @throws IOException if a picture of a questionnaire cannot be read
    */
-  public static String html(LoadedStudy material, boolean drawn, Consumer<String> message)
+  public static String html(List<LoadedStudy> translations, boolean drawn, Consumer<String> message)
       throws IOException {
-    StudyPreviewPage page = new StudyPreviewPage(material, drawn, message);
-    for (SessionStep step : material.steps()) {
-      page.step(step);
+    LoadedStudy first = translations.get(0);
+    StringBuilder sections = new StringBuilder();
+    boolean several = translations.size() > 1;
+    if (several) {
+      sections.append("<p>");
+      translations.forEach(
+          one -> sections.append("<a href=\"#%1$s\">%1$s</a> ".formatted(code(one))));
+      sections.append("</p>\n");
     }
-    String title = MarkupEscaper.attribute("Preview of " + material.study().name());
+    for (LoadedStudy material : translations) {
+      // The scenes look the same in all languages.
+      StudyPreviewPage page =
+          new StudyPreviewPage(material, drawn && material.equals(first), message);
+      for (SessionStep step : material.steps()) {
+        page.step(step);
+      }
+      sections.append(
+          several
+              ? "<section id=\"%1$s\" lang=\"%1$s\">\n<h1>%1$s</h1>\n%2$s</section>\n"
+                  .formatted(code(material), page.html)
+              : page.html);
+    }
+    String title = MarkupEscaper.attribute("Preview of " + first.study().name());
     return "<!DOCTYPE html>\n<html lang=\"%s\">\n<head><meta charset=\"utf-8\"><title>%s</title>\n<style>\n%s</style></head>\n<body>\n<p class=\"banner\">PREVIEW</p>\n<h1>%s</h1>\n%s</body>\n</html>\n"
-        .formatted(
-            MarkupEscaper.attribute(material.wording().language()), title, STYLE, title, page.html);
+        .formatted(code(first), title, STYLE, title, sections);
+  }
+
+  private static String code(LoadedStudy material) {
+    return MarkupEscaper.attribute(material.wording().language());
   }
 
   private void step(SessionStep step) throws IOException {

@@ -57,7 +57,10 @@ final class ExperimentCheckCommand extends CliCommand {
     ProblemCollector problems =
         new ProblemCollector(format.json() ? problem -> {} : console()::problem);
     Optional<LoadedStudy> material =
-        study.readForSession(trust, TrustPrompt.onTerminal(console()), console(), problems);
+        study
+            .readForSession(
+                Optional.empty(), trust, TrustPrompt.onTerminal(console()), console(), problems)
+            .map(all -> all.get(0));
     if (material.isEmpty()) {
       if (format.json()) {
         console().out().print(StudyCheckReport.json(problems.list()));

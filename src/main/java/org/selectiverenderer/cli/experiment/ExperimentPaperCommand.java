@@ -54,6 +54,8 @@ final class ExperimentPaperCommand extends CliCommand {
               + "else left empty)")
   private @Nullable String condition;
 
+  @Mixin private LanguageOption language = new LanguageOption();
+
   @Option(
       names = "--output",
       paramLabel = "F.html",
@@ -78,7 +80,7 @@ final class ExperimentPaperCommand extends CliCommand {
     OutputFile.check("--output", output, ".html");
     OutputFile.check("--csv", csv, ".csv");
     ProblemCollector problems = new ProblemCollector(console()::problem);
-    Optional<LoadedStudy> material = study.read(trust, console(), problems);
+    Optional<LoadedStudy> material = study.read(language.typed(), trust, console(), problems);
     if (material.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }

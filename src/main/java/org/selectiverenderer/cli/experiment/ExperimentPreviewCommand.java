@@ -96,6 +96,8 @@ final class ExperimentPreviewCommand extends CliCommand {
       description = "with --from: a simulated participant answers, without dialogs")
   private boolean unattended;
 
+  @Mixin private LanguageOption language = new LanguageOption();
+
   @Mixin private TrackerFilterOptions trackerFlags = new TrackerFilterOptions();
 
   ExperimentPreviewCommand(Console console) {
@@ -115,19 +117,21 @@ final class ExperimentPreviewCommand extends CliCommand {
       throw CommandException.usage("--speed must be a number from 1 to 1000");
     }
     ProblemCollector problems = new ProblemCollector(console()::problem);
-    Optional<LoadedStudy> material =
-        study.readForSession(trust, TrustPrompt.onTerminal(console()), console(), problems);
-    if (material.isEmpty()) {
+    Optional<List<LoadedStudy>> found =
+        study.readForSession(
+            language.typed(), trust, TrustPrompt.onTerminal(console()), console(), problems);
+    if (found.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
+    List<LoadedStudy> all = found.get();
     if (from != null) {
-      return session(material.get(), from, problems);
+      return session(all.get(0), from, problems);
     }
-    page(material.get());
+    page(language.typed().isPresent() ? all.subList(0, 1) : all);
     return ExitStatus.of(problems);
   }
 
-  private void page(LoadedStudy material) throws IOException {
+  private void page(List<LoadedStudy> material) throws IOException {
     Optional<String> lacking = GlAvailability.check();
     lacking.ifPresent(reason -> console().message(reason + "; scenes are not drawn"));
     String html;

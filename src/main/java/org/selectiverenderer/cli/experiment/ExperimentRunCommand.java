@@ -48,6 +48,7 @@ import org.selectiverenderer.study.definition.LslSettings;
 import org.selectiverenderer.study.definition.Study;
 import org.selectiverenderer.study.design.StudyGroup;
 import org.selectiverenderer.study.session.LoadedStudy;
+import org.selectiverenderer.study.session.ParticipantLanguage;
 import org.selectiverenderer.study.session.Session;
 import org.selectiverenderer.study.session.SessionFolder;
 import org.selectiverenderer.study.session.SessionOptions;
@@ -131,6 +132,8 @@ final class ExperimentRunCommand extends CliCommand {
           "shows the experimenter the participant's condition, even if the study is blind")
   private boolean showCondition;
 
+  @Mixin private LanguageOption language = new LanguageOption();
+
   @Mixin private TrackerFilterOptions trackerFlags = new TrackerFilterOptions();
 
   @Mixin private LslOptions lsl = new LslOptions();
@@ -149,11 +152,12 @@ final class ExperimentRunCommand extends CliCommand {
       LibraryProperties.allowSwing();
     }
     ProblemCollector problems = new ProblemCollector(console()::problem);
-    Optional<LoadedStudy> found = study.readForSession(trust, prompt(), console(), problems);
+    Optional<List<LoadedStudy>> found =
+        study.readForSession(language.typed(), trust, prompt(), console(), problems);
     if (found.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
-    LoadedStudy material = found.get();
+    LoadedStudy material = spoken(found.get());
     if (condition != null && material.study().design().group(condition).isEmpty()) {
       throw CommandException.usage(
           "the study has no group %s for --condition; it has %s"
@@ -202,6 +206,20 @@ final class ExperimentRunCommand extends CliCommand {
       Thread.currentThread().interrupt();
       throw CommandException.environment("interrupted; --resume continues the session");
     }
+  }
+
+  /** Chooses the language: as typed, else that of the participant's sessions, else the first. */
+  private LoadedStudy spoken(List<LoadedStudy> all) throws IOException {
+    LoadedStudy first = all.get(0);
+    if (language.typed().isPresent() || participant.typed().isEmpty()) {
+      return first;
+    }
+    Optional<String> used =
+        ParticipantLanguage.of(first.study(), participant.typed().get(), number);
+    return all.stream()
+        .filter(one -> used.equals(Optional.of(one.study().language())))
+        .findFirst()
+        .orElse(first);
   }
 
   /** Asks on the terminal, else by a window, as sessions have windows; never where unattended. */

@@ -3,6 +3,7 @@ package org.selectiverenderer.cli.experiment;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.trust.PermissionRequest.Kind;
@@ -38,8 +39,19 @@ final class StudyArgument {
    */
   Optional<LoadedStudy> read(TrustOption trust, Console console, ProblemCollector problems)
       throws IOException {
+    return read(Optional.empty(), trust, console, problems);
+  }
+
+  /**
+   * Reads the study in one of its languages, as {@link #read(TrustOption, Console,
+   * ProblemCollector)}.
+   */
+  Optional<LoadedStudy> read(
+      Optional<String> language, TrustOption trust, Console console, ProblemCollector problems)
+      throws IOException {
     return LoadedStudy.read(
         file(),
+        language,
         read -> {
           PermissionRequests all = StudyPermissions.of(read);
           trust.require(
@@ -52,13 +64,20 @@ final class StudyArgument {
   /**
    * Reads the study for a session, which needs the user's agreement to all that the study asks for.
    *
-   * @return empty when it has errors, which are reported to {@code problems}
+   * @param language the language that comes first; empty for the study's first
+   * @return the study in each of its languages; empty when it has errors, which are reported to
+   *     {@code problems}
    */
-  Optional<LoadedStudy> readForSession(
-      TrustOption trust, TrustPrompt prompt, Console console, ProblemCollector problems)
+  Optional<List<LoadedStudy>> readForSession(
+      Optional<String> language,
+      TrustOption trust,
+      TrustPrompt prompt,
+      Console console,
+      ProblemCollector problems)
       throws IOException {
-    return LoadedStudy.read(
+    return LoadedStudy.readAll(
         file(),
+        language,
         read -> {
           PermissionRequests all = StudyPermissions.of(read);
           trust.require(file(), all, prompt, console);

@@ -184,6 +184,11 @@ public final class RecordedSession {
     return history.refused() ? Map.of() : history.given();
   }
 
+  /** Returns the language of the participant's texts; empty if the journal does not say. */
+  public String language() {
+    return history.language().orElse("");
+  }
+
   /** Returns name and version of the program that ran the session. */
   public String software() {
     return events.get(0).text("software");

@@ -34,6 +34,7 @@ public final class SessionsTable {
             "s",
             "time in view of all exposures, the practice left out: see in_view of exposures"),
         ConditionColumnFactory.column("how objects were rendered"),
+        TableColumn.text("language", "language of the participant's texts, a code such as en"),
         TableColumn.category("outcome", outcomes, "how it ended"),
         TableColumn.yesNo(
             "simulated", "the program took part, for tests", "a person", "who took part"),
@@ -57,6 +58,7 @@ public final class SessionsTable {
         DecimalRounding.to(3, session.duration()),
         seen.isPresent() ? DecimalRounding.to(3, seen.getAsDouble()) : null,
         session.condition(),
+        session.language(),
         session.outcome(),
         session.simulated() ? "yes" : "no",
         String.join("|", session.flags()),

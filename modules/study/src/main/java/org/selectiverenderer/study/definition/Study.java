@@ -25,7 +25,8 @@ import org.selectiverenderer.x3d.url.ContentAccessPolicy;
  *     groups
  * @param seed random seed of the assignment and of the order of questions
  * @param fade seconds in which the picture of an area fades in and out, in addition to its exposure
- * @param language of the questionnaires, a code such as {@code en}
+ * @param language in which the study's texts were read, a code such as {@code en}
+ * @param languages all languages of the study; the first is the default
  * @param quality quality criteria of sessions
  * @param course procedure of a session
  * @param streams streams to and from the Lab Streaming Layer
@@ -48,6 +49,7 @@ public record Study(
     TrackerSpec tracker,
     MouseButtonMapping mouse,
     String language,
+    List<String> languages,
     StudyQuestionnaires questionnaires,
     QualityCriteria quality,
     StudyProcedure course,
@@ -57,6 +59,7 @@ public record Study(
 
   public Study {
     areas = List.copyOf(areas);
+    languages = List.copyOf(languages);
   }
 
   /** The practice with display and controls, until the experimenter ends it. */

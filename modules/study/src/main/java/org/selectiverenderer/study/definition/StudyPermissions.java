@@ -36,7 +36,9 @@ public final class StudyPermissions {
     if (DisplayProfileLoader.builtIn(profile).isEmpty()) {
       requests.file("hmd", Path.of(profile));
     }
-    requests.file("language", ParticipantMessages.file(study.language(), study.folder()));
+    for (String language : study.languages()) {
+      requests.file("language", ParticipantMessages.file(language, study.folder()));
+    }
     requests.access(study.access());
     tracker(requests, study.tracker());
     streams(requests, study.streams());

@@ -55,13 +55,17 @@ public final class StudyReader {
       new JsonSettingsReader("a study", "the study is not used");
   private static final String LABEL = "[0-9A-Za-z]+";
 
+  /** Pattern of the languages of a study of several, which become names of files and columns. */
+  private static final String LANGUAGE = "[A-Za-z]{2,3}([_-][0-9A-Za-z]{1,8}){0,3}";
+
   private final Path file;
   private final Path folder;
-
+  private final Optional<String> asked;
   private final ProblemCollector problems;
 
-  private StudyReader(Path file, ProblemCollector problems) {
+  private StudyReader(Path file, Optional<String> asked, ProblemCollector problems) {
     this.file = file;
+    this.asked = asked;
     this.problems = problems;
     folder = file.toAbsolutePath().getParent();
   }
@@ -73,22 +77,25 @@ public final class StudyReader {
    * @throws IOException if the file cannot be read
    */
   public static Optional<Study> read(Path file, ProblemCollector problems) throws IOException {
-    return read(file, study -> true, problems);
+    return read(file, Optional.empty(), study -> true, problems);
   }
 
   /**
    * Reads a file.
    *
+   * @param language one of the study's languages, in which its texts are needed; empty for the
+   *     first
    * @param check is called before any other file is read, if there are no faults so far; it throws
    *     an exception if the study must not have what it asks for, and returns whether the text of
    *     scenes outside of the study's folder and project may be read
    * @return empty if the file has faults, which are then in {@code problems}
    * @throws IOException if the file cannot be read
    */
-  public static Optional<Study> read(Path file, Predicate<Study> check, ProblemCollector problems)
+  public static Optional<Study> read(
+      Path file, Optional<String> language, Predicate<Study> check, ProblemCollector problems)
       throws IOException {
     ProblemCollector faults = new ProblemCollector(problems::add);
-    StudyReader reader = new StudyReader(file, faults);
+    StudyReader reader = new StudyReader(file, language, faults);
     return JSON.read(
             file,
             faults,
@@ -114,9 +121,10 @@ public final class StudyReader {
     Optional<Path> scene =
         keys.text("scene", !areas.isEmpty() && !keys.has("blocks"))
             .map(name -> file(keys, "scene", name));
-    String language = keys.text("language", false).orElse("en");
+    List<String> languages = languages(keys);
+    String language = asked.filter(languages::contains).orElse(languages.get(0));
     StudyDesign design =
-        new StudyDesignReader(this::file, new LocalizedTexts(language), problems)
+        new StudyDesignReader(this::file, new LocalizedTexts(language, languages), problems)
             .read(keys, conditions(keys));
     int participants = (int) keys.whole("participants", 1, MOST_PARTICIPANTS, Double.NaN);
     int groups = design.groups().size();
@@ -169,6 +177,7 @@ public final class StudyReader {
                 mapping -> mapping.name().toLowerCase(Locale.ROOT),
                 MouseButtonMapping.EXPERIMENT),
             language,
+            languages,
             new StudyQuestionnairesReader(this::file)
                 .read(keys, !areas.isEmpty(), keys.has("practice")),
             QualityCriteriaReader.read(keys),
@@ -181,6 +190,43 @@ public final class StudyReader {
           "the study has neither areas nor blocks nor questionnaires, so there is nothing to do");
     }
     return study;
+  }
+
+  private List<String> languages(JsonObjectReader keys) {
+    String one = keys.text("language", false).orElse("en");
+    if (!keys.has("languages")) {
+      requireAsked(keys, "language", List.of(one));
+      return List.of(one);
+    }
+    if (keys.has("language")) {
+      keys.fault("language", "a study has either \"language\" or \"languages\"");
+    }
+    List<String> languages = new ArrayList<>();
+    for (LocatedJsonValue value : keys.list("languages", false)) {
+      String code = value.text().orElse("");
+      if (!code.matches(LANGUAGE)) {
+        keys.fault(value, "a language is a code such as \"en\" or \"el\"");
+      } else if (languages.contains(code)) {
+        keys.fault(value, "the language " + code + " is listed twice");
+      } else {
+        languages.add(code);
+      }
+    }
+    if (languages.isEmpty()) {
+      keys.fault("languages", "a study needs at least one language");
+      return List.of(one);
+    }
+    requireAsked(keys, "languages", languages);
+    return languages;
+  }
+
+  private void requireAsked(JsonObjectReader keys, String key, List<String> languages) {
+    if (asked.isPresent() && !languages.contains(asked.get())) {
+      keys.fault(
+          keys.has(key) ? key : "name",
+          "the study has no language '%s', only %s"
+              .formatted(asked.get(), String.join(", ", languages)));
+    }
   }
 
   /**

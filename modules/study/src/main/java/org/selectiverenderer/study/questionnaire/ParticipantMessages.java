@@ -10,6 +10,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.text.MessageFormat;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Properties;
@@ -84,6 +85,14 @@ public final class ParticipantMessages {
       words.load(new InputStreamReader(in, StandardCharsets.UTF_8));
       return Optional.of(words);
     }
+  }
+
+  /** Returns the keys without a message in this language, whose messages are English. */
+  public List<String> untranslated() {
+    return words.stringPropertyNames().stream()
+        .filter(key -> !words.containsKey(key) && !key.startsWith("area."))
+        .sorted()
+        .toList();
   }
 
   /** Returns the code of the language. */

@@ -4,9 +4,12 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Predicate;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
@@ -41,12 +44,14 @@ public record LoadedStudy(
   /** Reads a study of one's own, which may have what it asks for. */
   public static Optional<LoadedStudy> read(Path file, ProblemCollector problems)
       throws IOException {
-    return read(file, study -> true, problems);
+    return read(file, Optional.empty(), study -> true, problems);
   }
 
   /**
-   * Reads a study file and the files that it refers to.
+   * Reads a study file and the files that it refers to. The texts of all languages of the study are
+   * checked.
    *
+   * @param language one of the study's languages; empty for the first
    * @param check is called before any other file is read; it throws an exception if the study must
    *     not have what it asks for, and returns whether the text of scenes outside of its folder and
    *     project may be read
@@ -54,24 +59,77 @@ public record LoadedStudy(
    * @throws IOException if a file cannot be read
    */
   public static Optional<LoadedStudy> read(
-      Path file, Predicate<Study> check, ProblemCollector problems) throws IOException {
-    Optional<Study> study = StudyReader.read(file, check, problems);
+      Path file, Optional<String> language, Predicate<Study> check, ProblemCollector problems)
+      throws IOException {
+    return readAll(file, language, check, problems).map(all -> all.get(0));
+  }
+
+  /**
+   * Reads a study in all of its languages.
+   *
+   * @param first the language that comes first in the result; empty for the first of the study. The
+   *     others follow in the study's order.
+   * @param check as for {@link #read(Path, Optional, Predicate, ProblemCollector)}
+   * @return empty if there are faults in any language
+   * @throws IOException if a file cannot be read
+   */
+  public static Optional<List<LoadedStudy>> readAll(
+      Path file, Optional<String> first, Predicate<Study> check, ProblemCollector problems)
+      throws IOException {
+    AtomicBoolean readable = new AtomicBoolean();
+    Optional<Study> study =
+        StudyReader.read(
+            file,
+            first,
+            read -> {
+              readable.set(check.test(read));
+              return readable.get();
+            },
+            problems);
     if (study.isEmpty()) {
       return Optional.empty();
     }
+    Set<String> told = new HashSet<>();
+    ProblemCollector once =
+        new ProblemCollector(
+            problem -> {
+              if (told.add(problem.toString())) { // Most faults are those of all languages.
+                problems.add(problem);
+              }
+            });
+    List<LoadedStudy> all = new ArrayList<>();
+    boolean whole = load(study.get(), once, all);
+    for (String other : study.get().languages()) {
+      if (!other.equals(study.get().language())) {
+        Optional<Study> translated =
+            StudyReader.read(file, Optional.of(other), read -> readable.get(), once);
+        whole &= translated.isPresent() && load(translated.get(), once, all);
+      }
+    }
+    return whole ? Optional.of(List.copyOf(all)) : Optional.empty();
+  }
+
+  private static boolean load(Study study, ProblemCollector problems, List<LoadedStudy> all)
+      throws IOException {
+    Optional<LoadedStudy> loaded = load(study, problems);
+    loaded.ifPresent(all::add);
+    return loaded.isPresent();
+  }
+
+  private static Optional<LoadedStudy> load(Study study, ProblemCollector problems)
+      throws IOException {
     Optional<ParticipantMessages> wording =
-        ParticipantMessages.of(study.get().language(), study.get().folder(), problems);
+        ParticipantMessages.of(study.language(), study.folder(), problems);
     if (wording.isEmpty()) {
       return Optional.empty();
     }
-    StudyQuestionnaireLoader all =
-        new StudyQuestionnaireLoader(study.get(), wording.get(), problems);
+    StudyQuestionnaireLoader all = new StudyQuestionnaireLoader(study, wording.get(), problems);
     Optional<Questionnaire> form = all.form();
     Optional<List<Asked>> asked = all.asked();
     if (form.isEmpty() || asked.isEmpty()) {
       return Optional.empty();
     }
-    LoadedStudy material = new LoadedStudy(study.get(), form.get(), asked.get(), wording.get());
+    LoadedStudy material = new LoadedStudy(study, form.get(), asked.get(), wording.get());
     material.tellDesk(problems);
     return material.distinct(problems) && material.asksKnown(problems)
         ? Optional.of(material)

@@ -126,6 +126,7 @@ public final class PreviewSession {
         study.tracker(),
         study.mouse(),
         study.language(),
+        study.languages(),
         study.questionnaires(),
         study.quality(),
         study.course(),

@@ -42,6 +42,7 @@ public final class SessionHistory {
   private Optional<String> group = Optional.empty();
   private int place;
   private String checksum = "";
+  private String language = "";
   private boolean aborted;
   private boolean over;
   private boolean refused;
@@ -91,6 +92,7 @@ public final class SessionHistory {
       case "session-began" -> {
         options(event);
         checksum = event.path("study_sha256").asText();
+        language = event.path("language").asText();
       }
       case "resumed" -> {
         aborted = false;
@@ -275,6 +277,11 @@ public final class SessionHistory {
   /** Returns the SHA-256 checksum of the study file at the session's begin. */
   synchronized String checksum() {
     return checksum;
+  }
+
+  /** Returns the language in which the session was begun; empty if its journal does not say. */
+  public synchronized Optional<String> language() {
+    return Optional.of(language).filter(code -> !code.isEmpty());
   }
 
   /** Returns whether a simulated participant took part, if only in some steps. */

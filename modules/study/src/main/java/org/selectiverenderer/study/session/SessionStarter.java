@@ -110,6 +110,7 @@ final class SessionStarter {
     began.put("session", folder.number());
     began.put("study", material.study().name());
     began.put("study_sha256", FileChecksumCalculator.of(material.study().file()));
+    began.put("language", material.study().language());
     began.putAll(options.recorded());
     journal.keep("session-began", began);
     options.flags().forEach(flag -> journal.flag(flag, Map.of()));
@@ -143,6 +144,7 @@ final class SessionStarter {
         if (journal.history().over() || journal.history().refused()) {
           throw new IOException(folder.path() + " is complete; there is nothing to continue");
         }
+        requireLanguage(journal.history().language(), material.study(), folder);
         Session session = new Session(material, folder, options, lock, journal);
         new SessionStarter(session, problems).tellResumed(mended);
         return session;
@@ -153,6 +155,19 @@ final class SessionStarter {
     } catch (IOException e) {
       lock.close();
       throw e;
+    }
+  }
+
+  /** Refuses another language: the answers before and after would be to different texts. */
+  private static void requireLanguage(Optional<String> began, Study study, SessionFolder folder)
+      throws IOException {
+    if (began.isPresent() && !began.get().equals(study.language())) {
+      throw new IOException(
+          study.languages().contains(began.get())
+              ? "%s began in the language '%s', not in '%s'; it is continued in it if --language is left out"
+                  .formatted(folder.path(), began.get(), study.language())
+              : "%s began in the language '%s', which the study no longer has"
+                  .formatted(folder.path(), began.get()));
     }
   }
 
@@ -228,6 +243,7 @@ final class SessionStarter {
     void write() throws IOException {
       folder.writeOnce("study.json", InputFileReader.text(material.study().file()));
       Map<String, Object> settings = new LinkedHashMap<>(options.recorded());
+      settings.put("language", material.study().language());
       settings.put("sha256", checksums());
       folder.writeOnce(FILE, JsonWriter.of(JsonTree.of(settings)));
     }

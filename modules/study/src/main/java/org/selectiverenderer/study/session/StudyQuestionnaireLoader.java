@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.study.definition.Study;
 import org.selectiverenderer.study.definition.StudyPermissions;
 import org.selectiverenderer.study.definition.StudyQuestionnaires.Content;
@@ -14,6 +15,7 @@ import org.selectiverenderer.study.definition.StudyQuestionnaires.Source;
 import org.selectiverenderer.study.questionnaire.ParticipantMessages;
 import org.selectiverenderer.study.questionnaire.Questionnaire;
 import org.selectiverenderer.study.questionnaire.read.ItemListReader;
+import org.selectiverenderer.study.questionnaire.read.LocalizedTexts;
 import org.selectiverenderer.study.questionnaire.read.QuestionnaireReader;
 import org.selectiverenderer.study.questionnaire.read.StandardScales;
 import org.selectiverenderer.study.session.LoadedStudy.Asked;
@@ -37,7 +39,7 @@ final class StudyQuestionnaireLoader {
     Optional<Questionnaire> read =
         study.questionnaires().form().isPresent()
             ? own(study.questionnaires().form().get())
-            : StandardScales.form(study.language(), problems);
+            : standard(StandardScales.FORM);
     return read.map(form -> form.as("form", ""));
   }
 
@@ -58,7 +60,23 @@ final class StudyQuestionnaireLoader {
 
   private Optional<Questionnaire> own(Path file) throws IOException {
     return QuestionnaireReader.read(
-        file, study.language(), StudyPermissions.pictures(study, file), problems);
+        file,
+        new LocalizedTexts(study.language(), study.languages()),
+        StudyPermissions.pictures(study, file),
+        problems);
+  }
+
+  /** Loads a questionnaire of the program, which a study of several languages needs in each. */
+  private Optional<Questionnaire> standard(String name) throws IOException {
+    if (study.languages().size() > 1 && !StandardScales.has(name, study.language())) {
+      problems.error(
+          SourceLocation.of(study.file().toString()),
+          ("the built-in questionnaire %s has no texts in the language '%s'; translate it in a"
+                  + " \"file\" of the study. The study is not used")
+              .formatted(name, study.language()));
+      return Optional.empty();
+    }
+    return StandardScales.of(name, study.language(), problems);
   }
 
   private Optional<List<Questionnaire>> read(Source source) throws IOException {
@@ -74,8 +92,7 @@ final class StudyQuestionnaireLoader {
     Optional<Questionnaire> read =
         source.content() instanceof Content.Own own
             ? own(own.file())
-            : StandardScales.of(
-                ((Content.Standard) source.content()).template(), study.language(), problems);
+            : standard(((Content.Standard) source.content()).template());
     return read.map(one -> one.as(source.name().orElse(one.name()), ""))
         .map(
             one ->

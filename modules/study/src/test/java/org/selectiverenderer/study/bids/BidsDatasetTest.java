@@ -197,7 +197,7 @@ class BidsDatasetTest {
   void sessionsSayHowTheyEnded() throws IOException {
     assertThat(text("sub-001/sub-001_sessions.tsv"))
         .endsWith(
-            "ses-01\t2026-03-01T08:00:00.000Z\t30\t5\tselective\tfinished\tno\tlow-frame-rate"
+            "ses-01\t2026-03-01T08:00:00.000Z\t30\t5\tselective\tn/a\tfinished\tno\tlow-frame-rate"
                 + "\tselective-renderer 2.0\n");
     assertThat(text("sub-P2/sub-P2_sessions.tsv")).contains("\tunfinished\t");
     assertThat(text("sub-001/ses-01/sub-001_ses-01_scans.tsv"))

@@ -165,6 +165,7 @@ class StudyPermissionsTest {
     try {
       LoadedStudy.read(
           file,
+          Optional.empty(),
           study -> {
             throw new IllegalStateException("not agreed");
           },
@@ -217,14 +218,15 @@ class StudyPermissionsTest {
             () ->
                 StudyReader.read(
                     file,
+                    Optional.empty(),
                     study -> {
                       throw new IllegalStateException("refused");
                     },
                     problems))
         .hasMessage("refused");
-    assertThat(StudyReader.read(file, study -> false, problems)).isPresent();
+    assertThat(StudyReader.read(file, Optional.empty(), study -> false, problems)).isPresent();
     assertThat(problems.list()).isEmpty();
-    assertThat(StudyReader.read(file, study -> true, problems)).isEmpty();
+    assertThat(StudyReader.read(file, Optional.empty(), study -> true, problems)).isEmpty();
     assertThat(problems.list().toString()).contains("no Viewpoint with the DEF 'Gone'");
   }
 }

@@ -12,9 +12,22 @@ import org.selectiverenderer.study.questionnaire.QuestionKind;
  */
 public final class LocalizedTexts implements QuestionKind.Texts {
   private final String language;
+  private final List<String> languages;
 
+  /** Makes a reader of texts that need one language. */
   public LocalizedTexts(String language) {
+    this(language, List.of(language));
+  }
+
+  /**
+   * Makes a reader.
+   *
+   * @param language of the texts that are returned
+   * @param languages all languages in which texts are needed
+   */
+  public LocalizedTexts(String language, List<String> languages) {
     this.language = language;
+    this.languages = List.copyOf(languages);
   }
 
   @Override
@@ -52,13 +65,14 @@ public final class LocalizedTexts implements QuestionKind.Texts {
             "the texts of \"" + key + "\"",
             each -> {
               List<String> known = each.names();
-              if (!known.contains(language)) {
-                each.fault(
-                    "\"%s\" has no text in the study's language '%s', only in %s"
-                        .formatted(key, language, String.join(", ", known)));
-                return "";
+              for (String needed : languages) {
+                if (!known.contains(needed)) {
+                  each.fault(
+                      "\"%s\" has no text in the study's language '%s', only in %s"
+                          .formatted(key, needed, String.join(", ", known)));
+                }
               }
-              return text.apply(each);
+              return known.contains(language) ? text.apply(each) : "";
             })
         .orElse("");
   }

@@ -41,10 +41,11 @@ public final class QuestionnaireReader {
   private final Map<String, Question> questions = new LinkedHashMap<>();
   private final Set<String> pages = new HashSet<>();
 
-  private QuestionnaireReader(Optional<Path> folder, Predicate<Path> pictures, String language) {
+  private QuestionnaireReader(
+      Optional<Path> folder, Predicate<Path> pictures, LocalizedTexts texts) {
     this.folder = folder;
     this.pictures = pictures;
-    texts = new LocalizedTexts(language);
+    this.texts = texts;
   }
 
   /**
@@ -57,24 +58,24 @@ public final class QuestionnaireReader {
   public static Optional<Questionnaire> read(Path file, String language, ProblemCollector problems)
       throws IOException {
     UrlResolver own = new UrlResolver(file.toAbsolutePath().resolveSibling(""));
-    return read(file, language, own::mayBeNamed, problems);
+    return read(file, new LocalizedTexts(language), own::mayBeNamed, problems);
   }
 
   /**
    * Reads a file.
    *
-   * @param language code of the language of the texts
+   * @param texts the language of the texts, and all in which they are needed
    * @param pictures which pictures it may show
    * @return empty if the file has faults, which are then in {@code problems}
    * @throws IOException if the file cannot be read
    */
   public static Optional<Questionnaire> read(
-      Path file, String language, Predicate<Path> pictures, ProblemCollector problems)
+      Path file, LocalizedTexts texts, Predicate<Path> pictures, ProblemCollector problems)
       throws IOException {
     Optional<Path> folder = Optional.ofNullable(file.toAbsolutePath().getParent());
     try {
       return JSON.read(
-          file, problems, new QuestionnaireReader(folder, pictures, language)::questionnaire);
+          file, problems, new QuestionnaireReader(folder, pictures, texts)::questionnaire);
     } catch (UncheckedIOException e) {
       throw e.getCause(); // A picture could not be read.
     }
@@ -91,7 +92,8 @@ public final class QuestionnaireReader {
         file,
         text,
         problems,
-        new QuestionnaireReader(Optional.empty(), picture -> false, language)::questionnaire);
+        new QuestionnaireReader(Optional.empty(), picture -> false, new LocalizedTexts(language))
+            ::questionnaire);
   }
 
   private Questionnaire questionnaire(JsonObjectReader keys) {

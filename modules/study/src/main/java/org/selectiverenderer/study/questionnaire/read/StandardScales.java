@@ -20,12 +20,15 @@ public final class StandardScales {
    */
   public static final List<String> NAMES = List.of("sus", "ipq", "ssq");
 
+  /** Name of the default form, consent and age, for a study without a form. */
+  public static final String FORM = "form";
+
   private StandardScales() {}
 
   /**
    * Returns one of the questionnaires.
    *
-   * @param name one of {@link #NAMES}
+   * @param name one of {@link #NAMES}, or {@link #FORM}
    * @return empty if it has no texts in the language, which is then in {@code problems}
    * @throws IOException if the program's own files cannot be read
    */
@@ -34,19 +37,27 @@ public final class StandardScales {
     return read(name + ".json", language, problems);
   }
 
-  /** Returns the default form, consent and age, for a study without a form. */
-  public static Optional<Questionnaire> form(String language, ProblemCollector problems)
-      throws IOException {
-    return read("form.json", language, problems);
+  /**
+   * Returns whether one of the questionnaires has texts in a language; without, it is English.
+   *
+   * @param name one of {@link #NAMES}, or {@link #FORM}
+   * @throws IOException if the program's own files cannot be read
+   */
+  public static boolean has(String name, String language) throws IOException {
+    return text(name + ".json").contains("\"" + language + "\":");
   }
 
   private static Optional<Questionnaire> read(
       String file, String language, ProblemCollector problems) throws IOException {
+    String text = text(file);
+    boolean known = text.contains("\"" + language + "\":");
+    return QuestionnaireReader.parse(file, text, known ? language : "en", problems);
+  }
+
+  private static String text(String file) throws IOException {
     try (InputStream in =
         Objects.requireNonNull(StandardScales.class.getResourceAsStream(file), file)) {
-      String text = new String(in.readAllBytes(), StandardCharsets.UTF_8);
-      boolean known = text.contains("\"" + language + "\":");
-      return QuestionnaireReader.parse(file, text, known ? language : "en", problems);
+      return new String(in.readAllBytes(), StandardCharsets.UTF_8);
     }
   }
 }
