@@ -73,6 +73,7 @@ session-controls.png               session
 session-kinds.png                  session
 session-operator.jpg               window
 session-questionnaire.png          session
+session-sliders.png                session
 side-by-side.jpg                   run
 story-enricher.png                 window
 story-kitchen.svg                  report

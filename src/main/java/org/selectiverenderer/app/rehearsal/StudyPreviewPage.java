@@ -19,6 +19,8 @@ import org.selectiverenderer.study.questionnaire.ChoiceOption;
 import org.selectiverenderer.study.questionnaire.Question;
 import org.selectiverenderer.study.questionnaire.Questionnaire;
 import org.selectiverenderer.study.questionnaire.QuestionnairePage;
+import org.selectiverenderer.study.questionnaire.SliderField;
+import org.selectiverenderer.study.questionnaire.paper.SliderSvg;
 import org.selectiverenderer.study.session.LoadedStudy;
 import org.selectiverenderer.study.session.SessionStep;
 
@@ -31,6 +33,8 @@ public final class StudyPreviewPage {
       .screen{border:1px solid #999;padding:1em;margin:1em 0;background:#fafafa}
       .screen.dark{background:#000;color:#fff;text-align:center}
       .note{color:#555;font-size:9pt}
+      .slider{display:grid;grid-template-columns:1fr 2fr 1fr;gap:6px}
+      .slider :first-child{text-align:right}
       .option{display:inline-block;border:1px solid #888;border-radius:4px;padding:1px 9px;margin:2px}
       .line{display:inline-block;border:1px solid #888;background:#fff;width:20em;height:1.4em}
       figure{display:inline-block;margin:.5em}figcaption{font-size:9pt;max-width:480px}
@@ -244,7 +248,9 @@ public final class StudyPreviewPage {
       html.append(
           field instanceof AnswerField.Choice choice
               ? choice(choice)
-              : "<span class=\"line\"></span> ");
+              : field instanceof SliderField slider
+                  ? SliderSvg.figure(slider)
+                  : "<span class=\"line\"></span> ");
     }
     html.append("</p>\n");
   }

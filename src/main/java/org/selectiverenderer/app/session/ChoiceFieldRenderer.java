@@ -72,7 +72,7 @@ final class ChoiceFieldRenderer {
     }
     pen.skip(2 * PLAIN);
     notes(options, each, gap);
-    ends(choice.least(), choice.most());
+    pen.ends(choice.least(), choice.most());
   }
 
   /** Draws the notes below the options of a scale. */
@@ -89,28 +89,6 @@ final class ChoiceFieldRenderer {
           pen.add(new Primitive2D.Text(line, x, below, size, FAINT));
         }
         pen.reach(below);
-      }
-    }
-  }
-
-  /** Draws the labels at the ends of a scale, below them. */
-  private void ends(String least, String most) {
-    if (least.isEmpty() && most.isEmpty()) {
-      return;
-    }
-    double half = (ROOM - MARGIN) / 2;
-    double top = pen.y();
-    List<String> left = pen.wrapped(least, SMALL, half);
-    List<String> right = pen.wrapped(most, SMALL, half);
-    for (int i = 0; i < Math.max(left.size(), right.size()); i++) {
-      double below = top + (i + 1) * SMALL * LINE;
-      pen.reach(below);
-      if (i < left.size()) {
-        pen.add(new Primitive2D.Text(left.get(i), MARGIN, below, SMALL, FAINT));
-      }
-      if (i < right.size()) {
-        double x = MARGIN + ROOM - pen.width(right.get(i), SMALL);
-        pen.add(new Primitive2D.Text(right.get(i), x, below, SMALL, FAINT));
       }
     }
   }

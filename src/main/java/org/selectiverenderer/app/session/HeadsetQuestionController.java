@@ -189,11 +189,8 @@ final class HeadsetQuestionController implements RunController {
     }
     ButtonQuestionnaireController asking = begun();
     if (session.options().unattended() && ++frames % PRESS == 0) {
-      boolean written = asking.line().isPresent();
-      boolean yes = asking.question().isEmpty() || written || simulated.nextBoolean();
-      if (written && asking.written().isEmpty()) {
-        asking.write(asking.line().orElseThrow().simulated(simulated));
-      }
+      boolean filled = asking.simulate(simulated);
+      boolean yes = asking.question().isEmpty() || filled || simulated.nextBoolean();
       answered(yes ? ControllerCommand.YES : ControllerCommand.NO);
     }
     QuestionPanelRenderer.Sheet drawn = sheet.of(asking, aim.isPresent());

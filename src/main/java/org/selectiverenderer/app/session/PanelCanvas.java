@@ -75,6 +75,33 @@ final class PanelCanvas {
     marks.add(Primitive2D.rectangle(x, y, width, height, on ? MARKED : BOX));
   }
 
+  /** Adds a target at the current position that can be chosen and is not drawn. */
+  void target(double x, double width, double height, Runnable choose) {
+    targets.add(new PointerTarget(x, y, width, height, choose));
+  }
+
+  /** Draws the labels at the ends of a scale below it. */
+  void ends(String least, String most) {
+    if (least.isEmpty() && most.isEmpty()) {
+      return;
+    }
+    double half = (ROOM - MARGIN) / 2;
+    double top = y();
+    List<String> left = wrapped(least, SMALL, half);
+    List<String> right = wrapped(most, SMALL, half);
+    for (int i = 0; i < Math.max(left.size(), right.size()); i++) {
+      double below = top + (i + 1) * SMALL * LINE;
+      reach(below);
+      if (i < left.size()) {
+        add(new Primitive2D.Text(left.get(i), MARGIN, below, SMALL, FAINT));
+      }
+      if (i < right.size()) {
+        double x = MARGIN + ROOM - width(right.get(i), SMALL);
+        add(new Primitive2D.Text(right.get(i), x, below, SMALL, FAINT));
+      }
+    }
+  }
+
   /** Draws a centred line in a box, in a smaller font where it would not fit. */
   void label(String label, double x, double width, double most) {
     double size = Math.min(most, most * (width - SMALL / 2) / Math.max(1, width(label, most)));

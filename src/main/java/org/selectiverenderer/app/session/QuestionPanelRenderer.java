@@ -48,6 +48,7 @@ final class QuestionPanelRenderer {
   private final PanelCanvas pen = new PanelCanvas();
   private final TextFieldRenderer writing;
   private final ChoiceFieldRenderer choice;
+  private final SliderFieldRenderer slider;
 
   /**
    * @param marks the drawn marks, the background first
@@ -74,6 +75,7 @@ final class QuestionPanelRenderer {
     this.pictures = pictures;
     writing = new TextFieldRenderer(pen, wording);
     choice = new ChoiceFieldRenderer(pen, wording);
+    slider = new SliderFieldRenderer(pen);
   }
 
   /** Returns a spot that marks the point at which the pointing ray meets the page. */
@@ -115,6 +117,8 @@ final class QuestionPanelRenderer {
       pen.skip(SMALL / 2);
       if (asked.line().isPresent()) {
         writing.draw(asked, pointing);
+      } else if (asked.slider().isPresent()) {
+        slider.draw(asked);
       } else {
         choice.draw(asked, pointing);
       }
@@ -170,6 +174,9 @@ final class QuestionPanelRenderer {
     }
     if (asked.line().isPresent()) {
       return place + "  " + wording.of("headset.written");
+    }
+    if (asked.slider().isPresent()) {
+      return place + "  " + wording.of("headset.slider");
     }
     List<ChoiceOption> options = asked.choice().orElseThrow().options();
     return place

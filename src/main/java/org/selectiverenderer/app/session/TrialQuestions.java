@@ -2,24 +2,30 @@ package org.selectiverenderer.app.session;
 
 import java.io.IOException;
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.headset.ControllerCommand;
 import org.selectiverenderer.render.window.KeyboardKey;
 import org.selectiverenderer.study.questionnaire.ButtonQuestionnaireController;
 import org.selectiverenderer.study.questionnaire.ChoiceOption;
+import org.selectiverenderer.study.questionnaire.NumberKeys;
 import org.selectiverenderer.study.questionnaire.ParticipantMessages;
 import org.selectiverenderer.study.questionnaire.Questionnaire;
 import org.selectiverenderer.study.questionnaire.QuestionnaireProgress;
+import org.selectiverenderer.study.questionnaire.SliderField;
 import org.selectiverenderer.study.session.Session;
 import org.selectiverenderer.study.session.SessionStep;
 
 /**
  * The questions of a trial, which are asked in the picture and answered by keys or by the buttons
- * of a headset's controllers: arrows mark an option, Enter or the space bar gives it, digits choose
- * an option by its value or place, Backspace goes back.
+ * of a headset's controllers: arrows mark an option or move a slider, Enter or the space bar gives
+ * it, digits choose an option by its value or place, Backspace goes back.
  */
 final class TrialQuestions {
+  /** How long a digit waits for a second one, in nanoseconds, as in a window. */
+  private static final long SECOND_DIGIT = 1_500_000_000L;
+
   /** Frames between two answers of a simulated participant. */
   private static final int PRESS = 5;
 
@@ -31,6 +37,8 @@ final class TrialQuestions {
   private final QuestionPanelRenderer renderer;
   private final Random simulated;
   private @Nullable ButtonQuestionnaireController buttons;
+  private Optional<NumberKeys> typed = Optional.empty();
+  private long typedAt;
   private int frames;
 
   /**
@@ -68,14 +76,14 @@ final class TrialQuestions {
   /** Handles a frame: a simulated participant answers now and then. */
   void frame() {
     ButtonQuestionnaireController asking = asking();
+    if (typed.isPresent() && System.nanoTime() - typedAt > SECOND_DIGIT) {
+      settle(asking);
+    }
     if (!session.options().unattended() || asking.over() || ++frames % PRESS != 0) {
       return;
     }
-    boolean written = asking.line().isPresent();
-    if (written && asking.written().isEmpty()) {
-      asking.write(asking.line().orElseThrow().simulated(simulated));
-    }
-    if (asking.question().isEmpty() || written || simulated.nextBoolean()) {
+    boolean filled = asking.simulate(simulated);
+    if (asking.question().isEmpty() || filled || simulated.nextBoolean()) {
       asking.yes();
     } else {
       asking.no();
@@ -109,7 +117,11 @@ final class TrialQuestions {
   /** Handles a key. */
   void pressed(KeyboardKey key, String character) {
     ButtonQuestionnaireController asking = asking();
-    if (asking.over()) {
+    if (asking.over() || number(asking, character)) {
+      return;
+    }
+    typed = Optional.empty();
+    if (asking.slider().isPresent() && slid(asking, key)) {
       return;
     }
     boolean writing = asking.line().isPresent();
@@ -137,6 +149,70 @@ final class TrialQuestions {
     }
   }
 
+  /** Moves a slider's thumb; returns whether the key does. */
+  private static boolean slid(ButtonQuestionnaireController asking, KeyboardKey key) {
+    SliderField slider = asking.slider().orElseThrow();
+    switch (key) {
+      case RIGHT, UP -> asking.slideBy(1);
+      case LEFT, DOWN -> asking.slideBy(-1);
+      case PAGE_UP -> asking.slideBy(slider.page());
+      case PAGE_DOWN -> asking.slideBy(-slider.page());
+      case HOME -> asking.slide(0);
+      case END -> asking.slide(slider.last());
+      default -> {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /**
+   * Handles a key of a number: shows the number so far, which is the answer when no further digit
+   * can follow, or none has come in time.
+   *
+   * @return whether the present field takes numbers and the key is one of a number
+   */
+  private boolean number(ButtonQuestionnaireController asking, String character) {
+    Optional<NumberKeys> keys = asking.asks().flatMap(NumberKeys::of);
+    if (keys.isEmpty() || !character.matches("[-.,0-9]")) {
+      return false;
+    }
+    NumberKeys before = typed.orElse(keys.get());
+    char key = character.equals(",") ? '.' : character.charAt(0);
+    if (!before.takes(key)) {
+      return true; // A key that the scale has not must not choose by place.
+    }
+    NumberKeys now = before.and(key);
+    typed = Optional.of(now);
+    typedAt = System.nanoTime();
+    now.value()
+        .ifPresent(
+            value -> {
+              if (asking.slider().isPresent()) {
+                asking.slide(asking.slider().get().position(value).orElseThrow());
+              } else {
+                asking.mark(values(asking).indexOf(value));
+              }
+            });
+    if (!now.waits()) {
+      settle(asking);
+    }
+    return true;
+  }
+
+  /** Gives the number that was typed as the answer; a slider's may still be moved. */
+  private void settle(ButtonQuestionnaireController asking) {
+    Optional<String> value = typed.flatMap(NumberKeys::value);
+    typed = Optional.empty();
+    if (value.isPresent() && asking.choice().isPresent()) {
+      asking.choose(values(asking).indexOf(value.get()));
+    }
+  }
+
+  private static List<String> values(ButtonQuestionnaireController asking) {
+    return asking.choice().orElseThrow().options().stream().map(ChoiceOption::value).toList();
+  }
+
   /** Moves the mark to the next or the previous option. */
   private static void step(ButtonQuestionnaireController asking, boolean forward) {
     if (asking.choice().isEmpty()) {
@@ -155,8 +231,7 @@ final class TrialQuestions {
     if (asking.choice().isEmpty() || character.isBlank()) {
       return;
     }
-    List<String> values =
-        asking.choice().get().options().stream().map(ChoiceOption::value).toList();
+    List<String> values = values(asking);
     int at = values.indexOf(character);
     if (at < 0) {
       for (int option = 0; option < values.size() && at < 0; option++) {

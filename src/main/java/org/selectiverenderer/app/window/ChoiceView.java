@@ -14,7 +14,6 @@ import javax.swing.Box;
 import javax.swing.BoxLayout;
 import javax.swing.ButtonGroup;
 import javax.swing.JComponent;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 import javax.swing.SwingConstants;
@@ -39,7 +38,7 @@ final class ChoiceView implements FieldView {
    * How long a digit waits for a second one, in milliseconds; the messages to participants say it,
    * too.
    */
-  private static final int SECOND_DIGIT_MS = 1500;
+  static final int SECOND_DIGIT_MS = 1500;
 
   private final AnswerField.Choice field;
   private final Listener listener;
@@ -89,12 +88,7 @@ final class ChoiceView implements FieldView {
 
   private void end(String text, int width, int side) {
     if (width > 0) {
-      JLabel label = new HiDpiComponents.Label();
-      label.setText(QuestionRowLayout.wrapped(text, width, side));
-      label.setHorizontalAlignment(side);
-      Dimension size = label.getPreferredSize();
-      label.setPreferredSize(new Dimension(width, size.height));
-      panel.add(label);
+      panel.add(QuestionRowLayout.end(text, width, side));
     }
   }
 
@@ -224,6 +218,11 @@ final class ChoiceView implements FieldView {
   @Override
   public boolean waits() {
     return typed.waits();
+  }
+
+  @Override
+  public boolean advances() {
+    return !field.several();
   }
 
   @Override

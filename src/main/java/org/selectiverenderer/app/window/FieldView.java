@@ -1,5 +1,6 @@
 package org.selectiverenderer.app.window;
 
+import java.awt.event.KeyEvent;
 import javax.swing.JComponent;
 
 /** The view of an input field. */
@@ -26,6 +27,20 @@ interface FieldView {
    * @return whether the character chose an option
    */
   boolean key(char typed);
+
+  /**
+   * Handles a key that was pressed while the field's row is current, before the page does.
+   *
+   * @return whether the field has handled the key
+   */
+  default boolean pressed(KeyEvent key) {
+    return false;
+  }
+
+  /** Returns whether the value that was entered last is complete, so that one may go on at once. */
+  default boolean advances() {
+    return false;
+  }
 
   /** Takes the keyboard focus if the field takes text. */
   void focus();

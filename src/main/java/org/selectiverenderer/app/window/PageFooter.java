@@ -23,15 +23,19 @@ final class PageFooter {
   private final ParticipantMessages wording;
   private final JPanel panel = new JPanel(new BorderLayout(16, 0));
   private final JLabel left = PlainText.only(new JLabel(" "));
-  private final JTextArea hint = WrappedTextArea.of(" \n ", 12f, HINT_WIDTH);
+  private final JTextArea hint;
   private final JLabel page = PlainText.only(new JLabel());
   private final JProgressBar progress = new JProgressBar();
   private final JButton back = PlainText.only(new JButton());
   private final JButton next = PlainText.only(new JButton());
   private final Color plain = left.getForeground();
 
-  PageFooter(ParticipantMessages wording, Runnable goBack, Runnable goOn) {
+  /**
+   * @param lines lines of the explanation of the keys
+   */
+  PageFooter(ParticipantMessages wording, int lines, Runnable goBack, Runnable goOn) {
     this.wording = wording;
+    hint = WrappedTextArea.of(" " + "\n ".repeat(lines - 1), 12f, HINT_WIDTH);
     next.setName("next");
     next.setFocusable(false);
     next.addActionListener(event -> goOn.run());

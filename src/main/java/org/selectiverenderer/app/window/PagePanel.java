@@ -167,7 +167,7 @@ final class PagePanel implements QuestionRow.Listener {
   }
 
   private void mark(int number) {
-    if (number != current && rows.get(current).waits()) {
+    if (number != current && !rows.get(current).takesText()) {
       rows.get(current).settle(); // A digit that waits for a second one counts.
     }
     rows.get(current).current(false);
@@ -202,6 +202,9 @@ final class PagePanel implements QuestionRow.Listener {
       return !writing
           && rows.get(current).panel().isVisible()
           && rows.get(current).key(event.getKeyChar());
+    }
+    if (!writing && rows.get(current).panel().isVisible() && rows.get(current).pressed(event)) {
+      return true;
     }
     boolean lines = writing && !(event.getSource() instanceof javax.swing.JTextField);
     switch (event.getKeyCode()) {

@@ -3,6 +3,7 @@ package org.selectiverenderer.app.window;
 import java.awt.Color;
 import java.awt.Component;
 import java.awt.Dimension;
+import java.awt.event.KeyEvent;
 import java.util.ArrayList;
 import java.util.List;
 import javax.swing.BorderFactory;
@@ -15,6 +16,7 @@ import org.selectiverenderer.study.questionnaire.Answer;
 import org.selectiverenderer.study.questionnaire.AnswerField;
 import org.selectiverenderer.study.questionnaire.ParticipantMessages;
 import org.selectiverenderer.study.questionnaire.Question;
+import org.selectiverenderer.study.questionnaire.SliderField;
 import org.selectiverenderer.swing.PlainText;
 
 /** The row of a question with its fields. Depends on fields, not on kinds of questions. */
@@ -81,15 +83,22 @@ final class QuestionRow {
     if (field instanceof AnswerField.Line line) {
       return new TextFieldView(line, question.id(), spoken(), told, () -> listener.touched(this));
     }
+    if (field instanceof SliderField slider) {
+      return new SliderView(slider, question.id(), spoken(), shape, told);
+    }
     return new ChoiceView((AnswerField.Choice) field, question.id(), spoken(), shape, told);
   }
 
   /** Returns the accessible name of the question. */
   private String spoken() {
     AnswerField first = question.kind().fields(wording).get(0);
-    return question.text().isEmpty() && first instanceof AnswerField.Choice choice
-        ? choice.least() + " - " + choice.most()
-        : question.text();
+    if (!question.text().isEmpty()) {
+      return question.text();
+    }
+    if (first instanceof SliderField slider) {
+      return slider.least() + " - " + slider.most();
+    }
+    return first instanceof AnswerField.Choice choice ? choice.least() + " - " + choice.most() : "";
   }
 
   private void layBeside(QuestionRowLayout shape) {
@@ -167,6 +176,11 @@ final class QuestionRow {
     return views.stream().anyMatch(view -> view.key(typed));
   }
 
+  /** Handles a key that was pressed while the row is current; returns whether a field has. */
+  boolean pressed(KeyEvent key) {
+    return views.stream().anyMatch(view -> view.pressed(key));
+  }
+
   /** Sets whether this row is current, so that keys answer it. */
   void current(boolean on) {
     panel.setBackground(on ? CURRENT : PLAIN);
@@ -186,8 +200,7 @@ final class QuestionRow {
    * Returns whether one answer completes the row, so that the next row may become current at once.
    */
   boolean settlesAtOnce() {
-    return question.kind().fields(wording).stream()
-        .allMatch(field -> field instanceof AnswerField.Choice choice && !choice.several());
+    return views.stream().allMatch(FieldView::advances);
   }
 
   /** Returns whether a field waits for a second digit of a number. */

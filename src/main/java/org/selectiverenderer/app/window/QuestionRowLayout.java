@@ -21,6 +21,7 @@ import org.selectiverenderer.study.questionnaire.ChoiceOption;
 import org.selectiverenderer.study.questionnaire.ParticipantMessages;
 import org.selectiverenderer.study.questionnaire.Question;
 import org.selectiverenderer.study.questionnaire.QuestionnairePage;
+import org.selectiverenderer.study.questionnaire.SliderField;
 import org.selectiverenderer.swing.PlainText;
 
 /**
@@ -74,23 +75,37 @@ record QuestionRowLayout(boolean beside, int name, int least, int most, boolean 
     return new QuestionRowLayout(
         beside,
         beside && named ? NAME_WIDTH : 0,
-        ends(fields, AnswerField.Choice::least),
-        ends(fields, AnswerField.Choice::most),
+        ends(fields, AnswerField.Choice::least, SliderField::least),
+        ends(fields, AnswerField.Choice::most, SliderField::most),
         alike);
   }
 
-  private static int ends(List<AnswerField> fields, Function<AnswerField.Choice, String> end) {
+  private static int ends(
+      List<AnswerField> fields,
+      Function<AnswerField.Choice, String> end,
+      Function<SliderField, String> ofSlider) {
     JLabel label = new HiDpiComponents.Label();
     FontMetrics metrics = label.getFontMetrics(label.getFont());
     return fields.stream()
-        .filter(AnswerField.Choice.class::isInstance)
-        .map(AnswerField.Choice.class::cast)
-        .filter(choice -> !ChoiceView.list(choice))
-        .map(end)
+        .map(
+            field ->
+                field instanceof AnswerField.Choice choice && !ChoiceView.list(choice)
+                    ? end.apply(choice)
+                    : field instanceof SliderField slider ? ofSlider.apply(slider) : "")
         .filter(text -> !text.isEmpty())
         .mapToInt(text -> Math.min(END_WIDTH, metrics.stringWidth(text) + 8))
         .max()
         .orElse(0);
+  }
+
+  /** Returns the label of an end of a scale or slider. */
+  static JLabel end(String text, int width, int side) {
+    JLabel label = new HiDpiComponents.Label();
+    label.setText(wrapped(text, width, side));
+    label.setHorizontalAlignment(side);
+    Dimension size = label.getPreferredSize();
+    label.setPreferredSize(new Dimension(width, size.height));
+    return label;
   }
 
   /** Returns the button of an option; a number has narrow margins, so that long scales fit. */

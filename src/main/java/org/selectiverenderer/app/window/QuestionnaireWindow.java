@@ -28,6 +28,7 @@ import org.selectiverenderer.study.questionnaire.ParticipantMessages;
 import org.selectiverenderer.study.questionnaire.Questionnaire;
 import org.selectiverenderer.study.questionnaire.QuestionnairePage;
 import org.selectiverenderer.study.questionnaire.QuestionnaireProgress;
+import org.selectiverenderer.study.questionnaire.SliderField;
 import org.selectiverenderer.swing.PlainText;
 
 /**
@@ -82,7 +83,7 @@ public final class QuestionnaireWindow {
     course =
         new QuestionnaireProgress(
             asking.questionnaire(), asking.wording(), asking.known(), asking.from(), listener);
-    foot = new PageFooter(asking.wording(), this::back, this::goOn);
+    foot = new PageFooter(asking.wording(), hintLines(), this::back, this::goOn);
     panel = make(course.page());
     JPanel south = new JPanel(new BorderLayout());
     south.add(foot.component(), BorderLayout.CENTER);
@@ -104,6 +105,17 @@ public final class QuestionnaireWindow {
           }
         });
     KeyboardFocusManager.getCurrentKeyboardFocusManager().addKeyEventDispatcher(keys);
+  }
+
+  /** Returns how many lines the explanation of the keys has: more where fields take many keys. */
+  private int hintLines() {
+    boolean many =
+        asking.questionnaire().questions().stream()
+            .flatMap(question -> question.kind().fields(asking.wording()).stream())
+            .anyMatch(
+                field ->
+                    !(field instanceof AnswerField.Choice || field instanceof AnswerField.Line));
+    return many ? 4 : 2;
   }
 
   private JPanel refusing() {
@@ -222,14 +234,16 @@ public final class QuestionnaireWindow {
     boolean digits =
         course.page().questions().stream()
             .flatMap(question -> question.kind().fields(wording).stream())
-            .anyMatch(
-                field ->
-                    field instanceof AnswerField.Choice choice
-                        && NumberKeys.of(choice).filter(NumberKeys::mayWait).isPresent());
+            .anyMatch(field -> NumberKeys.of(field).filter(NumberKeys::mayWait).isPresent());
+    boolean thumbs =
+        course.page().questions().stream()
+            .flatMap(question -> question.kind().fields(wording).stream())
+            .anyMatch(SliderField.class::isInstance);
     return keysOf
         + (digits ? " " + wording.of("keys.digits") : "")
         + (lines ? " " + wording.of("keys.lines") : "")
-        + (course.pages().size() > 1 ? " " + wording.of("keys.back") : "");
+        + (course.pages().size() > 1 ? " " + wording.of("keys.back") : "")
+        + (thumbs ? " " + wording.of("keys.thumb") : "");
   }
 
   private boolean key(KeyEvent event) {
@@ -251,11 +265,14 @@ public final class QuestionnaireWindow {
       }
       return true;
     }
+    if (event.getID() != KeyEvent.KEY_RELEASED && panel.key(event, writing)) {
+      return true;
+    }
     if (event.getID() == KeyEvent.KEY_PRESSED && event.getKeyCode() == KeyEvent.VK_PAGE_UP) {
       back();
       return true;
     }
-    return event.getID() != KeyEvent.KEY_RELEASED && panel.key(event, writing);
+    return false;
   }
 
   private void back() {

@@ -313,6 +313,62 @@ class QuestionnaireWindowTest extends SessionWindowFixture {
     assertThat(WindowFinder.answer(asked)).isFalse();
   }
 
+  @Test
+  void slidersAreMovedByKeysAndByTheMouse() throws IOException {
+    LoadedStudy material =
+        ofKinds(
+            """
+            {"name": "all", "title": "Lines", "pages": [
+              {"name": "read", "text": "To be read."},
+              {"name": "rate", "questions": [
+                {"id": "like", "kind": "slider", "text": "How much did you like the room?",
+                 "least": "not at all", "most": "very much"},
+                {"id": "warm", "kind": "slider", "text": "How warm was it?", "from": -1, "to": 1,
+                 "step": 0.1, "marks": true, "number": true, "start": 0},
+                {"id": "bright", "kind": "scale", "text": "How bright was it?", "from": 0,
+                 "to": 100, "least": "dark", "most": "bright"}]}]}
+            """);
+    List<String> heard = new CopyOnWriteArrayList<>();
+    FutureTask<Boolean> asked =
+        asking(material, material.questionnaires("001").get(0), false, heard);
+    JFrame window = WindowFinder.named(hands, "questionnaire");
+    focus(window);
+    hands.press(KeyEvent.VK_ENTER);
+    hands.await("the second page", () -> pages.size() == 2);
+    pictures(window, "session-sliders-open");
+    hands.press(KeyEvent.VK_RIGHT);
+    hands.press(KeyEvent.VK_RIGHT);
+    hands.press(KeyEvent.VK_PAGE_UP);
+    hands.await("61, when the keys rest", () -> heard.contains("like 61"));
+    hands.press(KeyEvent.VK_END);
+    hands.press(KeyEvent.VK_LEFT);
+    hands.press(KeyEvent.VK_DOWN);
+    hands.await("99, when one goes on", () -> heard.contains("like 99"));
+    hands.press(KeyEvent.VK_ENTER);
+    assertThat(asked.isDone()).as("the thumb that is shown is no answer").isFalse();
+    hands.press(KeyEvent.VK_SPACE);
+    hands.await("0, taken as it is", () -> heard.contains("warm 0"));
+    hands.press(KeyEvent.VK_DOWN);
+    hands.press(KeyEvent.VK_7);
+    hands.press(KeyEvent.VK_5);
+    hands.await("75", () -> heard.contains("bright 75"));
+    hands.press(KeyEvent.VK_1);
+    hands.press(KeyEvent.VK_0);
+    hands.press(KeyEvent.VK_0);
+    hands.await("100", () -> heard.contains("bright 100"));
+    SliderTrack line = GuiRobot.named(window, "How warm was it?", SliderTrack.class);
+    hands.click(line);
+    hands.await("the middle, by the mouse", () -> heard.size() == 6);
+    pictures(window, "session-sliders");
+    assertThat(heard)
+        .containsExactly("like 61", "like 99", "warm 0", "bright 75", "bright 100", "warm 0");
+    hands.press(KeyEvent.VK_HOME);
+    hands.press(KeyEvent.VK_ENTER);
+    assertThat(WindowFinder.answer(asked)).isTrue();
+    assertThat(heard).last().isEqualTo("warm -1");
+    assertThat(times).allMatch(ms -> ms >= 0);
+  }
+
   /** Returns the text that a button has room for: with dots at its end if it is cut. */
   private static String drawn(JToggleButton button) {
     return SwingUtilities.layoutCompoundLabel(

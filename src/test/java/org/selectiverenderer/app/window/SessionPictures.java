@@ -2,7 +2,9 @@ package org.selectiverenderer.app.window;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.event.KeyEvent;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -73,6 +75,53 @@ class SessionPictures extends SessionWindowFixture {
     }
     assertThat(pages).isNotEmpty();
     GuiRobot.picture(window.getContentPane(), name, SCALE);
+  }
+
+  /** Takes a picture of a questionnaire's only page after some keys. */
+  private void own(String name, String questions, int... keys) throws IOException {
+    Files.writeString(
+        folder.resolve("own.json"),
+        "{\"name\": \"own\", \"title\": \"The room\", \"pages\": [{\"questions\": [%s]}]}"
+            .formatted(questions));
+    Path file =
+        Files.writeString(
+            folder.resolve("own-study.json"),
+            """
+            {"name": "Own", "conditions": ["high"], "participants": 1,
+             "questionnaires": [{"file": "own.json"}]}
+            """);
+    LoadedStudy material = LoadedStudy.read(file, new ProblemCollector()).orElseThrow();
+    List<String> heard = new CopyOnWriteArrayList<>();
+    asking(material, material.questionnaires("001").get(0), false, heard);
+    JFrame window = WindowFinder.named(hands, "questionnaire");
+    focus(window);
+    for (int key : keys) {
+      hands.press(key);
+    }
+    DisplaySettling.pause(1000);
+    assertThat(heard).isNotEmpty();
+    GuiRobot.picture(window.getContentPane(), name, SCALE);
+  }
+
+  @Test
+  void sliders() throws IOException {
+    own(
+        "session-sliders",
+        """
+        {"id": "like", "kind": "slider", "text": "How much did you like the room?",
+         "least": "not at all", "most": "very much"},
+        {"id": "warm", "kind": "slider", "text": "How warm did it look?", "from": -1, "to": 1,
+         "step": 0.1, "marks": true, "number": true, "start": 0, "least": "cold", "most": "hot"},
+        {"id": "bright", "kind": "scale", "text": "How bright was it?", "from": 0, "to": 100,
+         "least": "dark", "most": "bright"}
+        """,
+        KeyEvent.VK_RIGHT,
+        KeyEvent.VK_PAGE_UP,
+        KeyEvent.VK_PAGE_UP,
+        KeyEvent.VK_DOWN,
+        KeyEvent.VK_DOWN,
+        KeyEvent.VK_3,
+        KeyEvent.VK_5);
   }
 
   @Test

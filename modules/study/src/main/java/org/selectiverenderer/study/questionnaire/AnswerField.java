@@ -10,10 +10,10 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
 /**
- * An input field of a question: a choice, or a line to write on. Windows and paper forms draw
- * fields.
+ * An input field of a question: a choice, a line to write on, a slider. Windows and paper forms
+ * draw fields.
  */
-public sealed interface AnswerField {
+public sealed interface AnswerField permits AnswerField.Choice, AnswerField.Line, SliderField {
   /** Separates the values of an answer with several. */
   String SEPARATOR = "|";
 

@@ -1,6 +1,7 @@
 package org.selectiverenderer.study.questionnaire;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import org.selectiverenderer.formats.json.JsonObjectReader;
 
@@ -26,6 +27,11 @@ public record BipolarQuestion(int to, String left, String right) implements Ques
   @Override
   public List<String> values() {
     return IntStream.rangeClosed(1, to).mapToObj(Integer::toString).toList();
+  }
+
+  @Override
+  public Optional<SliderField> scale() {
+    return Optional.of(SliderField.numbers(1, to, left, right));
   }
 
   @Override

@@ -4,16 +4,19 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.OptionalLong;
+import java.util.Random;
 import java.util.Set;
 
 /**
  * Lets a participant answer a questionnaire with two buttons and a stick, one question at a time.
  * Of two options each button is one; of several, the stick or the second button marks one and the
  * first button chooses it. If several options may be chosen, the first button toggles the marked
- * one, and after the last option it goes on. For a text, the first button goes on and the second
- * deletes a character. At the end of a page, the first button turns the page and the second goes
- * back. No option is marked beforehand, so that no answer is suggested. A participant who points
- * with a controller chooses at once, and points at buttons to go back and on. Belongs to one
+ * one, and after the last option it goes on. On a slider the stick moves the thumb far, the second
+ * button by a step, and the first button goes on. For a text, the first button goes on and the
+ * second deletes a character. At the end of a page, the first button turns the page and the second
+ * goes back. No option is marked beforehand, so that no answer is suggested. A participant who
+ * points with a controller chooses at once, and points at buttons to go back and on. Belongs to one
  * thread.
  */
 public final class ButtonQuestionnaireController {
@@ -23,6 +26,10 @@ public final class ButtonQuestionnaireController {
   private int field;
   private int marked = -1;
   private final StringBuilder written = new StringBuilder();
+
+  /** Time of the last move of a slider that is not reported yet. */
+  private OptionalLong moved = OptionalLong.empty();
+
   private boolean over;
 
   /** Begins at the first question that is not answered. */
@@ -49,8 +56,8 @@ public final class ButtonQuestionnaireController {
     return at + 1;
   }
 
-  /** Returns the current field of the question. */
-  private Optional<AnswerField> asks() {
+  /** Returns the current field of the question; empty at the end of a page. */
+  public Optional<AnswerField> asks() {
     return question().map(asked -> asked.kind().fields(wording).get(field));
   }
 
@@ -62,6 +69,49 @@ public final class ButtonQuestionnaireController {
   /** Returns the current field if it is a line to write on; empty if it is a choice. */
   public Optional<AnswerField.Line> line() {
     return asks().filter(AnswerField.Line.class::isInstance).map(AnswerField.Line.class::cast);
+  }
+
+  /** Returns the current field if it is a slider. */
+  public Optional<SliderField> slider() {
+    return asks().filter(SliderField.class::isInstance).map(SliderField.class::cast);
+  }
+
+  /** Returns the position of the slider's thumb; empty before it is touched, unless it is shown. */
+  public OptionalInt thumb() {
+    SliderField slider = slider().orElseThrow();
+    OptionalInt answered = slider.position(course.answer(question().orElseThrow()).value());
+    return answered.isPresent() ? answered : slider.start();
+  }
+
+  /** Moves the slider's thumb to a position, which is an answer that may still change. */
+  public void slide(int position) {
+    Question asked = question().orElseThrow();
+    long now = System.nanoTime();
+    Answer answer = Answer.of(slider().orElseThrow().value(position));
+    moved = OptionalLong.of(now);
+    course.answer(asked, answer, false, now);
+  }
+
+  /** Moves the slider's thumb by some steps. */
+  public void slideBy(int steps) {
+    slide(slider().orElseThrow().moved(thumb(), steps));
+  }
+
+  /**
+   * Fills in the current field as a simulated participant does, if it is a line or a slider without
+   * an answer.
+   *
+   * @return whether the field is one of these
+   */
+  public boolean simulate(Random random) {
+    if (line().isPresent() && written().isEmpty()) {
+      write(line().get().simulated(random));
+    }
+    if (slider().isPresent() && course.answer(question().orElseThrow()).equals(Answer.NONE)) {
+      SliderField slider = slider().get();
+      slide(slider.position(slider.simulated(random)).orElseThrow());
+    }
+    return line().isPresent() || slider().isPresent();
   }
 
   /** Returns the text written so far. */
@@ -132,6 +182,9 @@ public final class ButtonQuestionnaireController {
   /** Handles the first button (yes). */
   public void yes() {
     if (choice().isEmpty()) {
+      if (slider().isPresent() && thumb().isPresent()) {
+        settleThumb();
+      }
       forward();
     } else if (oneOfTwo()) {
       take(0);
@@ -142,10 +195,21 @@ public final class ButtonQuestionnaireController {
     }
   }
 
+  /** Takes the thumb where it stands as the answer, also where it has not been touched. */
+  private void settleThumb() {
+    int thumb = thumb().orElseThrow();
+    if (course.answer(question().orElseThrow()).equals(Answer.NONE)) {
+      slide(thumb);
+    }
+  }
+
   /** Handles the second button (no). */
   public void no() {
     if (line().isPresent()) {
       erase();
+    } else if (slider().isPresent()) {
+      boolean atEnd = thumb().equals(OptionalInt.of(slider().get().last()));
+      slide(atEnd ? 0 : slider().get().moved(thumb(), 1));
     } else if (question().isPresent()) {
       if (oneOfTwo()) {
         take(1);
@@ -171,7 +235,10 @@ public final class ButtonQuestionnaireController {
 
   private void stick(boolean away) {
     Optional<AnswerField.Choice> choice = choice();
-    if (choice.isPresent() && !oneOfTwo()) {
+    if (slider().isPresent()) {
+      int far = Math.max(1, slider().get().page() / 2);
+      slideBy(away ? far : -far);
+    } else if (choice.isPresent() && !oneOfTwo()) {
       boolean on = choice.get().inLine() == away;
       int last = places() - 1;
       marked = marked < 0 ? (on ? 0 : last) : Math.max(0, Math.min(last, marked + (on ? 1 : -1)));
@@ -180,6 +247,11 @@ public final class ButtonQuestionnaireController {
     } else if (!away && question().isPresent()) {
       forward();
     }
+  }
+
+  /** Marks an option, which the first button then chooses. */
+  public void mark(int option) {
+    marked = option;
   }
 
   /** Chooses an option that was pointed at. */
@@ -230,8 +302,13 @@ public final class ButtonQuestionnaireController {
     }
   }
 
-  /** Records the written text as the answer, unless it is recorded already. */
+  /** Records the written text or the slider's value, unless it is recorded already. */
   private void keep() {
+    if (slider().isPresent() && moved.isPresent()) {
+      Question asked = question().orElseThrow();
+      course.answer(asked, course.answer(asked), true, moved.getAsLong());
+      moved = OptionalLong.empty();
+    }
     line()
         .ifPresent(
             line -> {
@@ -273,6 +350,7 @@ public final class ButtonQuestionnaireController {
   private void ask(int which) {
     at = which;
     field = 0;
+    moved = OptionalLong.empty();
     question().ifPresent(course::saw);
     mark();
   }

@@ -4,9 +4,9 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The keys that have been typed of a number of a scale. A digit is not an answer yet while another
- * may follow it: on a scale from 0 to 10 a 1 may become 10. A key that cannot follow begins anew,
- * so that it corrects the answer.
+ * The keys that have been typed of a number of a scale or slider. A digit is not an answer yet
+ * while another may follow it: on a scale from 0 to 10 a 1 may become 10. A key that cannot follow
+ * begins anew, so that it corrects the answer.
  *
  * @param values the numbers of the scale
  * @param typed the keys so far; empty before the first one, else the beginning of a number
@@ -28,6 +28,23 @@ public record NumberKeys(List<String> values, String typed) {
         ? Optional.of(
             new NumberKeys(choice.options().stream().map(ChoiceOption::value).toList(), ""))
         : Optional.empty();
+  }
+
+  /**
+   * Returns the keys of a slider whose value is shown, before the first one.
+   *
+   * @return empty for a slider whose value cannot be typed
+   */
+  public static Optional<NumberKeys> of(SliderField slider) {
+    return slider.number() ? Optional.of(new NumberKeys(slider.values(), "")) : Optional.empty();
+  }
+
+  /** Returns the keys of a field, before the first one; empty for one that takes no numbers. */
+  public static Optional<NumberKeys> of(AnswerField field) {
+    if (field instanceof AnswerField.Choice choice) {
+      return of(choice);
+    }
+    return field instanceof SliderField slider ? of(slider) : Optional.empty();
   }
 
   private static boolean typedAsItself(ChoiceOption option) {

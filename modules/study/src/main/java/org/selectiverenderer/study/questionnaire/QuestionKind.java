@@ -19,7 +19,8 @@ public sealed interface QuestionKind
         SingleChoiceQuestion,
         MultipleChoiceQuestion,
         TextQuestion,
-        NumberQuestion {
+        NumberQuestion,
+        SliderQuestion {
 
   /** Returns the spelling of the kind in files and tables. */
   String spelling();
@@ -54,6 +55,14 @@ public sealed interface QuestionKind
 
   /** Returns the range of valid numbers; empty for kinds whose answers are not numbers. */
   default Optional<AnswerField.Line.Range> numbers() {
+    return Optional.empty();
+  }
+
+  /**
+   * Returns the scale of the answers, from whose other end a score may count; empty for kinds whose
+   * answers are on no scale.
+   */
+  default Optional<SliderField> scale() {
     return Optional.empty();
   }
 
@@ -103,7 +112,8 @@ public sealed interface QuestionKind
           SingleChoiceQuestion.SPELLING,
           MultipleChoiceQuestion.SPELLING,
           TextQuestion.SPELLING,
-          NumberQuestion.SPELLING);
+          NumberQuestion.SPELLING,
+          SliderQuestion.SPELLING);
 
   /**
    * Reads the kind of a question and the keys that it has.
@@ -120,6 +130,7 @@ public sealed interface QuestionKind
       case MultipleChoiceQuestion.SPELLING -> Optional.of(MultipleChoiceQuestion.read(keys, texts));
       case TextQuestion.SPELLING -> Optional.of(TextQuestion.read(keys));
       case NumberQuestion.SPELLING -> Optional.of(NumberQuestion.read(keys, texts));
+      case SliderQuestion.SPELLING -> Optional.of(SliderQuestion.read(keys, texts));
       default -> {
         if (!kind.isEmpty()) {
           keys.fault(

@@ -1,6 +1,7 @@
 package org.selectiverenderer.study.questionnaire;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import org.selectiverenderer.formats.json.JsonObjectReader;
 
@@ -14,8 +15,10 @@ public record ScaleQuestion(int from, int to, String least, String most, List<St
   /** Spelling of the kind in files. */
   static final String SPELLING = "scale";
 
-  /** Maximum number of steps: a row has no room for more. */
-  private static final int MOST_STEPS = 11;
+  /** Maximum number of steps that are buttons: a row has no room for more. */
+  private static final int MOST_BUTTONS = 11;
+
+  private static final int MOST_STEPS = 101;
 
   public ScaleQuestion {
     notes = List.copyOf(notes);
@@ -23,8 +26,8 @@ public record ScaleQuestion(int from, int to, String least, String most, List<St
 
   /** Reads {@code from}, {@code to}, {@code least}, {@code most}, {@code steps}. */
   static ScaleQuestion read(JsonObjectReader keys, Texts texts) {
-    int from = (int) keys.whole("from", -10, 10, 1);
-    int to = (int) keys.whole("to", -10, 20, 5);
+    int from = (int) keys.whole("from", -100, 100, 1);
+    int to = (int) keys.whole("to", -100, 200, 5);
     if (to <= from || to - from >= MOST_STEPS) {
       keys.fault(
           "to",
@@ -39,6 +42,11 @@ public record ScaleQuestion(int from, int to, String least, String most, List<St
           "there are %d names for the %d steps of the scale"
               .formatted(notes.size(), to - from + 1));
       notes = List.of();
+    }
+    if (!notes.isEmpty() && notes.size() > MOST_BUTTONS) {
+      keys.fault(
+          "steps",
+          "the steps of a scale have names where it has at most %d".formatted(MOST_BUTTONS));
     }
     return new ScaleQuestion(
         from, to, texts.optional(keys, "least"), texts.optional(keys, "most"), notes);
@@ -55,7 +63,15 @@ public record ScaleQuestion(int from, int to, String least, String most, List<St
   }
 
   @Override
+  public Optional<SliderField> scale() {
+    return Optional.of(SliderField.numbers(from, to, least, most));
+  }
+
+  @Override
   public List<AnswerField> fields(ParticipantMessages wording) {
-    return List.of(AnswerField.Choice.numbers(from, to, least, most, notes));
+    return List.of(
+        to - from < MOST_BUTTONS
+            ? AnswerField.Choice.numbers(from, to, least, most, notes)
+            : SliderField.numbers(from, to, least, most));
   }
 }

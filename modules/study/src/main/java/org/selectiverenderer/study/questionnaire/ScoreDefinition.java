@@ -92,9 +92,8 @@ public record ScoreDefinition(
   }
 
   private static double turned(QuestionKind kind, double value) {
-    if (kind instanceof ScaleQuestion scale) {
-      return scale.from() + scale.to() - value;
-    }
-    return kind instanceof BipolarQuestion poles ? 1 + poles.to() - value : Double.NaN;
+    return kind.scale()
+        .map(scale -> scale.from().doubleValue() + scale.to().doubleValue() - value)
+        .orElse(Double.NaN);
   }
 }

@@ -23,7 +23,7 @@ import org.selectiverenderer.study.design.TrialPhase;
 import org.selectiverenderer.study.design.TrialPhase.ResponseKeys;
 import org.selectiverenderer.study.design.TrialResult;
 import org.selectiverenderer.study.questionnaire.Question;
-import org.selectiverenderer.study.questionnaire.ScaleQuestion;
+import org.selectiverenderer.study.questionnaire.SliderField;
 
 /**
  * Simulates participants who go through the blocks of a study, each in the order of their place in
@@ -132,7 +132,7 @@ public final class TrialSimulator {
                 .anyMatch(
                     question ->
                         question.id().equals(effect.measure())
-                            && question.kind() instanceof ScaleQuestion);
+                            && question.kind().scale().isPresent());
     return known
         ? Optional.empty()
         : Optional.of(
@@ -310,18 +310,20 @@ public final class TrialSimulator {
   }
 
   private String answer(Question question, Trial trial, Person person) {
-    if (!(question.kind() instanceof ScaleQuestion scale)) {
+    Optional<SliderField> scale = question.kind().scale();
+    if (scale.isEmpty()) {
       return question.kind().simulated(material.wording(), person.random).value();
     }
-    double length = (double) scale.to() - scale.from();
+    double from = scale.get().from().doubleValue();
+    double length = scale.get().to().doubleValue() - from;
     double value =
-        scale.from()
+        from
             + length / 2
             + effect(question.id(), trial)
             + length
                 * (SCALE_BETWEEN * person.deviation(question.id())
                     + SCALE_REACTION * person.reaction(question.id(), trial)
                     + SCALE_WITHIN * person.random.nextGaussian());
-    return Long.toString(Math.round(Math.max(scale.from(), Math.min(scale.to(), value))));
+    return scale.get().nearest(value);
   }
 }

@@ -218,4 +218,50 @@ class ButtonQuestionnaireControllerTest {
     assertThat(asked.question()).isEmpty();
     assertThat(told).last().isEqualTo("1 say 0");
   }
+
+  @Test
+  void aSliderIsMovedAndGivenByButtons() throws IOException {
+    ButtonQuestionnaireController asked =
+        course(
+            own(
+                """
+                {"id": "far", "kind": "slider", "text": "How far?"},
+                {"id": "long", "kind": "scale", "from": 0, "to": 20, "text": "How long?"},
+                {"id": "set", "kind": "slider", "text": "How warm?", "start": 20}
+                """),
+            Map.of());
+    asked.yes();
+    assertThat(asked.thumb()).as("hidden").isEmpty();
+    asked.yes();
+    assertThat(asked.question().orElseThrow().id()).as("no answer yet").isEqualTo("far");
+    asked.more();
+    assertThat(asked.thumb()).hasValue(50);
+    asked.more();
+    asked.no();
+    assertThat(asked.thumb()).hasValue(56);
+    assertThat(told).as("still moving").hasSize(2);
+    asked.yes();
+    asked.slide(20);
+    asked.no();
+    assertThat(asked.thumb()).as("after the right end").hasValue(0);
+    asked.yes();
+    assertThat(asked.thumb()).as("shown").hasValue(20);
+    asked.yes();
+    asked.yes();
+    assertThat(asked.over()).isTrue();
+    assertThat(told)
+        .containsExactly("page read 0", "page asked 3", "1 far 560", "2 long 00", "3 set 200");
+  }
+
+  @Test
+  void aSliderThatIsSimulatedIsAnswered() throws IOException {
+    ButtonQuestionnaireController asked =
+        course(own("{\"id\": \"far\", \"kind\": \"slider\", \"text\": \"How far?\"}"), Map.of());
+    asked.yes();
+    assertThat(asked.simulate(new java.util.Random(2))).isTrue();
+    asked.yes();
+    asked.yes();
+    assertThat(asked.over()).isTrue();
+    assertThat(told).anyMatch(line -> line.matches("1 far \\d+0"));
+  }
 }

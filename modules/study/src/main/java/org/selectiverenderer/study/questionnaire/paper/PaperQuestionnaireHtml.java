@@ -16,6 +16,7 @@ import org.selectiverenderer.study.questionnaire.ParticipantMessages;
 import org.selectiverenderer.study.questionnaire.Question;
 import org.selectiverenderer.study.questionnaire.Questionnaire;
 import org.selectiverenderer.study.questionnaire.QuestionnairePage;
+import org.selectiverenderer.study.questionnaire.SliderField;
 
 /**
  * Renders questionnaires for printing: one self-contained HTML page, a sheet for each page of a
@@ -39,6 +40,9 @@ public final class PaperQuestionnaireHtml {
       .box{display:inline-block;width:.8em;height:.8em;border:1px solid #000;margin-right:.5em}
       .line{border-bottom:1px solid #000;height:1.7em}
       .line.short{display:inline-block;width:9em;height:1.3em}
+      .slider{display:grid;grid-template-columns:3cm 10.8cm 3cm;align-items:start;gap:.2cm}
+      .slider :first-child{text-align:right}
+      .slider svg{width:10.8cm}
       .when{font-size:9pt;font-style:italic}
       small{font-size:8pt;display:block}
       img{max-width:100%;max-height:10cm}
@@ -94,10 +98,19 @@ public final class PaperQuestionnaireHtml {
         .forEach(line -> html.append("<p>%s</p>\n".formatted(MarkupEscaper.attribute(line))));
     page.picture().ifPresent(file -> html.append(picture(file)));
     if (!page.questions().isEmpty()) {
-      html.append("<p>%s</p>\n".formatted(MarkupEscaper.attribute(wording.of("print.hint"))));
+      html.append("<p>%s</p>\n".formatted(MarkupEscaper.attribute(hint(page))));
       html.append(questions(questionnaire, page));
     }
     return html.append("</section>\n").toString();
+  }
+
+  private String hint(QuestionnairePage page) {
+    List<AnswerField> fields =
+        page.questions().stream()
+            .flatMap(question -> question.kind().fields(wording).stream())
+            .toList();
+    boolean sliders = fields.stream().anyMatch(SliderField.class::isInstance);
+    return wording.of("print.hint") + (sliders ? " " + wording.of("print.slider") : "");
   }
 
   private static String picture(Path file) {
@@ -253,6 +266,9 @@ public final class PaperQuestionnaireHtml {
           ? "<p><span class=\"line short\"></span> %s</p>\n"
               .formatted(MarkupEscaper.attribute(line.unit()))
           : "<div class=\"line\"></div>\n".repeat(line.lines());
+    }
+    if (field instanceof SliderField slider) {
+      return SliderSvg.figure(slider);
     }
     AnswerField.Choice choice = (AnswerField.Choice) field;
     if (!choice.several() && choice.inLine()) {

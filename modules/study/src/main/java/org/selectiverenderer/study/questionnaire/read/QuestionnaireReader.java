@@ -24,6 +24,7 @@ import org.selectiverenderer.study.questionnaire.Question;
 import org.selectiverenderer.study.questionnaire.QuestionKind;
 import org.selectiverenderer.study.questionnaire.Questionnaire;
 import org.selectiverenderer.study.questionnaire.QuestionnairePage;
+import org.selectiverenderer.study.questionnaire.SliderField;
 import org.selectiverenderer.x3d.url.NetworkShare;
 import org.selectiverenderer.x3d.url.UrlResolver;
 
@@ -34,6 +35,9 @@ public final class QuestionnaireReader {
 
   /** Pattern of names and ids, which occur in tables, journals and names of files. */
   private static final String NAME = "[0-9A-Za-z][0-9A-Za-z_-]*";
+
+  /** Largest number of values that a message lists. */
+  private static final int MOST_LISTED = 30;
 
   private final Optional<Path> folder;
   private final Predicate<Path> pictures;
@@ -216,7 +220,11 @@ public final class QuestionnaireReader {
       keys.fault(
           key,
           "'%s' is not a possible answer; possible are %s"
-              .formatted(value, String.join(", ", values)));
+              .formatted(
+                  value,
+                  values.size() > MOST_LISTED
+                      ? kind.scale().map(SliderField::allowed).orElse(values.get(0) + ", ...")
+                      : String.join(", ", values)));
     }
   }
 

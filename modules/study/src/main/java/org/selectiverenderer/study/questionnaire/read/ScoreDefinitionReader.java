@@ -8,9 +8,7 @@ import java.util.Map;
 import java.util.Set;
 import org.selectiverenderer.base.problem.SpellingSuggester;
 import org.selectiverenderer.formats.json.JsonObjectReader;
-import org.selectiverenderer.study.questionnaire.BipolarQuestion;
 import org.selectiverenderer.study.questionnaire.Question;
-import org.selectiverenderer.study.questionnaire.ScaleQuestion;
 import org.selectiverenderer.study.questionnaire.ScoreDefinition;
 
 /** Reads the definitions of a questionnaire's scores, after its questions. */
@@ -62,7 +60,7 @@ final class ScoreDefinitionReader {
   }
 
   private static boolean turns(Question question) {
-    return question.kind() instanceof ScaleQuestion || question.kind() instanceof BipolarQuestion;
+    return question.kind().scale().isPresent();
   }
 
   private static void known(

@@ -39,7 +39,9 @@ class QuestionnaireReaderTest {
           {"id": "several", "kind": "multiple", "text": "Which?", "options": [
             {"value": "a", "text": "A"}, {"value": "b", "text": "B"}]},
           {"id": "text", "kind": "text", "text": "What?", "lines": 3, "optional": true},
-          {"id": "number", "kind": "number", "text": "How many?", "min": 1, "max": 9, "whole": true}]},
+          {"id": "number", "kind": "number", "text": "How many?", "min": 1, "max": 9, "whole": true},
+          {"id": "line", "kind": "slider", "text": "How far?", "from": -1, "to": 1, "step": 0.1,
+           "least": "near", "most": "far", "marks": true, "number": true, "start": 0.5}]},
         {"name": "two", "when": {"question": "yes", "is": ["yes"]}, "questions": [
           {"id": "why", "kind": "text", "text": "Why?", "when": {"question": "single", "is": ["b"]}}]},
         {"name": "three", "text": "Thank you."}],
@@ -100,7 +102,7 @@ class QuestionnaireReaderTest {
                     .contains("'Yes' is not a possible answer; possible are yes, no"),
             when ->
                 assertThat(when)
-                    .startsWith("all.json:13:")
+                    .startsWith("all.json:15:")
                     .contains("'B' is not a possible answer; possible are a, b"));
   }
 
@@ -110,7 +112,16 @@ class QuestionnaireReaderTest {
     assertThat(read.questions())
         .extracting(question -> question.kind().spelling())
         .containsExactlyElementsOf(
-            List.of("scale", "bipolar", "yes-no", "single", "multiple", "text", "number", "text"));
+            List.of(
+                "scale",
+                "bipolar",
+                "yes-no",
+                "single",
+                "multiple",
+                "text",
+                "number",
+                "slider",
+                "text"));
     assertThat(read.questions().stream().map(question -> question.kind().spelling()))
         .containsAll(QuestionKind.IN_FILES);
     Questionnaire greek =
@@ -148,8 +159,14 @@ class QuestionnaireReaderTest {
       value = {
         "\"kind\": \"bipolar\" | \"kind\": \"bipolr\" | no kind of question 'bipolr'; did you "
             + "mean 'bipolar'?",
-        "\"to\": 3 | \"to\": 1 | a scale must have 2 to 11 steps; this one goes from 1 to 1",
+        "\"to\": 3 | \"to\": 1 | a scale must have 2 to 101 steps; this one goes from 1 to 1",
         "\"to\": 3 | \"to\": 4 | there are 3 names for the 4 steps",
+        "\"to\": 3 | \"to\": 102 | a scale must have 2 to 101 steps",
+        "\"step\": 0.1 | \"step\": 0.3 | from -1.0 to 1.0 cannot be divided into steps of 0.3",
+        "\"step\": 0.1 | \"step\": 0.0001 | a slider has at most 10000 steps",
+        "\"to\": 1, \"step\" | \"to\": -1, \"step\" | \"to\" must be above \"from\"",
+        "\"start\": 0.5 | \"start\": 0.55 | a value of the slider, -1 to 1 in steps of 0.1",
+        "\"start\": 0.5 | \"start\": \"hiden\" | \"start\" must be \"hidden\" or a value",
         "\"left\": | \"lft\": | a question needs \"left\"",
         "\"id\": \"poles\" | \"id\": \"scale\" | the question scale is defined twice",
         "\"id\": \"poles\" | \"id\": \"my poles\" | a question's id must consist of letters",
@@ -189,7 +206,8 @@ class QuestionnaireReaderTest {
     assertThat(keys(schema.at("/$defs/score")))
         .isEqualTo(known(TEXT.replace("{\"name\": \"sum\"", "{\"x\": 1, \"name\": \"sum\"")));
     List<String> ofQuestions = new ArrayList<>();
-    for (String id : List.of("scale", "poles", "yes", "single", "several", "text", "number")) {
+    for (String id :
+        List.of("scale", "poles", "yes", "single", "several", "text", "number", "line")) {
       ofQuestions.addAll(known(TEXT.replace("{\"id\": \"" + id, "{\"x\": 1, \"id\": \"" + id)));
     }
     assertThat(keys(schema.at("/$defs/question")))
