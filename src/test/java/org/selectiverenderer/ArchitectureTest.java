@@ -292,7 +292,7 @@ class ArchitectureTest {
 
   /** The main classes of processes of their own, whose output goes to their parent. */
   private static final String CHILD_PROCESSES =
-      "org\\.selectiverenderer\\.(models\\.importer\\.ModelImportMain"
+      "org\\.selectiverenderer\\.(models\\.importer\\.ModelImportMain|models\\.draco\\.DracoMain"
           + "|render\\.trial\\.ShaderTrialMain)";
 
   @ArchTest

@@ -137,7 +137,7 @@ class ThirdPartyTest {
     return version.group(1);
   }
 
-  /** What is on the class path of the program: group:artifact to version. */
+  /** Returns the libraries on the program's class path: group:artifact to version. */
   private static Map<String, String> libraries() {
     List<String> entries =
         Stream.of(System.getProperty("java.class.path").split(File.pathSeparator))

@@ -130,6 +130,28 @@ class ModelScenesTest extends CommandTestCase {
   }
 
   @Test
+  void anObjectOfAModelGetsVersionsInAnotherFile() throws IOException {
+    String model = glb().toString();
+    assertThat(execute("versions", model, "--object", "chair", "--polygons", "1")).isEqualTo(1);
+    assertThat(messages())
+        .contains("but versions are written as X3D XML; name an X3D file with --output");
+    Path output = folder.resolve("versions.x3d");
+    assertThat(
+            execute(
+                "versions",
+                model,
+                "--object",
+                "chair",
+                "--polygons",
+                "1",
+                "--output",
+                output.toString()))
+        .as(messages())
+        .isZero();
+    assertThat(output).content().contains("<Switch", "chair_v1.x3d", "chair_v2.x3d");
+  }
+
+  @Test
   void convertOverwritesNoOtherPicture() throws IOException {
     Path output = folder.resolve("converted.x3d");
     Path picture = Files.writeString(folder.resolve("converted-1.png"), "mine");

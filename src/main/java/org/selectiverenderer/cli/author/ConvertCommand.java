@@ -6,12 +6,15 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import org.selectiverenderer.authoring.MFStringParser;
 import org.selectiverenderer.authoring.file.BrokenRelativeUrls;
 import org.selectiverenderer.base.files.FileTransaction;
 import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.browser.loading.ImageTranscoder;
 import org.selectiverenderer.command.CliCommand;
+import org.selectiverenderer.command.option.AccessOptions;
 import org.selectiverenderer.command.output.CommandException;
 import org.selectiverenderer.command.output.CommandFileCheck;
 import org.selectiverenderer.command.output.Console;
@@ -22,6 +25,7 @@ import org.selectiverenderer.models.gltf.write.GlbWriter;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.model.ModelFormat;
 import org.selectiverenderer.x3d.read.PrototypeLibraryLoader;
+import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.read.X3dReader;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.DocumentError;
@@ -32,6 +36,7 @@ import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 import org.selectiverenderer.x3d.url.UrlResolver;
 import org.selectiverenderer.x3d.write.SceneFormat;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -45,10 +50,11 @@ import picocli.CommandLine.Parameters;
       "A .glb or .gltf file has what is inlined, and tells what glTF cannot hold."
     },
     footer = {
-      "  ./selective-renderer convert house.wrl house.x3d",
+      "  ./selective-renderer convert docs/examples/house.wrl house.x3d",
       "  ./selective-renderer convert scenes/trashcan.x3d scenes/trashcan.x3dv",
-      "  ./selective-renderer convert chair.glb chair.x3d",
-      "  ./selective-renderer convert scenes/trashcan.x3d trashcan.glb"
+      "  ./selective-renderer convert scenes/trashcan.x3d trashcan.glb",
+      "  ./selective-renderer convert inlineNodes/carpet.x3d carpet.glb",
+      "  ./selective-renderer convert carpet.glb carpet.x3d --embed"
     })
 public final class ConvertCommand extends CliCommand {
   /** The number of bytes by which a model is recognised. */
@@ -69,6 +75,8 @@ public final class ConvertCommand extends CliCommand {
       description = "keeps the pictures inside of a model in OUT, instead of in files beside it")
   private boolean embed;
 
+  @Mixin private AccessOptions access = new AccessOptions();
+
   public ConvertCommand(Console console) {
     super(console);
   }
@@ -80,11 +88,7 @@ public final class ConvertCommand extends CliCommand {
     if (SceneFormat.of(output.toString()).isEmpty()
         && model.isEmpty()
         && !FileTransaction.sink(output)) {
-      throw CommandException.usage(
-          "OUT "
-              + output
-              + ": its file name extension names no encoding; use .x3d for X3D XML, .x3dv for"
-              + " ClassicVRML, .x3dj for X3D JSON or .glb for glTF");
+      throw CommandException.usage("OUT " + output + ": " + notWritten(output.toString()));
     }
     if (Files.isDirectory(scene)) {
       throw CommandException.environment("IN " + scene + ": is a folder, not a scene");
@@ -95,9 +99,11 @@ public final class ConvertCommand extends CliCommand {
           "OUT " + output + ": is the scene itself, which would be lost; name another file");
     }
     NodeCatalogue catalogue = NodeCatalogue.load();
+    ContentAccessPolicy allowed = access.access();
+    X3dReader reader = reader(catalogue, allowed);
     XmlDocument document;
     try (InputStream in = Files.newInputStream(scene)) {
-      document = reader(catalogue).document(scene.toString(), in, Files.size(scene));
+      document = reader.document(scene.toString(), in, Files.size(scene));
     }
     ProblemCollector problems = new ProblemCollector(console()::problem);
     for (DocumentError fault : document.faults()) {
@@ -110,16 +116,17 @@ public final class ConvertCommand extends CliCommand {
     if (document.broken()) {
       return ExitStatus.PROBLEMS;
     }
-    DocumentElement root = document.root().orElse(null);
-    if (root != null && !root.name().equals("X3D")) {
+    if (document.rootFault().isPresent()) {
       problems.error(
-          root.location(),
-          "the root element of a scene must be X3D, not " + root.name() + "; nothing is written");
+          document.root().orElseThrow().location(),
+          document.rootFault().get() + "; nothing is written");
       return ExitStatus.PROBLEMS;
     }
     keepInlined(document);
     if (model.isPresent()) {
-      return writeModel(catalogue, model.get());
+      X3dFile file = reader.scene(document, problems);
+      return writeModel(
+          file, new GlbWriter(catalogue, allowed, ImageTranscoder::png), model.get(), problems);
     }
     String text = format.text(document, catalogue, problems);
     FileTransaction writing = new FileTransaction();
@@ -137,7 +144,21 @@ public final class ConvertCommand extends CliCommand {
             scene.toAbsolutePath().getParent(),
             output.toAbsolutePath().getParent());
     MissingFilesWarning.tell(left, output, console());
-    return ExitStatus.of(problems);
+    return status(problems);
+  }
+
+  /** Returns the status: what OUT cannot hold is a warning, and no fault of the scene. */
+  private static ExitStatus status(ProblemCollector problems) {
+    return problems.anyError() ? ExitStatus.PROBLEMS : ExitStatus.DONE;
+  }
+
+  /** Returns why a file of this name is not written, and what is. */
+  private static String notWritten(String name) {
+    return name.toLowerCase(Locale.ROOT).matches(".*\\.(wrl|wrz|wrl\\.gz)")
+        ? "VRML97 and VRML 1.0 are read and not written; use .x3dv for ClassicVRML, which VRML97 has"
+            + " become, or .x3d for X3D XML"
+        : "its file name extension names no encoding; use .x3d for X3D XML, .x3dv for"
+            + " ClassicVRML, .x3dj for X3D JSON or .glb for glTF";
   }
 
   private boolean isModel() throws IOException {
@@ -148,24 +169,29 @@ public final class ConvertCommand extends CliCommand {
   }
 
   /** Returns the reader of the scene, which as a model may have files in its folder. */
-  private X3dReader reader(NodeCatalogue catalogue) {
+  private X3dReader reader(NodeCatalogue catalogue, ContentAccessPolicy allowed) {
     X3dReader reader = new X3dReader(catalogue);
-    Path parent = scene.toAbsolutePath().getParent();
-    Path folder = parent == null ? scene.toAbsolutePath() : parent;
     return reader.with(
-        new PrototypeLibraryLoader(reader, new UrlResolver(folder)), BaseUrl.folder(folder));
+        new PrototypeLibraryLoader(reader, new UrlResolver(folder(), allowed)),
+        BaseUrl.folder(folder()));
   }
 
-  private ExitStatus writeModel(NodeCatalogue catalogue, GlbWriter.Form form) throws IOException {
-    ProblemCollector problems = new ProblemCollector(console()::problem);
-    Optional<byte[]> bytes =
-        new GlbWriter(catalogue, ContentAccessPolicy.none()).bytes(scene, form, problems);
+  /** Returns the folder of the scene. */
+  private Path folder() {
+    Path parent = scene.toAbsolutePath().getParent();
+    return parent == null ? scene.toAbsolutePath() : parent;
+  }
+
+  private ExitStatus writeModel(
+      X3dFile file, GlbWriter writer, GlbWriter.Form form, ProblemCollector problems)
+      throws IOException {
+    Optional<byte[]> bytes = writer.bytes(file, folder(), form, problems);
     if (bytes.isPresent()) {
       FileTransaction writing = new FileTransaction();
       writing.add(output, bytes.get());
       UndeletedFilesWarning.tell(writing.commit(), console());
     }
-    return ExitStatus.of(problems);
+    return status(problems);
   }
 
   /** Rejects an output that would overwrite a file to which the scene refers. */

@@ -36,7 +36,8 @@ import picocli.CommandLine.Parameters;
     footer = {
       "  ./selective-renderer simplify inlineNodes/trashCan_v1.x3d --vert-percent 10 \\",
       "      --output can.x3d",
-      "  ./selective-renderer simplify chair.glb --polygons 500 --output chair_v2.x3d",
+      "  ./selective-renderer simplify inlineNodes/deskChair.x3d --polygons 500 \\",
+      "      --output deskChair_v2.x3d",
       "  ./selective-renderer simplify inlineNodes/ --vert-percent 10 \\",
       "      --output-dir reduced"
     })

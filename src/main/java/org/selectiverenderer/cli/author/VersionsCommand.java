@@ -9,6 +9,7 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.authoring.DocumentSnapshot;
 import org.selectiverenderer.authoring.file.DocumentFile;
+import org.selectiverenderer.authoring.file.XmlConversion;
 import org.selectiverenderer.authoring.versions.ChangePreview;
 import org.selectiverenderer.authoring.versions.ObjectVersion;
 import org.selectiverenderer.authoring.versions.PlannedFile;
@@ -41,8 +42,8 @@ import picocli.CommandLine.Option;
           + "versions from version 1."
     },
     footer = {
-      "  ./selective-renderer versions scene.x3d --object Vase --vert-percent 10 \\",
-      "      --dry-run"
+      "  ./selective-renderer versions docs/examples/music-room.x3d --object Vase \\",
+      "      --vert-percent 10 --dry-run"
     })
 public final class VersionsCommand extends CliCommand {
   /**
@@ -120,10 +121,17 @@ public final class VersionsCommand extends CliCommand {
         new VersionsEdit.Request(
                 scene.file(), object, goals, output == null ? scene.file() : output, inlineFolder)
             .allowing(access.access());
-    DocumentSnapshot document = DocumentFile.open(scene.file()).document().snapshot();
+    NodeCatalogue catalogue = NodeCatalogue.load();
+    Optional<DocumentFile> file =
+        XmlConversion.open(
+            scene.file(), request.output(), "versions are written", catalogue, problems);
+    if (file.isEmpty()) {
+      return ExitStatus.PROBLEMS;
+    }
+    DocumentSnapshot document = file.get().document().snapshot();
     Optional<VersionsEdit> plan;
     try {
-      plan = VersionsEdit.plan(document, request, NodeCatalogue.load(), problems);
+      plan = VersionsEdit.plan(document, request, catalogue, problems);
     } catch (SceneNotEditableException e) {
       console().message(e.getMessage());
       return ExitStatus.PROBLEMS;

@@ -2,14 +2,17 @@ package org.selectiverenderer.cli.author;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.cli.CommandTestCase;
 
 class ConvertCommandTest extends CommandTestCase {
@@ -48,13 +51,99 @@ class ConvertCommandTest extends CommandTestCase {
                 + " write the output into the folder of the scene, or copy these files too\n");
   }
 
+  @ParameterizedTest
+  @ValueSource(strings = {"house.wrl", "house.WRZ", "house.wrl.gz"})
+  void whatIsOnlyReadIsNotWrittenAndTheMessageSaysWhatIs(String name) throws IOException {
+    Path scene = scene("house.x3d", "<X3D version='4.0' profile='Full'><Scene/></X3D>");
+    Path wrl = folder.resolve(name);
+    assertThat(execute("convert", scene.toString(), wrl.toString())).isEqualTo(2);
+    assertThat(messages())
+        .contains(
+            "OUT %s: VRML97 and VRML 1.0 are read and not written; use .x3dv for ClassicVRML,"
+                    .formatted(wrl)
+                + " which VRML97 has become");
+    assertThat(wrl).doesNotExist();
+  }
+
   @Test
   void gltfIsWrittenAndWhatItCannotHoldIsTold() throws IOException {
     Path scene = scene("cup.x3d", "<X3D version='4.0' profile='Full'><Scene><Fog/></Scene></X3D>");
     Path glb = folder.resolve("cup.glb");
-    assertThat(execute("convert", scene.toString(), glb.toString())).isEqualTo(1);
+    assertThat(execute("convert", scene.toString(), glb.toString())).as(messages()).isZero();
     assertThat(messages()).contains("glTF has nothing for Fog; this one and all others are");
     assertThat(Files.readString(glb, StandardCharsets.ISO_8859_1)).startsWith("glTF");
+  }
+
+  @Test
+  void whatAnEncodingCannotHoldIsToldWithoutAFault() throws IOException {
+    Path scene =
+        scene(
+            "cup.x3d", "<X3D version='4.0' profile='Full'><Scene><Group class='a'/></Scene></X3D>");
+    Path output = folder.resolve("cup.x3dv");
+    assertThat(execute("convert", scene.toString(), output.toString())).as(messages()).isZero();
+    assertThat(messages()).contains("ClassicVRML has no class for elements");
+    assertThat(output).exists();
+  }
+
+  @ParameterizedTest
+  @CsvSource({"cup.x3dv", "cup.x3dj", "cup.glb"})
+  void badDataIsAFaultAndTheRestIsWritten(String name) throws IOException {
+    Path scene =
+        scene(
+            "cup.x3d",
+            "<X3D version='4.0' profile='Full'><Scene><Bix/><Group DEF='G'/></Scene></X3D>");
+    Path output = folder.resolve(name);
+    assertThat(execute("convert", scene.toString(), output.toString())).isEqualTo(1);
+    assertThat(messages()).contains("unknown element Bix");
+    assertThat(output).content(StandardCharsets.ISO_8859_1).contains("G");
+  }
+
+  @Test
+  void aPictureOfAnotherFormatBecomesPngInGltf() throws IOException {
+    ImageIO.write(
+        new BufferedImage(2, 2, BufferedImage.TYPE_INT_RGB),
+        "bmp",
+        folder.resolve("wood.bmp").toFile());
+    Path scene =
+        scene(
+            "cup.x3d",
+            "<X3D version='4.0' profile='Full'><Scene><Shape><Appearance><Material/>"
+                + "<ImageTexture url='\"wood.bmp\"'/></Appearance><Box/></Shape></Scene></X3D>");
+    Path glb = folder.resolve("cup.glb");
+    assertThat(execute("convert", scene.toString(), glb.toString())).as(messages()).isZero();
+    assertThat(messages()).isEmpty();
+    assertThat(Files.readString(glb, StandardCharsets.ISO_8859_1)).contains("image/png", "IHDR");
+  }
+
+  @Test
+  void picturesOfOtherFoldersAreAllowedByTheOptionThatTheMessageNames() throws IOException {
+    Path pictures = other();
+    ImageIO.write(
+        new BufferedImage(2, 2, BufferedImage.TYPE_INT_RGB),
+        "png",
+        pictures.resolve("wood.png").toFile());
+    Path own = Files.createDirectories(folder.resolve("own"));
+    Path scene = own.resolve("cup.x3d");
+    Files.writeString(
+        scene,
+        "<X3D version='4.0' profile='Full'><Scene><Shape><Appearance><Material/>"
+            + "<ImageTexture url='\"../other/wood.png\"'/></Appearance><Box/></Shape></Scene></X3D>");
+    Path glb = own.resolve("cup.glb");
+    assertThat(execute("convert", scene.toString(), glb.toString())).isEqualTo(1);
+    assertThat(messages()).contains("--allow ");
+    assertThat(execute("convert", "--allow", pictures.toString(), scene.toString(), glb.toString()))
+        .isZero();
+    assertThat(Files.readString(glb, StandardCharsets.ISO_8859_1)).contains("image/png");
+  }
+
+  @Test
+  void aBrokenSceneIsToldOnceAndNotWritten() throws IOException {
+    Path scene = scene("cup.x3d", "<X3D version='4.0' profile='Full'><Scene><Group>");
+    Path glb = folder.resolve("cup.glb");
+    assertThat(execute("convert", scene.toString(), glb.toString())).isEqualTo(1);
+    assertThat(messages().lines()).hasSize(1);
+    assertThat(messages()).contains("nothing is written");
+    assertThat(glb).doesNotExist();
   }
 
   @Test

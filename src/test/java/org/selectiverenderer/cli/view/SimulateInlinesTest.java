@@ -19,7 +19,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.testing.RequiresSymbolicLinks;
 
-/** Which files a scene may inline, what is said of the others, and Inlines without end. */
+/** A scene may inline files of its project; others, and Inlines without end, are told. */
 class SimulateInlinesTest {
   @TempDir private Path temp;
   private SimulateTestCase folder;

@@ -66,12 +66,16 @@ final class ForeignModelReader {
   Optional<String> scene(ModelSource file, ReadLimits limits, String title, String description)
       throws IOException {
     Optional<ImportedModel> model = imported(file, true);
-    if (model.isEmpty() || model.get().meshes().isEmpty() && isDamaged(file)) {
+    if (model.isEmpty() || isWithoutFaces(model.get()) && isDamaged(file)) {
       return Optional.empty();
     }
     return Optional.of(
         new ImportedSceneWriter(model.get(), file, catalogue, limits, problems)
             .text(title, description));
+  }
+
+  private static boolean isWithoutFaces(ImportedModel model) {
+    return model.meshes().stream().allMatch(ImportedPointWriter::isPoints);
   }
 
   private boolean isDamaged(ModelSource file) throws IOException {

@@ -17,14 +17,14 @@ final class ImportedMaterialConverter {
   private static final float[] WHITE = {1, 1, 1};
 
   private final ImportedMaterial material;
-  private final ImportedPictures pictures;
+  private final ImportedImages pictures;
   private final NodeCatalogue catalogue;
 
   /**
    * @param pictures the pictures of the model
    */
   ImportedMaterialConverter(
-      ImportedMaterial material, ImportedPictures pictures, NodeCatalogue catalogue) {
+      ImportedMaterial material, ImportedImages pictures, NodeCatalogue catalogue) {
     this.material = material;
     this.pictures = pictures;
     this.catalogue = catalogue;

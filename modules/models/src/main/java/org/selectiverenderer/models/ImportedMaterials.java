@@ -26,7 +26,7 @@ final class ImportedMaterials {
       DefNames names,
       ProblemCollector problems) {
     this.out = new X3dNodeWriter(out, X3dNodeWriter.Written.GIVEN);
-    ImportedPictures pictures = new ImportedPictures(model.textures());
+    ImportedImages pictures = new ImportedImages(model.textures());
     Map<String, ParsedNode> images = new HashMap<>();
     for (ImportedModel.ImportedMaterial material : model.materials()) {
       String def = names.unique("", "material" + appearances.size());

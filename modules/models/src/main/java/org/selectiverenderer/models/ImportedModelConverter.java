@@ -34,7 +34,7 @@ final class ImportedModelConverter {
 
   Model model(ImportedModel imported) {
     List<ModelPart> parts = new ArrayList<>();
-    ImportedPictures pictures = new ImportedPictures(imported.textures());
+    ImportedImages pictures = new ImportedImages(imported.textures());
     for (ImportedMesh mesh : imported.meshes()) {
       NodeView appearance =
           new ImportedMaterialConverter(

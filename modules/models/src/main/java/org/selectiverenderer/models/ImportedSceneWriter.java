@@ -132,7 +132,7 @@ final class ImportedSceneWriter {
       String def = names.unique(node.name(), "node" + index);
       animated.add(index, def);
       out.open("Transform", "DEF", def);
-      place(node.place());
+      node.place().write(out);
       if (node.place().sheared()) {
         problems.warning(
             SourceLocation.of(file.name()),
@@ -177,27 +177,13 @@ final class ImportedSceneWriter {
         && s[2] == 1;
   }
 
-  private void place(NodeTransform place) {
-    double[] t = place.translation();
-    if (t[0] != 0 || t[1] != 0 || t[2] != 0) {
-      out.attribute("translation", Numbers.of(t));
-    }
-    double[] rotation = Numbers.axisAngle(place.rotation());
-    if (rotation[3] != 0) {
-      out.attribute("rotation", Numbers.of(rotation));
-    }
-    double[] s = place.scale();
-    if (s[0] != 1 || s[1] != 1 || s[2] != 1) {
-      out.attribute("scale", Numbers.of(s));
-    }
-  }
-
   private void mesh(int index, Mesh mesh) {
     ImportedMesh from = model.meshes().get(index);
-    if (mesh.isEmpty()) {
+    boolean points = ImportedPointWriter.isPoints(from);
+    if (mesh.isEmpty() && !points) {
       return;
     }
-    if (!from.bones().isEmpty()) {
+    if (!points && !from.bones().isEmpty()) {
       skinned.add(index);
       return;
     }
@@ -209,8 +195,12 @@ final class ImportedSceneWriter {
     String def = names.unique(from.name(), "mesh" + index);
     written.put(index, def);
     out.open("Shape", "DEF", def);
-    materials.write(from.material());
-    new MeshWriter(out, mesh, decimals).append();
+    if (points) {
+      new ImportedPointWriter(model, out).write(from);
+    } else {
+      materials.write(from.material());
+      new MeshWriter(out, mesh, decimals).append();
+    }
     out.close();
   }
 

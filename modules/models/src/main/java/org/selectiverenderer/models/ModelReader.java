@@ -28,9 +28,9 @@ import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 import org.selectiverenderer.x3d.url.UrlResolver;
 
 /**
- * Reads models in X3D, OBJ, PLY, STL and glTF; file name extensions select the format.
- * Transformations are applied, so that all parts are in the file's own frame. Faces that cannot be
- * drawn are left out and reported. Thread-safe.
+ * Reads models in X3D, glTF, OBJ, PLY, STL, COLLADA and FBX; file name extensions select the
+ * format. Transformations are applied, so that all parts are in the file's own frame. Faces that
+ * cannot be drawn are left out and reported. Thread-safe.
  *
  * <p>Files other than X3D and glTF are read in a child process, which is started with the first of
  * them and serves until the reader is closed, or this process ends.

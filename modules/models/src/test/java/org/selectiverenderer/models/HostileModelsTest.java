@@ -32,7 +32,7 @@ import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 import org.selectiverenderer.x3d.url.HttpFetcher;
 import org.selectiverenderer.x3d.url.UrlResolver;
 
-/** What a model by a stranger may do: be read, or be refused with a line that names it. */
+/** A model by a stranger is read, or is refused with a line that names it. */
 class HostileModelsTest {
   private static final Path CORPUS = Path.of("src/test/resources/hostile/models");
   private static final Duration ENDS = Duration.ofSeconds(60);

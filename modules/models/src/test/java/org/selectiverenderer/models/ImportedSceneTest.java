@@ -83,6 +83,44 @@ class ImportedSceneTest {
 
   @TempDir Path folder;
 
+  /** A lamp 1 m above the floor, in centimetres. */
+  private static final String LAMP =
+      """
+        ; FBX 7.4.0 project file
+        FBXHeaderExtension:  {
+        	FBXHeaderVersion: 1003
+        	FBXVersion: 7400
+        }
+        GlobalSettings:  {
+        	Version: 1000
+        	Properties70:  {
+        		P: "UnitScaleFactor", "double", "Number", "",1
+        	}
+        }
+        Objects:  {
+        	NodeAttribute: 1, "NodeAttribute::lamp", "Light" {
+        		Properties70:  {
+        			P: "LightType", "enum", "", "",0
+        			P: "Intensity", "Number", "", "A",100
+        			P: "DecayType", "enum", "", "",2
+        			P: "DecayStart", "Number", "", "A",50
+        		}
+        		TypeFlags: "Light"
+        		GeometryVersion: 124
+        	}
+        	Model: 2, "Model::lamp", "Light" {
+        		Version: 232
+        		Properties70:  {
+        			P: "Lcl Translation", "Lcl Translation", "", "A",0,100,0
+        		}
+        	}
+        }
+        Connections:  {
+        	C: "OO",2,0
+        	C: "OO",1,2
+        }
+        """;
+
   private final ProblemCollector problems = new ProblemCollector();
 
   private X3dFile read(String name, byte[] content) throws IOException {
@@ -142,6 +180,31 @@ class ImportedSceneTest {
     ParsedNode light = all(file, "PointLight").get(0);
     assertThat(light.floats("color")).containsExactly(1, 0.5f, 0);
     assertThat(light.floats("attenuation")).containsExactly(0, 0, 2);
+  }
+
+  /** Blender writes lamps in watts, 500 where a hundredth would make all white at 1 m. */
+  @Test
+  void lampsInWattsHaveTheRadiantIntensityThatGltfGivesThem() throws IOException {
+    String watts =
+        COLLADA
+            .replace("1 0.5 0</color>", "500 250 0</color>")
+            .replace("<quadratic_attenuation>2<", "<quadratic_attenuation>0.0016<");
+    assertThat(watts).contains("500 250 0", "0.0016");
+
+    X3dFile file = read("door.dae", watts.getBytes(StandardCharsets.UTF_8));
+
+    ParsedNode light = all(file, "PointLight").get(0);
+    assertThat(light.number("intensity")).isCloseTo((float) (500 / (4 * Math.PI)), within(1e-3f));
+    assertThat(light.floats("color")).containsExactly(1, 0.5f, 0);
+    // In the coordinates of the light, which are those of the file's unit of length.
+    assertThat(light.floats("attenuation")).startsWith(0, 0);
+    assertThat(light.floats("attenuation")[2]).isCloseTo(unit(file) * unit(file), within(1e-6f));
+    assertThat(unit(file)).isLessThan(1);
+    assertThat(messages())
+        .singleElement()
+        .asString()
+        .contains("watts")
+        .contains("X3D has no exposure");
   }
 
   @Test
@@ -254,5 +317,98 @@ class ImportedSceneTest {
     assertThat(all(file, "Shape")).isEmpty();
     assertThat(all(file, "Viewpoint")).hasSize(1);
     assertThat(messages()).isEmpty();
+  }
+
+  @Test
+  void pointsOfPlyAreAPointSetWithTheirColours() throws IOException {
+    String ply =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\n"
+            + "property double z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
+            + "end_header\n0 0 0 255 0 0\n1 0 0 0 255 0\n1 0 0 0 0 255\n";
+
+    X3dFile file = read("cloud.ply", ply.getBytes(StandardCharsets.UTF_8));
+
+    assertThat(messages()).isEmpty();
+    assertThat(all(file, "PointSet")).hasSize(1);
+    assertThat(all(file, "Coordinate").get(0).floats("point"))
+        .containsExactly(0, 0, 0, 1, 0, 0, 1, 0, 0);
+    assertThat(all(file, "ColorRGBA").get(0).floats("color"))
+        .containsExactly(1, 0, 0, 1, 0, 1, 0, 1, 0, 0, 1, 1);
+    assertThat(all(file, "Viewpoint").get(0).bool("viewAll")).isTrue();
+  }
+
+  @Test
+  void pointsOfBinaryPlyAreAPointSet() throws IOException {
+    byte[] header =
+        ("ply\nformat binary_little_endian 1.0\nelement vertex 2\nproperty float x\n"
+                + "property float y\nproperty float z\nend_header\n")
+            .getBytes(StandardCharsets.UTF_8);
+    ByteBuffer ply = ByteBuffer.allocate(header.length + 24).order(ByteOrder.LITTLE_ENDIAN);
+    ply.put(header).putFloat(1).putFloat(2).putFloat(3).putFloat(4).putFloat(5).putFloat(6);
+
+    X3dFile file = read("cloud.ply", ply.array());
+
+    assertThat(messages()).isEmpty();
+    assertThat(all(file, "Coordinate").get(0).floats("point")).containsExactly(1, 2, 3, 4, 5, 6);
+    assertThat(all(file, "UnlitMaterial")).hasSize(1);
+  }
+
+  @Test
+  void aPlyWhoseFacesAreCutOffIsNoCloudOfPoints() throws IOException {
+    String ply =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+            + "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+            + "end_header\n0 0 0\n1 0 0\n0 1 0\n";
+
+    X3dFile file = read("cut.ply", ply.getBytes(StandardCharsets.UTF_8));
+
+    assertThat(file.nodes()).isEmpty();
+    assertThat(messages()).singleElement().asString().contains("damaged or cut off");
+  }
+
+  @Test
+  void nodesOfColladaHaveTheirNamesNotTheirIds() throws IOException {
+    String collada =
+        COLLADA
+            .replace("id=\"door\" name=\"door\"", "id=\"door\" name=\"Haustür\"")
+            .replace("id=\"handle\" name=\"handle\"", "id=\"handle\" name=\"part\"")
+            .replace("id=\"knob\" name=\"knob\"", "id=\"knob\" name=\"part\"")
+            .replace("id=\"stand\" name=\"stand\"", "id=\"stand\"");
+
+    X3dFile file = read("door.dae", collada.getBytes(StandardCharsets.UTF_8));
+
+    assertThat(messages()).isEmpty();
+    assertThat(all(file, "Transform").stream().map(ParsedNode::name))
+        .contains("Haustür", "part", "part_1", "stand");
+    assertThat(all(file, "Viewpoint").get(0).string("description")).isEqualTo("stand");
+    assertThat(file.routes().stream().map(route -> String.valueOf(route.to().name())))
+        .contains("Haustür");
+  }
+
+  @Test
+  void lightsOfFbxFallOffByMetres() throws IOException {
+    X3dFile file = read("lamp.fbx", LAMP.getBytes(StandardCharsets.UTF_8));
+
+    assertThat(messages()).isEmpty();
+    assertThat(named(file, "lamp").floats("translation")[1]).isCloseTo(1, within(1e-5f));
+    float[] attenuation = all(file, "PointLight").get(0).floats("attenuation");
+    // Assimp's 2 / 50 cm squared
+    assertThat(attenuation[2]).isCloseTo(8, within(1e-3f));
+  }
+
+  /** X3D measures from a light in the light's own coordinates (X3D 4.0, 17.2.1.4). */
+  @Test
+  void theScaleOfNodesDoesNotChangeHowLightsFallOff() throws IOException {
+    String scaled =
+        LAMP.replace(
+            "P: \"Lcl Translation\"",
+            "P: \"Lcl Scaling\", \"Lcl Scaling\", \"\", \"A\",100,100,100\n\t\t\tP: \"Lcl Translation\"");
+
+    X3dFile file = read("lamp.fbx", scaled.getBytes(StandardCharsets.UTF_8));
+
+    assertThat(named(file, "lamp").floats("scale")[0]).isCloseTo(100, within(1e-3f));
+    ParsedNode light = all(file, "PointLight").get(0);
+    assertThat(light.floats("attenuation")[2]).isCloseTo(80_000, within(10f));
+    assertThat(light.number("radius")).isCloseTo(10_000, within(1f));
   }
 }

@@ -451,4 +451,17 @@ class ModelReaderTest {
     assertThat(messages().get(0))
         .containsPattern("\\(the Inline at [^ ]*model\\.x3d:1:[0-9]+ names this file\\)$");
   }
+
+  @Test
+  void aPlyOfPointsOnlyHasNoFacesToReduce() throws IOException {
+    Path file =
+        write(
+            "a.ply",
+            "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n"
+                + "property float z\nend_header\n0 0 0\n1 0 0\n");
+
+    assertThat(reader.read(file, problems)).isEmpty();
+
+    assertThat(messages()).singleElement().asString().contains("has no faces");
+  }
 }

@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.model.ModelFormat;
 import org.selectiverenderer.x3d.read.PrototypeLibraryLoader;
@@ -56,6 +57,33 @@ public final class XmlConversion {
           .filter(found -> found != SceneEncoding.XML)
           .map(found -> new XmlConversion(file, found.title()));
     }
+  }
+
+  /**
+   * Opens a scene to be changed and saved to another file; a scene that is not X3D XML is
+   * converted.
+   *
+   * @param output the file to which it will be saved
+   * @param written a clause that says what is written, such as "metadata is written"
+   * @return empty if it cannot be changed, which is reported
+   * @throws IOException if it cannot be read
+   */
+  public static Optional<DocumentFile> open(
+      Path scene, Path output, String written, NodeCatalogue catalogue, ProblemCollector problems)
+      throws IOException {
+    Optional<XmlConversion> foreign = of(scene);
+    if (foreign.isEmpty()) {
+      return Optional.of(DocumentFile.open(scene));
+    }
+    if (output.equals(scene)) {
+      problems.error(
+          SourceLocation.of(scene.toString()),
+          "the scene is in %s, but %s as X3D XML; name an X3D file with --output"
+              .formatted(foreign.get().encoding(), written));
+      return Optional.empty();
+    }
+    Optional<String> xml = foreign.get().xml(catalogue, problems);
+    return xml.isEmpty() ? Optional.empty() : Optional.of(DocumentFile.made(scene, xml.get()));
   }
 
   /** Returns the reader of the scene, which as a model may have files in its folder. */

@@ -63,7 +63,9 @@ public final class HeadlessEnrichment {
    */
   public static Optional<HeadlessEnrichment> of(
       Request request, NodeCatalogue catalogue, ProblemCollector problems) throws IOException {
-    Optional<DocumentFile> opened = open(request, catalogue, problems);
+    Optional<DocumentFile> opened =
+        XmlConversion.open(
+            request.scene(), request.output(), "metadata is written", catalogue, problems);
     if (opened.isEmpty()) {
       return Optional.empty();
     }
@@ -78,29 +80,6 @@ public final class HeadlessEnrichment {
         (request.ratings() == null || run.ratings(request.ratings()))
             && (request.metadata() == null || run.metadata(request.metadata()));
     return done ? Optional.of(run) : Optional.empty();
-  }
-
-  /**
-   * Opens the scene; a scene that is not XML is converted, so that it can be enriched into another
-   * file.
-   */
-  private static Optional<DocumentFile> open(
-      Request request, NodeCatalogue catalogue, ProblemCollector problems) throws IOException {
-    Optional<XmlConversion> foreign = XmlConversion.of(request.scene());
-    if (foreign.isEmpty()) {
-      return Optional.of(DocumentFile.open(request.scene()));
-    }
-    if (request.output().equals(request.scene())) {
-      problems.error(
-          SourceLocation.of(request.scene().toString()),
-          "the scene is in %s, but metadata is written as X3D XML; name an X3D file with --output"
-              .formatted(foreign.get().encoding()));
-      return Optional.empty();
-    }
-    Optional<String> xml = foreign.get().xml(catalogue, problems);
-    return xml.isEmpty()
-        ? Optional.empty()
-        : Optional.of(DocumentFile.made(request.scene(), xml.get()));
   }
 
   private boolean ratings(Path table) throws IOException {

@@ -58,6 +58,17 @@ public final class ChildProcessCommand {
    * @param properties prefixes of the names of the system properties that it has from this process
    */
   public static List<String> contained(String mainClass, List<String> properties) {
+    return contained(mainClass, 128, properties);
+  }
+
+  /**
+   * Returns a command as {@link #contained(String, List)} does, for a child with another heap.
+   *
+   * @param mainClass the main class of the child
+   * @param heap the most that its heap may take, in MiB
+   * @param properties prefixes of the names of the system properties that it has from this process
+   */
+  public static List<String> contained(String mainClass, int heap, List<String> properties) {
     List<String> flags =
         new ArrayList<>(
             List.of(
@@ -67,7 +78,7 @@ public final class ChildProcessCommand {
                 // A crash is one line of this program, and leaves no file behind.
                 "-XX:+SuppressFatalErrorMessage",
                 "-XX:-CreateCoredumpOnCrash",
-                "-Xmx128m",
+                "-Xmx" + heap + "m",
                 "-Xss4m",
                 "-XX:TieredStopAtLevel=1",
                 "-XX:+UseSerialGC",

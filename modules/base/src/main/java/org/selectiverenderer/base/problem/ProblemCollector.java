@@ -16,6 +16,7 @@ public final class ProblemCollector {
   private final Consumer<Problem> listener;
   private final List<Problem> list = new ArrayList<>();
   private final java.util.Map<String, Integer> perFile = new java.util.HashMap<>();
+  private boolean findings;
   private boolean errors;
 
   /** Creates an empty collector without a listener. */
@@ -46,9 +47,8 @@ public final class ProblemCollector {
   /** Adds a problem. */
   public synchronized void add(Problem problem) {
     int count = perFile.merge(problem.location().file(), 1, Integer::sum);
-    if (problem.severity() != Problem.Severity.INFO) {
-      errors = true;
-    }
+    findings |= problem.severity() != Problem.Severity.INFO;
+    errors |= problem.severity() == Problem.Severity.ERROR;
     if (count == LIMIT + 1) {
       problem =
           new Problem(
@@ -69,6 +69,11 @@ public final class ProblemCollector {
 
   /** Returns whether any error or warning was found. */
   public synchronized boolean any() {
+    return findings;
+  }
+
+  /** Returns whether any error was found. */
+  public synchronized boolean anyError() {
     return errors;
   }
 }

@@ -36,9 +36,14 @@ final class LightReader {
         placed ? node.floats("location") : NONE,
         kind == Light.Kind.POINT ? DOWN : node.floats("direction"),
         placed ? node.floats("attenuation") : CONSTANT,
-        placed ? node.number("radius") : Float.POSITIVE_INFINITY,
+        placed ? reach(node.number("radius")) : Float.POSITIVE_INFINITY,
         spot ? node.number("beamWidth") : 0,
         spot ? node.number("cutOffAngle") : 0,
         node.bool("global"));
+  }
+
+  /** Returns a radius; a negative one, which X3D forbids, means no limit as in other browsers. */
+  private static float reach(float radius) {
+    return radius < 0 ? Float.POSITIVE_INFINITY : radius;
   }
 }

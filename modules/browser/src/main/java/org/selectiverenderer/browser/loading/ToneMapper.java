@@ -1,5 +1,7 @@
 package org.selectiverenderer.browser.loading;
 
+import org.selectiverenderer.formats.image.Srgb;
+
 /**
  * Converts linear light of any brightness to the sRGB bytes of a texture. A colour whose largest
  * channel m is at most 0.8 stays as it is; above, all its channels are scaled so that m becomes 1 -
@@ -16,10 +18,7 @@ final class ToneMapper {
 
   ToneMapper() {
     for (int i = 0; i <= STEPS; i++) {
-      double linear = (double) i / STEPS;
-      double value =
-          linear <= 0.0031308 ? 12.92 * linear : 1.055 * Math.pow(linear, 1 / 2.4) - 0.055;
-      encoded[i] = (byte) Math.round(255 * value);
+      encoded[i] = (byte) Math.round(255 * Srgb.display((double) i / STEPS));
     }
   }
 

@@ -21,6 +21,9 @@
  * release of the last years and takes no native code. Levels compressed by zlib are inflated by
  * {@code java.util.zip} up to the size that the header announces.
  *
+ * <p>{@link org.selectiverenderer.browser.loading.ImageTranscoder} converts what these decoders
+ * read into PNG, for files that can hold nothing else.
+ *
  * <p>In: a path. Out: a {@link org.selectiverenderer.browser.loading.LoadedScene} and problems.
  * Uses {@code browser.scene}, {@code browser.nodes}, the asset interface of {@code
  * browser.instance}, {@code browser.sound}, {@code browser.movie}, {@code geometry}, {@code x3d}

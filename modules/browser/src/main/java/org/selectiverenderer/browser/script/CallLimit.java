@@ -2,6 +2,7 @@ package org.selectiverenderer.browser.script;
 
 import java.lang.management.ManagementFactory;
 import java.util.Locale;
+import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
 import org.mozilla.javascript.EvaluatorException;
 import org.mozilla.javascript.ScriptRuntime;
@@ -16,6 +17,7 @@ final class CallLimit {
   static final int MAX_BYTES_AT_ONCE = 1 << 26;
 
   private final long maxBytes;
+  private final LongSupplier clock;
   private double seconds;
   private long began;
   private long bytesBefore;
@@ -24,15 +26,17 @@ final class CallLimit {
 
   /**
    * @param maxBytes the bytes that a call may allocate
+   * @param clock the clock that measures calls, in nanoseconds
    */
-  CallLimit(long maxBytes) {
+  CallLimit(long maxBytes, LongSupplier clock) {
     this.maxBytes = maxBytes;
+    this.clock = clock;
   }
 
   /** Begins a call. */
   void begin(double maxSeconds) {
     seconds = maxSeconds;
-    began = System.nanoTime();
+    began = clock.getAsLong();
     measured = false;
     exceeded = null;
   }
@@ -58,7 +62,7 @@ final class CallLimit {
     if (exceeded != null) {
       throw exceeded;
     }
-    if ((System.nanoTime() - began) * 1e-9 > seconds) {
+    if ((clock.getAsLong() - began) * 1e-9 > seconds) {
       stop(
           "it ran for more than %s s"
               .formatted(

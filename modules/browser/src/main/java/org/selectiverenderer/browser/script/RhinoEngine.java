@@ -38,7 +38,7 @@ final class RhinoEngine {
               + " metered copy of it; remove that jar");
     }
     this.limits = limits;
-    limit = new CallLimit(limits.bytes());
+    limit = new CallLimit(limits.bytes(), limits.clock());
     Context context = factory.enterContext();
     try {
       shared = context.initSafeStandardObjects();

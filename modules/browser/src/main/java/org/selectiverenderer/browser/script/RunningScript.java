@@ -202,9 +202,9 @@ final class RunningScript implements ScriptEventReceiver {
       return;
     }
     scripts.called();
-    long began = System.nanoTime();
+    long began = scripts.nanoTime();
     guarded(starting, code);
-    double took = (System.nanoTime() - began) * 1e-9;
+    double took = (scripts.nanoTime() - began) * 1e-9;
     if (budget.add(cascade.time(), took)) {
       scripts.overBudget(starting, program.start(), name());
     }

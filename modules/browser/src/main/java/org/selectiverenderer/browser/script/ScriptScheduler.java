@@ -171,6 +171,11 @@ public final class ScriptScheduler {
     calls++;
   }
 
+  /** Returns the time by the clock that measures calls, in nanoseconds. */
+  long nanoTime() {
+    return limits.clock().getAsLong();
+  }
+
   /** Returns the time budget that all scripts share. */
   ScriptTimeBudget budget() {
     return budget;

@@ -327,4 +327,15 @@ class InstanceTreeTest {
         .extracting(Background::plain)
         .isEqualTo(true);
   }
+
+  @Test
+  void aLightOfNegativeRadiusReachesEverything() {
+    InstanceTree tree =
+        tree(
+            nodes.group(
+                nodes.node("PointLight", "radius", -1f), nodes.node("SpotLight", "radius", 0f)));
+
+    assertThat(tree.lights().stream().map(light -> light.light().radius()))
+        .containsExactly(Float.POSITIVE_INFINITY, 0f);
+  }
 }

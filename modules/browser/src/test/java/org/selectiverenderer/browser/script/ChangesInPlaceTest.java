@@ -16,8 +16,8 @@ class ChangesInPlaceTest {
   /** More elements than could be changed in a call while each change copied the whole array. */
   private static final int MANY = 100_000;
 
-  /** The memory that a call has by default in 512 MB, and more time: a busy machine is slow. */
-  private static final ScriptLimits LIMITS = new ScriptLimits(30, 30, 128 << 20);
+  /** The memory is what a call has by default in a heap of 512 MB. */
+  private static final ScriptLimits LIMITS = ScriptFixture.countedLimits(30, 30, 128 << 20);
 
   /**
    * A Script S with fields of its own and nodes that it may change, and a Script that counts the

@@ -19,7 +19,7 @@ class LanguageTest {
   private static final Pattern ROW =
       Pattern.compile("\\| 20\\d\\d \\| .* \\| `([^`]+)` \\| (?:`([^`]+)`|not supported) \\|");
 
-  private static final ScriptLimits LIMITS = new ScriptLimits(30, 30, 1 << 30);
+  private static final ScriptLimits LIMITS = ScriptFixture.countedLimits(30, 30, 1 << 30);
 
   record Example(String program, String result) {}
 

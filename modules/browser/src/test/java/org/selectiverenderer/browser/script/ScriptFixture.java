@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicLong;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.browser.loading.LoadedScene;
@@ -29,8 +30,9 @@ final class ScriptFixture implements ScriptHost, AutoCloseable {
   private final List<ScriptNode> nodes;
   private final ScriptScheduler scripts;
 
+  /** Creates a scene under the limits of the program, which {@link #countedLimits} measures. */
   ScriptFixture(String body) throws IOException {
-    this(body, ScriptLimits.standard());
+    this(body, countedLimits(1, 5, ScriptLimits.standard().bytes()));
   }
 
   ScriptFixture(String body, ScriptLimits limits) throws IOException {
@@ -54,6 +56,17 @@ final class ScriptFixture implements ScriptHost, AutoCloseable {
     cascade.at(1000);
     scripts.watch(nodes);
     scripts.start();
+  }
+
+  /**
+   * Returns limits that measure work instead of time, so that a busy machine changes nothing: their
+   * clock advances by 0.1 ms whenever it is read, which is at least once for 10,000 instructions of
+   * a script.
+   */
+  static ScriptLimits countedLimits(double callSeconds, double startSeconds, long bytes) {
+    AtomicLong readings = new AtomicLong();
+    return new ScriptLimits(
+        callSeconds, startSeconds, bytes, () -> readings.incrementAndGet() * 100_000);
   }
 
   ScriptScheduler scripts() {

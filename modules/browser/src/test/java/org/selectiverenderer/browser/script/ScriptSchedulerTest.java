@@ -117,6 +117,7 @@ class ScriptSchedulerTest {
     try (ScriptFixture scene = new ScriptFixture(GO.formatted(code))) {
       scene.go(1);
 
+      assertThat(scene.told()).isEmpty();
       assertThat(scene.out())
           .isEqualTo("RangeError RangeError RangeError done undefined undefined");
     }

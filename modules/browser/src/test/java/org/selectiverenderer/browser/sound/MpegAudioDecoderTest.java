@@ -9,14 +9,11 @@ import java.io.InputStream;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Random;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.selectiverenderer.x3d.url.BaseUrl;
 import org.selectiverenderer.x3d.url.UrlContent;
 
-@Timeout(value = 120, unit = TimeUnit.SECONDS)
 class MpegAudioDecoderTest {
   private static final int BUDGET = 1 << 20;
 

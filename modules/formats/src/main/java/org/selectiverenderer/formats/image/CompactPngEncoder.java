@@ -14,6 +14,8 @@ public final class CompactPngEncoder {
   public enum Samples {
     /** One byte: grey. */
     GREY(0, 1),
+    /** Two bytes: grey, opacity. */
+    GREY_ALPHA(4, 2),
     /** Three bytes: red, green, blue. */
     RGB(2, 3),
     /** One byte: an index into the palette. */

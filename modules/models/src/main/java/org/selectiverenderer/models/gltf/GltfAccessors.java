@@ -3,6 +3,9 @@ package org.selectiverenderer.models.gltf;
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.nio.ByteBuffer;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.function.IntToDoubleFunction;
 
 /**
  * Reads the arrays of numbers of a glTF file (glTF 2.0, 3.6.2): interleaved, sparse, and integers
@@ -17,7 +20,11 @@ final class GltfAccessors {
   private static final int FLOAT = 5126;
 
   private final GltfFile file;
+  private final Map<Integer, Unpacked> unpacked = new HashMap<>();
   private long left;
+
+  /** Values of an accessor that are compressed elsewhere in the file. */
+  private record Unpacked(int length, boolean integers, IntToDoubleFunction values) {}
 
   /**
    * @param most the number of values that may be read in all
@@ -25,6 +32,30 @@ final class GltfAccessors {
   GltfAccessors(GltfFile file, long most) {
     this.file = file;
     left = most;
+  }
+
+  /** Returns the number of values that may still be read. */
+  long left() {
+    return left;
+  }
+
+  /**
+   * Gives an accessor without a bufferView its values, all components one after the other.
+   *
+   * @param integers whether they are integers, which the accessor may read as fractions
+   */
+  void unpacked(int index, int length, boolean integers, IntToDoubleFunction values) {
+    unpacked.put(index, new Unpacked(length, integers, values));
+  }
+
+  /** Returns whether an accessor was given values. */
+  boolean isUnpacked(int index) {
+    return unpacked.containsKey(index);
+  }
+
+  /** Forgets all values that accessors were given. */
+  void forgetUnpacked() {
+    unpacked.clear();
   }
 
   /** Returns the number of components of an accessor; 0 if there is none. */
@@ -74,20 +105,34 @@ final class GltfAccessors {
     if (components == 0 || count < 0) {
       throw new IOException("accessors[%d] is missing or has no known type".formatted(index));
     }
-    left -= count * components;
-    if (count > Integer.MAX_VALUE || left < 0) {
-      throw new IOException("the model has more numbers than fit into the memory; nothing is read");
+    if (count > Integer.MAX_VALUE || count * components > Math.min(left, Integer.MAX_VALUE - 8)) {
+      throw new IOException("the model has more numbers than fit into the memory");
     }
-    double[] values = new double[(int) count * components];
+    left -= count * components;
     String path = "accessors[%d]".formatted(index);
     int type = accessor.path("componentType").asInt();
     boolean normalized = accessor.path("normalized").asBoolean(false);
     int view = GltfFile.index(accessor, "bufferView");
-    if (view >= 0) {
-      ByteBuffer bytes = file.view(view);
+    Unpacked given = unpacked.get(index);
+    Layout layout = null;
+    if (given == null && view >= 0) {
       int stride = file.part("bufferViews", view).path("byteStride").asInt(0);
       long offset = accessor.path("byteOffset").asLong(0);
-      read(new Layout(bytes, offset, stride, type, components, normalized, path), values);
+      layout = new Layout(file.view(view), offset, stride, type, components, normalized, path);
+      check(layout, count); // before there is an array for as many as are announced
+    }
+    if (given != null && given.length() != count * components) {
+      throw new IOException(path + " announces another number of values than its Draco data");
+    }
+    double[] values = new double[(int) count * components];
+    if (layout != null) {
+      read(layout, values);
+    } else if (given != null) {
+      boolean fraction = normalized && given.integers();
+      for (int i = 0; i < values.length; i++) {
+        double value = given.values().applyAsDouble(i);
+        values[i] = fraction ? fraction(type, value) : value;
+      }
     }
     JsonNode sparse = accessor.path("sparse");
     if (sparse.isObject()) {
@@ -132,22 +177,35 @@ final class GltfAccessors {
       int type,
       int components,
       boolean normalized,
-      String path) {}
+      String path) {
+    /** Returns the bytes of a value with all its components. */
+    long each() {
+      return (long) size(type) * components;
+    }
 
-  private static void read(Layout from, double[] into) throws IOException {
-    int size = size(from.type());
-    if (size == 0) {
+    /** Returns the bytes from one value to the next. */
+    long step() {
+      return stride > 0 ? stride : each();
+    }
+  }
+
+  private static void check(Layout from, long count) throws IOException {
+    if (size(from.type()) == 0) {
       throw new IOException(from.path() + ".componentType is none of glTF's");
     }
-    long each = (long) size * from.components();
-    long stride = from.stride() > 0 ? from.stride() : each;
-    long count = into.length / from.components();
-    long end = count == 0 ? 0 : from.offset() + (count - 1) * stride + each;
-    if (from.offset() < 0 || end > from.bytes().limit()) {
+    long end = count == 0 ? 0 : from.offset() + (count - 1) * from.step() + from.each();
+    int limit = from.bytes().limit();
+    if (from.offset() < 0 || from.offset() > limit || end > limit) {
       throw new IOException(from.path() + " lies outside of its bufferView; the file is damaged");
     }
+  }
+
+  private static void read(Layout from, double[] into) throws IOException {
+    long count = into.length / from.components();
+    check(from, count);
+    int size = size(from.type());
     for (int i = 0; i < count; i++) {
-      int at = (int) (from.offset() + i * stride);
+      int at = (int) (from.offset() + i * from.step());
       for (int k = 0; k < from.components(); k++) {
         into[i * from.components() + k] = value(from, at + k * size);
       }
@@ -157,13 +215,26 @@ final class GltfAccessors {
   private static double value(Layout from, int at) {
     ByteBuffer bytes = from.bytes();
     boolean fraction = from.normalized();
-    return switch (from.type()) {
-      case BYTE -> fraction ? Math.max(bytes.get(at) / 127.0, -1) : bytes.get(at);
-      case UNSIGNED_BYTE -> (bytes.get(at) & 0xff) / (fraction ? 255.0 : 1);
-      case SHORT -> fraction ? Math.max(bytes.getShort(at) / 32767.0, -1) : bytes.getShort(at);
-      case UNSIGNED_SHORT -> (bytes.getShort(at) & 0xffff) / (fraction ? 65535.0 : 1);
-      case UNSIGNED_INT -> Integer.toUnsignedLong(bytes.getInt(at));
-      default -> bytes.getFloat(at);
+    double value =
+        switch (from.type()) {
+          case BYTE -> bytes.get(at);
+          case UNSIGNED_BYTE -> bytes.get(at) & 0xff;
+          case SHORT -> bytes.getShort(at);
+          case UNSIGNED_SHORT -> bytes.getShort(at) & 0xffff;
+          case UNSIGNED_INT -> Integer.toUnsignedLong(bytes.getInt(at));
+          default -> bytes.getFloat(at);
+        };
+    return fraction ? fraction(from.type(), value) : value;
+  }
+
+  /** Returns the fraction for which an integer stands (glTF 2.0, 3.6.2.2). */
+  private static double fraction(int type, double value) {
+    return switch (type) {
+      case BYTE -> Math.max(value / 127.0, -1);
+      case UNSIGNED_BYTE -> value / 255.0;
+      case SHORT -> Math.max(value / 32767.0, -1);
+      case UNSIGNED_SHORT -> value / 65535.0;
+      default -> value;
     };
   }
 

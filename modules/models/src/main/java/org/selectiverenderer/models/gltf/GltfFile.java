@@ -177,7 +177,11 @@ final class GltfFile {
     ByteBuffer buffer = buffer(index(view, "buffer"));
     long offset = view.path("byteOffset").asLong(0);
     long length = view.path("byteLength").asLong(0);
-    if (view.isMissingNode() || offset < 0 || length < 0 || offset + length > buffer.limit()) {
+    if (view.isMissingNode()
+        || offset < 0
+        || length < 0
+        || length > buffer.limit() // a sum of more would be no long
+        || offset > buffer.limit() - length) {
       throw new IOException(
           "bufferViews[%d] lies outside of its buffer; the file is damaged or cut off"
               .formatted(index));

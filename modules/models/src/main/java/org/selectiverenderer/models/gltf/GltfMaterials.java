@@ -1,12 +1,10 @@
 package org.selectiverenderer.models.gltf;
 
 import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.node.JsonNodeFactory;
-import com.fasterxml.jackson.databind.node.ObjectNode;
-import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import org.selectiverenderer.formats.image.Srgb;
 import org.selectiverenderer.models.scene.DefNames;
 import org.selectiverenderer.models.scene.Numbers;
 import org.selectiverenderer.x3d.write.X3dWriter;
@@ -17,10 +15,9 @@ import org.selectiverenderer.x3d.write.X3dWriter;
  */
 final class GltfMaterials {
   private static final double DEFAULT_CUTOFF = 0.5;
-  private static final String GLOSSY = "KHR_materials_pbrSpecularGlossiness";
 
   /**
-   * How a surface is drawn.
+   * Describes how a surface is drawn.
    *
    * @param index the index of the material; -1 for glTF's default
    * @param lit whether light falls on it
@@ -34,44 +31,17 @@ final class GltfMaterials {
   private final GltfTextures textures;
   private final Map<Key, String> written = new HashMap<>();
 
-  GltfMaterials(GltfFile file, X3dWriter out, DefNames names, GltfProblems problems) {
-    this.file = file;
-    this.out = out;
-    this.names = names;
-    this.problems = problems;
-    textures = new GltfTextures(file, out, names, problems);
+  GltfMaterials(GltfTranslation shared) {
+    file = shared.file();
+    out = shared.out();
+    names = shared.names();
+    problems = shared.problems();
+    textures = new GltfTextures(shared);
   }
 
-  /** Returns the material of a primitive; missing for the default. */
-  JsonNode material(int index) {
-    return file.part("materials", index);
-  }
-
-  /** Returns whether no light falls on a material. */
-  boolean isUnlit(int index) {
-    return unlit(material(index));
-  }
-
-  /** Returns whether normals of a texture are added to those of a surface. */
-  boolean hasNormalTexture(int index) {
-    return !isUnlit(index) && material(index).has("normalTexture");
-  }
-
-  /** Returns red, green, blue and opacity, by which vertex colours are multiplied. */
-  double[] baseColor(int index) {
-    return GltfFile.numbers(pbr(material(index)), "baseColorFactor", 1, 1, 1, 1);
-  }
-
-  /** Returns the channels of texture coordinates that a material needs, in their order. */
-  List<TextureChannel> channels(int index) {
-    List<TextureChannel> channels = new ArrayList<>();
-    for (JsonNode info : infos(material(index))) {
-      TextureChannel channel = TextureChannel.of(info);
-      if (info.isObject() && !channels.contains(channel)) {
-        channels.add(channel);
-      }
-    }
-    return channels;
+  /** Returns the material of a primitive. */
+  GltfMaterial material(int index) {
+    return new GltfMaterial(file.part("materials", index));
   }
 
   /** Returns whether one set of coordinates without transforms serves all textures. */
@@ -80,51 +50,14 @@ final class GltfMaterials {
         || channels.size() == 1 && channels.get(0).set() == 0 && !channels.get(0).isTransformed();
   }
 
-  private static List<JsonNode> infos(JsonNode material) {
-    JsonNode pbr = pbr(material);
-    if (unlit(material)) {
-      return List.of(pbr.path("baseColorTexture"));
-    }
-    return List.of(
-        pbr.path("baseColorTexture"),
-        pbr.path("metallicRoughnessTexture"),
-        material.path("normalTexture"),
-        material.path("occlusionTexture"),
-        material.path("emissiveTexture"));
-  }
-
-  /**
-   * Returns the metallic-roughness part of a material; for one that has only diffuse colour and
-   * glossiness (KHR_materials_pbrSpecularGlossiness), a part of no metal.
-   */
-  private static JsonNode pbr(JsonNode material) {
-    JsonNode glossy = material.path("extensions").path(GLOSSY);
-    if (material.has("pbrMetallicRoughness") || !glossy.isObject()) {
-      return material.path("pbrMetallicRoughness");
-    }
-    ObjectNode part = JsonNodeFactory.instance.objectNode();
-    if (glossy.has("diffuseFactor")) {
-      part.set("baseColorFactor", glossy.get("diffuseFactor"));
-    }
-    if (glossy.has("diffuseTexture")) {
-      part.set("baseColorTexture", glossy.get("diffuseTexture"));
-    }
-    part.put("metallicFactor", 0.0);
-    double glossiness = Numbers.unit(GltfFile.number(glossy, "glossinessFactor", 1));
-    return part.put("roughnessFactor", 1 - glossiness);
-  }
-
-  private static boolean unlit(JsonNode material) {
-    return material.path("extensions").has("KHR_materials_unlit");
-  }
-
   /**
    * Writes the Appearance of a material, and one that has been written as a USE.
    *
    * @param lit false for lines and points
    */
   void write(int index, boolean lit) {
-    JsonNode material = material(index);
+    GltfMaterial surface = material(index);
+    JsonNode material = surface.json();
     Key key = new Key(material.isMissingNode() ? -1 : index, lit);
     String known = written.get(key);
     if (known != null) {
@@ -142,20 +75,21 @@ final class GltfMaterials {
           "alphaCutoff",
           Numbers.of(Numbers.unit(GltfFile.number(material, "alphaCutoff", DEFAULT_CUTOFF))));
     }
-    List<TextureChannel> channels = channels(index);
-    if (lit && !unlit(material)) {
-      physical(material, path, channels);
+    List<TextureChannel> channels = surface.channels();
+    if (lit && !surface.isUnlit()) {
+      physical(surface, path, channels);
     } else {
-      flat(material, path, channels);
+      flat(surface, path, channels);
     }
     transforms(path, channels);
     out.close();
     tellExtensions(material, path);
   }
 
-  private void physical(JsonNode material, String path, List<TextureChannel> channels) {
-    JsonNode pbr = pbr(material);
-    double[] base = GltfFile.numbers(pbr, "baseColorFactor", 1, 1, 1, 1);
+  private void physical(GltfMaterial surface, String path, List<TextureChannel> channels) {
+    JsonNode material = surface.json();
+    JsonNode pbr = surface.pbr();
+    double[] base = surface.baseColor();
     double[] glow = emission(material, path);
     JsonNode normal = material.path("normalTexture");
     JsonNode occlusion = material.path("occlusionTexture");
@@ -191,10 +125,9 @@ final class GltfMaterials {
   }
 
   /** Writes a material on which no light falls; X3D shows its colour as it is, which is sRGB. */
-  private void flat(JsonNode material, String path, List<TextureChannel> channels) {
-    JsonNode pbr = pbr(material);
-    double[] base = GltfFile.numbers(pbr, "baseColorFactor", 1, 1, 1, 1);
-    JsonNode picture = pbr.path("baseColorTexture");
+  private void flat(GltfMaterial surface, String path, List<TextureChannel> channels) {
+    double[] base = surface.baseColor();
+    JsonNode picture = surface.pbr().path("baseColorTexture");
     out.open("UnlitMaterial", "emissiveColor", color(srgb(base)));
     out.attribute("transparency", Numbers.of(1 - Numbers.unit(base[3])));
     mapping("emissiveTextureMapping", picture, channels);
@@ -286,7 +219,7 @@ final class GltfMaterials {
                 case "KHR_materials_unlit", "KHR_materials_emissive_strength" -> {
                   // expressed
                 }
-                case GLOSSY -> {
+                case GltfMaterial.GLOSSY -> {
                   if (!material.has("pbrMetallicRoughness")) {
                     problems.tell(
                         path,
@@ -308,12 +241,11 @@ final class GltfMaterials {
     return Numbers.of(Numbers.unit(color[0]), Numbers.unit(color[1]), Numbers.unit(color[2]));
   }
 
-  /** Converts linear light to sRGB (IEC 61966-2-1). */
+  /** Converts linear light to sRGB. */
   static double[] srgb(double[] linear) {
     double[] srgb = new double[3];
     for (int i = 0; i < srgb.length; i++) {
-      double value = Numbers.unit(linear[i]);
-      srgb[i] = value <= 0.0031308 ? 12.92 * value : 1.055 * Math.pow(value, 1 / 2.4) - 0.055;
+      srgb[i] = Srgb.display(Numbers.unit(linear[i]));
     }
     return srgb;
   }

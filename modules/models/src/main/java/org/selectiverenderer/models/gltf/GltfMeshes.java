@@ -17,6 +17,7 @@ import org.selectiverenderer.x3d.write.X3dWriter;
 final class GltfMeshes {
   private final GltfFile file;
   private final GltfAccessors accessors;
+  private final GltfDraco draco;
   private final GltfShapes shapes;
   private final GltfSkins skins;
   private final X3dWriter out;
@@ -27,6 +28,7 @@ final class GltfMeshes {
   GltfMeshes(
       GltfFile file,
       GltfAccessors accessors,
+      GltfDraco draco,
       GltfShapes shapes,
       GltfSkins skins,
       X3dWriter out,
@@ -34,6 +36,7 @@ final class GltfMeshes {
       GltfProblems problems) {
     this.file = file;
     this.accessors = accessors;
+    this.draco = draco;
     this.shapes = shapes;
     this.skins = skins;
     this.out = out;
@@ -124,29 +127,18 @@ final class GltfMeshes {
     int i = 0;
     for (JsonNode primitive : file.part("meshes", mesh).path("primitives")) {
       String path = "meshes[%d].primitives[%d]".formatted(mesh, i++);
-      if (isLost(primitive)) {
-        problems.tell(
-            path,
-            "it is compressed by KHR_draco_mesh_compression, which is not read; it is left out "
-                + "(gltf-transform copies a model without that compression)");
-        continue;
-      }
       try {
+        draco.unpack(primitive);
         GltfPrimitive read = GltfPrimitive.of(file, accessors, primitive, path, problems);
         if (read.vertices() > 0) {
           user.use(read);
         }
       } catch (IOException e) {
         problems.tell(path, e.getMessage() + "; it is left out");
+      } finally {
+        accessors.forgetUnpacked();
       }
     }
-  }
-
-  /** Returns whether a primitive is compressed, and not there without compression besides. */
-  private boolean isLost(JsonNode primitive) {
-    int position = GltfFile.index(primitive.path("attributes"), "POSITION");
-    return primitive.path("extensions").has("KHR_draco_mesh_compression")
-        && !file.part("accessors", position).has("bufferView");
   }
 
   private void shape(GltfPrimitive from, double[] weights, @Nullable List<Morph> morphs)

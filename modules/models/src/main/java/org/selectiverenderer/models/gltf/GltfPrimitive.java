@@ -43,6 +43,9 @@ record GltfPrimitive(
     float[] points = accessors.floats(position);
     int vertices = points.length / 3;
     int index = GltfFile.index(json, "indices");
+    if (accessors.isUnpacked(index)) {
+      mode = PrimitiveIndices.TRIANGLES; // Draco has strips as triangles, too
+    }
     int[] indices = index < 0 ? PrimitiveIndices.sequence(vertices) : accessors.ints(index);
     OptionalInt outside = Arrays.stream(indices).filter(i -> i < 0 || i >= vertices).findFirst();
     if (outside.isPresent()) {

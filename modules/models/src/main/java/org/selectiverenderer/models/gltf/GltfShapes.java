@@ -4,7 +4,6 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
-import org.selectiverenderer.models.scene.DefNames;
 import org.selectiverenderer.models.scene.Numbers;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
@@ -14,10 +13,10 @@ final class GltfShapes {
   private final X3dWriter out;
   private final GltfProblems problems;
 
-  GltfShapes(GltfFile file, X3dWriter out, DefNames names, GltfProblems problems) {
-    this.out = out;
-    this.problems = problems;
-    materials = new GltfMaterials(file, out, names, problems);
+  GltfShapes(GltfTranslation shared) {
+    out = shared.out();
+    problems = shared.problems();
+    materials = new GltfMaterials(shared);
   }
 
   /**
@@ -97,7 +96,7 @@ final class GltfShapes {
   }
 
   private void triangles(GltfPrimitive from, boolean withNormals) {
-    boolean twoSided = materials.material(from.material()).path("doubleSided").asBoolean(false);
+    boolean twoSided = materials.material(from.material()).isTwoSided();
     out.open("IndexedTriangleSet");
     if (twoSided) {
       out.attribute("solid", "false");
@@ -114,7 +113,8 @@ final class GltfShapes {
   }
 
   private Values values(GltfPrimitive from, boolean still) throws IOException {
-    List<TextureChannel> channels = from.faces() ? materials.channels(from.material()) : List.of();
+    List<TextureChannel> channels =
+        from.faces() ? materials.material(from.material()).channels() : List.of();
     List<float[]> texCoords = new ArrayList<>();
     if (GltfMaterials.plain(channels)) {
       int set = channels.isEmpty() ? -1 : from.attribute("TEXCOORD_0", 2);
@@ -126,7 +126,7 @@ final class GltfShapes {
         texCoords.add(texCoords(from, channel.set()));
       }
     }
-    boolean bumpy = still && from.faces() && materials.hasNormalTexture(from.material());
+    boolean bumpy = still && from.faces() && materials.material(from.material()).hasNormalTexture();
     int tangent = bumpy && from.attribute("NORMAL", 3) >= 0 ? from.attribute("TANGENT", 4) : -1;
     return new Values(
         channels,
@@ -201,8 +201,8 @@ final class GltfShapes {
       return new float[0];
     }
     float[] colors = from.accessors().floats(index);
-    double[] base = materials.baseColor(from.material());
-    boolean unlit = !from.faces() || materials.isUnlit(from.material());
+    double[] base = materials.material(from.material()).baseColor();
+    boolean unlit = !from.faces() || materials.material(from.material()).isUnlit();
     int size = components == 4 || base[3] < 1 ? 4 : 3;
     float[] mixed = new float[from.vertices() * size];
     for (int v = 0; v < from.vertices(); v++) {

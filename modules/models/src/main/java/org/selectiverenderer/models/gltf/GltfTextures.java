@@ -22,14 +22,14 @@ final class GltfTextures {
   private final GltfProblems problems;
   private final Map<Look, String> written = new HashMap<>();
 
-  /** What an ImageTexture shows; glTF may have several textures of it. */
+  /** An ImageTexture shows this picture in this way; glTF may have several textures of it. */
   private record Look(int image, int wrapS, int wrapT, int magFilter, int minFilter) {}
 
-  GltfTextures(GltfFile file, X3dWriter out, DefNames names, GltfProblems problems) {
-    this.file = file;
-    this.out = out;
-    this.names = names;
-    this.problems = problems;
+  GltfTextures(GltfTranslation shared) {
+    file = shared.file();
+    out = shared.out();
+    names = shared.names();
+    problems = shared.problems();
   }
 
   /**

@@ -15,7 +15,6 @@ import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.models.scene.AnimatedNodes;
 import org.selectiverenderer.models.scene.DefNames;
 import org.selectiverenderer.models.scene.NodeTransform;
-import org.selectiverenderer.models.scene.Numbers;
 import org.selectiverenderer.x3d.model.ModelFile;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
@@ -41,7 +40,7 @@ public final class GltfTranslator {
           "KHR_lights_punctual",
           "KHR_mesh_quantization",
           "EXT_meshopt_compression",
-          "KHR_draco_mesh_compression", // told where it is used
+          "KHR_draco_mesh_compression",
           "EXT_texture_webp");
 
   private final GltfFile file;
@@ -60,15 +59,20 @@ public final class GltfTranslator {
   /** The mesh of a node with a skin, which is shown where its joints are. */
   private record SkinnedMesh(int mesh, int skin, double @Nullable [] weights) {}
 
-  private GltfTranslator(GltfFile file, ModelFile model, ProblemCollector collector) {
+  private GltfTranslator(
+      GltfFile file,
+      GltfAccessors accessors,
+      GltfDraco draco,
+      ModelFile model,
+      ProblemCollector collector) {
     this.file = file;
     problems = new GltfProblems(model.name(), collector);
     out = new X3dWriter(1 << 16, model.limits().maxBytes());
-    accessors = new GltfAccessors(file, model.limits().maxBytes() / CHARACTERS);
-    GltfShapes shapes = new GltfShapes(file, out, names, problems);
+    this.accessors = accessors;
+    GltfShapes shapes = new GltfShapes(new GltfTranslation(file, out, names, problems));
     GltfSkins skins = new GltfSkins(file, accessors, shapes, out, names, animated, problems);
-    meshes = new GltfMeshes(file, accessors, shapes, skins, out, names, problems);
-    views = new GltfViews(file, out, names);
+    meshes = new GltfMeshes(file, accessors, draco, shapes, skins, out, names, problems);
+    views = new GltfViews(file, out, names, problems);
     maxDepth = Math.max(1, model.limits().maxDepth() - OTHER_DEPTH);
   }
 
@@ -87,8 +91,9 @@ public final class GltfTranslator {
     } catch (OldGltfException e) {
       return Optional.empty();
     }
-    try {
-      return Optional.of(new GltfTranslator(file, model, problems).translate());
+    GltfAccessors accessors = new GltfAccessors(file, model.limits().maxBytes() / CHARACTERS);
+    try (GltfDraco draco = new GltfDraco(file, accessors)) {
+      return Optional.of(new GltfTranslator(file, accessors, draco, model, problems).translate());
     } catch (UncheckedIOException e) { // the text becomes too long
       throw new IOException(e.getCause().getMessage(), e);
     }
@@ -110,7 +115,7 @@ public final class GltfTranslator {
     }
     out.meta("generator", "Selective Renderer").close().open("Scene");
     for (int node : roots()) {
-      node(node, 0);
+      node(node, 0, 1);
     }
     for (SkinnedMesh mesh : skinned) {
       meshes.writeSkinned(mesh.mesh(), mesh.skin(), mesh.weights(), maxDepth);
@@ -187,7 +192,12 @@ public final class GltfTranslator {
     return roots;
   }
 
-  private void node(int index, int depth) {
+  /**
+   * Writes a node.
+   *
+   * @param scale by what the nodes around it multiply lengths
+   */
+  private void node(int index, int depth, double scale) {
     JsonNode node = file.part("nodes", index);
     String path = "nodes[%d]".formatted(index);
     if (node.isMissingNode()) {
@@ -206,16 +216,17 @@ public final class GltfTranslator {
       problems.tell(path + ".matrix", "it shears, which a Transform cannot; the shear is left out");
     }
     out.open("Transform", "DEF", def);
-    place(place);
+    place.write(out);
     if (!name.isBlank() && !name.equals(def)) {
       out.empty("MetadataString", "name", "name", "value", quoted(name));
     }
-    views.write(node, path, name);
+    double inside = scale * NodeTransform.averageScale(place.matrix());
+    views.write(node, path, name, inside);
     int mesh = GltfFile.index(node, "mesh");
     if (mesh >= 0) {
       mesh(node, mesh, index, path);
     }
-    node.path("children").forEach(child -> node(child.asInt(-1), depth + 1));
+    node.path("children").forEach(child -> node(child.asInt(-1), depth + 1, inside));
     out.close();
   }
 
@@ -240,21 +251,6 @@ public final class GltfTranslator {
       morphs.put(index, moved);
     } else {
       meshes.write(mesh, weights, null);
-    }
-  }
-
-  private void place(NodeTransform place) {
-    double[] t = place.translation();
-    if (t[0] != 0 || t[1] != 0 || t[2] != 0) {
-      out.attribute("translation", Numbers.of(t));
-    }
-    double[] rotation = Numbers.axisAngle(place.rotation());
-    if (rotation[3] != 0) {
-      out.attribute("rotation", Numbers.of(rotation));
-    }
-    double[] s = place.scale();
-    if (s[0] != 1 || s[1] != 1 || s[2] != 1) {
-      out.attribute("scale", Numbers.of(s));
     }
   }
 

@@ -1,5 +1,6 @@
 package org.selectiverenderer.models.importer;
 
+import static org.lwjgl.assimp.Assimp.AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES;
 import static org.lwjgl.assimp.Assimp.AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS;
 import static org.lwjgl.assimp.Assimp.AI_CONFIG_IMPORT_NO_SKELETON_MESHES;
 import static org.lwjgl.assimp.Assimp.AI_MATKEY_COLOR_DIFFUSE;
@@ -13,6 +14,7 @@ import static org.lwjgl.assimp.Assimp.aiGetMaterialFloatArray;
 import static org.lwjgl.assimp.Assimp.aiGetMaterialTexture;
 import static org.lwjgl.assimp.Assimp.aiGetMaterialTextureCount;
 import static org.lwjgl.assimp.Assimp.aiImportFileExWithProperties;
+import static org.lwjgl.assimp.Assimp.aiPrimitiveType_POINT;
 import static org.lwjgl.assimp.Assimp.aiPrimitiveType_TRIANGLE;
 import static org.lwjgl.assimp.Assimp.aiProcess_GlobalScale;
 import static org.lwjgl.assimp.Assimp.aiProcess_JoinIdenticalVertices;
@@ -33,6 +35,8 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
+import java.util.List;
+import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 import org.lwjgl.assimp.AIColor4D;
 import org.lwjgl.assimp.AIFace;
@@ -88,6 +92,8 @@ final class AssimpImporter {
 
   void read(String name, DataOutputStream out) throws IOException {
     AIScene scene;
+    List<String> names;
+    String lower = name.toLowerCase(Locale.ROOT);
     AIPropertyStore properties = aiCreatePropertyStore();
     try (files) {
       int steps = whole ? STEPS : STEPS | aiProcess_PreTransformVertices;
@@ -96,6 +102,11 @@ final class AssimpImporter {
       // A scene of nodes without meshes gets no figure of bones.
       aiSetImportPropertyInteger(properties, AI_CONFIG_IMPORT_NO_SKELETON_MESHES, whole ? 1 : 0);
       scene = aiImportFileExWithProperties(name, steps, files.io(), properties);
+      if (scene == null && lower.endsWith(".ply")) {
+        // The checks of the steps refuse clouds of points.
+        scene = aiImportFileExWithProperties(name, 0, files.io(), properties);
+      }
+      names = whole && lower.endsWith(".dae") ? names(name, properties) : List.of();
       files.check();
     } finally {
       aiReleasePropertyStore(properties);
@@ -105,11 +116,28 @@ final class AssimpImporter {
       return;
     }
     out.writeByte(ImportProtocol.MODEL);
-    write(scene, new ImportedModelEncoder(out));
+    write(scene, names, new ImportedModelEncoder(out));
     aiReleaseImport(scene);
   }
 
-  private void write(AIScene scene, ImportedModelEncoder out) throws IOException {
+  /**
+   * Returns the names of the nodes of a COLLADA file. They are read apart, since Assimp finds what
+   * a camera, a key frame or a joint belongs to by the only name that a node has, and of several
+   * nodes with one name would take the first.
+   */
+  private List<String> names(String name, AIPropertyStore properties) {
+    aiSetImportPropertyInteger(properties, AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, 1);
+    AIScene named = aiImportFileExWithProperties(name, 0, files.io(), properties);
+    if (named == null) {
+      return List.of();
+    }
+    List<String> names = AssimpSceneTree.names(named);
+    aiReleaseImport(named);
+    return names;
+  }
+
+  private void write(AIScene scene, List<String> names, ImportedModelEncoder out)
+      throws IOException {
     boolean[] textured = new boolean[scene.mNumMaterials()];
     out.number(textured.length);
     for (int i = 0; i < textured.length; i++) {
@@ -117,12 +145,12 @@ final class AssimpImporter {
       textured[i] = material.texture() != null;
       out.material(material);
     }
-    int[] written = new int[scene.mNumMeshes()]; // meshes without triangles are left out
+    int[] written = new int[scene.mNumMeshes()]; // meshes of lines are left out
     int count = 0;
     for (int i = 0; i < written.length; i++) {
-      written[i] = hasTriangles(mesh(scene, i)) ? count++ : -1;
+      written[i] = isShown(mesh(scene, i)) ? count++ : -1;
     }
-    AssimpSceneTree tree = new AssimpSceneTree(scene, whole, out);
+    AssimpSceneTree tree = new AssimpSceneTree(scene, names, whole, out);
     tree.writeNodes(written);
     out.number(count);
     for (int i = 0; i < written.length; i++) {
@@ -139,9 +167,10 @@ final class AssimpImporter {
     return AIMesh.create(scene.mMeshes().get(index));
   }
 
-  private static boolean hasTriangles(AIMesh mesh) {
+  private boolean isShown(AIMesh mesh) {
     // Assimp sets a further flag for triangles that are parts of larger faces.
-    return (mesh.mPrimitiveTypes() & aiPrimitiveType_TRIANGLE) != 0;
+    int types = mesh.mPrimitiveTypes();
+    return (types & aiPrimitiveType_TRIANGLE) != 0 || whole && (types & aiPrimitiveType_POINT) != 0;
   }
 
   private static void write(AIMesh mesh, boolean textured, ImportedModelEncoder out)
@@ -174,8 +203,9 @@ final class AssimpImporter {
 
   private static IntBuffer triangles(AIMesh mesh) {
     IntBuffer triangles = MemoryUtil.memAllocInt(3 * mesh.mNumFaces());
-    AIFace.Buffer faces = mesh.mFaces();
-    for (int f = 0; f < mesh.mNumFaces(); f++) {
+    // A cloud of points has no faces, for which LWJGL has no buffer.
+    AIFace.Buffer faces = mesh.mNumFaces() == 0 ? null : mesh.mFaces();
+    for (int f = 0; faces != null && f < mesh.mNumFaces(); f++) {
       IntBuffer indices = faces.get(f).mIndices();
       if (indices.remaining() == 3) { // Assimp keeps faces without corners.
         triangles.put(indices);

@@ -1,10 +1,14 @@
 package org.selectiverenderer.models.importer;
 
+import static org.lwjgl.assimp.Assimp.AI_FLOAT;
 import static org.lwjgl.assimp.Assimp.aiLightSource_DIRECTIONAL;
 import static org.lwjgl.assimp.Assimp.aiLightSource_POINT;
 import static org.lwjgl.assimp.Assimp.aiLightSource_SPOT;
 
+import java.io.DataOutputStream;
 import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -19,6 +23,8 @@ import org.lwjgl.assimp.AIColor3D;
 import org.lwjgl.assimp.AILight;
 import org.lwjgl.assimp.AIMatrix4x4;
 import org.lwjgl.assimp.AIMesh;
+import org.lwjgl.assimp.AIMetaData;
+import org.lwjgl.assimp.AIMetaDataEntry;
 import org.lwjgl.assimp.AINode;
 import org.lwjgl.assimp.AINodeAnim;
 import org.lwjgl.assimp.AIQuatKey;
@@ -45,7 +51,11 @@ final class AssimpSceneTree {
   /** The angle of a half circle that was converted from degrees to radians twice. */
   private static final double LEAST_ANGLE = Math.toRadians(Math.PI);
 
+  /** How the names begin that Assimp gives to nodes of COLLADA without one. */
+  private static final String AUTOMATIC = "$ColladaAutoName$";
+
   private final AIScene scene;
+  private final List<String> names;
   private final boolean whole;
   private final ImportedModelEncoder out;
   private final List<AINode> nodes = new ArrayList<>();
@@ -53,10 +63,13 @@ final class AssimpSceneTree {
   private final Map<String, Integer> byName = new HashMap<>();
 
   /**
+   * @param names the names of the nodes, breadth first, by which nothing is found; empty where
+   *     those of the scene itself are to be written
    * @param whole whether nodes and what they have are written
    */
-  AssimpSceneTree(AIScene scene, boolean whole, ImportedModelEncoder out) {
+  AssimpSceneTree(AIScene scene, List<String> names, boolean whole, ImportedModelEncoder out) {
     this.scene = scene;
+    this.names = names;
     this.whole = whole;
     this.out = out;
     AINode root = scene.mRootNode();
@@ -78,6 +91,23 @@ final class AssimpSceneTree {
         parents.add(i);
       }
     }
+  }
+
+  /** Returns the names of the nodes of a scene, breadth first. */
+  static List<String> names(AIScene scene) {
+    AssimpSceneTree tree =
+        new AssimpSceneTree(
+            scene,
+            List.of(),
+            true,
+            new ImportedModelEncoder(new DataOutputStream(OutputStream.nullOutputStream())));
+    return tree.nodes.stream().map(node -> text(node.mName())).toList();
+  }
+
+  private String name(int node) {
+    String own = text(nodes.get(node).mName());
+    boolean named = names.size() == nodes.size() && !names.get(node).startsWith(AUTOMATIC);
+    return named ? names.get(node) : own;
   }
 
   static String text(AIString text) {
@@ -131,7 +161,7 @@ final class AssimpSceneTree {
     out.number(nodes.size());
     for (int i = 0; i < nodes.size(); i++) {
       AINode node = nodes.get(i);
-      out.string(text(node.mName()));
+      out.string(name(i));
       out.number(parents.get(i));
       out.floats(matrix(node.mTransformation()));
       List<Integer> shown = new ArrayList<>();
@@ -230,14 +260,33 @@ final class AssimpSceneTree {
           default -> LightKind.OTHER;
         };
     AIColor3D color = light.mColorDiffuse();
+    float metres = metres();
     out.number(byName.getOrDefault(text(light.mName()), 0));
     out.number(kind.ordinal());
     out.floats(vector(light.mPosition()));
     out.floats(vector(light.mDirection()));
     out.floats(color.r(), color.g(), color.b());
     out.floats(
-        light.mAttenuationConstant(), light.mAttenuationLinear(), light.mAttenuationQuadratic());
+        light.mAttenuationConstant(),
+        light.mAttenuationLinear() / metres,
+        light.mAttenuationQuadratic() / (metres * metres));
     out.floats(light.mAngleInnerCone(), light.mAngleOuterCone());
+  }
+
+  /**
+   * Returns the length in metres of the unit in which lights fall off. Assimp multiplies all
+   * lengths of FBX by it except this.
+   */
+  private float metres() {
+    AIMetaData data = scene.mMetaData();
+    for (int i = 0; data != null && i < data.mNumProperties(); i++) {
+      AIMetaDataEntry value = data.mValues().get(i);
+      if (text(data.mKeys().get(i)).equals("UnitScaleFactor") && value.mType() == AI_FLOAT) {
+        float centimetres = value.mData(Float.BYTES).order(ByteOrder.nativeOrder()).getFloat(0);
+        return centimetres > 0 && Float.isFinite(centimetres) ? centimetres / 100 : 1;
+      }
+    }
+    return 1;
   }
 
   private void write(AIAnimation animation) throws IOException {

@@ -4,11 +4,12 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a model file holds, in metres and with y upwards. The arrays must not be modified; numbers
- * may be of any size, or not finite, indices are in range.
+ * Holds the content of a model file, in metres and with y upwards. The arrays must not be modified;
+ * numbers may be of any size, or not finite, indices are in range.
  *
  * @param materials the materials, to which meshes refer by index
- * @param meshes the meshes of triangles, each in the coordinates of the nodes that have it
+ * @param meshes the meshes of triangles, or of points, each in the coordinates of the nodes that
+ *     have it
  * @param textures pictures inside of the file
  * @param nodes the tree of nodes, parents before their children; the first is the root
  * @param cameras the cameras
@@ -114,7 +115,7 @@ public record ImportedModel(
   }
 
   /**
-   * How a node moves; each property has times in seconds and a value for each of them.
+   * Describes how a node moves; each property has times in seconds and a value for each of them.
    *
    * @param node the index of the node
    * @param rotations quaternions x, y, z, w
@@ -166,7 +167,7 @@ public record ImportedModel(
    * @param normals x, y, z per vertex, or null
    * @param texCoords s, t per vertex, or null
    * @param colors r, g, b, a per vertex, or null
-   * @param triangles three vertex indices per triangle
+   * @param triangles three vertex indices per triangle; none in a cloud of points
    * @param bones the joints that move it; empty for none
    */
   public record ImportedMesh(

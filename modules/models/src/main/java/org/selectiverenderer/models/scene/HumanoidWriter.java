@@ -42,7 +42,7 @@ public final class HumanoidWriter {
   public record Weight(int vertex, int joint, float weight) {}
 
   /**
-   * What is drawn.
+   * Holds what is drawn.
    *
    * @param points x, y, z of the mesh
    * @param normals x, y, z of the mesh; empty for none

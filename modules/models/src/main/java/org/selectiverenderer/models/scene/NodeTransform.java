@@ -1,6 +1,8 @@
 package org.selectiverenderer.models.scene;
 
 import org.joml.Matrix4d;
+import org.joml.Matrix4dc;
+import org.selectiverenderer.x3d.write.X3dWriter;
 
 /**
  * The place of a node: translation in metres, rotation as a unit quaternion x, y, z, w, and scale.
@@ -45,8 +47,31 @@ public record NodeTransform(
     return new NodeTransform(place, unit(quaternion(axes)), scale, shear > SHEAR && !flat);
   }
 
+  /** Writes those attributes of a Transform that differ from their defaults. */
+  public void write(X3dWriter out) {
+    if (translation[0] != 0 || translation[1] != 0 || translation[2] != 0) {
+      out.attribute("translation", Numbers.of(translation));
+    }
+    double[] turn = Numbers.axisAngle(rotation);
+    if (turn[3] != 0) {
+      out.attribute("rotation", Numbers.of(turn));
+    }
+    if (scale[0] != 1 || scale[1] != 1 || scale[2] != 1) {
+      out.attribute("scale", Numbers.of(scale));
+    }
+  }
+
+  /**
+   * Returns by what a matrix multiplies lengths, on average of all directions; 1 where it leaves no
+   * volume.
+   */
+  public static double averageScale(Matrix4dc matrix) {
+    double scale = Math.cbrt(Math.abs(matrix.determinant3x3()));
+    return scale > 0 && Double.isFinite(scale) ? scale : 1;
+  }
+
   /** Returns the matrix. */
-  Matrix4d matrix() {
+  public Matrix4d matrix() {
     return new Matrix4d()
         .translationRotateScale(
             translation[0],

@@ -42,7 +42,7 @@ public record ModelStructureCheck(long maxModelBytes) {
     InputStream in = new BufferedInputStream(content, BUFFER);
     String lower = name.toLowerCase(Locale.ROOT);
     switch (lower.substring(lower.lastIndexOf('.') + 1)) {
-      case "gltf", "glb" -> new GltfStructureCheck(maxModelBytes).check(in, size);
+      case "gltf", "glb" -> GltfStructureCheck.check(in, size, maxModelBytes);
       case "ply" -> PlyStructureCheck.check(in, size);
       case "stl" -> StlStructureCheck.check(in, size);
       default -> {

@@ -62,6 +62,14 @@ final class GltfBuilder {
     return this;
   }
 
+  /** Adds an accessor without bytes of its own. */
+  GltfBuilder empty(int componentType, String type, int count, String more) {
+    accessors.add(
+        "{\"componentType\":%d,\"type\":\"%s\",\"count\":%d%s}"
+            .formatted(componentType, type, count, more));
+    return this;
+  }
+
   /** Returns glTF in JSON, with its numbers in a data url. */
   String json(String members) {
     String uri = Base64.getEncoder().encodeToString(data.toByteArray());

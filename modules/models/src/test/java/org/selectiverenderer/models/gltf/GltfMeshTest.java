@@ -203,4 +203,39 @@ class GltfMeshTest extends GltfSceneTest {
     assertThat(all(file, "Shape")).hasSize(1);
     assertThat(messages()).singleElement().asString().contains("componentType is none of glTF's");
   }
+
+  @Test
+  void onlyWhatNeedsABufferViewOutsideOfItsBufferIsLeftOut() throws IOException {
+    String gltf =
+        new GltfBuilder()
+            .triangle()
+            .triangle()
+            .json(
+                ONE_NODE.formatted(
+                    "", "{\"attributes\":{\"POSITION\":0}},{\"attributes\":{\"POSITION\":1}}"))
+            .replace("\"byteOffset\":36", "\"byteOffset\":9223372036854775807");
+
+    X3dFile file = read(gltf);
+
+    assertThat(all(file, "Shape")).hasSize(1);
+    assertThat(messages())
+        .containsExactly(
+            "meshes[0].primitives[1]: bufferViews[1] lies outside of its buffer; the file is"
+                + " damaged or cut off; it is left out");
+  }
+
+  @Test
+  void onlyWhatNeedsAnAccessorOutsideOfItsBufferViewIsLeftOut() throws IOException {
+    GltfBuilder gltf = new GltfBuilder().triangle();
+    gltf.accessor(0, 5126, "VEC3", 4, "");
+
+    X3dFile file =
+        mesh(
+            gltf,
+            "{\"attributes\":{\"POSITION\":0,\"NORMAL\":1}},{\"attributes\":{\"POSITION\":1}}",
+            "");
+
+    assertThat(all(file, "Shape")).hasSize(1);
+    assertThat(messages()).singleElement().asString().startsWith("meshes[0].primitives[1]: ");
+  }
 }

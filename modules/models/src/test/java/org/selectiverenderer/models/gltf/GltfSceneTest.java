@@ -16,7 +16,7 @@ import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.read.X3dReader;
 
-/** What tests of glTF read as scenes have in common. */
+/** Reads glTF as scenes for the tests that extend it. */
 abstract class GltfSceneTest {
   static final NodeCatalogue CATALOGUE = NodeCatalogue.load();
 

@@ -197,4 +197,56 @@ class GltfTranslatorTest extends GltfSceneTest {
         .asString()
         .contains("it becomes an X3D text of more than 0.1 MB, which is the limit");
   }
+
+  private X3dFile lamps(int candela) throws IOException {
+    return read(
+        new GltfBuilder()
+            .triangle()
+            .json(
+                """
+                "scenes":[{"nodes":[0,1,2]}],"nodes":[
+                 {"extensions":{"KHR_lights_punctual":{"light":0}}},
+                 {"extensions":{"KHR_lights_punctual":{"light":1}}},
+                 {"extensions":{"KHR_lights_punctual":{"light":2}}}],
+                "extensions":{"KHR_lights_punctual":{"lights":[{"type":"point","intensity":%d},
+                 {"type":"spot","intensity":6.83,"spot":{}},
+                 {"type":"directional","intensity":2000}]}}"""
+                    .formatted(candela)));
+  }
+
+  @Test
+  void lampsInCandelaAreDimmedAlikeWhichIsTold() throws IOException {
+    X3dFile file = lamps(27320);
+
+    assertThat(first(file, "PointLight").number("intensity")).isEqualTo(40);
+    assertThat(first(file, "SpotLight").number("intensity")).isEqualTo(0.01f);
+    assertThat(first(file, "DirectionalLight").number("intensity")).isEqualTo(2000);
+    assertThat(messages()).singleElement().asString().startsWith("nodes[0]: ").contains("683");
+  }
+
+  @Test
+  void lampsThatArePossiblyNotInCandelaAreAsBrightAsTheyAre() throws IOException {
+    X3dFile file = lamps(1000);
+
+    assertThat(first(file, "PointLight").number("intensity")).isEqualTo(1000);
+    assertThat(first(file, "SpotLight").number("intensity")).isEqualTo(6.83f);
+    assertThat(messages()).isEmpty();
+  }
+
+  /** X3D measures from a light in the light's own coordinates (X3D 4.0, 17.2.1.4). */
+  @Test
+  void theScaleOfNodesDoesNotChangeHowLightsFallOff() throws IOException {
+    X3dFile file =
+        read(
+            new GltfBuilder()
+                .json(
+                    """
+                    "scenes":[{"nodes":[0]}],"nodes":[{"scale":[2,2,2],"children":[1]},
+                     {"scale":[5,5,5],"extensions":{"KHR_lights_punctual":{"light":0}}}],
+                    "extensions":{"KHR_lights_punctual":{"lights":[{"type":"point","range":40}]}}"""));
+
+    ParsedNode light = first(file, "PointLight");
+    assertThat(light.floats("attenuation")).containsExactly(0, 0, 100);
+    assertThat(light.number("radius")).isEqualTo(4);
+  }
 }

@@ -9,8 +9,8 @@ import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.field.FieldTokenizer;
 import org.selectiverenderer.x3d.field.FieldType;
-import org.selectiverenderer.x3d.page.TagScanner.Attribute;
-import org.selectiverenderer.x3d.page.TagScanner.Kind;
+import org.selectiverenderer.x3d.page.HtmlTokenizer.Attribute;
+import org.selectiverenderer.x3d.page.HtmlTokenizer.Kind;
 import org.selectiverenderer.x3d.source.ElementTreeBuilder;
 import org.selectiverenderer.x3d.source.ValueCommentStripper;
 import org.selectiverenderer.x3d.source.XmlParseException;
@@ -42,7 +42,7 @@ public final class PageParser implements ElementTreeBuilder.Parser {
 
   @Override
   public void parse(ElementTreeBuilder document) throws XmlParseException {
-    TagScanner tags = new TagScanner(document.text(), MOST_ATTRIBUTES);
+    HtmlTokenizer tags = new HtmlTokenizer(document.text(), MOST_ATTRIBUTES);
     if (!find(tags)) {
       throw document.fault(0, "this is an HTML page without an x3d element, so it holds no scene");
     }
@@ -56,7 +56,7 @@ public final class PageParser implements ElementTreeBuilder.Parser {
   }
 
   /** Goes to the start tag of the next x3d element; returns false if there is none. */
-  private static boolean find(TagScanner tags) {
+  private static boolean find(HtmlTokenizer tags) {
     for (Kind kind = tags.next(); kind != Kind.END; kind = tags.next()) {
       if (kind == Kind.START_TAG) {
         switch (PageNames.lower(tags.name())) {
@@ -80,13 +80,13 @@ public final class PageParser implements ElementTreeBuilder.Parser {
   /** The parsing of one scene. */
   private static final class Reading {
     private final ElementTreeBuilder document;
-    private final TagScanner tags;
+    private final HtmlTokenizer tags;
     private final PageNames names;
     private final NodeCatalogue catalogue;
     private final List<String> open = new ArrayList<>();
 
     Reading(
-        ElementTreeBuilder document, TagScanner tags, PageNames names, NodeCatalogue catalogue) {
+        ElementTreeBuilder document, HtmlTokenizer tags, PageNames names, NodeCatalogue catalogue) {
       this.document = document;
       this.tags = tags;
       this.names = names;

@@ -231,6 +231,11 @@ public final class ElementTreeBuilder {
     return new XmlParseException(new DocumentError(Kind.SYNTAX, source.location(at), what));
   }
 
+  /** Tells an error after which parsing went on. */
+  public void tell(XmlParseException error) {
+    document.add(error.fault());
+  }
+
   /** Adds the comments at the end. */
   void flush() {
     flush(null);

@@ -81,6 +81,13 @@ public final class XmlDocument {
     return Optional.ofNullable(type);
   }
 
+  /** Returns what is wrong if the root element is not that of a scene; empty for X3D or none. */
+  public Optional<String> rootFault() {
+    return root()
+        .filter(root -> !root.name().equals("X3D"))
+        .map(root -> "the root element of a scene must be X3D, not " + root.name());
+  }
+
   /** Returns the root element. */
   public Optional<DocumentElement> root() {
     return elements.stream().findFirst();

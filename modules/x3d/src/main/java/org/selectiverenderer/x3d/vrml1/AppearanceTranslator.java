@@ -3,11 +3,12 @@ package org.selectiverenderer.x3d.vrml1;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.field.FieldTokenizer;
 import org.selectiverenderer.x3d.source.ElementTreeBuilder;
+import org.selectiverenderer.x3d.vrml1.Vrml1Node.Field;
 import org.selectiverenderer.x3d.vrml1.Vrml1State.Property;
 
 /** Translates Material, Texture2 and Texture2Transform. */
 final class AppearanceTranslator {
-  /** How a shape takes its colours. */
+  /** Tells where a shape takes its colours from. */
   enum Kind {
     /** All of it has the colour of the material. */
     LIT,
@@ -33,10 +34,13 @@ final class AppearanceTranslator {
   private final ElementTreeBuilder document;
   private final Vrml1Values values;
   private final SharedElements shared;
-  private final StateReader state;
+  private final Vrml1State.Reader state;
 
   AppearanceTranslator(
-      ElementTreeBuilder document, Vrml1Values values, SharedElements shared, StateReader state) {
+      ElementTreeBuilder document,
+      Vrml1Values values,
+      SharedElements shared,
+      Vrml1State.Reader state) {
     this.document = document;
     this.values = values;
     this.shared = shared;
@@ -159,7 +163,7 @@ final class AppearanceTranslator {
 
   /** X3D has the ambient colour as a part of the diffuse one. */
   private void ambient(X3dElement material, Vrml1Node node, int index) {
-    Vrml1Field field = node.field("ambientColor");
+    Field field = node.field("ambientColor");
     if (field == null) {
       return;
     }
@@ -179,7 +183,7 @@ final class AppearanceTranslator {
 
   private void set(X3dElement element, Vrml1Node node, String name, int width, int index) {
     String value = value(node, name, width, index);
-    Vrml1Field field = node.field(name);
+    Field field = node.field(name);
     if (value != null && field != null) {
       element.set(name, value, field);
     }
@@ -187,7 +191,7 @@ final class AppearanceTranslator {
 
   /** Returns one value of a list; null if the field is absent or empty. */
   private @Nullable String value(Vrml1Node node, String name, int width, int index) {
-    Vrml1Field field = node.field(name);
+    Field field = node.field(name);
     if (field == null) {
       return null;
     }
@@ -206,8 +210,8 @@ final class AppearanceTranslator {
 
   private X3dElement image(Vrml1Node node) {
     String file = values.string(node, "filename");
-    Vrml1Field url = node.field("filename");
-    Vrml1Field pixels = node.field("image");
+    Field url = node.field("filename");
+    Field pixels = node.field("image");
     X3dElement texture;
     if (!file.isEmpty() && url != null) {
       texture = X3dElement.atType("ImageTexture", node);
@@ -221,7 +225,7 @@ final class AppearanceTranslator {
       }
     }
     for (String side : new String[] {"S", "T"}) {
-      Vrml1Field wrap = node.field("wrap" + side);
+      Field wrap = node.field("wrap" + side);
       if (wrap != null && values.word(node, "wrap" + side).equals("CLAMP")) {
         texture.set("repeat" + side, "false", wrap);
       }

@@ -5,6 +5,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.field.FieldTokenizer;
 import org.selectiverenderer.x3d.vrml1.AppearanceTranslator.Kind;
+import org.selectiverenderer.x3d.vrml1.Vrml1Node.Field;
 import org.selectiverenderer.x3d.vrml1.Vrml1State.Property;
 
 /** Translates Cube, Sphere, Cone, Cylinder and AsciiText. */
@@ -19,13 +20,13 @@ final class PrimitiveTranslator {
 
   private final Vrml1Values values;
   private final SharedElements shared;
-  private final StateReader state;
+  private final Vrml1State.Reader state;
   private final AppearanceTranslator appearances;
 
   PrimitiveTranslator(
       Vrml1Values values,
       SharedElements shared,
-      StateReader state,
+      Vrml1State.Reader state,
       AppearanceTranslator appearances) {
     this.values = values;
     this.shared = shared;
@@ -61,7 +62,7 @@ final class PrimitiveTranslator {
   }
 
   private void copyAs(X3dElement element, Vrml1Node node, String name, String as) {
-    Vrml1Field field = node.field(name);
+    Field field = node.field(name);
     if (field != null) {
       element.set(as, values.brief(field), field);
     }
@@ -80,7 +81,7 @@ final class PrimitiveTranslator {
     StringBuilder size = new StringBuilder();
     boolean given = false;
     for (String name : new String[] {"width", "height", "depth"}) {
-      Vrml1Field field = node.field(name);
+      Field field = node.field(name);
       given |= field != null;
       size.append(size.length() == 0 ? "" : " ");
       size.append(field == null ? "2" : values.brief(field));
@@ -160,11 +161,11 @@ final class PrimitiveTranslator {
 
   private X3dElement text(Vrml1Node node) {
     X3dElement text = X3dElement.atType("Text", node);
-    Vrml1Field string = node.field("string");
+    Field string = node.field("string");
     if (string != null) {
       text.set("string", values.strings(string), string);
     }
-    Vrml1Field width = node.field("width");
+    Field width = node.field("width");
     for (float length : values.numbers(node, "width")) {
       if (length > 0 && width != null) {
         text.set("length", values.text(width).strip(), width);
@@ -173,7 +174,7 @@ final class PrimitiveTranslator {
     }
     Vrml1Node style = state.read(Property.FONT_STYLE);
     String justification = values.word(node, "justification");
-    Vrml1Field spacing = node.field("spacing");
+    Field spacing = node.field("spacing");
     FontKey key = new FontKey(style, justification, spacing == null ? "" : values.brief(spacing));
     return text.add(
         style == null ? font(node, key) : shared.once(key, node.open(), () -> font(node, key)));
@@ -188,7 +189,7 @@ final class PrimitiveTranslator {
             ? new X3dElement("FontStyle", text.open(), text.open())
             : X3dElement.atType("FontStyle", style);
     int at = font.start();
-    Vrml1Field size = style == null ? null : style.field("size");
+    Field size = style == null ? null : style.field("size");
     if (size == null) {
       font.set("size", "10", at);
     } else {

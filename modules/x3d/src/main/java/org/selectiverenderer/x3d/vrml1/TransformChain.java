@@ -8,6 +8,7 @@ import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
+import org.selectiverenderer.x3d.vrml1.Vrml1Node.Field;
 
 /**
  * Transformations that follow one another. As long as they have the order of a Transform, their
@@ -38,6 +39,11 @@ final class TransformChain {
 
   boolean isEmpty() {
     return start < 0;
+  }
+
+  /** Returns its matrix. */
+  Matrix4dc matrix() {
+    return matrix;
   }
 
   /** Empties the chain. */
@@ -147,7 +153,7 @@ final class TransformChain {
       return;
     }
     for (Vrml1Node node : nodes) {
-      for (Map.Entry<String, Vrml1Field> field : node.fields().entrySet()) {
+      for (Map.Entry<String, Field> field : node.fields().entrySet()) {
         String name = FIELDS.get(field.getKey());
         if (name != null) {
           transform.set(name, values.brief(field.getValue()), field.getValue());

@@ -1,6 +1,8 @@
 package org.selectiverenderer.x3d.vrml1;
 
 import java.util.List;
+import java.util.function.Function;
+import org.joml.Matrix4dc;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -12,6 +14,13 @@ final class TranslationScope {
 
   private final TransformChain pending;
   private final TransformChain total;
+
+  /**
+   * The transformations since the container of the whole scope, which may itself be a Transform.
+   */
+  private final TransformChain within;
+
+  private final LightGroups lights;
   private X3dElement container;
 
   /** The container of which the first {@link #unlit} children are known to be lit by nothing. */
@@ -23,11 +32,13 @@ final class TranslationScope {
   private boolean moved;
 
   /** Creates the scope of an element without children. */
-  TranslationScope(X3dElement container, Vrml1Values values) {
+  TranslationScope(X3dElement container, Vrml1Values values, SharedElements shared) {
     this.container = container;
     this.wrapper = container;
     this.pending = new TransformChain(values);
     this.total = new TransformChain(values);
+    this.within = new TransformChain(values);
+    this.lights = new LightGroups(container, shared);
     this.own = container.name().equals(GROUP);
   }
 
@@ -40,6 +51,7 @@ final class TranslationScope {
   void transform(Vrml1Node node, String type) {
     pending.add(node, type);
     total.add(node, type);
+    within.add(node, type);
     moved = true;
   }
 
@@ -47,6 +59,7 @@ final class TranslationScope {
   void transform(TransformChain other) {
     pending.append(other);
     total.append(other);
+    within.append(other);
     moved |= !other.isEmpty();
   }
 
@@ -60,6 +73,7 @@ final class TranslationScope {
       container.rename("Transform");
       pending.set(container);
       pending.clear();
+      within.clear();
       own = false;
       moved = false;
       return container;
@@ -72,8 +86,22 @@ final class TranslationScope {
     return wrapper;
   }
 
-  /** Adds a light, which shines on what follows and not on what was before. */
-  void addLight(X3dElement light) {
+  /**
+   * Adds a light, which shines on what follows and not on what was before.
+   *
+   * @param transformed makes the same light with its location and direction transformed by a matrix
+   */
+  void addLight(X3dElement light, Function<Matrix4dc, X3dElement> transformed) {
+    boolean becomesTransform = own && container.children().isEmpty();
+    if (!becomesTransform && (!pending.isEmpty() || !isUnlit())) {
+      X3dElement outer = lights.next(light.start());
+      if (outer != null) {
+        container = outer;
+        pending.clear();
+        pending.append(within);
+      }
+      moved = true; // the last Transform may have shapes that this light shall not reach
+    }
     boolean first = isUnlit();
     if (!pending.isEmpty()) {
       container = target();
@@ -86,6 +114,7 @@ final class TranslationScope {
     own = false;
     moved = false;
     container.add(light);
+    lights.add(light, container, within, transformed);
   }
 
   /** Returns whether the container has no child that a light would shine on. */
@@ -107,7 +136,8 @@ final class TranslationScope {
 
   private static boolean isLit(X3dElement element) {
     return switch (element.name()) {
-      case "Viewpoint", "OrthoViewpoint", "Background", "NavigationInfo", "WorldInfo" -> false;
+      case "Viewpoint", "OrthoViewpoint", "Background", "Fog", "NavigationInfo", "WorldInfo" ->
+          false;
       default -> !isLight(element);
     };
   }

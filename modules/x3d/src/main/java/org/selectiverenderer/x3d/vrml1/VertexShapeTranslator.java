@@ -3,6 +3,7 @@ package org.selectiverenderer.x3d.vrml1;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.source.ElementTreeBuilder;
 import org.selectiverenderer.x3d.vrml1.AppearanceTranslator.Kind;
+import org.selectiverenderer.x3d.vrml1.Vrml1Node.Field;
 import org.selectiverenderer.x3d.vrml1.Vrml1State.Property;
 
 /** Translates IndexedFaceSet, IndexedLineSet and PointSet. */
@@ -16,14 +17,14 @@ final class VertexShapeTranslator {
   private final ElementTreeBuilder document;
   private final Vrml1Values values;
   private final SharedElements shared;
-  private final StateReader state;
+  private final Vrml1State.Reader state;
   private final AppearanceTranslator appearances;
 
   VertexShapeTranslator(
       ElementTreeBuilder document,
       Vrml1Values values,
       SharedElements shared,
-      StateReader state,
+      Vrml1State.Reader state,
       AppearanceTranslator appearances) {
     this.document = document;
     this.values = values;
@@ -32,7 +33,7 @@ final class VertexShapeTranslator {
     this.appearances = appearances;
   }
 
-  /** What a material binding or a normal binding means for a shape. */
+  /** A material binding or a normal binding means this for a shape. */
   private record Binding(boolean perVertex, boolean perPiece, boolean perPart, boolean indexed) {
     static Binding of(String word) {
       return new Binding(
@@ -70,7 +71,7 @@ final class VertexShapeTranslator {
     Vrml1Node material = state.read(Property.MATERIAL);
     String colours = material == null ? null : appearances.severalColours(material);
     boolean segments = !faces && binding.perPart() && colours != null;
-    Vrml1Field written = node.field(COORD_INDEX);
+    Field written = node.field(COORD_INDEX);
     if (segments) {
       geometry.set(COORD_INDEX, IndexLists.segments(indices), node.typeAt());
     } else if (written != null) {
@@ -104,7 +105,7 @@ final class VertexShapeTranslator {
   private record Pieces(Vrml1Node node, int[] indices, int count, boolean copy) {}
 
   /** Adds a list as it is written; for a further copy of it, which has no place, as text. */
-  private void list(X3dElement geometry, String name, Vrml1Field field, boolean copy) {
+  private void list(X3dElement geometry, String name, Field field, boolean copy) {
     if (copy) {
       geometry.set(name, values.text(field), field);
     } else {
@@ -115,7 +116,7 @@ final class VertexShapeTranslator {
   private X3dElement property(String element, Vrml1Node node, String field) {
     X3dElement property = X3dElement.atType(element, node);
     shared.name(property, node);
-    Vrml1Field written = node.field(field);
+    Field written = node.field(field);
     return written == null ? property : property.setAsWritten(field, written);
   }
 
@@ -129,7 +130,7 @@ final class VertexShapeTranslator {
     }
     int count = values.count(material, field) / 3;
     int[] written = values.indices(node, "materialIndex");
-    Vrml1Field list = node.field("materialIndex");
+    Field list = node.field("materialIndex");
     boolean indexed = binding.indexed() && (written != null || binding.perVertex());
     if (indexed && !IndexLists.below(written == null ? pieces.indices() : written, count)) {
       document.leftOut(
@@ -162,7 +163,7 @@ final class VertexShapeTranslator {
 
   /** Returns the Color of a material; with transparencies, if they differ, too. */
   private X3dElement newColor(Vrml1Node material, String field) {
-    Vrml1Field written = material.field(field);
+    Field written = material.field(field);
     int at = written == null ? material.typeAt() : written.at();
     float[] transparencies = values.numbers(material, "transparency");
     if (transparencies.length < 2) {
@@ -194,7 +195,7 @@ final class VertexShapeTranslator {
             : Binding.of(word);
     int faces = IndexLists.pieces(indices);
     int[] written = values.indices(node, "normalIndex");
-    Vrml1Field list = node.field("normalIndex");
+    Field list = node.field("normalIndex");
     if (binding.indexed() && written != null && list != null) {
       int wanted = binding.perVertex() ? IndexLists.corners(indices) : faces;
       if (!IndexLists.below(written, count) || IndexLists.corners(written) < wanted) {
@@ -231,7 +232,7 @@ final class VertexShapeTranslator {
     if (points == null || !IndexLists.below(written == null ? indices : written, count)) {
       return null; // spread over the bounding box
     }
-    Vrml1Field list = node.field("textureCoordIndex");
+    Field list = node.field("textureCoordIndex");
     if (written != null && list != null) {
       list(geometry, "texCoordIndex", list, copy);
     }

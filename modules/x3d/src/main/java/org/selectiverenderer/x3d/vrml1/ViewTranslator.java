@@ -1,13 +1,19 @@
 package org.selectiverenderer.x3d.vrml1;
 
+import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.regex.Pattern;
+import org.joml.Matrix4dc;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.field.FieldTokenizer;
+import org.selectiverenderer.x3d.source.ElementTreeBuilder;
+import org.selectiverenderer.x3d.vrml1.Vrml1Node.Field;
+import org.selectiverenderer.x3d.vrml1.Vrml1Node.Field.Form;
 
-/** Translates lights, cameras and Info. */
+/** Translates lights, cameras, surroundings, links to other files, and Info. */
 final class ViewTranslator {
   /** Lights of VRML 1.0 reach everything; those of X3D reach as far as their radius. */
   private static final String UNLIMITED = "1000000";
@@ -20,10 +26,12 @@ final class ViewTranslator {
   private static final Pattern COLOUR =
       Pattern.compile("\\s*(0|1|[01]?\\.\\d+)(\\s+(0|1|[01]?\\.\\d+)){2}\\s*");
 
+  private final ElementTreeBuilder document;
   private final Vrml1Values values;
   private boolean orthographic;
 
-  ViewTranslator(Vrml1Values values) {
+  ViewTranslator(ElementTreeBuilder document, Vrml1Values values) {
+    this.document = document;
     this.values = values;
   }
 
@@ -38,17 +46,30 @@ final class ViewTranslator {
 
   private void copy(X3dElement element, Vrml1Node node, String... fields) {
     for (String name : fields) {
-      Vrml1Field field = node.field(name);
+      Field field = node.field(name);
       if (field != null) {
-        element.set(name, values.text(field).strip(), field);
+        element.set(name, values.brief(field), field);
       }
     }
   }
 
-  X3dElement light(Vrml1Node node, String type) {
+  /**
+   * Translates a light.
+   *
+   * @param matrix transforms its location and direction; null if these are kept as they are written
+   */
+  X3dElement light(Vrml1Node node, String type, @Nullable Matrix4dc matrix) {
     X3dElement light = X3dElement.of(type, node);
-    copy(light, node, "location", "direction", "color", "intensity");
-    Vrml1Field on = node.field("on");
+    if (matrix == null) {
+      if (node.field("location") == null && !type.equals("DirectionalLight")) {
+        light.set("location", "0 0 1", node.typeAt());
+      }
+      copy(light, node, "location", "direction");
+    } else {
+      place(light, node, matrix);
+    }
+    copy(light, node, "color", "intensity");
+    Field on = node.field("on");
     if (on != null && (values.word(node, "on").equals("FALSE") || values.text(on).equals("0"))) {
       light.set("on", "false", on);
     }
@@ -59,6 +80,19 @@ final class ViewTranslator {
       light.set("global", "false", node.typeAt()).set("radius", UNLIMITED, node.typeAt());
     }
     return light;
+  }
+
+  private void place(X3dElement light, Vrml1Node node, Matrix4dc matrix) {
+    if (!light.name().equals("DirectionalLight")) {
+      float[] p = values.numbers(node, "location", 0, 0, 1);
+      Vector3d place = matrix.transformPosition(new Vector3d(p[0], p[1], p[2]));
+      light.set("location", Vrml1Values.tuple(place.x, place.y, place.z), node.typeAt());
+    }
+    if (!light.name().equals("PointLight")) {
+      float[] d = values.numbers(node, "direction", 0, 0, -1);
+      Vector3d along = matrix.transformDirection(new Vector3d(d[0], d[1], d[2]));
+      light.set("direction", Vrml1Values.tuple(along.x, along.y, along.z), node.typeAt());
+    }
   }
 
   /**
@@ -85,7 +119,7 @@ final class ViewTranslator {
     }
     copy(viewpoint, node, "position", "orientation");
     centre(viewpoint, node);
-    Vrml1Field angle = node.field("heightAngle");
+    Field angle = node.field("heightAngle");
     if (flat && node.field("height") != null) {
       double half = values.numbers(node, "height", 2)[0] / 2;
       viewpoint.set("fieldOfView", Vrml1Values.tuple(-half, -half, half, half), node.typeAt());
@@ -97,7 +131,7 @@ final class ViewTranslator {
 
   /** Sets the point that the viewer examines, which is where the camera is focused. */
   private void centre(X3dElement viewpoint, Vrml1Node node) {
-    Vrml1Field focus = node.field("focalDistance");
+    Field focus = node.field("focalDistance");
     if (focus == null) {
       return;
     }
@@ -113,12 +147,32 @@ final class ViewTranslator {
         focus);
   }
 
+  /** Translates a node whose fields are those of VRML97. */
+  X3dElement environment(Vrml1Node node, String type, List<String> fields) {
+    X3dElement element = X3dElement.of(type, node);
+    for (Map.Entry<String, Field> entry : node.fields().entrySet()) {
+      String name = entry.getKey();
+      Field field = entry.getValue();
+      if (fields.contains(name)) {
+        String value =
+            switch (name) {
+              case "headlight" -> values.word(node, name).toLowerCase(Locale.ROOT);
+              case "fogType" -> values.string(node, name);
+              default ->
+                  field.form() == Form.STRING ? values.strings(field) : values.text(field).strip();
+            };
+        element.set(name, value, field);
+      }
+    }
+    return element;
+  }
+
   /**
    * Returns what an Info says: the background and the navigation, as viewers of VRML 1.0 agreed
    * upon by names, else a WorldInfo; null if it says nothing.
    */
   @Nullable X3dElement information(Vrml1Node node) {
-    Vrml1Field field = node.field("string");
+    Field field = node.field("string");
     String words = values.string(node, "string");
     if (field == null || words.isEmpty()) {
       return null;
@@ -141,5 +195,40 @@ final class ViewTranslator {
     String kind = name.equals("Title") ? "title" : "info";
     String text = kind.equals("title") ? words : FieldTokenizer.string(words);
     return X3dElement.of("WorldInfo", node).set(kind, text, field);
+  }
+
+  /** Sets the fields of an Anchor. */
+  void anchor(X3dElement anchor, Vrml1Node node) {
+    Field url = node.field("name");
+    if (url != null) {
+      anchor.set("url", FieldTokenizer.string(values.string(node, "name")), url);
+    }
+    Field description = node.field("description");
+    if (description != null) {
+      anchor.set("description", values.string(node, "description"), description);
+    }
+    Field map = node.field("map");
+    if (map != null && values.word(node, "map").equals("POINT")) {
+      document.leftOut(
+          map.at(), "X3D has no word for 'map POINT'; the Anchor does not send the point");
+    }
+  }
+
+  X3dElement inline(Vrml1Node node) {
+    X3dElement inline = X3dElement.of("Inline", node);
+    Field url = node.field("name");
+    if (url != null) {
+      inline.set("url", FieldTokenizer.string(values.string(node, "name")), url);
+    }
+    float[] size = values.numbers(node, "bboxSize", 0, 0, 0);
+    if (size[0] > 0 || size[1] > 0 || size[2] > 0) {
+      for (String name : new String[] {"bboxCenter", "bboxSize"}) {
+        Field field = node.field(name);
+        if (field != null) {
+          inline.set(name, values.text(field).strip(), field);
+        }
+      }
+    }
+    return inline;
   }
 }

@@ -17,11 +17,32 @@ final class Vrml1Node {
    */
   record Child(Vrml1Node node, boolean use, int at) {}
 
+  /**
+   * The value of a field as it is written.
+   *
+   * @param at the offset of the field's name
+   * @param from the offset of the value, after a bracket or parenthesis
+   * @param to the offset after the value
+   */
+  record Field(Form form, int at, int from, int to) {
+    /** The syntactic forms of values. */
+    enum Form {
+      /** Numbers without brackets. */
+      NUMBERS,
+      /** A string; its quotes are at {@code from} and before {@code to}. */
+      STRING,
+      /** A list in brackets. */
+      LIST,
+      /** A word, such as TRUE, or words in parentheses. */
+      WORDS
+    }
+  }
+
   private final String type;
   private final @Nullable String name;
   private final int start;
   private final int typeAt;
-  private final Map<String, Vrml1Field> fields = new LinkedHashMap<>();
+  private final Map<String, Field> fields = new LinkedHashMap<>();
   private final List<Child> children = new ArrayList<>(0);
   private int end;
 
@@ -70,11 +91,11 @@ final class Vrml1Node {
     end = offset;
   }
 
-  Map<String, Vrml1Field> fields() {
+  Map<String, Field> fields() {
     return fields;
   }
 
-  @Nullable Vrml1Field field(String field) {
+  @Nullable Field field(String field) {
     return fields.get(field);
   }
 

@@ -9,8 +9,9 @@ import org.selectiverenderer.x3d.field.FieldTokenizer;
 import org.selectiverenderer.x3d.source.ElementTreeBuilder;
 import org.selectiverenderer.x3d.source.XmlParseException;
 import org.selectiverenderer.x3d.vrml.VrmlScanner;
-import org.selectiverenderer.x3d.vrml1.Vrml1Field.Form;
 import org.selectiverenderer.x3d.vrml1.Vrml1Node.Child;
+import org.selectiverenderer.x3d.vrml1.Vrml1Node.Field;
+import org.selectiverenderer.x3d.vrml1.Vrml1Node.Field.Form;
 
 /**
  * Parses nodes with their fields and children. The form of a value is seen from its first
@@ -93,7 +94,7 @@ final class Vrml1NodeParser {
       int start = scanner.at();
       String word = scanner.name("a field, a node or '}'");
       if (!child(node, word, start, depth + 1)) {
-        Vrml1Field field = field(word, start, depth);
+        Field field = field(word, start, depth);
         if (field != null) {
           node.fields().put(word, field);
         }
@@ -111,12 +112,12 @@ final class Vrml1NodeParser {
   }
 
   /** Parses the value of a field; returns null for a node, as some extensions have them. */
-  private @Nullable Vrml1Field field(String name, int at, int depth) throws XmlParseException {
+  private @Nullable Field field(String name, int at, int depth) throws XmlParseException {
     int from = scanner.space();
     switch (scanner.peek()) {
       case '"' -> {
         scanner.passString();
-        return new Vrml1Field(Form.STRING, at, from, scanner.at());
+        return new Field(Form.STRING, at, from, scanner.at());
       }
       case '[' -> {
         return list(at, from);
@@ -135,17 +136,17 @@ final class Vrml1NodeParser {
         end = scanner.at();
         scanner.space();
       }
-      return new Vrml1Field(Form.NUMBERS, at, from, end);
+      return new Field(Form.NUMBERS, at, from, end);
     }
     String word = scanner.name("the value of the field " + FieldTokenizer.quote(name));
     int end = scanner.at();
     if (child(new Vrml1Node("", null, at, at), word, from, depth + 1)) {
       return null;
     }
-    return new Vrml1Field(Form.WORDS, at, from, end);
+    return new Field(Form.WORDS, at, from, end);
   }
 
-  private Vrml1Field list(int at, int open) throws XmlParseException {
+  private Field list(int at, int open) throws XmlParseException {
     scanner.step();
     int first = scanner.space();
     int end = first;
@@ -157,7 +158,7 @@ final class Vrml1NodeParser {
         scanner.passString();
       } else if (c == ']' && depth == 1) {
         scanner.step();
-        return new Vrml1Field(Form.LIST, at, first, end);
+        return new Field(Form.LIST, at, first, end);
       } else if (scanner.ended() || c == '}' && depth == 1) {
         throw document.fault(open, "the list that begins here has no closing ']'");
       } else if (c == '[' || c == '{') {
@@ -174,7 +175,7 @@ final class Vrml1NodeParser {
   }
 
   /** Parses the words of a bit mask, such as {@code (BOLD | ITALIC)}. */
-  private Vrml1Field words(int at, int open) throws XmlParseException {
+  private Field words(int at, int open) throws XmlParseException {
     scanner.step();
     int from = scanner.at();
     while (scanner.peek() != ')') {
@@ -185,6 +186,6 @@ final class Vrml1NodeParser {
     }
     int to = scanner.at();
     scanner.step();
-    return new Vrml1Field(Form.WORDS, at, from, to);
+    return new Field(Form.WORDS, at, from, to);
   }
 }

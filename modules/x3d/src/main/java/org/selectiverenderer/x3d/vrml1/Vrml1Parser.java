@@ -1,6 +1,10 @@
 package org.selectiverenderer.x3d.vrml1;
 
-import org.jspecify.annotations.Nullable;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.x3d.source.DocumentError.Kind;
 import org.selectiverenderer.x3d.source.ElementTreeBuilder;
 import org.selectiverenderer.x3d.source.ValueCommentStripper;
 import org.selectiverenderer.x3d.source.XmlParseException;
@@ -14,6 +18,9 @@ public final class Vrml1Parser implements ElementTreeBuilder.Parser {
   private static final String VERSION = "4.0";
 
   private static final String PROFILE = "Immersive";
+
+  private static final Comparator<SourceLocation> IN_TEXT =
+      Comparator.comparingInt(SourceLocation::line).thenComparingInt(SourceLocation::column);
 
   @Override
   public ValueCommentStripper cleaner() {
@@ -32,26 +39,46 @@ public final class Vrml1Parser implements ElementTreeBuilder.Parser {
     int body = scanner.at();
     Vrml1NodeParser nodes = new Vrml1NodeParser(document, scanner);
     Vrml1Node root = new Vrml1Node("Group", null, start, start);
-    XmlParseException fault = null;
+    List<XmlParseException> faults = new ArrayList<>();
     try {
       nodes.scene(root);
     } catch (XmlParseException e) {
-      fault = e; // what was before is shown
+      faults.add(e); // what was before is shown
     }
     X3dElement scene = new X3dElement("Scene", body - 1, scanner.at());
     Vrml1Translator translator = new Vrml1Translator(document, nodes.names(), scene);
     try {
       translator.scene(root);
     } catch (XmlParseException e) {
-      fault = fault == null ? e : fault;
+      faults.add(e);
     }
-    write(document, comments, scene, translator.usesOrthographicCamera(), start);
-    throwIfAny(fault);
+    try {
+      write(document, comments, scene, translator.usesOrthographicCamera(), start);
+    } catch (XmlParseException e) {
+      faults.add(e);
+    }
+    tell(document, faults);
   }
 
-  private static void throwIfAny(@Nullable XmlParseException fault) throws XmlParseException {
-    if (fault != null) {
-      throw fault;
+  /** Tells the syntax error and the first limit that was exceeded, in the order of the text. */
+  private static void tell(ElementTreeBuilder document, List<XmlParseException> faults)
+      throws XmlParseException {
+    faults.sort(Comparator.comparing(e -> e.fault().location(), IN_TEXT));
+    XmlParseException last = null;
+    boolean limited = false;
+    for (XmlParseException fault : faults) {
+      boolean limit = fault.fault().kind() == Kind.LIMIT;
+      if (limit && limited) {
+        continue;
+      }
+      limited |= limit;
+      if (last != null) {
+        document.tell(last);
+      }
+      last = fault;
+    }
+    if (last != null) {
+      throw last;
     }
   }
 
@@ -73,7 +100,7 @@ public final class Vrml1Parser implements ElementTreeBuilder.Parser {
       document.close(start);
       document.close(start);
     }
-    scene.write(document, comments);
+    scene.write(document, comments, 1);
     comments.before(Integer.MAX_VALUE, document);
     document.close(document.text().length());
   }

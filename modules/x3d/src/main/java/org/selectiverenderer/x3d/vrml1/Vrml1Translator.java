@@ -5,17 +5,16 @@ import java.util.ArrayList;
 import java.util.Deque;
 import java.util.EnumSet;
 import java.util.HashMap;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
-import org.selectiverenderer.x3d.field.FieldTokenizer;
 import org.selectiverenderer.x3d.source.ElementTreeBuilder;
 import org.selectiverenderer.x3d.source.XmlParseException;
 import org.selectiverenderer.x3d.vrml1.Vrml1Node.Child;
+import org.selectiverenderer.x3d.vrml1.Vrml1Node.Field;
 import org.selectiverenderer.x3d.vrml1.Vrml1State.Property;
 
 /** Traverses the nodes of a file with their state, and makes the X3D elements of a scene. */
@@ -55,7 +54,7 @@ final class Vrml1Translator {
 
   private final ElementTreeBuilder document;
   private final X3dElement scene;
-  private final Vrml1NodeTypes types = new Vrml1NodeTypes();
+  private final Vrml1NodeTypes types;
   private final Vrml1Values values;
   private final SharedElements shared;
   private final VertexShapeTranslator vertexShapes;
@@ -63,7 +62,6 @@ final class Vrml1Translator {
   private final ViewTranslator views;
   private final Map<Vrml1Node, Translated> translated = new HashMap<>();
   private final Deque<Frame> frames = new ArrayDeque<>();
-  private final Set<String> told = new HashSet<>();
   private Vrml1State state = new Vrml1State();
   private int visits;
   private long copied;
@@ -78,12 +76,13 @@ final class Vrml1Translator {
     this.document = document;
     this.scene = scene;
     values = new Vrml1Values(document);
+    types = new Vrml1NodeTypes(document, values);
     shared = new SharedElements(names);
     AppearanceTranslator appearances =
         new AppearanceTranslator(document, values, shared, this::read);
     vertexShapes = new VertexShapeTranslator(document, values, shared, this::read, appearances);
     primitives = new PrimitiveTranslator(values, shared, this::read, appearances);
-    views = new ViewTranslator(values);
+    views = new ViewTranslator(document, values);
   }
 
   /** Returns whether the scene has an OrthoViewpoint. */
@@ -97,13 +96,13 @@ final class Vrml1Translator {
    * @throws XmlParseException at a limit; the elements so far are in the scene
    */
   void scene(Vrml1Node root) throws XmlParseException {
-    children(root, new TranslationScope(scene, values), 1);
+    children(root, new TranslationScope(scene, values, shared), 1);
   }
 
   private @Nullable Vrml1Node read(Property property) {
     Vrml1Node node = state.get(property);
     for (Frame frame : frames) {
-      if (frame.entry().get(property) == node) {
+      if (state.keeps(property, frame.entry())) {
         frame.reads().add(property);
       }
     }
@@ -128,7 +127,7 @@ final class Vrml1Translator {
       throw document.limit(
           child.at(), "there are more than " + most + " nodes, with those of each USE");
     }
-    String type = type(node);
+    String type = types.type(node);
     if (type == null || child.use() && again(node, scope, child.at())) {
       return;
     }
@@ -148,35 +147,6 @@ final class Vrml1Translator {
     }
   }
 
-  /** Returns the type of VRML 1.0 by which a node is read; null, which is told, if it has none. */
-  private @Nullable String type(Vrml1Node node) {
-    String type = node.type();
-    if (!types.known(type)) {
-      Vrml1Field ancestors = node.field("isA");
-      String known = null;
-      for (String word : ancestors == null ? new String[0] : words(ancestors)) {
-        known = known == null && types.known(word) ? word : known;
-      }
-      if (known == null && told.add(type)) {
-        String what = "the node type %s is not one of VRML 1.0; such nodes are left out";
-        document.leftOut(node.start(), what.formatted(FieldTokenizer.quote(type)));
-      }
-      return known;
-    }
-    for (Map.Entry<String, Vrml1Field> field : node.fields().entrySet()) {
-      if (!types.has(type, field.getKey()) && told.add(type + " " + field.getKey())) {
-        String what = "a %s of VRML 1.0 has no field %s; it is left out";
-        document.leftOut(
-            field.getValue().at(), what.formatted(type, FieldTokenizer.quote(field.getKey())));
-      }
-    }
-    return type;
-  }
-
-  private String[] words(Vrml1Field field) {
-    return values.text(field).split("[\\s,\"]+");
-  }
-
   /** Uses a node again, if it looks as it did; returns false if it must be translated anew. */
   private boolean again(Vrml1Node node, TranslationScope scope, int at) {
     Translated known = translated.get(node);
@@ -185,16 +155,16 @@ final class Vrml1Translator {
     }
     known.reads().forEach(this::read);
     if (known.element() != null) {
-      add(scope, shared.use(known.element(), at));
+      add(scope, shared.use(known.element(), at), node);
     }
     state = state.changed(known.entry(), known.exit());
     scope.transform(known.total());
     return true;
   }
 
-  private static void add(TranslationScope scope, X3dElement element) {
+  private void add(TranslationScope scope, X3dElement element, Vrml1Node node) {
     if (element.name().endsWith("Light")) {
-      scope.addLight(element);
+      scope.addLight(element, matrix -> views.light(node, element.name(), matrix));
     } else {
       scope.target().add(element);
     }
@@ -224,9 +194,9 @@ final class Vrml1Translator {
     boolean anchor = type.equals("WWWAnchor") && !values.string(node, "name").isEmpty();
     X3dElement element = X3dElement.of(anchor ? "Anchor" : "Group", node);
     if (anchor) {
-      anchor(element, node);
+      views.anchor(element, node);
     }
-    TranslationScope inner = new TranslationScope(element, values);
+    TranslationScope inner = new TranslationScope(element, values, shared);
     boolean leaks = type.equals("Group");
     try {
       children(node, inner, depth + 1);
@@ -241,22 +211,6 @@ final class Vrml1Translator {
       TransformChain after = leaks ? inner.total() : new TransformChain(values);
       scope.transform(after);
       end(node, frame, shows ? element : null, after);
-    }
-  }
-
-  private void anchor(X3dElement anchor, Vrml1Node node) {
-    Vrml1Field url = node.field("name");
-    if (url != null) {
-      anchor.set("url", FieldTokenizer.string(values.string(node, "name")), url);
-    }
-    Vrml1Field description = node.field("description");
-    if (description != null) {
-      anchor.set("description", values.string(node, "description"), description);
-    }
-    Vrml1Field map = node.field("map");
-    if (map != null && values.word(node, "map").equals("POINT")) {
-      document.leftOut(
-          map.at(), "X3D has no word for 'map POINT'; the Anchor does not send the point");
     }
   }
 
@@ -308,7 +262,7 @@ final class Vrml1Translator {
         Child child = node.children().get(i);
         state = before;
         X3dElement group = new X3dElement("Group", child.at(), child.node().end());
-        TranslationScope inner = new TranslationScope(group, values);
+        TranslationScope inner = new TranslationScope(group, values, shared);
         visit(child, inner, depth + 1);
         choices.add(TranslationScope.simplified(group));
         shows |= !group.children().isEmpty();
@@ -329,7 +283,7 @@ final class Vrml1Translator {
   }
 
   private void setChoice(X3dElement choices, Vrml1Node node) {
-    for (Map.Entry<String, Vrml1Field> field : node.fields().entrySet()) {
+    for (Map.Entry<String, Field> field : node.fields().entrySet()) {
       switch (field.getKey()) {
         case "whichChild" ->
             choices.set("whichChoice", values.text(field.getValue()).strip(), field.getValue());
@@ -364,35 +318,19 @@ final class Vrml1Translator {
     X3dElement element =
         switch (type) {
           case "PerspectiveCamera", "OrthographicCamera" -> views.camera(node, type);
-          case "DirectionalLight", "PointLight", "SpotLight" -> views.light(node, type);
+          case "DirectionalLight", "PointLight", "SpotLight" -> views.light(node, type, null);
+          case "Background", "Fog", "NavigationInfo" ->
+              views.environment(node, type, types.fields(type));
           case "Info" -> views.information(node);
-          case "WWWInline" -> inline(node);
+          case "WWWInline" -> views.inline(node);
           case "IndexedFaceSet", "IndexedLineSet", "PointSet" ->
               vertexShapes.shape(node, type, copy);
           default -> primitives.shape(node, type);
         };
     if (element != null) {
       shared.name(element, node);
-      add(scope, element);
+      add(scope, element, node);
     }
     end(node, frame, element, new TransformChain(values));
-  }
-
-  private X3dElement inline(Vrml1Node node) {
-    X3dElement inline = X3dElement.of("Inline", node);
-    Vrml1Field url = node.field("name");
-    if (url != null) {
-      inline.set("url", FieldTokenizer.string(values.string(node, "name")), url);
-    }
-    float[] size = values.numbers(node, "bboxSize", 0, 0, 0);
-    if (size[0] > 0 || size[1] > 0 || size[2] > 0) {
-      for (String name : new String[] {"bboxCenter", "bboxSize"}) {
-        Vrml1Field field = node.field(name);
-        if (field != null) {
-          inline.set(name, values.text(field).strip(), field);
-        }
-      }
-    }
-    return inline;
   }
 }

@@ -14,7 +14,8 @@ import org.selectiverenderer.x3d.field.FieldTokenizer;
 import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.source.ElementTreeBuilder;
 import org.selectiverenderer.x3d.vrml.VrmlScanner;
-import org.selectiverenderer.x3d.vrml1.Vrml1Field.Form;
+import org.selectiverenderer.x3d.vrml1.Vrml1Node.Field;
+import org.selectiverenderer.x3d.vrml1.Vrml1Node.Field.Form;
 
 /** Reads values of fields, where their text is not enough. */
 final class Vrml1Values {
@@ -23,8 +24,8 @@ final class Vrml1Values {
 
   private final ElementTreeBuilder document;
   private final FieldParser parser = new FieldParser();
-  private final Map<Vrml1Field, Integer> counts = new HashMap<>();
-  private final Set<Vrml1Field> seen = new HashSet<>();
+  private final Map<Field, Integer> counts = new HashMap<>();
+  private final Set<Field> seen = new HashSet<>();
   private long readAgain;
   private long copied;
 
@@ -33,7 +34,7 @@ final class Vrml1Values {
   }
 
   /** Returns the text of a field without comments. */
-  String text(Vrml1Field field) {
+  String text(Field field) {
     if (!seen.add(field)) {
       readAgain += field.to() - field.from();
     }
@@ -41,7 +42,7 @@ final class Vrml1Values {
   }
 
   /** Returns the text of a field of one value, of which only so much as it can need is copied. */
-  String brief(Vrml1Field field) {
+  String brief(Field field) {
     return document.value(field.from(), Math.min(field.to(), field.from() + BRIEF)).strip();
   }
 
@@ -62,7 +63,7 @@ final class Vrml1Values {
 
   /** Returns how many numbers a field has; 0 if it is absent. */
   int count(@Nullable Vrml1Node node, String name) {
-    Vrml1Field field = node == null ? null : node.field(name);
+    Field field = node == null ? null : node.field(name);
     if (node == null || field == null) {
       return 0;
     }
@@ -71,7 +72,7 @@ final class Vrml1Values {
 
   /** Returns the numbers of a field as far as they are numbers; none if it is absent. */
   float[] numbers(Vrml1Node node, String name) {
-    Vrml1Field field = node.field(name);
+    Field field = node.field(name);
     if (field == null || field.form() != Form.LIST && field.form() != Form.NUMBERS) {
       return new float[0];
     }
@@ -95,7 +96,7 @@ final class Vrml1Values {
 
   /** Returns indices; null if there are none but the default, -1. */
   int @Nullable [] indices(Vrml1Node node, String name) {
-    Vrml1Field field = node.field(name);
+    Field field = node.field(name);
     if (field == null || field.form() != Form.LIST && field.form() != Form.NUMBERS) {
       return null;
     }
@@ -107,7 +108,7 @@ final class Vrml1Values {
 
   /** Returns the words of a field in upper case; empty if it is absent. */
   List<String> words(@Nullable Vrml1Node node, String name) {
-    Vrml1Field field = node == null ? null : node.field(name);
+    Field field = node == null ? null : node.field(name);
     List<String> words = new ArrayList<>();
     if (field != null && field.form() != Form.STRING) {
       for (String word : text(field).split("[\\s|,]+")) {
@@ -127,7 +128,7 @@ final class Vrml1Values {
 
   /** Returns the content of a string, whose quotes may be missing; empty if it is absent. */
   String string(Vrml1Node node, String name) {
-    Vrml1Field field = node.field(name);
+    Field field = node.field(name);
     if (field == null) {
       return "";
     }
@@ -140,7 +141,7 @@ final class Vrml1Values {
   }
 
   /** Returns strings as an MFString of X3D. */
-  String strings(Vrml1Field field) {
+  String strings(Field field) {
     String text = document.value(field.from(), field.to());
     return field.form() == Form.WORDS || field.form() == Form.NUMBERS
         ? FieldTokenizer.string(text.strip())

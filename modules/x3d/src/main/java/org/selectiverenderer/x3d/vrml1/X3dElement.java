@@ -5,6 +5,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.source.ElementTreeBuilder;
 import org.selectiverenderer.x3d.source.XmlParseException;
+import org.selectiverenderer.x3d.vrml1.Vrml1Node.Field;
 
 /** An X3D element to be written, which may still change and be used again by others. */
 final class X3dElement {
@@ -50,6 +51,11 @@ final class X3dElement {
     return use;
   }
 
+  /** Returns the element that this one uses, or this one. */
+  X3dElement original() {
+    return used == null ? this : used;
+  }
+
   /** Returns the offset at which it begins. */
   int start() {
     return start;
@@ -92,19 +98,32 @@ final class X3dElement {
   }
 
   /** Sets an attribute to a value that is computed from a field. */
-  X3dElement set(String attribute, String value, Vrml1Field from) {
+  X3dElement set(String attribute, String value, Field from) {
     attributes.add(new Attribute(attribute, value, from.at(), from.from(), from.to()));
     return this;
   }
 
   /** Sets an attribute to the characters of a field, which are not copied. */
-  X3dElement setAsWritten(String attribute, Vrml1Field field) {
+  X3dElement setAsWritten(String attribute, Field field) {
     attributes.add(new Attribute(attribute, null, field.at(), field.from(), field.to()));
     return this;
   }
 
-  /** Writes the element with its children. */
-  void write(ElementTreeBuilder document, PendingComments comments) throws XmlParseException {
+  /**
+   * Writes the element with its children.
+   *
+   * @param depth the number of elements that contain it
+   * @throws XmlParseException at a limit
+   */
+  void write(ElementTreeBuilder document, PendingComments comments, int depth)
+      throws XmlParseException {
+    int most = document.limits().maxDepth();
+    if (depth >= most) {
+      String what =
+          "the X3D elements that show these nodes are nested more than %s deep, with those for"
+              + " lights and transformations";
+      throw document.limit(start, what.formatted(most));
+    }
     comments.before(start, document);
     String use = used == null ? null : used.def;
     document.open(name, def, use, start, start);
@@ -123,7 +142,7 @@ final class X3dElement {
       }
     }
     for (X3dElement child : children) {
-      child.write(document, comments);
+      child.write(document, comments, depth + 1);
     }
     document.close(Math.max(start, end));
   }

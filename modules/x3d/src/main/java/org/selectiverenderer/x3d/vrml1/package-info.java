@@ -5,9 +5,10 @@
  *
  * <p>{@code Vrml1NodeParser} parses a text to a tree of nodes without knowing their types, {@code
  * Vrml1Translator} traverses the tree with the state and makes the X3D elements that show the same,
- * and {@code X3dElement} writes these to a document. Values keep their digits and places as far as
- * X3D has the same field. What X3D cannot express is told and left out. How often nodes are
- * traversed and how much text is copied is limited, since a node may be used any number of times.
+ * and {@code X3dElement} writes these to a document. {@code LightGroups} keeps the groups of lights
+ * from nesting without end. Values keep their digits and places as far as X3D has the same field.
+ * What X3D cannot express is told and left out. How often nodes are traversed and how much text is
+ * copied is limited, since a node may be used any number of times.
  *
  * <p>In: text. Out: calls of a {@link org.selectiverenderer.x3d.source.ElementTreeBuilder}. Uses
  * {@code x3d.source}, {@code x3d.field}, the scanner of {@code x3d.vrml}, {@code base.decimal} and

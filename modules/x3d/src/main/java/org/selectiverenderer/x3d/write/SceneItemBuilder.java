@@ -59,7 +59,9 @@ final class SceneItemBuilder {
     SceneItemBuilder items = new SceneItemBuilder(document, catalogue, format, problems);
     List<SceneItem> all = new ArrayList<>();
     DocumentElement root = document.root().orElse(null);
-    if (root != null) {
+    if (document.rootFault().isPresent() && root != null) {
+      problems.error(root.location(), document.rootFault().get() + "; nothing is written");
+    } else if (root != null) {
       items.comments(root.start(), all);
       items.element(root, null, new PrototypeScope(null), new HashSet<>()).ifPresent(all::add);
       items.comments(Integer.MAX_VALUE, all);
@@ -89,9 +91,14 @@ final class SceneItemBuilder {
     String name = named.name();
     boolean instance = name.equals("ProtoInstance");
     NodeType type = instance ? null : catalogue.find(name).orElse(null);
-    String fault = fault(element, type, parent, known);
+    String fault = fault(element, type, parent);
     if (fault != null) {
       return leftOut(element, fault);
+    }
+    String lost = classic ? notInClassicVrml(element, type, known) : null;
+    if (lost != null) {
+      problems.warning(element.location(), lost);
+      return without(element);
     }
     if (!name.equals(element.name())) {
       problems.warning(
@@ -180,9 +187,9 @@ final class SceneItemBuilder {
     boolean nodes = true;
     boolean one = false;
     if (element.name().equals("field") || element.name().equals("fieldValue")) {
-      FieldType field = StatementRules.type(element, "value", known);
+      FieldType field = StatementGrammar.type(element, "value", known);
       boolean declares = element.name().equals("field");
-      AccessType access = declares ? StatementRules.access(element) : AccessType.INPUT_OUTPUT;
+      AccessType access = declares ? StatementGrammar.access(element) : AccessType.INPUT_OUTPUT;
       boolean extern = element.parent().filter(p -> p.name().startsWith("Extern")).isPresent();
       nodes =
           (field == null || field.isNode()) && access != null && access.initialisable() && !extern;
@@ -221,7 +228,7 @@ final class SceneItemBuilder {
     boolean before = !taken.add("field " + name);
     String all = "field " + name + " " + field.text("type") + " " + field.text("accessType");
     if (taken.add(all) && before || before && field.text("value").isPresent()) {
-      problems.warning(
+      problems.error(
           field.location(), "there is a field " + name + " already; this one is left out");
     }
     return before;
@@ -235,7 +242,7 @@ final class SceneItemBuilder {
             || !item.values().stream().allMatch(value -> value.name().equals("name"))
             || item.items().stream().anyMatch(Element.class::isInstance);
     if (!valued) {
-      problems.warning(element.location(), "this fieldValue has no value; it is left out");
+      problems.error(element.location(), "this fieldValue has no value; it is left out");
     }
     return valued;
   }
@@ -253,32 +260,32 @@ final class SceneItemBuilder {
     return StatementNames.is(element) ? element : SpellingSuggester.one(element);
   }
 
-  /** Returns why an element cannot be written; null if it can. */
-  private @Nullable String fault(
-      DocumentElement element,
-      @Nullable NodeType type,
-      @Nullable NodeType parent,
-      PrototypeScope known) {
+  /** Returns what is wrong with an element; null for nothing. */
+  private static @Nullable String fault(
+      DocumentElement element, @Nullable NodeType type, @Nullable NodeType parent) {
     String name = element.name();
     DocumentElement around = element.parent().orElse(null);
     if (type == null && !StatementNames.is(name)) {
       return "unknown element " + name + "; it and its children are left out";
     }
-    if (!StatementRules.contains(around, parent, name)) {
-      return around == null
-          ? "the root element of a scene must be X3D, not " + name + "; nothing is written"
-          : notAllowed(name, around.name());
+    if (!StatementGrammar.contains(around, parent, name)) {
+      return notAllowed(name, around == null ? "the file" : around.name());
     }
-    String fault = StatementRules.fault(element);
+    String fault = StatementGrammar.fault(element);
     if (fault != null) {
       return fault;
     }
     if (element.use().filter(String::isEmpty).isPresent()) {
       return "USE needs the name of a node; this " + name + " is left out";
     }
-    if (!classic) {
-      return null;
-    }
+    return null;
+  }
+
+  /** Returns why ClassicVRML cannot hold an element; null if it can. */
+  private static @Nullable String notInClassicVrml(
+      DocumentElement element, @Nullable NodeType type, PrototypeScope known) {
+    String name = element.name();
+    DocumentElement around = element.parent().orElse(null);
     if (type != null && around != null && around.name().equals("ProtoInstance")) {
       return "ClassicVRML has no place for %s in an instance; it is left out"
           .formatted(SpellingSuggester.one(name));
@@ -295,10 +302,14 @@ final class SceneItemBuilder {
     return late ? "in ClassicVRML a head must precede the Scene; this one is left out" : null;
   }
 
-  /** Leaves out an element with the comments in it. */
+  /** Leaves out an element in which something is wrong, with the comments in it. */
   private Optional<Element> leftOut(DocumentElement element, String why) {
     SourceLocation at = element.location();
-    problems.warning(at, why);
+    problems.error(at, why);
+    return without(element);
+  }
+
+  private Optional<Element> without(DocumentElement element) {
     inner(element, new ArrayList<>());
     return Optional.empty();
   }

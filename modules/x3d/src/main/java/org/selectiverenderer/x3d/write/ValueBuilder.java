@@ -88,7 +88,7 @@ final class ValueBuilder {
         default -> {
           Value value =
               // FontStyle and others have a field "style", which is not HTML's
-              StatementRules.ofHtml(attribute.name())
+              StatementGrammar.ofHtml(attribute.name())
                       && (type == null || type.field(attribute.name()).isEmpty())
                   ? ofHtml(attribute)
                   : type == null
@@ -111,8 +111,8 @@ final class ValueBuilder {
       return new Value(attribute.name(), FieldType.SFString, string(attribute));
     }
     if (toldOnce.add(attribute.name())) {
-      leftOut(
-          attribute,
+      problems.warning(
+          attribute.location(),
           "ClassicVRML has no %s for elements; this one and all others are left out"
               .formatted(attribute.name()));
     }
@@ -134,21 +134,22 @@ final class ValueBuilder {
       leftOut(attribute, "exportedDEF is given, too; importedDEF is left out");
       return null;
     }
-    if (!StatementRules.has(statement, name)) {
+    if (!StatementGrammar.has(statement, name)) {
       leftOut(attribute, statement + " has no attribute " + name + "; it is left out");
       return null;
     }
-    if (classic && !StatementRules.inClassicVrml(statement, name)) {
+    if (classic && !StatementGrammar.inClassicVrml(statement, name)) {
       String words = name + ": " + string(attribute);
-      leftOut(attribute, "ClassicVRML has no " + name + "; it becomes a comment");
+      problems.warning(
+          attribute.location(), "ClassicVRML has no " + name + "; it becomes a comment");
       notes.add(new SceneItem.Words(words));
       return null;
     }
     boolean valued = statement.equals("field") || statement.equals("fieldValue");
     if (valued && name.equals("value")) {
-      return ofField(element, attribute, StatementRules.type(element, name, known));
+      return ofField(element, attribute, StatementGrammar.type(element, name, known));
     }
-    FieldType type = StatementRules.type(element, name, known);
+    FieldType type = StatementGrammar.type(element, name, known);
     if (names != null && type == FieldType.SFString) {
       String written = names.written(element, attribute);
       return new Value(name, type, written.equals(attribute.text()) ? string(attribute) : written);
@@ -159,7 +160,7 @@ final class ValueBuilder {
   private @Nullable Value ofField(
       DocumentElement field, DocumentAttribute attribute, @Nullable FieldType type) {
     boolean declares = field.name().equals("field");
-    AccessType access = declares ? StatementRules.access(field) : AccessType.INPUT_OUTPUT;
+    AccessType access = declares ? StatementGrammar.access(field) : AccessType.INPUT_OUTPUT;
     boolean extern = field.parent().filter(p -> p.name().equals("ExternProtoDeclare")).isPresent();
     String text = attribute.text().strip();
     if (extern || access == null || !access.initialisable()) {
@@ -203,8 +204,9 @@ final class ValueBuilder {
         attribute.name(), FieldType.MFString, characters.written(urls, attribute::location, false));
   }
 
+  /** Reports what is wrong in the document. */
   private void leftOut(DocumentAttribute attribute, String why) {
-    problems.warning(attribute.location(), why);
+    problems.error(attribute.location(), why);
   }
 
   private void tell(DocumentAttribute attribute, FieldType type) {
@@ -287,7 +289,7 @@ final class ValueBuilder {
   /** Returns the value of a declared field without one, which VRML needs. */
   private Optional<Value> initial(DocumentElement field) {
     FieldType type = PrototypeScope.declaredType(field);
-    AccessType access = StatementRules.access(field);
+    AccessType access = StatementGrammar.access(field);
     boolean extern = field.parent().filter(p -> p.name().equals("ExternProtoDeclare")).isPresent();
     if (type == null || type.isNode() || extern || access == null || !access.initialisable()) {
       return Optional.empty();

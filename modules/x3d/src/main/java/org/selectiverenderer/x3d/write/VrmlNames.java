@@ -71,7 +71,7 @@ final class VrmlNames {
     private final Map<String, String> written = new HashMap<>();
     private final Set<String> taken = new HashSet<>();
 
-    /** How often a name that ClassicVRML can write has been made unique by a number. */
+    /** Counts how often a name that ClassicVRML can write has been made unique by a number. */
     private final Map<String, Integer> numbers = new HashMap<>();
 
     Names(Predicate<String> reserved) {

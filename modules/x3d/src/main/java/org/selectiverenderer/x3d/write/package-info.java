@@ -12,8 +12,8 @@
  * first creates {@link org.selectiverenderer.x3d.write.SceneItem}s with the types of values, the
  * fields of nodes and the positions of comments, which one class per encoding writes. These items
  * have only what the encoding can hold, so that what is written can be read again: {@code
- * StatementRules} is the grammar of statements, {@code VrmlNames} and {@code CharacterRules} change
- * names and characters, and everything that is left out or changed is reported. Uses {@code
+ * StatementGrammar} is the grammar of statements, {@code VrmlNames} and {@code CharacterRules}
+ * change names and characters, and everything that is left out or changed is reported. Uses {@code
  * x3d.catalogue}, {@code x3d.field}, {@code x3d.source}, {@code x3d.read}, {@code base.problem},
  * {@code base.decimal} and Jackson's string escaping.
  */

@@ -57,7 +57,7 @@ class ConversionLawTest {
     }
   }
 
-  /** What other programs write, as far as it differs from what this one does. */
+  /** Returns scenes as other programs write them, where they differ from what this one writes. */
   static Stream<String> scenesOfPrograms() {
     return Stream.of(
         // Python's ElementTree: a prefix for the namespace, line ends in references

@@ -90,7 +90,7 @@ class SceneConversionTest {
     return format.text(document, CATALOGUE, problems).getBytes(StandardCharsets.UTF_8);
   }
 
-  /** What a scene says, without places and without the form of its text. */
+  /** Returns what a scene says, without places and without the form of its text. */
   private static List<String> said(byte[] bytes, ProblemCollector problems) {
     X3dFile file = READER.read("scene", bytes, problems);
     List<String> said = new ArrayList<>();

@@ -23,8 +23,9 @@ import org.selectiverenderer.x3d.source.XmlDocument;
 import org.selectiverenderer.x3d.write.FieldValueFormatter;
 
 /**
- * What a scene says as lines of text that are equal for equal scenes of all encodings: without
- * places, without the spelling of numbers, and without the order of nodes in different fields.
+ * Writes what a scene says as lines of text that are equal for equal scenes of all encodings:
+ * without places, without the spelling of numbers, and without the order of nodes in different
+ * fields.
  */
 final class SceneDigest {
   private static final String LANGUAGE = "(?si)^\\s*(ecmascript|javascript|vrmlscript):";

@@ -23,6 +23,7 @@ public record TextureImage(int width, int height, Samples samples, byte[] palett
     int at = (y * width + x) * samples.count();
     return switch (samples) {
           case GREY -> pixels[at];
+          case GREY_ALPHA -> pixels[at + channel / 3];
           case PALETTE -> palette[3 * (pixels[at] & 0xff) + channel];
           case RGB, RGBA -> pixels[at + channel];
         }

@@ -3,8 +3,8 @@ package org.selectiverenderer.browser.script.value;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a value belongs to: a field of a node, or the array or image around it. It is told of what
- * scripts change in place.
+ * Owns a value: a field of a node, or the array or image around it. It is told of what scripts
+ * change in place.
  */
 public interface ValueOwner {
   /**

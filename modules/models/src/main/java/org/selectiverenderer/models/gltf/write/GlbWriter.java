@@ -8,7 +8,6 @@ import java.util.Optional;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
-import org.selectiverenderer.x3d.read.PrototypeLibraryLoader;
 import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.read.X3dReader;
 import org.selectiverenderer.x3d.url.BaseUrl;
@@ -37,43 +36,42 @@ public final class GlbWriter {
     }
   }
 
-  private final X3dReader reader;
+  private final NodeCatalogue catalogue;
   private final ContentAccessPolicy access;
+  private final PngTranscoder transcoder;
 
   /**
    * Creates a writer.
    *
    * @param access further folders and hosts that scenes may refer to
+   * @param transcoder converts the images that glTF cannot hold
    */
-  public GlbWriter(NodeCatalogue catalogue, ContentAccessPolicy access) {
-    this.reader = new X3dReader(catalogue);
+  public GlbWriter(NodeCatalogue catalogue, ContentAccessPolicy access, PngTranscoder transcoder) {
+    this.catalogue = catalogue;
     this.access = access;
+    this.transcoder = transcoder;
   }
 
   /**
    * Returns the bytes of a glTF file of a scene.
    *
+   * @param folder the base of the scene's relative urls
    * @param problems receives a warning for each kind of node that glTF cannot hold, and an error
    *     for what cannot be read
    * @return empty if the scene is beyond a limit, which is reported
-   * @throws IOException if the scene's own file cannot be read, with one line that names it
    */
-  public Optional<byte[]> bytes(Path scene, Form form, ProblemCollector problems)
-      throws IOException {
-    Path parent = scene.toAbsolutePath().getParent();
-    Path folder = parent == null ? scene.toAbsolutePath() : parent;
+  public Optional<byte[]> bytes(X3dFile scene, Path folder, Form form, ProblemCollector problems) {
     UrlResolver root = new UrlResolver(folder, access);
-    BaseUrl base = BaseUrl.folder(folder);
-    X3dFile file =
-        reader.with(new PrototypeLibraryLoader(reader, root), base).read(scene, problems);
-    GltfSceneBuilder builder = new GltfSceneBuilder(reader, root, new GltfLosses(problems));
+    GltfSceneBuilder builder =
+        new GltfSceneBuilder(new X3dReader(catalogue), root, transcoder, new GltfLosses(problems));
     try {
-      GltfDocument document = builder.build(file, new GltfPlace(file, base, 0));
+      GltfDocument document =
+          builder.build(scene, new GltfPlace(scene, "", BaseUrl.folder(folder), 0, 1));
       return Optional.of(form == Form.GLB ? document.glb() : document.gltf());
     } catch (JsonProcessingException e) {
       throw new IllegalStateException("a tree of JSON nodes can always be written", e);
     } catch (IOException e) {
-      problems.error(SourceLocation.of(scene.toString()), e.getMessage() + "; nothing is written");
+      problems.error(SourceLocation.of(scene.source()), e.getMessage() + "; nothing is written");
       return Optional.empty();
     }
   }

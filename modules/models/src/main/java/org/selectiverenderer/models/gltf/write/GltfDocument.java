@@ -8,6 +8,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.Base64;
 import java.util.Set;
@@ -31,8 +32,21 @@ final class GltfDocument {
     }
   }
 
+  /** The most bytes of JSON and of the buffer, wherever the program runs. */
+  private static final long MOST = 1 << 30;
+
+  /** The bytes that a node of a scene takes as JSON, with what belongs to it. */
+  private static final int NODE = 1 << 10;
+
+  /** The bytes that a value in JSON takes besides its characters. */
+  private static final int VALUE = 1 << 6;
+
+  /** The bytes of the buffer that are encoded at once; a multiple of three. */
+  private static final int ENCODED_AT_ONCE = 3 << 14;
+
   private static final int FLOAT = 5126;
   private static final int UNSIGNED_INT = 5125;
+  private static final String URL = "data:application/octet-stream;base64,";
   private static final int GLB_MAGIC = 0x46546C67;
   private static final int JSON_CHUNK = 0x4E4F534A;
   private static final int BINARY_CHUNK = 0x004E4942;
@@ -40,15 +54,24 @@ final class GltfDocument {
   private final JsonNodeFactory json = JsonNodeFactory.instance;
   private final ObjectNode root = json.objectNode();
   private final Set<String> extensions = new TreeSet<>();
+  private final long maxText;
   private final int maxBytes;
+  private long text;
   private byte[] buffer = new byte[1 << 16];
   private int size;
 
+  /** Makes a document that fits into the memory of Java, of which the scene takes some already. */
+  GltfDocument() {
+    this(Runtime.getRuntime().maxMemory());
+  }
+
   /**
-   * @param maxBytes the most bytes that the buffer may have
+   * @param memory the bytes of memory, of which a quarter is for JSON and a fifth for the buffer,
+   *     since each is copied when it is written
    */
-  GltfDocument(int maxBytes) {
-    this.maxBytes = maxBytes;
+  GltfDocument(long memory) {
+    maxText = Math.min(MOST, memory / 4);
+    maxBytes = (int) Math.min(MOST, memory / 5);
     root.putObject("asset").put("version", "2.0").put("generator", "Selective Renderer");
   }
 
@@ -77,6 +100,35 @@ final class GltfDocument {
   ObjectNode extension(ObjectNode in, String name) {
     extensions.add(name);
     return in.withObject("/extensions").withObject("/" + name);
+  }
+
+  /**
+   * Takes the memory for a node of the scene.
+   *
+   * @throws IOException if too many have been counted, as nested USEs multiply without bound
+   */
+  void countNode() throws IOException {
+    count(NODE);
+  }
+
+  /**
+   * Takes the memory for a value in JSON.
+   *
+   * @throws IOException if too many have been counted
+   */
+  void countValue(String value) throws IOException {
+    // in the tree, in the text, and in its copy
+    count(VALUE + 3L * value.length());
+  }
+
+  private void count(long bytes) throws IOException {
+    text += bytes;
+    if (text > maxText) {
+      throw new IOException(
+          "the scene contains itself, or its nodes, names and metadata need more than %d MiB in"
+                  .formatted(maxText >> 20)
+              + " glTF, which is the limit");
+    }
   }
 
   /** Sets an array of numbers. */
@@ -187,12 +239,30 @@ final class GltfDocument {
 
   /** Returns the text form, with the buffer as a {@code data:} url. */
   byte[] gltf() throws JsonProcessingException {
-    String content = Base64.getEncoder().encodeToString(Arrays.copyOf(buffer, size));
-    finish("data:application/octet-stream;base64," + content);
+    finish(URL);
     byte[] text = new ObjectMapper().writeValueAsBytes(root);
-    byte[] line = Arrays.copyOf(text, text.length + 1);
-    line[text.length] = '\n';
-    return line;
+    int encoded = (size + 2) / 3 * 4;
+    ByteBuffer out = ByteBuffer.allocate(text.length + encoded + 1);
+    int split = size > 0 ? endOfUrl(text) : text.length;
+    out.put(text, 0, split);
+    for (int at = 0; at < size; at += ENCODED_AT_ONCE) {
+      int end = Math.min(size, at + ENCODED_AT_ONCE);
+      out.put(Base64.getEncoder().encode(Arrays.copyOfRange(buffer, at, end)));
+    }
+    return out.put(text, split, text.length - split).put((byte) '\n').array();
+  }
+
+  /**
+   * Returns the index after the url of the buffer, whose quotes no string of the scene can have.
+   */
+  private static int endOfUrl(byte[] text) {
+    byte[] url = ("\"uri\":\"" + URL).getBytes(StandardCharsets.US_ASCII);
+    for (int at = text.length - url.length; at >= 0; at--) {
+      if (Arrays.equals(text, at, at + url.length, url, 0, url.length)) {
+        return at + url.length;
+      }
+    }
+    throw new IllegalStateException("a document with a buffer has its url");
   }
 
   private void finish(String url) {

@@ -13,7 +13,10 @@ import org.selectiverenderer.formats.image.PngEncoder;
  */
 record GltfImage(byte[] bytes, String mimeType, boolean grey, boolean translucent) {
 
-  /** Returns a PNG or JPEG file as an image; empty for any other content. */
+  /**
+   * Returns a PNG or JPEG file as an image; empty for any other content, and for a JPEG file of
+   * inks, which glTF readers need not know.
+   */
   static Optional<GltfImage> of(byte[] bytes) {
     if (bytes.length > 33 && unsigned(bytes, 0) == 0x89504E47L) {
       int colours = bytes[25];
@@ -21,7 +24,10 @@ record GltfImage(byte[] bytes, String mimeType, boolean grey, boolean translucen
       return Optional.of(new GltfImage(bytes, "image/png", colours == 0 || colours == 4, alpha));
     }
     if (bytes.length > 4 && unsigned(bytes, 0) >>> 8 == 0xFFD8FFL) {
-      return Optional.of(new GltfImage(bytes, "image/jpeg", jpegComponents(bytes) == 1, false));
+      int components = jpegComponents(bytes);
+      return components > 3
+          ? Optional.empty()
+          : Optional.of(new GltfImage(bytes, "image/jpeg", components == 1, false));
     }
     return Optional.empty();
   }

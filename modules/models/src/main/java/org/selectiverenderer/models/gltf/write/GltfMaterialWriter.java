@@ -24,7 +24,7 @@ final class GltfMaterialWriter {
   /**
    * Holds what a material depends on besides its appearance.
    *
-   * @param textured whether the mesh has texture coordinates
+   * @param texCoords the mesh's texture coordinates
    * @param coloured whether its vertices have colours, which replace the diffuse one
    * @param translucent whether one of these is not opaque
    * @param lit whether it has normals
@@ -32,7 +32,7 @@ final class GltfMaterialWriter {
    * @param multiply whether images multiply the colour, else they replace it
    */
   record Use(
-      boolean textured,
+      GltfTexCoordSets texCoords,
       boolean coloured,
       boolean translucent,
       boolean lit,
@@ -43,6 +43,7 @@ final class GltfMaterialWriter {
 
   private final GltfDocument out;
   private final GltfTextureWriter textures;
+  private final GltfTextureTransforms transforms;
   private final GltfLosses losses;
   private final GltfMetadata metadata;
   private final Map<Key, Integer> known = new HashMap<>();
@@ -51,6 +52,7 @@ final class GltfMaterialWriter {
       GltfDocument out, GltfTextureWriter textures, GltfLosses losses, GltfMetadata metadata) {
     this.out = out;
     this.textures = textures;
+    transforms = new GltfTextureTransforms(out, losses);
     this.losses = losses;
     this.metadata = metadata;
   }
@@ -213,19 +215,36 @@ final class GltfMaterialWriter {
       Use use,
       GltfPlace place)
       throws IOException {
-    NodeView node = field(material, field);
-    if (node == null) {
-      node = otherwise;
+    NodeView own = field(material, field);
+    NodeView node = own == null ? otherwise : own;
+    if (use.texCoords().isEmpty() || node == null) {
+      return Optional.empty();
     }
-    if (!use.textured() || node == null) {
+    String mapping = own == null || material == null ? "" : mapping(material, field);
+    int set = use.texCoords().number(mapping);
+    if (set == GltfTexCoordSets.NONE) {
+      losses.tell(
+          "TextureCoordinateGenerator",
+          node.location(),
+          "glTF has no TextureCoordinateGenerator; textures with coordinates that are generated or"
+              + " not of two dimensions are left out");
       return Optional.empty();
     }
     Optional<GltfTextureWriter.Texture> texture = textures.texture(node, place);
     if (texture.isPresent()) {
       ObjectNode info = to.putObject(property).put("index", texture.get().index());
-      textures.transform(transform, info);
+      if (set > 0) {
+        info.put("texCoord", set);
+      }
+      transforms.write(transform, mapping, node.type().name().equals("MultiTexture"), info);
     }
     return texture;
+  }
+
+  /** Returns the name of the coordinates and of the transform of a material's texture, or "". */
+  private static String mapping(NodeView material, String texture) {
+    String field = texture + "Mapping";
+    return material.type().field(field).isEmpty() ? "" : material.string(field);
   }
 
   private static void alpha(@Nullable NodeView appearance, boolean translucent, ObjectNode to) {

@@ -113,8 +113,18 @@ final class GltfMeshWriter {
       }
       attributes.put("COLOR_0", out.floats(colors, "VEC4", false, vertices));
     }
-    if (mesh.texCoords() != null) {
-      attributes.put("TEXCOORD_0", out.floats(down(mesh.texCoords()), "VEC2", false, vertices));
+    GltfTexCoordSets sets = GltfTexCoordSets.of(key.geometry(), mesh);
+    for (GltfTexCoordSets.Channel channel : sets.channels()) {
+      float[] values =
+          channel.source() == 0
+              ? mesh.texCoords()
+              : channel.number() < 0
+                  ? null
+                  : mesh.moreTexCoords().get(channel.source() - 1).values();
+      if (channel.number() >= 0 && values != null) {
+        attributes.put(
+            "TEXCOORD_" + channel.number(), out.floats(down(values), "VEC2", false, vertices));
+      }
     }
     primitive.put("indices", out.indices(mesh.indices()));
     primitive.put(
@@ -126,7 +136,7 @@ final class GltfMeshWriter {
         });
     GltfMaterialWriter.Use use =
         new GltfMaterialWriter.Use(
-            mesh.texCoords() != null,
+            sets,
             mesh.colors() != null,
             translucent,
             lit,

@@ -2,6 +2,7 @@ package org.selectiverenderer.models.gltf.write;
 
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /**
@@ -13,14 +14,16 @@ import org.selectiverenderer.x3d.catalogue.NodeView;
 final class GltfMetadata {
   private static final int DEEPEST = 100;
 
+  private final GltfDocument document;
   private final GltfLosses losses;
 
-  GltfMetadata(GltfLosses losses) {
+  GltfMetadata(GltfDocument document, GltfLosses losses) {
+    this.document = document;
     this.losses = losses;
   }
 
   /** Adds the metadata of a node, if it has any. */
-  void append(NodeView node, ObjectNode to) {
+  void append(NodeView node, ObjectNode to) throws IOException {
     if (node.type().field("metadata").isPresent() && node.node("metadata") != null) {
       NodeView metadata = node.node("metadata");
       ObjectNode extras = extras(node, to);
@@ -36,7 +39,8 @@ final class GltfMetadata {
     return extras.put("type", node.type().name());
   }
 
-  private void put(NodeView metadata, ObjectNode out, int depth) {
+  private void put(NodeView metadata, ObjectNode out, int depth) throws IOException {
+    document.countNode();
     if (depth > DEEPEST) {
       losses.tell(
           "deep metadata",
@@ -48,32 +52,41 @@ final class GltfMetadata {
     if (metadata.name() != null) {
       out.put("DEF", metadata.name());
     }
+    document.countValue(metadata.string("name"));
     out.put("name", metadata.string("name"));
     if (!metadata.string("reference").isEmpty()) {
+      document.countValue(metadata.string("reference"));
       out.put("reference", metadata.string("reference"));
     }
     ArrayNode values = out.putArray("value");
     switch (metadata.type().name()) {
-      case "MetadataSet" ->
-          metadata.nodes("value").forEach(node -> put(node, values.addObject(), depth + 1));
+      case "MetadataSet" -> {
+        for (NodeView node : metadata.nodes("value")) {
+          put(node, values.addObject(), depth + 1);
+        }
+      }
       case "MetadataString" -> {
         for (String value : metadata.strings("value")) {
+          document.countValue(value);
           values.add(value);
         }
       }
       case "MetadataInteger" -> {
         for (int value : metadata.ints("value")) {
+          document.countValue("");
           values.add(value);
         }
       }
       case "MetadataFloat" -> {
         for (float value : metadata.floats("value")) {
+          document.countValue("");
           values.add(GltfDocument.finite(Double.parseDouble(Float.toString(value))));
         }
       }
       case "MetadataDouble" -> {
         if (metadata.value("value") instanceof double[] doubles) {
           for (double value : doubles) {
+            document.countValue("");
             values.add(GltfDocument.finite(value));
           }
         }
@@ -81,6 +94,7 @@ final class GltfMetadata {
       case "MetadataBoolean" -> {
         if (metadata.value("value") instanceof boolean[] flags) {
           for (boolean value : flags) {
+            document.countValue("");
             values.add(value);
           }
         }

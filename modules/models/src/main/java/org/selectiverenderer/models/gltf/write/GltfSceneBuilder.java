@@ -3,23 +3,17 @@ package org.selectiverenderer.models.gltf.write;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
-import java.io.InputStream;
 import java.util.ArrayList;
-import java.util.HashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
+import org.selectiverenderer.models.scene.NodeTransform;
 import org.selectiverenderer.x3d.catalogue.NodeView;
-import org.selectiverenderer.x3d.read.PrototypeLibraryLoader;
 import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.read.X3dReader;
 import org.selectiverenderer.x3d.tessellate.GroupingNodeChildren;
-import org.selectiverenderer.x3d.url.ResolvedUrlContent;
-import org.selectiverenderer.x3d.url.UrlContent;
 import org.selectiverenderer.x3d.url.UrlResolver;
 
 /**
@@ -29,40 +23,27 @@ import org.selectiverenderer.x3d.url.UrlResolver;
 final class GltfSceneBuilder {
   private static final int DEEPEST = 500;
 
-  /** The most nodes of a document, since nested USEs multiply without bound. */
-  static final int MAX_NODES = 1_000_000;
-
   private static final Set<String> TRANSFORMS =
       Set.of("Transform", "CADPart", "EspduTransform", "HAnimHumanoid", "HAnimJoint", "HAnimSite");
 
-  private final GltfDocument out = new GltfDocument(maxBytes());
-  private final X3dReader reader;
-  private final UrlResolver root;
-  private final PrototypeLibraryLoader libraries;
+  private final GltfDocument out = new GltfDocument();
   private final GltfLosses losses;
   private final GltfMetadata metadata;
   private final GltfMeshWriter meshes;
   private final GltfAnimationWriter animations;
+  private final GltfInlineReader inlines;
   private final GltfViewWriter views = new GltfViewWriter(out);
-  private final Map<String, X3dFile> files = new HashMap<>();
-  private final Set<String> open = new LinkedHashSet<>();
   private final ObjectNode scene = out.object();
-  private int visits;
 
-  GltfSceneBuilder(X3dReader reader, UrlResolver root, GltfLosses losses) {
-    this.reader = reader;
-    this.root = root;
+  GltfSceneBuilder(
+      X3dReader reader, UrlResolver root, PngTranscoder transcoder, GltfLosses losses) {
     this.losses = losses;
-    libraries = new PrototypeLibraryLoader(reader, root);
-    metadata = new GltfMetadata(losses);
-    GltfTextureWriter textures = new GltfTextureWriter(out, root, losses);
+    metadata = new GltfMetadata(out, losses);
+    GltfTextureWriter textures = new GltfTextureWriter(out, root, transcoder, losses);
     meshes =
         new GltfMeshWriter(out, new GltfMaterialWriter(out, textures, losses, metadata), losses);
     animations = new GltfAnimationWriter(out, losses);
-  }
-
-  private static int maxBytes() {
-    return (int) Math.min(1 << 30, Runtime.getRuntime().maxMemory() / 4);
+    inlines = new GltfInlineReader(reader, root, losses, animations);
   }
 
   /**
@@ -74,8 +55,9 @@ final class GltfSceneBuilder {
     animations.find(file);
     List<Integer> roots = new ArrayList<>();
     double unit = unit(file);
+    GltfPlace outermost = new GltfPlace(place.file(), place.key(), place.base(), 0, unit);
     for (NodeView node : file.nodes()) {
-      visit(node, place, roots);
+      visit(node, outermost, roots);
     }
     file.loose().forEach(losses::node);
     if (unit != 1 && !roots.isEmpty()) {
@@ -95,11 +77,7 @@ final class GltfSceneBuilder {
   }
 
   private void visit(NodeView node, GltfPlace place, List<Integer> siblings) throws IOException {
-    if (++visits > MAX_NODES) {
-      throw new IOException(
-          "the scene contains itself or has more than %d nodes, which is the limit"
-              .formatted(MAX_NODES));
-    }
+    out.countNode();
     if (place.depth() > DEEPEST) {
       losses.tell(
           "depth",
@@ -126,7 +104,7 @@ final class GltfSceneBuilder {
             siblings.add(add(node, views.view(node)));
           }
         } else if (GltfViewWriter.isLight(node)) {
-          light(node, siblings);
+          light(node, place, siblings);
         } else if (GroupingNodeChildren.isGroup(node.type())
             || node.type().name().equals("LayerSet")) {
           group(node, place, siblings);
@@ -137,9 +115,9 @@ final class GltfSceneBuilder {
     }
   }
 
-  private void light(NodeView light, List<Integer> siblings) {
+  private void light(NodeView light, GltfPlace place, List<Integer> siblings) throws IOException {
     if (light.bool("on")) {
-      siblings.add(add(light, views.light(light)));
+      siblings.add(add(light, views.light(light, place.scale())));
     } else {
       losses.tell("light", light.location(), "glTF has no lights that are off; they are left out");
     }
@@ -150,8 +128,10 @@ final class GltfSceneBuilder {
     siblings.add(nodes.outer());
     describe(node, out.get("nodes", nodes.outer()));
     List<Integer> children = new ArrayList<>();
+    double scale =
+        GroupingNodeChildren.placement(node).map(NodeTransform::averageScale).orElse(1.0);
     for (NodeView child : shown(node)) {
-      visit(child, place.deeper(), children);
+      visit(child, place.inside(scale), children);
     }
     append(out.get("nodes", nodes.inner()), children);
   }
@@ -213,14 +193,15 @@ final class GltfSceneBuilder {
     siblings.add(add(shape, node));
   }
 
-  private int add(NodeView from, ObjectNode node) {
+  private int add(NodeView from, ObjectNode node) throws IOException {
     describe(from, node);
     return out.add("nodes", node);
   }
 
   /** Adds what a node has besides its content: its name, its metadata, a Switch its choice. */
-  private void describe(NodeView from, ObjectNode to) {
+  private void describe(NodeView from, ObjectNode to) throws IOException {
     if (from.name() != null) {
+      out.countValue(from.name());
       to.put("name", from.name());
     }
     metadata.append(from, to);
@@ -229,7 +210,7 @@ final class GltfSceneBuilder {
     }
   }
 
-  private void worldInfo(NodeView info) {
+  private void worldInfo(NodeView info) throws IOException {
     metadata.append(info, scene);
     ObjectNode extras = GltfMetadata.extras(info, scene);
     if (!info.string("title").isEmpty()) {
@@ -243,75 +224,23 @@ final class GltfSceneBuilder {
   }
 
   private void inline(NodeView inline, GltfPlace place, List<Integer> siblings) throws IOException {
-    if (!inline.bool("load")) {
-      losses.tell("load", inline.location(), "an Inline with load FALSE is left out");
+    Optional<GltfPlace> inside = inlines.enter(inline, place);
+    if (inside.isEmpty()) {
       return;
     }
-    ResolvedUrlContent choice =
-        ResolvedUrlContent.of(inline, root, place.base(inline), "the Inline is left out");
-    if (!(choice instanceof ResolvedUrlContent.Found found)) {
-      losses.problems().add(((ResolvedUrlContent.None) choice).problem());
-      return;
-    }
-    UrlContent content = found.content();
-    if (!open.add(content.key())) {
-      losses
-          .problems()
-          .error(inline.location(), "the Inline names a file that contains it; it is left out");
-      return;
-    }
-    try {
-      Optional<X3dFile> file = read(inline, content);
-      if (file.isPresent()) {
-        inlined(
-            inline,
-            file.get(),
-            new GltfPlace(file.get(), content.base(), place.depth() + 1),
-            unit(file.get()) / unit(place.file()),
-            siblings);
-      }
-    } finally {
-      open.remove(content.key());
-    }
-  }
-
-  private void inlined(
-      NodeView inline, X3dFile file, GltfPlace place, double scale, List<Integer> siblings)
-      throws IOException {
+    X3dFile file = inside.get().file();
     ObjectNode group = out.object();
+    double scale = unit(file) / unit(place.file());
     if (scale != 1) {
       GltfDocument.numbers(group, "scale", scale, scale, scale);
     }
     siblings.add(add(inline, group));
     List<Integer> children = new ArrayList<>();
     for (NodeView node : file.nodes()) {
-      visit(node, place, children);
+      visit(node, inside.get(), children);
     }
     append(group, children);
-  }
-
-  /** Reads an inlined file, once for all Inlines, so that they share their meshes. */
-  private Optional<X3dFile> read(NodeView inline, UrlContent content) {
-    X3dFile known = files.get(content.key());
-    if (known == null) {
-      try (InputStream in = content.open()) {
-        known =
-            reader
-                .with(libraries, content.base())
-                .read(content.name(), in, content.size(), losses.problems());
-      } catch (IOException e) {
-        losses
-            .problems()
-            .error(
-                inline.location(),
-                "%s cannot be read (%s); the Inline is left out"
-                    .formatted(content.name(), e.getMessage()));
-        return Optional.empty();
-      }
-      files.put(content.key(), known);
-      animations.find(known);
-    }
-    return Optional.of(known);
+    inlines.leave(inside.get());
   }
 
   private static void append(ObjectNode parent, List<Integer> children) {

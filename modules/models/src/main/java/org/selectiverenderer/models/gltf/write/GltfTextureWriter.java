@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.catalogue.NodeView;
+import org.selectiverenderer.x3d.url.IoErrorFormatter;
 import org.selectiverenderer.x3d.url.ResolvedUrlContent;
 import org.selectiverenderer.x3d.url.UrlContent;
 import org.selectiverenderer.x3d.url.UrlResolver;
@@ -33,6 +34,7 @@ final class GltfTextureWriter {
 
   private final GltfDocument out;
   private final UrlResolver root;
+  private final PngTranscoder transcoder;
   private final GltfLosses losses;
   private final Map<NodeView, Optional<Texture>> textures = new HashMap<>();
   private final Map<String, Optional<Embedded>> images = new HashMap<>();
@@ -41,9 +43,11 @@ final class GltfTextureWriter {
   /** A sampler in the numbers of GL; a filter of 0 is left to the reader. */
   private record Sampler(int wrapS, int wrapT, int magnification, int minification) {}
 
-  GltfTextureWriter(GltfDocument out, UrlResolver root, GltfLosses losses) {
+  GltfTextureWriter(
+      GltfDocument out, UrlResolver root, PngTranscoder transcoder, GltfLosses losses) {
     this.out = out;
     this.root = root;
+    this.transcoder = transcoder;
     this.losses = losses;
   }
 
@@ -107,29 +111,18 @@ final class GltfTextureWriter {
   }
 
   private Optional<GltfImage> image(NodeView node, UrlContent content) {
-    byte[] bytes;
     try {
-      bytes = content.bytes(MAX_IMAGE_BYTES);
+      Optional<GltfImage> image = GltfImage.of(content.bytes(MAX_IMAGE_BYTES));
+      return image.isPresent() ? image : GltfImage.of(transcoder.png(content));
     } catch (IOException e) {
       losses
           .problems()
           .error(
               node.location(),
-              "%s cannot be read (%s); the texture is left out"
-                  .formatted(content.name(), e.getMessage()));
+              "%s %s; the texture is left out"
+                  .formatted(content.name(), IoErrorFormatter.clause(e)));
       return Optional.empty();
     }
-    Optional<GltfImage> image = GltfImage.of(bytes);
-    if (image.isEmpty()) {
-      losses
-          .problems()
-          .warning(
-              node.location(),
-              "%s is neither PNG nor JPEG, which glTF needs; the texture is left out; convert the"
-                      .formatted(content.name())
-                  + " image to PNG to keep it");
-    }
-    return image;
   }
 
   private Optional<Embedded> embedded(Optional<GltfImage> image) throws IOException {
@@ -202,44 +195,5 @@ final class GltfTextureWriter {
       case "AVG_PIXEL_AVG_MIPMAP" -> 9987;
       default -> 0;
     };
-  }
-
-  /**
-   * Writes a TextureTransform as KHR_texture_transform. X3D moves, turns about a centre and scales
-   * (X3D 4.0, 18.4.9), with t up; glTF scales, turns and moves, with v down. So a turn is kept only
-   * where both axes are scaled alike.
-   */
-  void transform(@Nullable NodeView transform, ObjectNode info) {
-    if (transform == null) {
-      return;
-    }
-    if (!transform.type().name().equals("TextureTransform")) {
-      losses.node(transform);
-      return;
-    }
-    float[] c = transform.floats("center");
-    float[] s = transform.floats("scale");
-    float[] move = transform.floats("translation");
-    double turn = GltfDocument.finite(transform.number("rotation"));
-    if (turn != 0 && s[0] != s[1]) {
-      losses.tell(
-          "TextureTransform",
-          transform.location(),
-          "glTF cannot turn an image and scale its axes differently; the rotation of such a"
-              + " TextureTransform is left out");
-      turn = 0;
-    }
-    double cos = Math.cos(turn);
-    double sin = Math.sin(turn);
-    double x = (double) c[0] + move[0];
-    double y = (double) c[1] + move[1];
-    double b = -s[0] * sin;
-    double d = s[1] * cos;
-    double offsetS = s[0] * cos * x + b * y - c[0];
-    double offsetT = s[1] * sin * x + d * y - c[1];
-    ObjectNode extension = out.extension(info, "KHR_texture_transform");
-    GltfDocument.numbers(extension, "offset", b + offsetS, 1 - d - offsetT);
-    extension.put("rotation", turn);
-    GltfDocument.numbers(extension, "scale", s[0], s[1]);
   }
 }

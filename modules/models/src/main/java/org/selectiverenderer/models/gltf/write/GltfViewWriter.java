@@ -68,16 +68,22 @@ final class GltfViewWriter {
     return node.put("camera", out.add("cameras", camera));
   }
 
-  /** Returns the node of a light that is on. */
-  ObjectNode light(NodeView light) {
+  /**
+   * Returns the node of a light that is on.
+   *
+   * @param scale by what the nodes around it multiply lengths, as glTF's range is one of the scene
+   */
+  ObjectNode light(NodeView light, double scale) {
     ObjectNode to = out.object();
     String type = light.type().name();
     to.put("type", type.substring(0, type.indexOf("Light")).toLowerCase(Locale.ROOT));
     float[] rgb = light.floats("color");
     GltfDocument.numbers(to, "color", linear(rgb[0]), linear(rgb[1]), linear(rgb[2]));
-    to.put("intensity", positive(light.number("intensity"), 0));
-    if (!type.equals("DirectionalLight") && light.number("radius") > 0) {
-      to.put("range", positive(light.number("radius"), 1));
+    boolean placed = !type.equals("DirectionalLight");
+    boolean shines = !placed || light.number("radius") != 0; // negative: without limit
+    to.put("intensity", shines ? positive(light.number("intensity"), 0) : 0);
+    if (placed && light.number("radius") > 0) {
+      to.put("range", positive(light.number("radius") * scale, 1));
     }
     if (type.equals("SpotLight")) {
       double outer = Math.min(positive(light.number("cutOffAngle"), Math.PI / 2), Math.PI / 2);

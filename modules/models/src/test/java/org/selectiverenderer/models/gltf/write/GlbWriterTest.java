@@ -10,16 +10,21 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Base64;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.formats.image.PngEncoder;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.models.Model;
 import org.selectiverenderer.models.ModelReader;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.read.X3dFile;
+import org.selectiverenderer.x3d.read.X3dReader;
 import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 
 /** Tests what scenes become in glTF. */
@@ -259,9 +264,137 @@ final class GlbWriterTest {
       nested.append("<Group DEF='G").append(i).append("'>").append(use).append(use);
       nested.append("</Group>");
     }
-    Optional<byte[]> bytes = writer().bytes(scene(nested.toString()), GlbWriter.Form.GLB, problems);
+    Optional<byte[]> bytes = tryBytes(scene(nested.toString()), GlbWriter.Form.GLB);
     assertThat(bytes).isEmpty();
     assertThat(problems.list().get(0).message()).endsWith("is the limit; nothing is written");
+  }
+
+  @Test
+  void aFurtherSetOfTextureCoordinatesIsThatOfTheTexturesThatNameIt() throws IOException {
+    JsonNode gltf = read(scene(twoSets("second", "second")));
+    JsonNode attributes = gltf.at("/meshes/0/primitives/0/attributes");
+    assertThat(floats(scene(twoSets("second", "second")), attributes.get("TEXCOORD_0").asInt()))
+        .startsWith(0, 1, 1, 1);
+    assertThat(floats(scene(twoSets("second", "second")), attributes.get("TEXCOORD_1").asInt()))
+        .startsWith(0.5f, 0.75f, 0.25f, 0.5f);
+    JsonNode material = gltf.at("/materials/0");
+    JsonNode base = material.at("/pbrMetallicRoughness/baseColorTexture");
+    assertThat(base.has("texCoord")).as("set 0 is the default").isFalse();
+    assertThat(base.has("extensions")).as("a transform of the first set").isFalse();
+    JsonNode occlusion = material.get("occlusionTexture");
+    assertThat(occlusion.get("texCoord").asInt()).isEqualTo(1);
+    assertThat(occlusion.at("/extensions/KHR_texture_transform/scale/0").asDouble()).isEqualTo(2);
+    assertThat(problems.list()).isEmpty();
+  }
+
+  @Test
+  void aMappingThatNothingHasIsThatOfTheFirstSet() throws IOException {
+    JsonNode gltf = read(scene(twoSets("second", "third")));
+    assertThat(gltf.at("/materials/0/occlusionTexture").has("texCoord")).isFalse();
+    assertThat(problems.list()).isEmpty();
+  }
+
+  @Test
+  void texturesOfGeneratedCoordinatesAreTold() throws IOException {
+    JsonNode gltf =
+        read(
+            scene(
+                """
+                <Shape><Appearance><Material/><PixelTexture image='1 1 3 0xff0000'/></Appearance>
+                  <IndexedFaceSet coordIndex='0 1 2 -1'><Coordinate point='0 0 0 1 0 0 0 1 0'/>
+                    <TextureCoordinateGenerator mode='SPHERE'/></IndexedFaceSet></Shape>
+                """));
+    assertThat(gltf.at("/materials/0/pbrMetallicRoughness").has("baseColorTexture")).isFalse();
+    assertThat(problems.list())
+        .extracting(Problem::message)
+        .containsExactly(
+            "glTF has no TextureCoordinateGenerator; textures with coordinates that are generated"
+                + " or not of two dimensions are left out");
+  }
+
+  @Test
+  void modelsKeepTheirSetsOfTextureCoordinates() throws IOException {
+    Files.write(folder.resolve("two.glb"), bytes(scene(twoSets("b", "b")), GlbWriter.Form.GLB));
+    JsonNode gltf = read(folder.resolve("two.glb"));
+    assertThat(gltf.at("/meshes/0/primitives/0/attributes").has("TEXCOORD_1")).isTrue();
+    assertThat(gltf.at("/materials/0/occlusionTexture/texCoord").asInt()).isEqualTo(1);
+  }
+
+  @Test
+  void otherPicturesBecomePng() throws IOException {
+    Files.writeString(folder.resolve("sky.hdr"), "#?RADIANCE");
+    JsonNode gltf = read(scene(picture("sky.hdr")));
+    assertThat(gltf.at("/images/0/mimeType").asText()).isEqualTo("image/png");
+    assertThat(gltf.at("/materials/0/pbrMetallicRoughness").has("baseColorTexture")).isTrue();
+    assertThat(problems.list()).isEmpty();
+  }
+
+  @Test
+  void aPictureThatCannotBecomePngIsTold() throws IOException {
+    Files.writeString(folder.resolve("sky.webp"), "RIFF");
+    JsonNode gltf = read(scene(picture("sky.webp")));
+    assertThat(gltf.has("images")).isFalse();
+    assertThat(problems.list())
+        .extracting(Problem::message)
+        .containsExactly(folder.resolve("sky.webp") + " is no picture; the texture is left out");
+  }
+
+  /** Returns a shape of two sets of texture coordinates with a texture for each. */
+  private static String twoSets(String name, String wanted) {
+    return """
+        <Shape><Appearance><PhysicalMaterial baseTextureMapping='first'
+            occlusionTextureMapping='%s'>
+          <PixelTexture image='1 1 3 0xff0000' containerField='baseTexture'/>
+          <PixelTexture image='1 1 3 0xff8000' containerField='occlusionTexture'/>
+        </PhysicalMaterial>
+        <MultiTextureTransform containerField='textureTransform'>
+          <TextureTransform mapping='first' containerField='textureTransform'/>
+          <TextureTransform mapping='%s' scale='2 2' containerField='textureTransform'/>
+        </MultiTextureTransform></Appearance>
+        <IndexedTriangleSet index='0 1 2'><Coordinate point='0 0 0 1 0 0 0 1 0'/>
+          <MultiTextureCoordinate>
+            <TextureCoordinate mapping='first' point='0 0 1 0 0 1' containerField='texCoord'/>
+            <TextureCoordinate mapping='%s' point='0.5 0.25 0.25 0.5 0 0'
+              containerField='texCoord'/>
+          </MultiTextureCoordinate></IndexedTriangleSet></Shape>
+        """
+        .formatted(wanted, name, name);
+  }
+
+  private static String picture(String url) {
+    return """
+        <Shape><Appearance><Material/><ImageTexture url='"%s"'/></Appearance><Box/></Shape>
+        """
+        .formatted(url);
+  }
+
+  @Test
+  void metadataThatIsUsedTooOftenIsRefusedInOneSentence() throws IOException {
+    StringBuilder nested = new StringBuilder("<Group DEF='G0'><MetadataString name='a' value='");
+    nested.append("\"word\" ".repeat(20_000)).append("' containerField='metadata'/></Group>");
+    for (int i = 1; i < 14; i++) {
+      String use = "<Group USE='G" + (i - 1) + "'/>";
+      nested.append("<Group DEF='G").append(i).append("'>").append(use).append(use);
+      nested.append("</Group>");
+    }
+    assertThat(tryBytes(scene(nested.toString()), GlbWriter.Form.GLB)).isEmpty();
+    assertThat(problems.list().get(0).message()).endsWith("is the limit; nothing is written");
+  }
+
+  @Test
+  void textFormHoldsTheSameBytesWhateverTheSceneSays() throws IOException {
+    Path scene =
+        scene(
+            "<WorldInfo title='\"uri\":\"data:application/octet-stream;base64,'/><Shape>"
+                + "<IndexedTriangleSet index='0 1 2 "
+                + "0 1 2 ".repeat(20_000)
+                + "'><Coordinate point='0 0 0 1 0 0 0 1 0'/></IndexedTriangleSet></Shape>");
+    byte[] glb = bytes(scene, GlbWriter.Form.GLB);
+    JsonNode text = new ObjectMapper().readTree(bytes(scene, GlbWriter.Form.GLTF));
+    String url = text.at("/buffers/0/uri").asText();
+    int length = text.at("/buffers/0/byteLength").asInt();
+    assertThat(Base64.getDecoder().decode(url.substring(url.indexOf(',') + 1)))
+        .isEqualTo(Arrays.copyOfRange(glb, glb.length - length, glb.length));
   }
 
   @Test
@@ -279,7 +412,15 @@ final class GlbWriterTest {
   }
 
   private GlbWriter writer() {
-    return new GlbWriter(catalogue, ContentAccessPolicy.none());
+    return new GlbWriter(
+        catalogue,
+        ContentAccessPolicy.none(),
+        file -> {
+          if (file.name().endsWith(".webp")) {
+            throw new IOException("is no picture");
+          }
+          return PngEncoder.small(1, 1, new byte[] {1, 2, 3});
+        });
   }
 
   private Path scene(String nodes) throws IOException {
@@ -289,7 +430,24 @@ final class GlbWriterTest {
   }
 
   private byte[] bytes(Path scene, GlbWriter.Form form) throws IOException {
-    return writer().bytes(scene, form, problems).orElseThrow();
+    return tryBytes(scene, form).orElseThrow();
+  }
+
+  private Optional<byte[]> tryBytes(Path scene, GlbWriter.Form form) throws IOException {
+    X3dFile file = new X3dReader(catalogue).read(scene, problems);
+    return writer().bytes(file, folder, form, problems);
+  }
+
+  /** Returns the numbers of an accessor. */
+  private float[] floats(Path scene, int accessor) throws IOException {
+    byte[] glb = bytes(scene, GlbWriter.Form.GLB);
+    ByteBuffer file = ByteBuffer.wrap(glb).order(ByteOrder.LITTLE_ENDIAN);
+    JsonNode gltf = new ObjectMapper().readTree(glb, 20, file.getInt(12));
+    JsonNode view = gltf.at("/bufferViews/" + gltf.at("/accessors/" + accessor + "/bufferView"));
+    float[] numbers = new float[view.get("byteLength").asInt() / 4];
+    int at = 20 + file.getInt(12) + 8 + view.get("byteOffset").asInt();
+    file.position(at).slice().order(ByteOrder.LITTLE_ENDIAN).asFloatBuffer().get(numbers);
+    return numbers;
   }
 
   private JsonNode read(Path scene) throws IOException {
@@ -297,5 +455,28 @@ final class GlbWriterTest {
     ByteBuffer header = ByteBuffer.wrap(glb).order(ByteOrder.LITTLE_ENDIAN);
     assertThat(header.getInt(8)).isEqualTo(glb.length);
     return new ObjectMapper().readTree(glb, 20, header.getInt(12));
+  }
+
+  @Test
+  void aNegativeRadiusIsNoLimitAndOneOfZeroDarkAsTheRendererHasIt() throws IOException {
+    JsonNode gltf = read(scene("<PointLight radius='-1'/><SpotLight radius='0'/>"));
+
+    JsonNode lights = gltf.at("/extensions/KHR_lights_punctual/lights");
+    assertThat(lights.at("/0/intensity").asDouble()).isEqualTo(1);
+    assertThat(lights.get(0).has("range")).isFalse();
+    assertThat(lights.at("/1/intensity").asDouble(1)).isZero();
+  }
+
+  @Test
+  void theRangeOfALightIsItsRadiusInTheScene() throws IOException {
+    JsonNode gltf =
+        read(
+            scene(
+                "<Transform scale='3 3 3'><Group><PointLight radius='2'/></Group></Transform>"
+                    + "<PointLight radius='2'/>"));
+
+    JsonNode lights = gltf.at("/extensions/KHR_lights_punctual/lights");
+    assertThat(lights.at("/0/range").asDouble()).isEqualTo(6);
+    assertThat(lights.at("/1/range").asDouble()).isEqualTo(2);
   }
 }

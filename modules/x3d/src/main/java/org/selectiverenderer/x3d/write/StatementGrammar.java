@@ -13,7 +13,7 @@ import org.selectiverenderer.x3d.source.DocumentElement;
  * The grammar of statements (ISO/IEC 19776-1, 4.3): which attributes they have and need, and what
  * may contain them.
  */
-final class StatementRules {
+final class StatementGrammar {
   private static final Set<String> OF_HTML = Set.of("class", "id", "style");
 
   private static final Map<String, List<String>> ATTRIBUTES =
@@ -46,7 +46,7 @@ final class StatementRules {
           "field", List.of("name", "type", "accessType"),
           "fieldValue", List.of("name"));
 
-  private StatementRules() {}
+  private StatementGrammar() {}
 
   /** Returns whether an attribute is one of those that HTML gives to all elements. */
   static boolean ofHtml(String attribute) {

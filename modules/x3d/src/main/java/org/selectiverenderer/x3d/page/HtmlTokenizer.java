@@ -6,8 +6,8 @@ import java.util.Locale;
 import org.selectiverenderer.x3d.source.SourceText;
 
 /** Finds the tags, comments and texts of a page, whether or not it is well-formed XML. */
-final class TagScanner {
-  /** What is found. */
+final class HtmlTokenizer {
+  /** Tells what a token is. */
   enum Kind {
     START_TAG,
     END_TAG,
@@ -41,7 +41,7 @@ final class TagScanner {
    *
    * @param mostAttributes the number of attributes of a tag after which no more are stored
    */
-  TagScanner(SourceText text, int mostAttributes) {
+  HtmlTokenizer(SourceText text, int mostAttributes) {
     this.text = text;
     this.length = text.length();
     this.mostAttributes = mostAttributes;

@@ -8,14 +8,14 @@ import org.selectiverenderer.models.importer.ImportedModel.ImportedTexture;
 import org.selectiverenderer.models.scene.PictureType;
 
 /** The urls of the pictures of an imported model; a picture inside of it is encoded once. */
-final class ImportedPictures {
+final class ImportedImages {
   private final List<ImportedTexture> textures;
   private final Map<Integer, String> encoded = new HashMap<>();
 
   /**
    * @param textures the pictures inside of the model
    */
-  ImportedPictures(List<ImportedTexture> textures) {
+  ImportedImages(List<ImportedTexture> textures) {
     this.textures = textures;
   }
 
