@@ -23,8 +23,8 @@ import org.selectiverenderer.modelling.TextureMapping;
 
 /**
  * Five units of 0.6 m along a wall, from the left: cupboard, sink, drawers, oven below the hob,
- * cupboard; above them a tiled wall and hanging cupboards, also over the hob. The worktop is 0.9
- * m high; its front edge is at z = 0.3 before the model is centred, the wall at z = -0.3.
+ * cupboard; above them a tiled wall and hanging cupboards, also over the hob. The worktop is 0.9 m
+ * high; its front edge is at z = 0.3 before the model is centred, the wall at z = -0.3.
  */
 final class KitchenFurniture {
   private static final double[] UNIT = {-1.5, -0.9, -0.3, 0.3, 0.9, 1.5};

@@ -14,8 +14,8 @@ import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
 /**
- * Builds the fittings of the worktop: sink, tap and hob, with the worktop's upper side at y =
- * 0 and the sink at x = 0.
+ * Builds the fittings of the worktop: sink, tap and hob, with the worktop's upper side at y = 0 and
+ * the sink at x = 0.
  */
 final class SinkAndHob {
   /** The opening in the worktop. */
