@@ -280,7 +280,7 @@ titled() {
 
 sessionOperator() { # OUT
   study
-  titled 'Operator' 10 '' "$tmp/operator.png" "$program" experiment run "$tmp/study/study.json" \
+  titled 'Operator' 23 '' "$tmp/operator.png" "$program" experiment run "$tmp/study/study.json" \
     --participant 001 --unattended --operator --exposure 60
   small "$tmp/operator.png" "$1" -resize 896x
 }

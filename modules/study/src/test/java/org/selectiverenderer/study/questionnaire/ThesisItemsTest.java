@@ -81,6 +81,10 @@ class ThesisItemsTest {
         .hasEntrySatisfying("office neutral", count -> assertThat(count).containsEntry("yes", 20L))
         .hasEntrySatisfying("lounge neutral", count -> assertThat(count).containsEntry("yes", 17L))
         .hasEntrySatisfying("bookcase neutral", count -> assertThat(count).containsEntry("yes", 7L))
+        .hasEntrySatisfying(
+            "kitchen consistent", count -> assertThat(count).containsEntry("yes", 12L))
+        .hasEntrySatisfying(
+            "kitchen inconsistent", count -> assertThat(count).containsEntry("yes", 6L))
         .containsOnlyKeys(
             "bookcase neutral",
             "desk consistent",
@@ -138,14 +142,57 @@ class ThesisItemsTest {
                 20L,
                 "bookcase",
                 2L));
-    assertThat(names(recognition, "kitchen"))
-        .startsWith("Αλατιέρα", "Απορροφητήρας", "Αποχυμωτής", "Βιολί")
-        .containsSubsequence("Μπαστούνι Baseball", "Μπρίκι", "Νεροπίστολο", "Οδοντόκρεμα")
-        .endsWith("Φτυάρι", "Χαρταετός", "Ψυγείο", "Ψωμί");
     assertThat(names(recognition, "desk"))
         .startsWith("Flash disk", "Web camera")
         .endsWith("Σόμπα αλογόνου", "Φωτιστικό", "Ψύκτης νερού");
     assertThat(recognition).extracting(row -> row.cell("source")).containsOnly("thesis", "ours");
+  }
+
+  /** The kitchen's list has no row of ours but in the places of the three lost ones. */
+  @Test
+  void theKitchensListIsThePrintedOneOf36Rows() {
+    assertThat(names(recognition, "kitchen"))
+        .containsExactly(
+            "Αλατιέρα",
+            "Απορροφητήρας",
+            "Αποχυμωτής",
+            "Βιολί",
+            "Καρέκλες",
+            "Κατσαρόλα",
+            "Κονσέρβα",
+            "Κούπα",
+            "Κουτάλι",
+            "Κρουασάν",
+            "Μακαρόνια",
+            "Μίξερ",
+            "Μολυβοθήκη",
+            "Μπαστούνι Baseball",
+            "Μπρίκι",
+            "Νεροπίστολο",
+            "Οδοντόκρεμα",
+            "Πιάτο",
+            "Πιρούνι",
+            "Πιστολάκι μαλλιών",
+            "Ποτήρι",
+            "Ρόδα ποδηλάτου",
+            "Σούπα",
+            "Σουρωτήρι",
+            "Σύριγγα",
+            "Τηγάνι",
+            "Τρομπέτα",
+            "Τσαγιέρα",
+            "Υπολογιστής τσέπης",
+            "Φούρνος μικροκυμάτων",
+            "Φρούτα",
+            "Φρυγανιέρα/Τοστιέρα",
+            "Φτυάρι",
+            "Χαρταετός",
+            "Ψυγείο",
+            "Ψωμί");
+    assertThat(recognition)
+        .filteredOn(row -> row.cell("area").equals("kitchen") && row.cell("source").equals("ours"))
+        .extracting(row -> row.cell("object"))
+        .containsExactly("bicycleWheel", "pocketCalculator", "microwave");
   }
 
   @Test

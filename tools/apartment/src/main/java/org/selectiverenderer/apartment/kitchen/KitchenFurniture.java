@@ -23,8 +23,8 @@ import org.selectiverenderer.modelling.TextureMapping;
 
 /**
  * Five units of 0.6 m along a wall, from the left: cupboard, sink, drawers, oven below the hob,
- * cupboard; above them a tiled wall, hanging cupboards, and a hood over the hob. The worktop is 0.9
- * m high; its front edge is at z = 0.3 before the model is centred, the wall at z = -0.3.
+ * cupboard; above them a tiled wall and hanging cupboards, also over the hob. The worktop is 0.9 m
+ * high; its front edge is at z = 0.3 before the model is centred, the wall at z = -0.3.
  */
 final class KitchenFurniture {
   private static final double[] UNIT = {-1.5, -0.9, -0.3, 0.3, 0.9, 1.5};
@@ -70,11 +70,10 @@ final class KitchenFurniture {
     TriangleMesh lower =
         BoxBuilder.plain(3, UNDER_TOP - PLINTH - 0.17, 0.56).move(0, PLINTH, -0.02);
     TriangleMesh rail = BoxBuilder.plain(3, 0.17, 0.04).move(0, UNDER_TOP - 0.17, LOWER_Z - 0.02);
-    TriangleMesh upper = BoxBuilder.plain(1.8, HEIGHT - HANGING, 0.33).move(-0.6, HANGING, -0.135);
-    TriangleMesh right = BoxBuilder.plain(0.6, HEIGHT - HANGING, 0.33).move(1.2, HANGING, -0.135);
+    TriangleMesh upper = BoxBuilder.plain(3, HEIGHT - HANGING, 0.33).move(0, HANGING, -0.135);
     TriangleMesh sides =
         BoxBuilder.plain(0.02, UNDER_TOP - PLINTH, 0.56).move(-1.49, PLINTH, -0.02);
-    return TriangleMesh.of(lower, rail, upper, right, sides, sides.mirrorX());
+    return TriangleMesh.of(lower, rail, upper, sides, sides.mirrorX());
   }
 
   private static TriangleMesh lowerFronts() {
@@ -95,7 +94,7 @@ final class KitchenFurniture {
 
   private static TriangleMesh upperFronts() {
     List<TriangleMesh> doors = new ArrayList<>();
-    for (int unit : new int[] {0, 1, 2, 4}) {
+    for (int unit = 0; unit < UNIT.length - 1; unit++) {
       double middle = (UNIT[unit] + UNIT[unit + 1]) / 2;
       doors.add(door(UNIT[unit], HANGING, middle, HEIGHT));
       doors.add(door(middle, HANGING, UNIT[unit + 1], HEIGHT));
@@ -127,7 +126,7 @@ final class KitchenFurniture {
     below.add(bow(0.46, HOB_X, 0.68));
     below.add(bow(0.16, 1.2, UNDER_TOP - 0.045));
     List<TriangleMesh> above = new ArrayList<>();
-    for (double middle : new double[] {-1.2, -0.6, 0, 1.2}) {
+    for (double middle : new double[] {-1.2, -0.6, 0, 0.6, 1.2}) {
       above.add(knob(middle - 0.035, HANGING + 0.12));
       above.add(knob(middle + 0.035, HANGING + 0.12));
     }
@@ -135,11 +134,10 @@ final class KitchenFurniture {
         TriangleMesh.of(below).move(0, 0, LOWER_Z), TriangleMesh.of(above).move(0, 0, UPPER_Z));
   }
 
-  /** Returns the tap, the hood, and the oven's panel with its knobs. */
+  /** Returns the tap and the oven's panel with its knobs. */
   private static TriangleMesh fittings() {
     List<TriangleMesh> all = new ArrayList<>();
     all.add(SinkAndHob.tap().move(SINK_X, TOP, 0));
-    all.add(SinkAndHob.hood().move(HOB_X, HANGING, -0.3));
     all.add(drawer(UNIT[3], 0.74, UNIT[4], UNDER_TOP).move(0, 0, LOWER_Z));
     all.add(drawer(UNIT[3], PLINTH, UNIT[4], 0.2).move(0, 0, LOWER_Z));
     TriangleMesh dial = RoundSolidBuilder.roundedCylinder(0.02, 0.022, 0.005, 3, 24).turnX(90);

@@ -30,7 +30,6 @@ public final class KitchenRecipes {
     recipes.put("kitchenFurniture", KitchenFurniture::model);
     recipes.put("refrigerator", Refrigerator::model);
     recipes.put("kitchenChair", KitchenChair::model);
-    recipes.put("bread", Bread::model);
     recipes.put("fryingPan", FryingPan::model);
     recipes.put("kitchenRoll", KitchenRoll::model);
     recipes.put("shovel", Shovel::model);

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import org.joml.Vector3d;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
-import org.selectiverenderer.modelling.BoxBuilder;
 import org.selectiverenderer.modelling.ExtrudedSolid;
 import org.selectiverenderer.modelling.Lathe;
 import org.selectiverenderer.modelling.LoftedSurface;
@@ -15,8 +14,8 @@ import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
 /**
- * Builds the fittings of the worktop: sink, tap, hob and hood, with the worktop's upper side at y =
- * 0 and the sink at x = 0.
+ * Builds the fittings of the worktop: sink, tap and hob, with the worktop's upper side at y = 0 and
+ * the sink at x = 0.
  */
 final class SinkAndHob {
   /** The opening in the worktop. */
@@ -72,13 +71,5 @@ final class SinkAndHob {
         small.move(0.15, 0, 0.125),
         small.move(-0.15, 0, -0.125),
         large.move(0.14, 0, -0.11));
-  }
-
-  /** Returns a flat hood below its chimney, standing on y = 0, its back at z = 0. */
-  static TriangleMesh hood() {
-    return TriangleMesh.of(
-        BoxBuilder.plain(0.594, 0.06, 0.46).move(0, 0, 0.23),
-        BoxBuilder.plain(0.26, 0.66, 0.25).move(0, 0.06, 0.125),
-        BoxBuilder.bevelled(0.1, 0.022, 0.01, 0.004, 1).move(0, 0.019, 0.461));
   }
 }

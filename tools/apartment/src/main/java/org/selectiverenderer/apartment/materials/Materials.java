@@ -56,7 +56,6 @@ public final class Materials {
   public static final ModelMaterial RUST_CLOTH = ModelMaterial.matt(ModelColour.of(0.7, 0.34, 0.2));
   public static final ModelMaterial CREAM_CLOTH =
       ModelMaterial.matt(ModelColour.of(0.86, 0.81, 0.7));
-  public static final ModelMaterial CRUST = ModelMaterial.matt(ModelColour.hex(0xB8793C));
 
   private Materials() {}
 

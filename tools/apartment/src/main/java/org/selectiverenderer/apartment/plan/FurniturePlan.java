@@ -40,7 +40,6 @@ public final class FurniturePlan {
         again(KITCHEN, "kitchenChair", 2, new Floor(-1.35, 1.85, 172)),
         again(KITCHEN, "kitchenChair", 3, new Floor(-0.5, 1.9, 195)),
         row(KITCHEN, "fryingPan", new On("kitchenFurniture", 0.72, 0.1, 0, 1.0)),
-        row(KITCHEN, "bread", new On("kitchenFurniture", -0.13, 0.06, 90, 1.0)),
         row(KITCHEN, "kitchenRoll", new On("kitchenFurniture", -0.98, -0.14, 0, 1.0)),
         row(KITCHEN, "shovel", new Against(WallSide.WEST, -1.3, 0.005)),
         row(KITCHEN, "kite", new Against(WallSide.SOUTH, -1.6, 0.005)),

@@ -58,10 +58,14 @@ class KitchenRecipesTest {
     return KitchenRecipes.all().get(object).get();
   }
 
+  /**
+   * The thesis counts 17 consistent objects (6.1.2) without naming them. Of those that it asks
+   * about (Appendix A), the cooker is a part of our kitchenFurniture.
+   */
   @Test
-  void thereAreSeventeenConsistentAndSixInconsistentObjects() {
+  void thereAreSixteenConsistentAndSixInconsistentObjects() {
     assertThat(KitchenRecipes.all().keySet())
-        .hasSize(17 + 6)
+        .hasSize(16 + 6)
         .containsAll(INCONSISTENT)
         .containsAll(listedObjects().toList());
   }
