@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import org.selectiverenderer.app.studies.window.StudyWindowApp;
 import org.selectiverenderer.base.files.SettingsFolder;
 import org.selectiverenderer.cli.author.ConvertCommand;
 import org.selectiverenderer.cli.author.EnrichCommand;
@@ -61,13 +62,23 @@ public final class DesktopCommandProvider implements CommandProvider {
       case "versions" -> new VersionsCommand(console);
       case "polygons" -> new PolygonsCommand(console);
       case "track" -> new TrackCommand(console);
-      case "experiment" -> new ExperimentCommand(console);
+      case "experiment" -> new ExperimentCommand(console, DesktopCommandProvider::studies);
       case "doctor" -> new DoctorCommand(console, context.mainClass());
       case "sai" -> new SaiCommand(console, context.input());
       case BundleFilesCommand.NAME ->
           new BundleFilesCommand(console, context.model(), WindowIcon::image);
       default -> throw new IllegalArgumentException("no command " + name);
     };
+  }
+
+  private static ExitStatus studies(Optional<Path> study) throws IOException {
+    LibraryProperties.swingFirst();
+    try {
+      StudyWindowApp.run(study, SettingsFolder.ofUser());
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+    return ExitStatus.DONE;
   }
 
   private static ExitStatus enricher(Optional<Path> scene, ContentAccessPolicy access)

@@ -1,24 +1,51 @@
 package org.selectiverenderer.cli.experiment;
 
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.command.CliCommand;
-import org.selectiverenderer.command.output.CommandException;
 import org.selectiverenderer.command.output.Console;
 import org.selectiverenderer.command.output.ExitStatus;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
 
 @Command(
     name = "experiment",
-    description = "Creates studies, runs sessions, collects and analyses answers.",
+    description = {
+      "Creates studies, runs sessions, collects and analyses answers.",
+      "Without a command it opens the study window, which does all of this too."
+    },
     footer = {
+      "  ./selective-renderer experiment",
       "  ./selective-renderer experiment new mystudy",
       "  ./selective-renderer experiment run mystudy/study.json --participant 001",
       "  ./selective-renderer experiment view session.csv --plot session.svg",
       "  ./selective-renderer experiment analyse r.csv --format html --output r.html"
     })
 public final class ExperimentCommand extends CliCommand {
-  public ExperimentCommand(Console console) {
+  /** Opens the study window and waits until it is closed. */
+  @FunctionalInterface
+  public interface Window {
+    /**
+     * @param study to open; empty for none
+     * @throws IOException with one line if there is no display
+     */
+    ExitStatus open(Optional<Path> study) throws IOException;
+  }
+
+  @Option(
+      names = "--study",
+      paramLabel = "STUDY.json",
+      description = "study that the window opens: its file, or the folder that contains study.json")
+  private @Nullable Path study;
+
+  private final Window window;
+
+  public ExperimentCommand(Console console, Window window) {
     super(console);
+    this.window = window;
   }
 
   @Override
@@ -42,7 +69,7 @@ public final class ExperimentCommand extends CliCommand {
   }
 
   @Override
-  public ExitStatus run() {
-    throw CommandException.usage("no experiment command given; experiment --help lists them");
+  public ExitStatus run() throws IOException {
+    return window.open(Optional.ofNullable(study));
   }
 }

@@ -138,6 +138,8 @@ final class EnricherMenuBar {
     menu.add(
         new MenuAction(Texts.of("run.inlinewindow"), "ctrl shift I", runs::openInlineInWindow));
     menu.add(back);
+    menu.addSeparator();
+    menu.add(new MenuAction(Texts.of("run.studies"), "", runs::openStudies));
     return menu;
   }
 

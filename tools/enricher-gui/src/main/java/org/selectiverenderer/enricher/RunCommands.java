@@ -117,6 +117,15 @@ final class RunCommands {
             });
   }
 
+  /** Opens the study window, in a process of its own. */
+  void openStudies() {
+    try {
+      ProcessLauncher.studies();
+    } catch (IOException e) {
+      say.accept(Texts.of("run.failed", String.valueOf(e.getMessage())));
+    }
+  }
+
   private Optional<Path> target(EnricherSession session) {
     Optional<DocumentElement> element = session.selection();
     if (element.isEmpty()) {

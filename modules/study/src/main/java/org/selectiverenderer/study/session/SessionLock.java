@@ -79,7 +79,7 @@ public final class SessionLock implements AutoCloseable {
     Path holder = folder.resolve(HOLDER);
     ObjectNode self = self(software);
     if (read(holder).filter(known -> sameProcess(known, self)).isPresent()) {
-      throw held(folder); // Opening and closing the lock's file would release the lock.
+      throw taken(folder); // Opening and closing the lock's file would release the lock.
     }
     PrivateFiles.requireNoLink(folder.resolve(LOCK));
     InputFileReader.requireRegular(folder.resolve(LOCK)); // To open a pipe would wait for ever.
@@ -106,12 +106,12 @@ public final class SessionLock implements AutoCloseable {
     try {
       lock = locking.lock(channel);
     } catch (OverlappingFileLockException e) {
-      throw held(folder);
+      throw taken(folder);
     } catch (IOException e) {
       throw noLocks(folder.resolve(LOCK), e);
     }
     if (lock == null) {
-      throw held(folder);
+      throw taken(folder);
     }
     return lock;
   }
@@ -125,7 +125,7 @@ public final class SessionLock implements AutoCloseable {
         e);
   }
 
-  private static IOException held(Path folder) {
+  private static IOException taken(Path folder) {
     return new IOException(
         "%s is being run by %s; wait until that has ended, or end it"
             .formatted(
@@ -139,6 +139,32 @@ public final class SessionLock implements AutoCloseable {
             holder.path("pid").asText("?"),
             holder.path("host").asText("?"),
             holder.path("since").asText("?"));
+  }
+
+  /**
+   * Returns whether a process of this computer holds the lock of a folder, as far as its holder's
+   * file tells: it does not touch the lock, and a holder that has crashed does not count. A process
+   * on another computer, as on a shared disk, counts as a holder.
+   */
+  public static boolean held(Path folder) {
+    return read(folder.resolve(HOLDER)).filter(SessionLock::alive).isPresent();
+  }
+
+  private static boolean alive(JsonNode holder) {
+    if (!holder.path("host").asText().equals(host())) {
+      return true;
+    }
+    return ProcessHandle.of(holder.path("pid").asLong())
+        .filter(ProcessHandle::isAlive)
+        .filter(
+            process ->
+                process
+                    .info()
+                    .startInstant()
+                    .map(Instant::toString)
+                    .orElse("")
+                    .equals(holder.path("started").asText()))
+        .isPresent();
   }
 
   private static ObjectNode self(String software) {

@@ -13,6 +13,7 @@ import org.selectiverenderer.base.markup.ControlCharacterEscaper;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.formats.json.JsonTree;
 import org.selectiverenderer.formats.json.JsonWriter;
+import org.selectiverenderer.study.definition.SessionFlag;
 import org.selectiverenderer.study.design.StudyGroup;
 
 /**
@@ -51,6 +52,11 @@ public record StudyStatus(String study, int planned, List<Row> sessions, List<Gr
       List<String> missing,
       List<SessionFlagEvent> flags,
       boolean excluded) {
+    /** Returns the flags without their steps, each once. */
+    public List<SessionFlag> raised() {
+      return flags.stream().map(SessionFlagEvent::flag).distinct().toList();
+    }
+
     /** Describes the flags for people, each once, though several steps may have it. */
     public List<String> notes() {
       return flags.stream().map(SessionFlagEvent::note).distinct().toList();

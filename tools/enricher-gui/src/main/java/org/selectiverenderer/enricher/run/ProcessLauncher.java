@@ -33,7 +33,20 @@ public final class ProcessLauncher {
    * @throws IOException if it cannot be started
    */
   public static void enrich(Path scene) throws IOException {
-    new ProcessBuilder(ChildProcessCommand.of(MAIN, List.of(), List.of("enrich", scene.toString())))
+    launch(List.of("enrich", scene.toString()));
+  }
+
+  /**
+   * Opens the study window in a separate process, which outlives this one.
+   *
+   * @throws IOException if it cannot be started
+   */
+  public static void studies() throws IOException {
+    launch(List.of("experiment"));
+  }
+
+  private static void launch(List<String> words) throws IOException {
+    new ProcessBuilder(ChildProcessCommand.of(MAIN, List.of(), words))
         .redirectErrorStream(true)
         .redirectOutput(ProcessBuilder.Redirect.DISCARD)
         .start();

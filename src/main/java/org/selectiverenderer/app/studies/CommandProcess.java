@@ -1,0 +1,73 @@
+package org.selectiverenderer.app.studies;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.nio.charset.Charset;
+import java.util.List;
+import java.util.function.Consumer;
+import java.util.function.IntConsumer;
+import org.selectiverenderer.base.platform.ChildProcessCommand;
+
+/**
+ * A command of the program in a process of its own. It outlives this process: a session goes on when
+ * the window that has started it is closed.
+ */
+public final class CommandProcess {
+  /** The main class, by name, as the commands depend on the window and not the other way round. */
+  private static final String MAIN = "org.selectiverenderer.cli.Main";
+
+  /** Longest line that is handed on, in characters. */
+  private static final int MOST = 2_000;
+
+  private final Process process;
+
+  private CommandProcess(Process process) {
+    this.process = process;
+  }
+
+  /**
+   * Starts a command.
+   *
+   * @param lines receives each line of its output, on a thread {@code study-command}
+   * @param ended receives its exit status when it has ended, on that thread
+   * @throws IOException if it cannot be started
+   */
+  public static CommandProcess start(
+      ProgramCommand command, Consumer<String> lines, IntConsumer ended) throws IOException {
+    ProcessBuilder builder =
+        new ProcessBuilder(ChildProcessCommand.of(MAIN, List.of(), command.words()))
+            .redirectErrorStream(true);
+    Process process = builder.start();
+    process.getOutputStream().close(); // Nobody types; a question is answered by no answer.
+    Thread hearing = new Thread(() -> hear(process, lines, ended), "study-command");
+    hearing.setDaemon(true);
+    hearing.start();
+    return new CommandProcess(process);
+  }
+
+  private static void hear(Process process, Consumer<String> lines, IntConsumer ended) {
+    try (BufferedReader output =
+        new BufferedReader(
+            new InputStreamReader(process.getInputStream(), Charset.defaultCharset()))) {
+      for (String line = output.readLine(); line != null; line = output.readLine()) {
+        lines.accept(line.length() <= MOST ? line : line.substring(0, MOST) + " \u2026");
+      }
+    } catch (IOException e) {
+      lines.accept(String.valueOf(e.getMessage())); // The exit status still tells how it ended.
+    }
+    try {
+      ended.accept(process.waitFor());
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  /**
+   * Ends the command as Ctrl-C in a terminal does. A session then writes that it was aborted, and
+   * can be resumed; Windows ends it at once, which its journal survives.
+   */
+  public void end() {
+    process.destroy();
+  }
+}
