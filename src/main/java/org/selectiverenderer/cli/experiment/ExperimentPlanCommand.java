@@ -27,7 +27,8 @@ import picocli.CommandLine.Option;
     },
     footer = {
       "  ./selective-renderer experiment plan mystudy",
-      "  ./selective-renderer experiment plan mystudy --format html --output plan.html"
+      "  ./selective-renderer experiment plan mystudy --format html \\",
+      "      --output plan.html"
     })
 final class ExperimentPlanCommand extends CliCommand {
   private static final int MOST = 10_000;

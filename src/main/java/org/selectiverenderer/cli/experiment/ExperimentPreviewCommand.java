@@ -56,7 +56,8 @@ import picocli.CommandLine.Option;
     },
     footer = {
       "  ./selective-renderer experiment preview mystudy --output preview",
-      "  ./selective-renderer experiment preview mystudy --from exposure-kitchen --speed 10"
+      "  ./selective-renderer experiment preview mystudy --from exposure-kitchen \\",
+      "      --speed 10"
     })
 final class ExperimentPreviewCommand extends CliCommand {
   private static final double FASTEST = 1000;

@@ -41,7 +41,8 @@ import picocli.CommandLine.Option;
       "      --output r.csv",
       "  ./selective-renderer experiment simulate --participants 54 \\",
       "      --d-prime 0.9,1.2,1.1 --needed",
-      "  ./selective-renderer experiment simulate --study docs/examples/quality-and-light \\",
+      "  ./selective-renderer experiment simulate \\",
+      "      --study docs/examples/quality-and-light \\",
       "      --effect quality=reduced:ms+80 --output trials.csv"
     })
 final class ExperimentSimulateCommand extends CliCommand {

@@ -45,6 +45,7 @@ public final class SelectiveController implements AutoCloseable {
     /** Selective rendering as in the thesis. */
     public static final Settings SELECTIVE = new Settings(Condition.SELECTIVE, 0);
 
+    /** Copies the choices. */
     public Settings {
       held = Map.copyOf(held);
     }

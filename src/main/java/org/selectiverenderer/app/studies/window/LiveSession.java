@@ -54,7 +54,8 @@ final class LiveSession {
   private final StudyDesk desk;
   private final JPanel panel =
       new JPanel(
-          new MigLayout("insets 0, fill, wrap 1, hidemode 3", "[grow,fill]", "[][][][grow,fill][]"));
+          new MigLayout(
+              "insets 0, fill, wrap 1, hidemode 3", "[grow,fill]", "[][][][grow,fill][]"));
   private final JLabel head = PlainText.only(new JLabel());
   private final JLabel state = PlainText.only(new JLabel());
   private final JLabel devices = PlainText.only(new JLabel());
@@ -188,8 +189,7 @@ final class LiveSession {
   }
 
   /** What is read once a second. */
-  private record Reading(
-      SessionFolder folder, Optional<SessionProgress> progress, long free) {}
+  private record Reading(SessionFolder folder, Optional<SessionProgress> progress, long free) {}
 
   private void poll() {
     Optional<StudyOverview> study = desk.study();
@@ -322,8 +322,7 @@ final class LiveSession {
     boolean low = free < StudyOverview.LEAST_FREE;
     String disk =
         StudyTexts.of(
-            low ? "disk.low" : "disk.free",
-            String.format(Locale.ROOT, "%.1f", free / 1e9));
+            low ? "disk.low" : "disk.free", String.format(Locale.ROOT, "%.1f", free / 1e9));
     String tracker =
         study.tracker() instanceof TrackerSpec.None
             ? StudyTexts.of("tracker.none")

@@ -30,8 +30,7 @@ final class PlanPage extends JPanel {
   private final JLabel note = new JLabel(" ");
 
   PlanPage(StudyDesk desk) {
-    super(
-        new MigLayout("insets 12, fill, wrap 1, hidemode 3", "[grow,fill]", "[][][grow,fill][]"));
+    super(new MigLayout("insets 12, fill, wrap 1, hidemode 3", "[grow,fill]", "[][][grow,fill][]"));
     this.desk = desk;
     note.setName("plan.note");
     add(note);

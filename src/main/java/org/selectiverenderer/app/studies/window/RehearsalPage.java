@@ -98,8 +98,7 @@ final class RehearsalPage extends JPanel {
     session.command(
         step == null
             ? Optional.empty()
-            : commands.map(
-                each -> each.previewFrom(step.toString(), (Integer) speed.getValue())));
+            : commands.map(each -> each.previewFrom(step.toString(), (Integer) speed.getValue())));
   }
 
   /** Returns the folder of the preview's page, in that of temporary files: it is no data. */

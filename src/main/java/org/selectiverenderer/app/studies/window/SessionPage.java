@@ -182,8 +182,7 @@ final class SessionPage extends JPanel {
     SessionRequest wanted = wanted(check);
     desk.commands()
         .ifPresent(
-            commands ->
-                live.start(commands.run(wanted), wanted.participant(), wanted.session()));
+            commands -> live.start(commands.run(wanted), wanted.participant(), wanted.session()));
   }
 
   private boolean confirmed(String key, Object... arguments) {

@@ -70,6 +70,7 @@ public final class ObservationsReader {
     /** All rows, with one value of a subject at each combination of levels. */
     public static final Rows SINGLE = new Rows(Map.of(), false);
 
+    /** Copies the cells. */
     public Rows {
       where = Map.copyOf(where);
     }

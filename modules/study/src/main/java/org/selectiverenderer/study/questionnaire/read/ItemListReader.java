@@ -88,7 +88,7 @@ public final class ItemListReader {
             CsvColumnSpec.of(reader.needed()),
             (at, message) -> own.error(at, message + UNUSED));
     Map<String, List<Question>> areas = table.map(reader::areas).orElse(Map.of());
-    return own.any()
+    return own.anyError()
         ? Optional.empty()
         : Optional.of(
             areas.entrySet().stream()
@@ -151,20 +151,26 @@ public final class ItemListReader {
     return areas;
   }
 
-  /** Reports an area that nobody knows: mistyped, it would become another memory list. */
+  /**
+   * Reports an area that nobody knows. One that resembles a known one is mistyped and would become
+   * another memory list; another one may be an area of a scene that the study does not name.
+   */
   private void requireKnown(CsvRow row, String area) {
     if (area.isEmpty() || known.isEmpty() || known.get().contains(area)) {
       return;
     }
-    problems.error(
-        row.location("area"),
-        "%s is no area of the study or its scene, and not in the study's \"item_areas\"%s%s"
-            .formatted(
-                CsvNumberParser.quoted(area),
-                SpellingSuggester.nearest(area, known.get())
-                    .map(near -> "; did you mean \"%s\"?".formatted(near))
-                    .orElse("; declare it there if it is meant"),
-                UNUSED));
+    String unknown =
+        "%s is no area of the study or its scene, and not in the study's \"item_areas\""
+            .formatted(CsvNumberParser.quoted(area));
+    Optional<String> near = SpellingSuggester.nearest(area, known.get());
+    if (near.isPresent()) {
+      problems.error(
+          row.location("area"),
+          "%s; did you mean \"%s\"?%s".formatted(unknown, near.get(), UNUSED));
+    } else {
+      problems.info(
+          row.location("area"), unknown + "; it has a list of its own: declare it if it is meant");
+    }
   }
 
   private StimulusItem item(CsvRow row, String area, String object) {
