@@ -3,6 +3,7 @@ package org.selectiverenderer.cli.experiment;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -13,11 +14,14 @@ import org.selectiverenderer.command.output.Console;
 import org.selectiverenderer.command.output.ExitStatus;
 import org.selectiverenderer.command.trust.TrustOption;
 import org.selectiverenderer.statistics.script.RScriptGenerator;
+import org.selectiverenderer.study.dataset.DataTable;
 import org.selectiverenderer.study.dataset.RecordedStudy;
 import org.selectiverenderer.study.export.StudyExport;
 import org.selectiverenderer.study.session.CollectedAnswers;
 import org.selectiverenderer.study.session.LoadedStudy;
 import org.selectiverenderer.study.session.PaperAnswers;
+import org.selectiverenderer.study.site.SiteTables;
+import org.selectiverenderer.study.site.StudySites;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -26,7 +30,7 @@ import picocli.CommandLine.Option;
     name = "export",
     description = {
       "Writes a study as tables for R, JASP and pandas, one for each level of analysis: "
-          + "participants, sessions, exposures, gaze, events, responses, ratings, answers, scores; "
+          + "participants, sessions, exposures, gaze, events, responses, ratings, answers, scores, trials; "
           + "a codebook of every column, scripts that read them, and one that analyses them.",
       "Responses, ratings, answers and scores are those that experiment collect takes; the other "
           + "tables have all sessions. Files of an earlier export are replaced."
@@ -49,6 +53,8 @@ final class ExperimentExportCommand extends CliCommand {
 
   @Mixin private PaperTablesOption paper = new PaperTablesOption();
 
+  @Mixin private SitesOption sites = new SitesOption();
+
   ExperimentExportCommand(Console console) {
     super(console);
   }
@@ -67,27 +73,43 @@ final class ExperimentExportCommand extends CliCommand {
               + output
               + ": is the study's folder, in which nothing is written; name another folder");
     }
+    Optional<List<DataTable>> tables = tables(material, problems);
+    if (tables.isEmpty()) {
+      return ExitStatus.PROBLEMS;
+    }
+    StudyExport written = StudyExport.write(tables.get(), scripts(tables.get()), output);
+    console().message("tables: %s in %s".formatted(String.join(", ", written.files()), output));
+    return ExitStatus.of(problems);
+  }
+
+  private Optional<List<DataTable>> tables(LoadedStudy material, ProblemCollector problems)
+      throws IOException {
+    if (sites.any()) {
+      if (!paper.tables().isEmpty()) {
+        throw CommandException.usage(
+            "--paper and --from: answers on paper are exported at their site, without --from");
+      }
+      Optional<StudySites> all = sites.read(material, problems);
+      return all.isEmpty() ? Optional.empty() : Optional.of(SiteTables.export(all.get(), problems));
+    }
     CollectedAnswers answers =
         CollectedAnswers.of(
             material,
             OptionalInt.empty(),
             PaperAnswers.read(material, paper.tables(), problems),
             problems);
-    StudyExport written =
-        StudyExport.write(
-            RecordedStudy.read(material, problems),
-            new StudyExport.Answers(
-                answers.responses(), answers.ratings(), answers.others(), answers.scores()),
-            scripts(answers),
-            output,
-            problems);
-    console().message("tables: %s in %s".formatted(String.join(", ", written.files()), output));
-    return ExitStatus.of(problems);
+    return Optional.of(
+        StudyExport.tables(
+            RecordedStudy.read(material, problems), StudyExport.Answers.of(answers), problems));
   }
 
   /** Returns the R script that analyses recognition answers, if there are any. */
-  private static Map<String, String> scripts(CollectedAnswers answers) {
-    return answers.responses().lines().count() > 1
+  private static Map<String, String> scripts(List<DataTable> tables) {
+    return tables.stream()
+            .anyMatch(
+                table ->
+                    (table.name() + ".csv").equals(StudyExport.RESPONSES)
+                        && !table.rows().isEmpty())
         ? Map.of(RScriptGenerator.NAME, RScriptGenerator.analysis(StudyExport.RESPONSES))
         : Map.of();
   }
