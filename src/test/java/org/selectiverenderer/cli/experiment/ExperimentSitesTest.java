@@ -30,10 +30,10 @@ class ExperimentSitesTest extends CommandTestCase {
       """
       { // The comment is not a part of the study.
        "name": "Lists", "participants": 8, "seed": 5,
-       "factors": [{"name": "light", "varies": "within",
+       "factors": [{"name": "shade", "varies": "within",
                     "levels": [{"name": "dim"}, {"name": "bright"}]}],
        "blocks": [{"name": "main", "stimuli": "words.csv",
-                   "trial": [{"show": "instruction", "text": {"en": "{word}"}, "keys": ["f", "j"]}]}],
+                   "trial": [{"show": "blank", "seconds": 1, "keys": ["f", "j"]}]}],
        "questionnaires": [{"kind": "expectancy", "items": "e.csv", "name": "rate"},
                           {"file": "felt.json"}]}
       """;
@@ -57,7 +57,7 @@ class ExperimentSitesTest extends CommandTestCase {
     Path made = Files.createDirectory(folder.resolve(name));
     Files.writeString(made.resolve("study.json"), STUDY);
     Files.writeString(
-        made.resolve("words.csv"), "word,light,site\nlamp,dim,left\nsun,bright,right\n");
+        made.resolve("words.csv"), "word,shade,site\nlamp,dim,left\nsun,bright,right\n");
     Files.writeString(made.resolve("e.csv"), "area,schema,object,en\nhall,HallSchema,coat,Coat\n");
     Files.writeString(
         made.resolve("felt.json"),
@@ -98,7 +98,7 @@ class ExperimentSitesTest extends CommandTestCase {
     Files.writeString(
         site.resolve("sub-" + id + "/ses-01/events.jsonl"),
         """
-        {"time":"2026-03-01T10:00:30.000+02:00","event":"step-finished","step":"main-1","block":"main","trial":1,"levels":{"light":"dim"},"line":2,"response":"f","ms":412.5}
+        {"time":"2026-03-01T10:00:30.000+02:00","event":"step-finished","step":"main-1","block":"main","trial":1,"levels":{"shade":"dim"},"line":2,"response":"f","ms":412.5}
         """,
         StandardOpenOption.APPEND);
   }
@@ -164,7 +164,7 @@ class ExperimentSitesTest extends CommandTestCase {
     Path other = material("other");
     Files.writeString(other.resolve("study.json"), STUDY.replace("\"seed\": 5", "\"seed\": 6"));
     Files.writeString(
-        other.resolve("words.csv"), "word,light,site\nlamp,dim,up\nsun,bright,down\n");
+        other.resolve("words.csv"), "word,shade,site\nlamp,dim,up\nsun,bright,down\n");
     session(other, "001", "6");
     assertThat(collected("--answers", other)).noneMatch(line -> line.startsWith("patras"));
     assertThat(messages())
