@@ -4,24 +4,16 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalInt;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.command.CliCommand;
 import org.selectiverenderer.command.output.CommandException;
 import org.selectiverenderer.command.output.Console;
 import org.selectiverenderer.command.output.ExitStatus;
 import org.selectiverenderer.command.trust.TrustOption;
-import org.selectiverenderer.statistics.script.RScriptGenerator;
 import org.selectiverenderer.study.dataset.DataTable;
-import org.selectiverenderer.study.dataset.RecordedStudy;
 import org.selectiverenderer.study.export.StudyExport;
-import org.selectiverenderer.study.session.CollectedAnswers;
 import org.selectiverenderer.study.session.LoadedStudy;
-import org.selectiverenderer.study.session.PaperAnswers;
-import org.selectiverenderer.study.site.SiteTables;
-import org.selectiverenderer.study.site.StudySites;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -51,9 +43,7 @@ final class ExperimentExportCommand extends CliCommand {
       description = "folder of the tables; made if it is not there")
   private Path output = Path.of("");
 
-  @Mixin private PaperTablesOption paper = new PaperTablesOption();
-
-  @Mixin private SitesOption sites = new SitesOption();
+  @Mixin private StudyTablesOptions tables = new StudyTablesOptions();
 
   ExperimentExportCommand(Console console) {
     super(console);
@@ -73,44 +63,13 @@ final class ExperimentExportCommand extends CliCommand {
               + output
               + ": is the study's folder, in which nothing is written; name another folder");
     }
-    Optional<List<DataTable>> tables = tables(material, problems);
-    if (tables.isEmpty()) {
+    Optional<List<DataTable>> all = tables.read(material, problems);
+    if (all.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
-    StudyExport written = StudyExport.write(tables.get(), scripts(tables.get()), output);
+    StudyExport written =
+        StudyExport.write(all.get(), StudyTablesOptions.scripts(all.get()), output);
     console().message("tables: %s in %s".formatted(String.join(", ", written.files()), output));
     return ExitStatus.of(problems);
-  }
-
-  private Optional<List<DataTable>> tables(LoadedStudy material, ProblemCollector problems)
-      throws IOException {
-    if (sites.any()) {
-      if (!paper.tables().isEmpty()) {
-        throw CommandException.usage(
-            "--paper and --from: answers on paper are exported at their site, without --from");
-      }
-      Optional<StudySites> all = sites.read(material, problems);
-      return all.isEmpty() ? Optional.empty() : Optional.of(SiteTables.export(all.get(), problems));
-    }
-    CollectedAnswers answers =
-        CollectedAnswers.of(
-            material,
-            OptionalInt.empty(),
-            PaperAnswers.read(material, paper.tables(), problems),
-            problems);
-    return Optional.of(
-        StudyExport.tables(
-            RecordedStudy.read(material, problems), StudyExport.Answers.of(answers), problems));
-  }
-
-  /** Returns the R script that analyses recognition answers, if there are any. */
-  private static Map<String, String> scripts(List<DataTable> tables) {
-    return tables.stream()
-            .anyMatch(
-                table ->
-                    (table.name() + ".csv").equals(StudyExport.RESPONSES)
-                        && !table.rows().isEmpty())
-        ? Map.of(RScriptGenerator.NAME, RScriptGenerator.analysis(StudyExport.RESPONSES))
-        : Map.of();
   }
 }

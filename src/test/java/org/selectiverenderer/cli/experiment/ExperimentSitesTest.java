@@ -3,6 +3,8 @@ package org.selectiverenderer.cli.experiment;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.nio.file.FileSystem;
+import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
@@ -248,5 +250,27 @@ class ExperimentSitesTest extends CommandTestCase {
     }
     assertThat(tables.resolve("participants.csv")).content().contains("sub-athens002,");
     assertThat(tables.resolve("codebook.csv")).content().contains("trials.csv,session_site,");
+  }
+
+  @Test
+  void anArchiveOfSeveralSitesHasTheirTables() throws IOException {
+    Path output = folder.resolve("all.zip");
+    assertThat(
+            execute(
+                arguments(
+                    "archive", patras, "--output", output.toString(), "--licence", "cc-by-4.0")))
+        .as(messages())
+        .isZero();
+    try (FileSystem zip = FileSystems.newFileSystem(output)) {
+      assertThat(Files.readAllLines(zip.getPath("tables/trials.csv")))
+          .hasSize(4)
+          .anyMatch(line -> line.startsWith("P001,1,"))
+          .anyMatch(line -> line.endsWith(",patras"))
+          .noneMatch(line -> line.contains("athens0"));
+      assertThat(Files.exists(zip.getPath("study/words.csv"))).isTrue();
+    }
+    assertThat(execute(arguments("archive", patras, "--output", "a.zip", "--licence", "mine")))
+        .isEqualTo(2);
+    assertThat(messages()).contains("--licence mine: is none of CC0-1.0, CC-BY-4.0");
   }
 }

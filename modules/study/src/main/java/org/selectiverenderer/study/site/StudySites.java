@@ -231,7 +231,7 @@ public record StudySites(List<StudySite> sites) {
                             " and ", at.stream().map(site -> site.id(same.get(0))).toList()))));
   }
 
-  /** Warns of places of the schedule that several sites gave away. */
+  /** Says which places of the schedule several sites gave away. */
   private void tellPlaces(ProblemCollector problems) throws IOException {
     Map<Integer, Set<String>> at = new TreeMap<>();
     for (StudySite site : sites) {
@@ -252,7 +252,7 @@ public record StudySites(List<StudySite> sites) {
           }
         });
     if (!places.isEmpty()) {
-      problems.warning(
+      problems.info(
           SourceLocation.of(sites.get(0).material().study().folder().toString()),
           ("%s of the schedule %s given away more than once, at %s: groups and orders are balanced"
                   + " at each site by itself, not in all. The data counts; analyse with the factor"
