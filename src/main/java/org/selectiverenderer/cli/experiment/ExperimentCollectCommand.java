@@ -19,6 +19,8 @@ import org.selectiverenderer.command.trust.TrustOption;
 import org.selectiverenderer.study.session.CollectedAnswers;
 import org.selectiverenderer.study.session.LoadedStudy;
 import org.selectiverenderer.study.session.PaperAnswers;
+import org.selectiverenderer.study.site.SiteTables;
+import org.selectiverenderer.study.site.StudySites;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -37,6 +39,8 @@ import picocli.CommandLine.Option;
       "  ./selective-renderer experiment collect mystudy --paper 003.csv,004.csv \\",
       "      --responses r.csv",
       "  ./selective-renderer experiment collect mystudy --trials trials.csv",
+      "  ./selective-renderer experiment collect mystudy --from athens=data/athens \\",
+      "      --from patras=data/patras --trials trials.csv",
       "  ./selective-renderer experiment collect mystudy/pilot --ratings ratings.csv \\",
       "      --bands bands.csv"
     })
@@ -101,6 +105,8 @@ final class ExperimentCollectCommand extends CliCommand {
 
   @Mixin private PaperTablesOption paper = new PaperTablesOption();
 
+  @Mixin private SitesOption sites = new SitesOption();
+
   ExperimentCollectCommand(Console console) {
     super(console);
   }
@@ -109,6 +115,10 @@ final class ExperimentCollectCommand extends CliCommand {
   public ExitStatus run() throws IOException {
     if (number != null && number < 1) {
       throw CommandException.usage("--session must be a whole number of at least 1");
+    }
+    if (sites.any() && !paper.tables().isEmpty()) {
+      throw CommandException.usage(
+          "--paper and --from: answers on paper are collected at their site, without --from");
     }
     OutputFile.check("--responses", responses, ".csv");
     OutputFile.check("--ratings", ratings, ".csv");
@@ -131,13 +141,11 @@ final class ExperimentCollectCommand extends CliCommand {
     if (material.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
-    CollectedAnswers answers =
-        CollectedAnswers.of(
-            material.get(),
-            number == null ? OptionalInt.empty() : OptionalInt.of(number),
-            practice,
-            PaperAnswers.read(material.get(), paper.tables(), problems),
-            problems);
+    Optional<CollectedAnswers> collected = collect(material.get(), problems);
+    if (collected.isEmpty()) {
+      return ExitStatus.PROBLEMS;
+    }
+    CollectedAnswers answers = collected.get();
     if (Stream.of(responses, ratings, others, scores, trials, bands).allMatch(Objects::isNull)) {
       console().out().print(answers.responses());
     }
@@ -154,6 +162,26 @@ final class ExperimentCollectCommand extends CliCommand {
                     Pluralizer.of(answers.answers(), "answer"),
                     Pluralizer.of(answers.participants(), "participant")));
     return ExitStatus.of(problems);
+  }
+
+  /** Collects the answers of the study, or of all sites; empty if these do not go together. */
+  private Optional<CollectedAnswers> collect(LoadedStudy material, ProblemCollector problems)
+      throws IOException {
+    OptionalInt session = number == null ? OptionalInt.empty() : OptionalInt.of(number);
+    if (sites.any()) {
+      Optional<StudySites> all = sites.read(material, problems);
+      return all.isEmpty()
+          ? Optional.empty()
+          : Optional.of(SiteTables.collect(all.get(), session, practice, problems));
+    }
+    return Optional.of(
+        CollectedAnswers.of(
+            material,
+            session,
+            practice,
+            folder -> true,
+            PaperAnswers.read(material, paper.tables(), problems),
+            problems));
   }
 
   private static void write(@Nullable Path file, String text) throws IOException {

@@ -60,6 +60,7 @@ public final class ExperimentCommand extends CliCommand {
         new ExperimentCollectCommand(console()),
         new ExperimentBidsCommand(console()),
         new ExperimentExportCommand(console()),
+        new ExperimentArchiveCommand(console()),
         new ExperimentPaperCommand(console()),
         new ExperimentThresholdCommand(console()),
         new ExperimentViewCommand(console()),

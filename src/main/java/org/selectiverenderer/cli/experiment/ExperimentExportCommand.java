@@ -3,21 +3,17 @@ package org.selectiverenderer.cli.experiment;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Map;
+import java.util.List;
 import java.util.Optional;
-import java.util.OptionalInt;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.command.CliCommand;
 import org.selectiverenderer.command.output.CommandException;
 import org.selectiverenderer.command.output.Console;
 import org.selectiverenderer.command.output.ExitStatus;
 import org.selectiverenderer.command.trust.TrustOption;
-import org.selectiverenderer.statistics.script.RScriptGenerator;
-import org.selectiverenderer.study.dataset.RecordedStudy;
+import org.selectiverenderer.study.dataset.DataTable;
 import org.selectiverenderer.study.export.StudyExport;
-import org.selectiverenderer.study.session.CollectedAnswers;
 import org.selectiverenderer.study.session.LoadedStudy;
-import org.selectiverenderer.study.session.PaperAnswers;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -26,7 +22,7 @@ import picocli.CommandLine.Option;
     name = "export",
     description = {
       "Writes a study as tables for R, JASP and pandas, one for each level of analysis: "
-          + "participants, sessions, exposures, gaze, events, responses, ratings, answers, scores; "
+          + "participants, sessions, exposures, gaze, events, responses, ratings, answers, scores, trials; "
           + "a codebook of every column, scripts that read them, and one that analyses them.",
       "Responses, ratings, answers and scores are those that experiment collect takes; the other "
           + "tables have all sessions. Files of an earlier export are replaced."
@@ -47,7 +43,7 @@ final class ExperimentExportCommand extends CliCommand {
       description = "folder of the tables; made if it is not there")
   private Path output = Path.of("");
 
-  @Mixin private PaperTablesOption paper = new PaperTablesOption();
+  @Mixin private StudyTablesOptions tables = new StudyTablesOptions();
 
   ExperimentExportCommand(Console console) {
     super(console);
@@ -67,28 +63,13 @@ final class ExperimentExportCommand extends CliCommand {
               + output
               + ": is the study's folder, in which nothing is written; name another folder");
     }
-    CollectedAnswers answers =
-        CollectedAnswers.of(
-            material,
-            OptionalInt.empty(),
-            PaperAnswers.read(material, paper.tables(), problems),
-            problems);
+    Optional<List<DataTable>> all = tables.read(material, problems);
+    if (all.isEmpty()) {
+      return ExitStatus.PROBLEMS;
+    }
     StudyExport written =
-        StudyExport.write(
-            RecordedStudy.read(material, problems),
-            new StudyExport.Answers(
-                answers.responses(), answers.ratings(), answers.others(), answers.scores()),
-            scripts(answers),
-            output,
-            problems);
+        StudyExport.write(all.get(), StudyTablesOptions.scripts(all.get()), output);
     console().message("tables: %s in %s".formatted(String.join(", ", written.files()), output));
     return ExitStatus.of(problems);
-  }
-
-  /** Returns the R script that analyses recognition answers, if there are any. */
-  private static Map<String, String> scripts(CollectedAnswers answers) {
-    return answers.responses().lines().count() > 1
-        ? Map.of(RScriptGenerator.NAME, RScriptGenerator.analysis(StudyExport.RESPONSES))
-        : Map.of();
   }
 }

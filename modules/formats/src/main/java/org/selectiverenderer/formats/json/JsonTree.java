@@ -1,8 +1,10 @@
 package org.selectiverenderer.formats.json;
 
 import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.core.json.JsonReadFeature;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.json.JsonMapper;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
@@ -12,6 +14,9 @@ import org.selectiverenderer.base.files.InputFileReader;
 /** Reads and builds JSON trees, for files that programs exchange. */
 public final class JsonTree {
   static final ObjectMapper MAPPER = new ObjectMapper();
+
+  private static final ObjectMapper SETTINGS =
+      JsonMapper.builder().enable(JsonReadFeature.ALLOW_JAVA_COMMENTS).build();
 
   private JsonTree() {}
 
@@ -33,6 +38,11 @@ public final class JsonTree {
   /** Parses a text. */
   public static JsonNode parse(String text) throws JsonProcessingException {
     return MAPPER.readTree(text);
+  }
+
+  /** Parses the text of a settings file, which may have comments. */
+  public static JsonNode parseSettings(String text) throws JsonProcessingException {
+    return SETTINGS.readTree(text);
   }
 
   /**

@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.formats.csv.CsvColumnSpec;
@@ -69,6 +70,23 @@ public record ParticipantsTable(List<String> columns, List<Map<String, String>> 
               rows.add(cells);
             });
     return new ParticipantsTable(columns, rows);
+  }
+
+  /** Returns the table without some participants. */
+  ParticipantsTable without(Set<String> participants) {
+    return new ParticipantsTable(
+        columns,
+        rows.stream()
+            .filter(
+                row -> !participants.contains(row.getOrDefault(ID, "").replaceFirst("sub-", "")))
+            .toList());
+  }
+
+  /** Returns whether the program itself writes a column, or it answers a question of the form. */
+  public static boolean documented(String name, Questionnaire form) {
+    return name.equals("age")
+        || KNOWN.containsKey(name)
+        || form.questions().stream().anyMatch(question -> question.id().equals(name));
   }
 
   /**

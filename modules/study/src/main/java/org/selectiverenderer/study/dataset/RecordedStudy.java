@@ -2,7 +2,10 @@ package org.selectiverenderer.study.dataset;
 
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
+import java.util.function.Predicate;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.study.definition.Study;
 import org.selectiverenderer.study.session.LoadedStudy;
@@ -31,13 +34,30 @@ public record RecordedStudy(
    */
   public static RecordedStudy read(LoadedStudy material, ProblemCollector problems)
       throws IOException {
+    return read(material, session -> true, problems);
+  }
+
+  /**
+   * As {@link #read(LoadedStudy, ProblemCollector)}.
+   *
+   * @param used which sessions are read; participants all of whose sessions are passed over are not
+   *     in the table of participants either
+   */
+  public static RecordedStudy read(
+      LoadedStudy material, Predicate<SessionFolder> used, ProblemCollector problems)
+      throws IOException {
+    Set<String> passed = new HashSet<>();
     List<RecordedSession> sessions = new ArrayList<>();
     for (SessionFolder folder : SessionFolder.all(material.study())) {
-      RecordedSession.read(folder, problems).ifPresent(sessions::add);
+      if (used.test(folder)) {
+        RecordedSession.read(folder, problems).ifPresent(sessions::add);
+      } else {
+        passed.add(folder.participant());
+      }
     }
-    return new RecordedStudy(
-        material,
-        ParticipantsTable.read(material.study().folder().resolve("participants.tsv"), problems),
-        sessions);
+    sessions.forEach(session -> passed.remove(session.folder().participant()));
+    ParticipantsTable people =
+        ParticipantsTable.read(material.study().folder().resolve("participants.tsv"), problems);
+    return new RecordedStudy(material, people.without(passed), sessions);
   }
 }

@@ -156,6 +156,36 @@ public record Study(
         .orElse(OptionalDouble.empty());
   }
 
+  /**
+   * Returns this study with its sessions in another folder, such as that of another site.
+   *
+   * @param other path of the study file there; the file need not exist
+   */
+  public Study at(Path other) {
+    return new Study(
+        other,
+        name,
+        scene,
+        design,
+        participants,
+        assignment,
+        block,
+        seed,
+        practice,
+        areas,
+        fade,
+        display,
+        tracker,
+        mouse,
+        language,
+        questionnaires,
+        quality,
+        course,
+        streams,
+        access,
+        mute);
+  }
+
   /** Returns the study file's folder, which also contains the sessions. */
   public Path folder() {
     return file.toAbsolutePath().getParent();

@@ -11,12 +11,13 @@ import org.selectiverenderer.study.dataset.DataTable;
 import org.selectiverenderer.study.dataset.TableColumn;
 
 /** Parses the program's CSV tables of answers and adds the documentation of their columns. */
-final class AnswerTableParser {
+public final class AnswerTableParser {
   private static final Map<String, TableColumn> KNOWN = known();
 
   private final ProblemCollector problems;
 
-  AnswerTableParser(ProblemCollector problems) {
+  /** Creates a parser that reports what it leaves out. */
+  public AnswerTableParser(ProblemCollector problems) {
     this.problems = problems;
   }
 
@@ -46,6 +47,17 @@ final class AnswerTableParser {
             TableColumn.text("question", "the question's id"),
             TableColumn.text("kind", "the kind of the question"),
             TableColumn.text("value", "what was answered; several choices are joined by |"),
+            TableColumn.text("group", "the participant's group"),
+            TableColumn.text("block", "the block of trials"),
+            TableColumn.whole("trial", "number of the trial in its block, from 1"),
+            TableColumn.whole("round", "how often the block was shown, this time counted, from 1"),
+            TableColumn.number(
+                "ms", "ms", "from when the response was possible until it was given"),
+            TableColumn.yesNo(
+                "correct",
+                "the response was the correct one",
+                "it was not",
+                "whether it was right"),
             TableColumn.text("score", "the name of the score that is computed of the answers"))) {
       known.put(column.name(), column);
     }
@@ -53,6 +65,9 @@ final class AnswerTableParser {
   }
 
   private static TableColumn column(String name, String table) {
+    if (name.equals("response") && table.equals("trials")) {
+      return TableColumn.text("response", "the key that was pressed, or what ended the exposure");
+    }
     if (name.equals("value") && table.equals("scores")) {
       return TableColumn.number("value", "", "the score");
     }
@@ -67,7 +82,7 @@ final class AnswerTableParser {
    *
    * @param csv text of the table, with a header
    */
-  DataTable table(String name, String meaning, String csv) {
+  public DataTable table(String name, String meaning, String csv) {
     CsvTable read = CsvTable.parse(name, csv, faults()).orElseThrow();
     DataTable table =
         new DataTable(

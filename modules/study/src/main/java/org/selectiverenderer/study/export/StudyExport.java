@@ -17,6 +17,7 @@ import org.selectiverenderer.study.dataset.RecordedRun;
 import org.selectiverenderer.study.dataset.RecordedSession;
 import org.selectiverenderer.study.dataset.RecordedStudy;
 import org.selectiverenderer.study.dataset.SessionsTable;
+import org.selectiverenderer.study.session.CollectedAnswers;
 
 /**
  * A study written as tidy tables (Wickham 2014).
@@ -40,8 +41,20 @@ public record StudyExport(List<String> files) {
    * @param ratings ratings of expectancy
    * @param others answers to questions of other kinds
    * @param scores scores computed from the answers
+   * @param trials finished trials of blocks; without rows there is no table of trials
    */
-  public record Answers(String responses, String ratings, String others, String scores) {}
+  public record Answers(
+      String responses, String ratings, String others, String scores, String trials) {
+    /** Makes the answers of a study without trials. */
+    public Answers(String responses, String ratings, String others, String scores) {
+      this(responses, ratings, others, scores, "");
+    }
+
+    /** Returns collected answers as they are in the tables. */
+    public static Answers of(CollectedAnswers all) {
+      return new Answers(all.responses(), all.ratings(), all.others(), all.scores(), all.trials());
+    }
+  }
 
   /**
    * Writes all files, or none; files of an earlier export are replaced.
@@ -57,14 +70,13 @@ public record StudyExport(List<String> files) {
       Path folder,
       ProblemCollector problems)
       throws IOException {
-    List<DataTable> tables = tables(study, answers, problems);
-    Map<String, String> files = new LinkedHashMap<>();
-    tables.forEach(table -> files.put(table.name() + ".csv", table.csv()));
-    files.put("codebook.csv", Codebook.csv(tables));
-    files.put("codebook.json", Codebook.json(tables));
-    for (String script : SCRIPTS) {
-      files.put(script, resource(script));
-    }
+    return write(tables(study, answers, problems), more, folder);
+  }
+
+  /** As {@link #write(RecordedStudy, Answers, Map, Path, ProblemCollector)}, of given tables. */
+  public static StudyExport write(List<DataTable> tables, Map<String, String> more, Path folder)
+      throws IOException {
+    Map<String, String> files = files(tables);
     files.putAll(more);
     FileTransaction writing = new FileTransaction(FileOperations.PRIVATE);
     files.forEach(
@@ -73,7 +85,25 @@ public record StudyExport(List<String> files) {
     return new StudyExport(List.copyOf(files.keySet()));
   }
 
-  private static List<DataTable> tables(
+  /** Returns the texts of tables, of their codebook and of the scripts that read them, by name. */
+  public static Map<String, String> files(List<DataTable> tables) throws IOException {
+    Map<String, String> files = new LinkedHashMap<>();
+    tables.forEach(table -> files.put(table.name() + ".csv", table.csv()));
+    files.put("codebook.csv", Codebook.csv(tables));
+    files.put("codebook.json", Codebook.json(tables));
+    for (String script : SCRIPTS) {
+      files.put(script, resource(script));
+    }
+    return files;
+  }
+
+  /**
+   * Returns all tables of a study.
+   *
+   * @param problems receives a warning for each damaged part, which is left out
+   * @throws IOException if a file cannot be read
+   */
+  public static List<DataTable> tables(
       RecordedStudy study, Answers answers, ProblemCollector problems) throws IOException {
     DataTable sessions =
         new DataTable("sessions", "a session of a participant", SessionsTable.columns());
@@ -98,6 +128,9 @@ public record StudyExport(List<String> files) {
     tables.add(
         asked.table("answers", "the answer to a question of another kind", answers.others()));
     tables.add(asked.table("scores", "a score of a questionnaire", answers.scores()));
+    if (answers.trials().lines().count() > 1) {
+      tables.add(asked.table("trials", "a finished trial of a block", answers.trials()));
+    }
     return tables;
   }
 

@@ -2,19 +2,15 @@ package org.selectiverenderer.study.session;
 
 import java.io.IOException;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
+import java.util.function.Predicate;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
-import org.selectiverenderer.formats.csv.CsvWriter;
-import org.selectiverenderer.formats.csv.SpreadsheetText;
-import org.selectiverenderer.schema.RatingBand;
 import org.selectiverenderer.study.questionnaire.Answer;
 import org.selectiverenderer.study.questionnaire.AnswerTableKind;
 import org.selectiverenderer.study.questionnaire.AnswersCsvBuilder;
@@ -50,15 +46,13 @@ public record CollectedAnswers(
     int participants,
     int answers) {
 
-  private record Rated(String area, String schema, String object) {}
-
   /** Collects the answers. */
   private static final class Gathering {
     private final LoadedStudy material;
     private final PaperAnswers paper;
     private final ProblemCollector problems;
     private final AnswersCsvBuilder tables = new AnswersCsvBuilder();
-    private final Map<Rated, List<Integer>> all = new LinkedHashMap<>();
+    private final RatingBandTable bands = new RatingBandTable();
     private final TrialsTable trials;
     private int participants;
     private int answers;
@@ -250,10 +244,8 @@ public record CollectedAnswers(
           StimulusItem item = expectancy.item();
           answer.ifPresent(
               rating ->
-                  all.computeIfAbsent(
-                          new Rated(item.area(), item.schema(), item.object()),
-                          key -> new ArrayList<>())
-                      .add(Integer.parseInt(rating.value())));
+                  bands.add(
+                      item.area(), item.schema(), item.object(), Integer.parseInt(rating.value())));
         }
       }
       if (!left.isEmpty()) {
@@ -269,7 +261,7 @@ public record CollectedAnswers(
   public static CollectedAnswers of(
       LoadedStudy material, OptionalInt session, PaperAnswers paper, ProblemCollector problems)
       throws IOException {
-    return of(material, session, false, paper, problems);
+    return of(material, session, false, folder -> true, paper, problems);
   }
 
   /**
@@ -278,6 +270,7 @@ public record CollectedAnswers(
    * @param session number of the session that counts; empty for each participant's first session
    *     with complete answers, or else the first with any answers
    * @param practice whether trials of practice blocks are in the table of trials
+   * @param used which sessions may count
    * @param paper answers on paper, which are used for screens that a session has not finished
    * @throws IOException if a journal cannot be read
    */
@@ -285,12 +278,13 @@ public record CollectedAnswers(
       LoadedStudy material,
       OptionalInt session,
       boolean practice,
+      Predicate<SessionFolder> used,
       PaperAnswers paper,
       ProblemCollector problems)
       throws IOException {
     Gathering gathering = new Gathering(material, paper, practice, problems);
     Set<String> onPaper = paper.participants();
-    for (ParticipantSessions sessions : ParticipantSessions.all(material)) {
+    for (ParticipantSessions sessions : ParticipantSessions.all(material, used)) {
       sessions.tellDamage(problems);
       Optional<SessionFolder> chosen = sessions.chosen(session);
       if (chosen.isPresent() || !onPaper.contains(sessions.participant())) {
@@ -311,32 +305,8 @@ public record CollectedAnswers(
         gathering.tables.text(AnswerTableKind.ANSWERS),
         gathering.tables.scores(),
         gathering.trials.text(),
-        bands(gathering.all),
+        gathering.bands.text(),
         gathering.participants,
         gathering.answers);
-  }
-
-  private static String bands(Map<Rated, List<Integer>> all) {
-    CsvWriter table = CsvWriter.bare();
-    table.row("area", "schema", "object", "mean", "count", "band", "consistency");
-    all.entrySet().stream()
-        .sorted(
-            Comparator.comparing((Map.Entry<Rated, List<Integer>> entry) -> entry.getKey().area())
-                .thenComparing(entry -> entry.getKey().object()))
-        .forEach(
-            entry -> {
-              double mean =
-                  entry.getValue().stream().mapToInt(Integer::intValue).average().orElseThrow();
-              RatingBand band = RatingBand.of(mean);
-              table.row(
-                  SpreadsheetText.marked(entry.getKey().area()),
-                  SpreadsheetText.marked(entry.getKey().schema()),
-                  SpreadsheetText.marked(entry.getKey().object()),
-                  String.format(Locale.ROOT, "%.6f", mean),
-                  entry.getValue().size(),
-                  band.name().toLowerCase(Locale.ROOT).replace('_', '-'),
-                  band.consistency().name().toLowerCase(Locale.ROOT));
-            });
-    return table.toString();
   }
 }

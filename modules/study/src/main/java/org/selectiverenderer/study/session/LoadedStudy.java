@@ -136,6 +136,11 @@ public record LoadedStudy(
         : Optional.empty();
   }
 
+  /** As {@link Study#at}. */
+  public LoadedStudy at(Path file) {
+    return new LoadedStudy(study.at(file), form, asked, wording);
+  }
+
   /** Returns whether the questions of a step are answered inside the headset. */
   public boolean insideHeadset(SessionStep step) {
     return study.display().worn().asked()

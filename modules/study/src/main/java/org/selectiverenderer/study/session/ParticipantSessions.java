@@ -2,11 +2,13 @@ package org.selectiverenderer.study.session;
 
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.Set;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
 import org.selectiverenderer.base.problem.ProblemCollector;
@@ -23,16 +25,28 @@ final class ParticipantSessions {
     this.participant = participant;
   }
 
-  /** Returns the sessions of all participants who have a folder or a condition, in order. */
-  static List<ParticipantSessions> all(LoadedStudy material) throws IOException {
+  /**
+   * Returns the sessions of all participants who have a folder or a condition, in order.
+   *
+   * @param used which sessions are there; the others are passed over
+   */
+  static List<ParticipantSessions> all(LoadedStudy material, Predicate<SessionFolder> used)
+      throws IOException {
     Map<String, ParticipantSessions> all = new LinkedHashMap<>();
+    Set<String> passed = new HashSet<>();
     for (SessionFolder folder : SessionFolder.all(material.study())) {
+      if (!used.test(folder)) {
+        passed.add(folder.participant());
+        continue;
+      }
       all.computeIfAbsent(folder.participant(), id -> new ParticipantSessions(material, id))
           .sessions
           .put(folder, SessionHistory.read(folder.journal()));
     }
     for (ParticipantsFile.Assigned assigned : new ParticipantsFile(material.study()).all()) {
-      all.computeIfAbsent(assigned.participant(), id -> new ParticipantSessions(material, id));
+      if (!passed.contains(assigned.participant())) {
+        all.computeIfAbsent(assigned.participant(), id -> new ParticipantSessions(material, id));
+      }
     }
     return new ArrayList<>(all.values());
   }

@@ -16,7 +16,6 @@ import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.formats.json.JsonTree;
 import org.selectiverenderer.formats.json.JsonWriter;
 import org.selectiverenderer.study.definition.SessionFlag;
-import org.selectiverenderer.study.definition.Study;
 
 /**
  * Begins or resumes sessions, records this in their journals, and warns the experimenter of
@@ -244,30 +243,16 @@ final class SessionStarter {
       folder.writeOnce("study.json", InputFileReader.text(material.study().file()));
       Map<String, Object> settings = new LinkedHashMap<>(options.recorded());
       settings.put("language", material.study().language());
-      settings.put("sha256", checksums());
+      settings.put("sha256", StudyChecksums.of(material));
       folder.writeOnce(FILE, JsonWriter.of(JsonTree.of(settings)));
-    }
-
-    /** Returns the SHA-256 checksums of scenes and questionnaires, by the names of the files. */
-    private Map<String, String> checksums() throws IOException {
-      Study study = material.study();
-      Map<String, String> sums = new LinkedHashMap<>();
-      if (study.scene().isPresent()) {
-        sums.putAll(FileChecksumCalculator.ofScene(study.scene().get(), study.access()));
-      }
-      if (study.practice().isPresent()) {
-        sums.putAll(FileChecksumCalculator.ofScene(study.practice().get().scene(), study.access()));
-      }
-      for (Map.Entry<String, Path> file : material.study().questionnaires().files().entrySet()) {
-        sums.put(file.getKey(), FileChecksumCalculator.of(file.getValue()));
-      }
-      return sums;
     }
 
     /** Returns those of the files that have changed since the session began. */
     List<String> changedFiles() throws IOException {
       JsonNode before = JsonTree.read(folder.path().resolve(FILE)).path("sha256");
-      return checksums().entrySet().stream()
+      return StudyChecksums.of(material).entrySet().stream()
+          // An earlier version of the program recorded fewer files.
+          .filter(sum -> before.has(sum.getKey()))
           .filter(sum -> !before.path(sum.getKey()).asText().equals(sum.getValue()))
           .map(Map.Entry::getKey)
           .toList();
