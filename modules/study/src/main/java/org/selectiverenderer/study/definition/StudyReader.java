@@ -89,21 +89,25 @@ public final class StudyReader {
       throws IOException {
     ProblemCollector faults = new ProblemCollector(problems::add);
     StudyReader reader = new StudyReader(file, faults);
-    return JSON.read(
-        file,
-        faults,
-        keys -> {
-          Study study = reader.study(keys);
-          boolean all = !faults.any() && check.test(study);
-          UrlResolver own = new UrlResolver(study.folder());
-          viewpoints(keys, study, scene -> all || own.mayBeNamed(scene));
-          new TrialChecker(
-                  study,
-                  (scene, name) -> (all || own.mayBeNamed(scene)) && lacks(scene, name),
-                  (scene, name) -> (all || own.mayBeNamed(scene)) && lacksWithInlines(scene, name))
-              .check(fault -> keys.fault("blocks", fault));
-          return study;
-        });
+    Optional<Study> read =
+        JSON.read(
+            file,
+            faults,
+            keys -> {
+              Study study = reader.study(keys);
+              boolean all = !faults.any() && check.test(study);
+              UrlResolver own = new UrlResolver(study.folder());
+              viewpoints(keys, study, scene -> all || own.mayBeNamed(scene));
+              new TrialChecker(
+                      study,
+                      (scene, name) -> (all || own.mayBeNamed(scene)) && lacks(scene, name),
+                      (scene, name) ->
+                          (all || own.mayBeNamed(scene)) && lacksWithInlines(scene, name))
+                  .check(fault -> keys.fault("blocks", fault));
+              return study;
+            });
+    // A fault of a list or table is one of the study.
+    return faults.anyError() ? Optional.empty() : read;
   }
 
   private Study study(JsonObjectReader keys) {
