@@ -6,6 +6,7 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.command.CliCommand;
+import org.selectiverenderer.command.output.CommandException;
 import org.selectiverenderer.command.output.CommandFileCheck;
 import org.selectiverenderer.command.output.Console;
 import org.selectiverenderer.command.output.ExitStatus;
@@ -29,9 +30,15 @@ import picocli.CommandLine.Parameters;
       "Analyses answers about remembered objects: d', log beta and c of each participant, analyses"
           + " of variance of each area at three levels of confidence.",
       "The file has the columns participant,condition,area,object,consistency,present,response,"
-          + "confidence."
+          + "confidence.",
+      "Of a study with blocks of trials, STUDY.json, it makes the analyses that the study plans by"
+          + " its key \"analysis\", or else all measures by all factors, as exploratory."
     },
-    footer = "  ./selective-renderer experiment analyse r.csv --format html --output r.html")
+    footer = {
+      "  ./selective-renderer experiment analyse r.csv --format html --output r.html",
+      "  ./selective-renderer experiment analyse docs/examples/quality-and-light \\",
+      "      --data trials.csv"
+    })
 final class ExperimentAnalyseCommand extends CliCommand {
   private enum Format {
     text,
@@ -47,7 +54,9 @@ final class ExperimentAnalyseCommand extends CliCommand {
     fdr
   }
 
-  @Parameters(paramLabel = "RESPONSES.csv", description = "table of the answers (.csv)")
+  @Parameters(
+      paramLabel = "RESPONSES.csv|STUDY.json",
+      description = "table of the answers (.csv), or a study with blocks of trials, or its folder")
   private Path responses = Path.of("");
 
   @Option(
@@ -63,6 +72,7 @@ final class ExperimentAnalyseCommand extends CliCommand {
       description = "accepts that objects are present for some participants and absent for others")
   private boolean counterbalanced;
 
+  @Mixin private StudyAnalysisOptions trials = new StudyAnalysisOptions();
   @Mixin private ScoringOptions scoring = new ScoringOptions();
   @Mixin private SphericityOption sphericity = new SphericityOption();
   @Mixin private EquivalenceBoundOptions choices = new EquivalenceBoundOptions();
@@ -99,6 +109,10 @@ final class ExperimentAnalyseCommand extends CliCommand {
   public ExitStatus run() throws IOException {
     AnovaOptions options = prior.in(sphericity.in(choices.options()));
     Provenance provenance = date.provenance();
+    if (StudyAnalysisOptions.isStudy(responses)) {
+      return study(options, provenance);
+    }
+    trials.checkUnused();
     CommandFileCheck files =
         new CommandFileCheck().reads("", responses).reads("--participants", participants);
     output.check(files);
@@ -131,6 +145,36 @@ final class ExperimentAnalyseCommand extends CliCommand {
           case html -> StudyReport.html(study, provenance);
           case tidy -> StudyReport.tidyCsv(study, provenance);
           case wide -> StudyReport.wideCsv(study, provenance);
+        },
+        console());
+    return ExitStatus.of(problems);
+  }
+
+  private ExitStatus study(AnovaOptions options, Provenance provenance) throws IOException {
+    if (participants != null
+        || counterbalanced
+        || family != Family.none
+        || outputs.wanted()
+        || format == Format.tidy
+        || format == Format.wide) {
+      throw CommandException.usage(
+          "--participants, --counterbalanced, --family, --tables, --figures, --r and the formats tidy"
+              + " and wide are for answers about remembered objects, not for a study");
+    }
+    CommandFileCheck files = new CommandFileCheck();
+    trials.check(files);
+    output.check(files);
+    ProblemCollector problems = new ProblemCollector(console()::problem);
+    Optional<StudyAnalysisOptions.Result> result =
+        trials.result(responses, options, console(), problems);
+    if (result.isEmpty()) {
+      return ExitStatus.PROBLEMS;
+    }
+    output.write(
+        switch (format) {
+          case json -> result.get().report().json(result.get().source(), provenance);
+          case html -> result.get().report().html(result.get().source(), provenance);
+          default -> result.get().report().text(result.get().source(), provenance);
         },
         console());
     return ExitStatus.of(problems);

@@ -4,7 +4,9 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.files.ProgramLocation;
 import org.selectiverenderer.base.files.SettingsFolder;
@@ -21,8 +23,10 @@ import org.selectiverenderer.study.definition.StudyTemplate;
 import org.selectiverenderer.study.threshold.ThresholdStudy;
 import org.selectiverenderer.study.threshold.ThresholdStudyReader;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import picocli.CommandLine.TypeConversionException;
 
 @Command(
     name = "new",
@@ -34,7 +38,8 @@ import picocli.CommandLine.Parameters;
     },
     footer = {
       "  ./selective-renderer experiment new mystudy",
-      "  ./selective-renderer experiment run mystudy/study.json --participant 001"
+      "  ./selective-renderer experiment run mystudy/study.json --participant 001",
+      "  ./selective-renderer experiment new flicker --design change-blindness"
     })
 final class ExperimentNewCommand extends CliCommand {
   private static final String DEFAULT_SCENE = "scenes/apartment-lit.x3d";
@@ -51,12 +56,57 @@ final class ExperimentNewCommand extends CliCommand {
               + ", from here or of the program)")
   private @Nullable Path scene;
 
+  /** The example studies, which are in docs/examples. */
+  private enum Design {
+    change_blindness,
+    levels_of_detail,
+    quality_and_light,
+    rooms_between;
+
+    @Override
+    public String toString() {
+      return name().replace('_', '-');
+    }
+  }
+
+  @Option(
+      names = "--design",
+      paramLabel = "NAME",
+      converter = DesignConverter.class,
+      description =
+          "copies an example of a design instead: change-blindness (many short trials from a"
+              + " list), levels-of-detail (staircases), quality-and-light (2 x 2 within"
+              + " participants, Latin square), rooms-between (groups, as in the thesis)")
+  private @Nullable Design design;
+
+  /** Reads the name of a design. */
+  static final class DesignConverter implements ITypeConverter<Design> {
+    @Override
+    public Design convert(String value) {
+      return Arrays.stream(Design.values())
+          .filter(known -> known.toString().equals(value))
+          .findFirst()
+          .orElseThrow(
+              () ->
+                  new TypeConversionException(
+                      "'%s' is none of %s"
+                          .formatted(
+                              value,
+                              Arrays.stream(Design.values())
+                                  .map(Design::toString)
+                                  .collect(Collectors.joining(", ")))));
+    }
+  }
+
   ExperimentNewCommand(Console console) {
     super(console);
   }
 
   @Override
   public ExitStatus run() throws IOException {
+    if (design != null) {
+      return copy(design);
+    }
     Path shown = scene == null ? usual() : scene;
     for (Path needed : List.of(shown, shown.resolveSibling("practice.x3d"))) {
       if (!Files.isRegularFile(needed)) {
@@ -69,7 +119,27 @@ final class ExperimentNewCommand extends CliCommand {
                 : "--scene: there is no scene " + needed);
       }
     }
-    Path study = StudyTemplate.write(folder, shown);
+    return written(StudyTemplate.write(folder, shown));
+  }
+
+  private ExitStatus copy(Design wanted) throws IOException {
+    if (scene != null) {
+      throw CommandException.usage("--scene is for the study of the thesis; a design has its own");
+    }
+    String name = "docs/examples/%s/%s".formatted(wanted, StudyTemplate.STUDY);
+    Path here = Path.of(name);
+    Path example =
+        Files.isRegularFile(here)
+            ? here
+            : ProgramLocation.file(ExperimentNewCommand.class, name).orElse(here);
+    if (!Files.isRegularFile(example)) {
+      throw CommandException.usage(
+          "there is no %s; type this in the folder of the examples".formatted(name));
+    }
+    return written(StudyTemplate.copy(example.toAbsolutePath().getParent(), folder));
+  }
+
+  private ExitStatus written(Path study) throws IOException {
     trust(study);
     console().message("study: " + study);
     return ExitStatus.DONE;
@@ -85,12 +155,14 @@ final class ExperimentNewCommand extends CliCommand {
     List<PermissionRequests> asked = new ArrayList<>();
     Path pilot = study.resolveSibling("pilot");
     StudyReader.read(study, problems).map(StudyPermissions::of).ifPresent(asked::add);
-    StudyReader.read(pilot.resolve(StudyTemplate.STUDY), problems)
-        .map(StudyPermissions::of)
-        .ifPresent(asked::add);
-    ThresholdStudyReader.read(pilot.resolve("threshold.json"), problems)
-        .map(ThresholdStudy::permissions)
-        .ifPresent(asked::add);
+    if (design == null) {
+      StudyReader.read(pilot.resolve(StudyTemplate.STUDY), problems)
+          .map(StudyPermissions::of)
+          .ifPresent(asked::add);
+      ThresholdStudyReader.read(pilot.resolve("threshold.json"), problems)
+          .map(ThresholdStudy::permissions)
+          .ifPresent(asked::add);
+    }
     try {
       for (PermissionRequests each : asked) {
         if (!each.isEmpty()) {

@@ -33,8 +33,10 @@ import picocli.CommandLine.Option;
           + " and by formula, and with --needed, how many participants that takes.",
       "The objects are those of the thesis's Tables 6 to 11, and as many absent ones.",
       "A list of numbers has one number for each condition, or one for all.",
-      "With --study it simulates the trials of a study with blocks, and of the other options only"
-          + " --effect, --participants, --seed, --output and --trust count."
+      "With --study it simulates the trials of a study with blocks; with --power too, how often"
+          + " such studies find the effects of the analyses that the study plans. Of the other"
+          + " options only --effect, --participants, --seed, --output, --trust, and for the power"
+          + " --studies, --sphericity and --format count."
     },
     footer = {
       "  ./selective-renderer experiment simulate --participants 54 --d-prime 1.1 \\",
@@ -43,7 +45,10 @@ import picocli.CommandLine.Option;
       "      --d-prime 0.9,1.2,1.1 --needed",
       "  ./selective-renderer experiment simulate \\",
       "      --study docs/examples/quality-and-light \\",
-      "      --effect quality=reduced:ms+80 --output trials.csv"
+      "      --effect quality=reduced:ms+80 --output trials.csv",
+      "  ./selective-renderer experiment simulate \\",
+      "      --study docs/examples/quality-and-light \\",
+      "      --effect quality=reduced:ms+40 --power --participants 16"
     })
 final class ExperimentSimulateCommand extends CliCommand {
   private enum Format {
@@ -219,7 +224,10 @@ final class ExperimentSimulateCommand extends CliCommand {
     AnovaOptions options = sphericity.in(choices.options());
     check();
     if (trials.wanted()) {
-      return trials.write(wanted, seed, trust, output, console());
+      return power
+          ? trials.power(
+              wanted, studies, seed, options, format == Format.json, trust, output, console())
+          : trials.write(wanted, seed, trust, output, console());
     }
     SimulationModel model =
         new SimulationModel(

@@ -45,6 +45,11 @@ final class StudyOutputOptions {
               + " adds the mixed probit of single answers")
   private @Nullable Path script;
 
+  /** Returns whether any of the options is given. */
+  boolean wanted() {
+    return figures != null || tables != null || script != null;
+  }
+
   /** Checks before the analysis that the outputs are folders. */
   void check() {
     check("--figures", figures);

@@ -31,7 +31,7 @@ public final class RScriptGenerator {
 
   /** Returns a script with other choices of scoring. */
   public static String analysis(String responsesFile, DetectionScorer scoring) {
-    return template()
+    return template(TEMPLATE)
         .replace("@RESPONSES@", quoted(responsesFile))
         .replace("@CORRECTION@", quoted(correction(scoring.correction())))
         .replace(
@@ -48,15 +48,21 @@ public final class RScriptGenerator {
     };
   }
 
-  /** Returns an R string literal with escapes. */
-  private static String quoted(String text) {
+  /**
+   * Returns an R string literal with escapes. Characters that R's strings cannot have, which are
+   * NUL and halves of pairs, become the replacement character.
+   */
+  static String quoted(String text) {
     StringBuilder out = new StringBuilder("\"");
     text.codePoints()
         .forEach(
             c -> {
               if (c == '"' || c == '\\') {
                 out.append('\\').appendCodePoint(c);
-              } else if (c < ' ' || c > '~') {
+              } else if (c == 0 || c >= Character.MIN_SURROGATE && c <= Character.MAX_SURROGATE) {
+                out.append("\\U{fffd}");
+              } else if (c < ' ' || c > '~' || c == '@') {
+                // The sign marks the places of the template.
                 out.append(String.format(Locale.ROOT, "\\U{%x}", c));
               } else {
                 out.appendCodePoint(c);
@@ -65,9 +71,9 @@ public final class RScriptGenerator {
     return out.append('"').toString();
   }
 
-  private static String template() {
+  static String template(String name) {
     try (InputStream file =
-        Objects.requireNonNull(RScriptGenerator.class.getResourceAsStream(TEMPLATE), TEMPLATE)) {
+        Objects.requireNonNull(RScriptGenerator.class.getResourceAsStream(name), name)) {
       return new String(file.readAllBytes(), StandardCharsets.UTF_8).replace("\r\n", "\n");
     } catch (IOException e) {
       throw new UncheckedIOException(e); // cannot happen: the template is in the program's own jar

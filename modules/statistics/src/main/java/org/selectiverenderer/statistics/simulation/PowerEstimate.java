@@ -17,7 +17,8 @@ public record PowerEstimate(int participants, int studies, List<Finding> finding
    * @param name name of the effect, or {@link PowerAnalysis#EQUIVALENCE}
    */
   public record Finding(String name, double share, double low, double high) {
-    static Finding of(String name, int found, int studies) {
+    /** Returns the share of studies that found an effect. */
+    public static Finding of(String name, int found, int studies) {
       double z = 1.959963984540054;
       double p = found / (double) studies;
       double scale = 1 + z * z / studies;

@@ -26,10 +26,11 @@ import org.selectiverenderer.study.design.StudyGroup;
 import org.selectiverenderer.study.design.TrialBlock;
 import org.selectiverenderer.study.design.TrialBlock.PracticeCriterion;
 import org.selectiverenderer.study.design.TrialBlock.TrialStaircase;
+import org.selectiverenderer.study.design.TrialColumns;
 import org.selectiverenderer.study.design.TrialSequencer;
 import org.selectiverenderer.study.questionnaire.QuestionKind;
 
-/** Reads the keys {@code factors} and {@code blocks} of a study. */
+/** Reads the keys {@code factors}, {@code blocks} and {@code analysis} of a study. */
 final class StudyDesignReader {
   private static final String FACTOR = "[A-Za-z][0-9A-Za-z_]*";
   private static final String LEVEL = "[0-9A-Za-z][0-9A-Za-z_.-]*";
@@ -70,10 +71,12 @@ final class StudyDesignReader {
     }
     List<StudyGroup> groups = keys.has("factors") ? StudyGroup.of(factors) : conditions;
     Set<String> blocks = new HashSet<>();
-    return new StudyDesign(
-        factors,
-        groups.isEmpty() ? StudyGroup.of(List.of()) : groups,
-        keys.objects("blocks", "a block", each -> block(each, factors, blocks)));
+    StudyDesign design =
+        new StudyDesign(
+            factors,
+            groups.isEmpty() ? StudyGroup.of(List.of()) : groups,
+            keys.objects("blocks", "a block", each -> block(each, factors, blocks)));
+    return design.with(new PlannedAnalysesReader(design).read(keys));
   }
 
   private Factor factor(JsonObjectReader keys, Set<String> names) {
@@ -83,6 +86,11 @@ final class StudyDesignReader {
           "name",
           "a factor's name must consist of letters, digits and underscores, and begin with a"
               + " letter, as it is a column of tables");
+    } else if (TrialColumns.reserved(name)) {
+      keys.fault(
+          "name",
+          "the factor %s cannot be told from a column of the table of trials; give it another name"
+              .formatted(name));
     } else if (!names.add(name.toLowerCase(Locale.ROOT))) {
       keys.fault("name", "the factor " + name + " is defined twice");
     }

@@ -7,8 +7,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.selectiverenderer.base.files.FileOperations;
 import org.selectiverenderer.base.files.FileTransaction;
+import org.selectiverenderer.base.files.InputFileReader;
 
 /**
  * Writes the folder of a new study from a template: the study of the thesis (5.1, 6.1), to be
@@ -36,6 +40,9 @@ public final class StudyTemplate {
           "pilot/expectancy.csv",
           "pilot/threshold.json");
 
+  /** A scene outside of the folder of its study. */
+  private static final Pattern OUTSIDE = Pattern.compile("\"scene\": \"(\\.\\./[^\"]+)\"");
+
   private StudyTemplate() {}
 
   /**
@@ -62,6 +69,47 @@ public final class StudyTemplate {
     FileTransaction writing = new FileTransaction(actions);
     for (String name : FILES) {
       writing.addNew(folder.resolve(name), content(name, folder, scene));
+    }
+    writing.commit();
+    return folder.resolve(STUDY);
+  }
+
+  /**
+   * Copies a study that has no folders, such as an example; a scene outside of its folder stays
+   * where it is.
+   *
+   * @param example folder of the study
+   * @param folder created if it does not exist
+   * @return the study file
+   * @throws IOException if one of the files exists, and then none is written; or if a file cannot
+   *     be read or written
+   */
+  public static Path copy(Path example, Path folder) throws IOException {
+    List<Path> files;
+    try (Stream<Path> all = Files.list(example)) {
+      files = all.filter(Files::isRegularFile).sorted().toList();
+    }
+    Files.createDirectories(folder);
+    FileTransaction writing = new FileTransaction(FileOperations.REAL);
+    for (Path file : files) {
+      Path copy = folder.resolve(file.getFileName().toString());
+      if (Files.exists(copy)) {
+        throw new IOException(copy + " exists already; nothing was written");
+      }
+      byte[] bytes = InputFileReader.bytes(file);
+      if (file.endsWith(STUDY)) {
+        String text = new String(bytes, StandardCharsets.UTF_8);
+        Matcher outside = OUTSIDE.matcher(text);
+        if (outside.find()) {
+          String scene = from(folder, example.resolve(outside.group(1)));
+          bytes =
+              new StringBuilder(text)
+                  .replace(outside.start(1), outside.end(1), scene)
+                  .toString()
+                  .getBytes(StandardCharsets.UTF_8);
+        }
+      }
+      writing.addNew(copy, bytes);
     }
     writing.commit();
     return folder.resolve(STUDY);

@@ -23,7 +23,8 @@ import org.selectiverenderer.x3d.url.NetworkShare;
  * Reads a stimulus list. Some columns determine what a trial shows: {@code condition}, {@code
  * scene}, {@code area}, {@code viewpoint}, {@code seconds}, {@code light} (on or off), {@code
  * choices} ({@code DEF=1 OTHER=-1}), {@code objects} (DEFs of the Switches that are present; those
- * that only other rows name are hidden). All columns may be used in texts as {@code {column}}.
+ * that only other rows name are hidden). All columns may be used in texts as {@code {column}}. None
+ * may have a name of {@link TrialColumns}.
  */
 public final class StimulusListReader {
   private static final String UNUSED = "; the list is not used";
@@ -61,6 +62,14 @@ public final class StimulusListReader {
   private StimulusList list(CsvTable table) {
     List<String> columns = table.header();
     table.require(columns, String.join(",", columns));
+    columns.stream()
+        .filter(TrialColumns::reserved)
+        .forEach(
+            column ->
+                problems.error(
+                    table.location(column),
+                    "the column '%s' cannot be told from that of the table of trials; give it another name%s"
+                        .formatted(column, UNUSED)));
     if (table.rows().isEmpty()) {
       problems.error(SourceLocation.of(table.file()), "there are no stimuli" + UNUSED);
     } else if (table.rows().size() > MOST_ROWS) {

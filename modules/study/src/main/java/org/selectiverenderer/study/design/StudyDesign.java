@@ -9,12 +9,28 @@ import java.util.Optional;
  * @param factors the factors; none in a study that has conditions
  * @param groups the groups of participants, at least one
  * @param blocks the blocks of trials, in order; none in a study whose areas are shown once each
+ * @param analyses what is planned to be analysed, in order
  */
-public record StudyDesign(List<Factor> factors, List<StudyGroup> groups, List<TrialBlock> blocks) {
+public record StudyDesign(
+    List<Factor> factors,
+    List<StudyGroup> groups,
+    List<TrialBlock> blocks,
+    List<PlannedAnalysis> analyses) {
   public StudyDesign {
     factors = List.copyOf(factors);
     groups = List.copyOf(groups);
     blocks = List.copyOf(blocks);
+    analyses = List.copyOf(analyses);
+  }
+
+  /** A design without planned analyses. */
+  public StudyDesign(List<Factor> factors, List<StudyGroup> groups, List<TrialBlock> blocks) {
+    this(factors, groups, blocks, List.of());
+  }
+
+  /** Returns the design with planned analyses. */
+  public StudyDesign with(List<PlannedAnalysis> planned) {
+    return new StudyDesign(factors, groups, blocks, planned);
   }
 
   /** Returns the group with a name. */

@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -13,12 +14,15 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Predicate;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.base.problem.SpellingSuggester;
 import org.selectiverenderer.study.definition.Study;
 import org.selectiverenderer.study.definition.StudyQuestionnaires.Moment;
 import org.selectiverenderer.study.definition.StudyReader;
+import org.selectiverenderer.study.design.PlannedAnalysis;
 import org.selectiverenderer.study.design.TrialBlock;
 import org.selectiverenderer.study.design.TrialPhase;
 import org.selectiverenderer.study.questionnaire.ParticipantMessages;
+import org.selectiverenderer.study.questionnaire.Question;
 import org.selectiverenderer.study.questionnaire.Questionnaire;
 
 /**
@@ -29,6 +33,14 @@ import org.selectiverenderer.study.questionnaire.Questionnaire;
  */
 public record LoadedStudy(
     Study study, Questionnaire form, List<Asked> asked, ParticipantMessages wording) {
+
+  /** What analyses compare beside the answers to questions. */
+  private static final List<String> MEASURES =
+      List.of(
+          PlannedAnalysis.MILLISECONDS,
+          PlannedAnalysis.CORRECT,
+          PlannedAnalysis.D_PRIME,
+          PlannedAnalysis.THRESHOLD);
 
   /** A questionnaire with the moment at which it is asked. */
   public record Asked(Questionnaire questionnaire, Moment moment) {
@@ -131,7 +143,9 @@ public record LoadedStudy(
     }
     LoadedStudy material = new LoadedStudy(study, form.get(), asked.get(), wording.get());
     material.tellDesk(problems);
-    return material.distinct(problems) && material.asksKnown(problems)
+    return material.distinct(problems)
+            && material.asksKnown(problems)
+            && material.analysesKnown(problems)
         ? Optional.of(material)
         : Optional.empty();
   }
@@ -204,6 +218,52 @@ public record LoadedStudy(
       }
     }
     return known;
+  }
+
+  /** Checks that the questions that planned analyses name are asked in trials. */
+  private boolean analysesKnown(ProblemCollector problems) {
+    boolean known = true;
+    Set<String> columns = trialQuestions().keySet();
+    for (PlannedAnalysis analysis : study.design().analyses()) {
+      List<String> named = new ArrayList<>(List.of(analysis.measure()));
+      named.addAll(analysis.exclude().keySet());
+      analysis.where().keySet().stream().filter(name -> name.indexOf('.') >= 0).forEach(named::add);
+      named.removeAll(MEASURES);
+      for (String name : named) {
+        if (!columns.contains(name)) {
+          problems.error(
+              analysis.place(),
+              "'%s' is none of %s and the questions that trials ask%s the study is not used"
+                  .formatted(
+                      name,
+                      String.join(", ", MEASURES),
+                      SpellingSuggester.nearest(name, List.copyOf(columns))
+                          .map(near -> ", such as '" + near + "';")
+                          .orElse(
+                              columns.isEmpty() ? ";" : " (" + String.join(", ", columns) + ");")));
+          known = false;
+        }
+      }
+    }
+    return known;
+  }
+
+  /** Returns the questions that trials ask by their columns in the table of trials. */
+  public Map<String, Question> trialQuestions() {
+    Map<String, Question> columns = new LinkedHashMap<>();
+    for (TrialBlock block : study.design().blocks()) {
+      for (TrialPhase phase : block.phases()) {
+        if (phase instanceof TrialPhase.Questions questions) {
+          inTrials(questions.questionnaire()).stream()
+              .flatMap(asked -> asked.questions().stream())
+              .filter(Question::inTables)
+              .forEach(
+                  question ->
+                      columns.put(questions.questionnaire() + "." + question.id(), question));
+        }
+      }
+    }
+    return columns;
   }
 
   /** Returns a questionnaire that trials ask, by its name. */

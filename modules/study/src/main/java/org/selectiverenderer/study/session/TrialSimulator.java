@@ -19,6 +19,7 @@ import org.selectiverenderer.study.design.StimulusList;
 import org.selectiverenderer.study.design.StudyGroup;
 import org.selectiverenderer.study.design.Trial;
 import org.selectiverenderer.study.design.TrialBlock;
+import org.selectiverenderer.study.design.TrialColumns;
 import org.selectiverenderer.study.design.TrialPhase;
 import org.selectiverenderer.study.design.TrialPhase.ResponseKeys;
 import org.selectiverenderer.study.design.TrialResult;
@@ -182,11 +183,10 @@ public final class TrialSimulator {
   }
 
   private List<Object> header() {
-    List<Object> header =
-        new ArrayList<>(List.of("participant", "session", "group", "block", "trial", "round"));
+    List<Object> header = new ArrayList<>(TrialColumns.FIRST);
     header.addAll(factors);
     header.addAll(stimuli);
-    header.addAll(List.of("response", "ms", "correct"));
+    header.addAll(TrialColumns.RESULT);
     asked.forEach(
         (name, questions) -> questions.forEach(question -> header.add(name + "." + question.id())));
     return header;

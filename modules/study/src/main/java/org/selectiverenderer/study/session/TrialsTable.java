@@ -13,6 +13,7 @@ import org.selectiverenderer.formats.csv.SpreadsheetText;
 import org.selectiverenderer.study.design.Factor;
 import org.selectiverenderer.study.design.StimulusList;
 import org.selectiverenderer.study.design.TrialBlock;
+import org.selectiverenderer.study.design.TrialColumns;
 import org.selectiverenderer.study.design.TrialPhase;
 import org.selectiverenderer.study.design.TrialResult;
 import org.selectiverenderer.study.questionnaire.Answer;
@@ -122,11 +123,10 @@ final class TrialsTable {
 
   /** Returns the table with its header. */
   String text() {
-    List<Object> header =
-        new ArrayList<>(List.of("participant", "session", "group", "block", "trial", "round"));
+    List<Object> header = new ArrayList<>(TrialColumns.FIRST);
     header.addAll(factors);
     header.addAll(stimuli);
-    header.addAll(List.of("response", "ms", "correct"));
+    header.addAll(TrialColumns.RESULT);
     questions.forEach((name, ids) -> ids.forEach(id -> header.add(name + "." + id)));
     CsvWriter table = CsvWriter.bare();
     table.row(header);

@@ -121,4 +121,14 @@ class StudyDesignReaderTest {
     assertThat(problems.list())
         .anyMatch(p -> p.toString().contains("no Switch with the DEF 'Lmp'"));
   }
+
+  @Test
+  void aFactorIsNotNamedAsAColumnOfTheTableOfTrials() throws IOException {
+    ProblemCollector problems = new ProblemCollector();
+    assertThat(read(STUDY.replace("\"name\": \"light\"", "\"name\": \"trial\""), problems))
+        .isEmpty();
+    assertThat(problems.list().get(0).toString())
+        .contains("study.json:6:")
+        .contains("the factor trial cannot be told from a column of the table of trials");
+  }
 }

@@ -73,4 +73,17 @@ class StimulusListReaderTest {
     assertThat(problems.list()).singleElement().asString().contains("there are no stimuli");
     assertThat(List.of(problems.any())).containsExactly(true);
   }
+
+  @Test
+  void aColumnThatTheTableOfTrialsHasIsRefusedWithItsPlace() throws IOException {
+    assertThat(read("item,Round,ms\n1,2,3\n")).isEmpty();
+    assertThat(problems.list())
+        .extracting(Object::toString)
+        .extracting(line -> line.substring(line.indexOf("list.csv") + 9))
+        .containsExactly(
+            "1:6: the column 'Round' cannot be told from that of the table of trials; give it"
+                + " another name; the list is not used",
+            "1:12: the column 'ms' cannot be told from that of the table of trials; give it another"
+                + " name; the list is not used");
+  }
 }
