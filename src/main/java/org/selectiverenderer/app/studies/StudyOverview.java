@@ -49,14 +49,14 @@ public record StudyOverview(
   /**
    * Reads a study and its sessions.
    *
-   * @param trusted as in {@link LoadedStudy#read(Path, Predicate, ProblemCollector)}
+   * @param trusted as in {@link LoadedStudy#read(Path, Optional, Predicate, ProblemCollector)}
    * @param problems receives what is wrong
    * @return empty if the study has errors
    * @throws IOException if a file cannot be read
    */
   public static Optional<StudyOverview> read(
       Path file, Predicate<Study> trusted, ProblemCollector problems) throws IOException {
-    Optional<LoadedStudy> material = LoadedStudy.read(file, trusted, problems);
+    Optional<LoadedStudy> material = LoadedStudy.read(file, Optional.empty(), trusted, problems);
     return material.isEmpty() ? Optional.empty() : Optional.of(of(material.get(), problems.list()));
   }
 

@@ -124,7 +124,8 @@ final class RehearsalPage extends JPanel {
               ProblemCollector problems = new ProblemCollector();
               // Read anew, as the author may have changed the file meanwhile.
               Optional<LoadedStudy> fresh =
-                  LoadedStudy.read(material.get().study().file(), study -> true, problems);
+                  LoadedStudy.read(
+                      material.get().study().file(), Optional.empty(), study -> true, problems);
               return new Read(
                   fresh.isEmpty()
                       ? Optional.empty()

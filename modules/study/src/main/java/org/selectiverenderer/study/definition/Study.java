@@ -178,6 +178,7 @@ public record Study(
         tracker,
         mouse,
         language,
+        languages,
         questionnaires,
         quality,
         course,

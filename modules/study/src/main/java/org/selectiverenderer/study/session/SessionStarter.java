@@ -16,6 +16,7 @@ import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.formats.json.JsonTree;
 import org.selectiverenderer.formats.json.JsonWriter;
 import org.selectiverenderer.study.definition.SessionFlag;
+import org.selectiverenderer.study.definition.Study;
 
 /**
  * Begins or resumes sessions, records this in their journals, and warns the experimenter of
