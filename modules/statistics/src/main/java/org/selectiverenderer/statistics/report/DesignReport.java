@@ -171,7 +171,7 @@ public final class DesignReport {
 
   /** Returns the report as JSON. */
   public String json(DataSource source, Provenance provenance) {
-    ObjectNode json = JsonTree.object().put("study", title);
+    ObjectNode json = JsonTree.object().put("title", title);
     provenance.write(source, json);
     remarks.forEach(json.putArray("remarks")::add);
     ArrayNode analyses = json.putArray("analyses");
