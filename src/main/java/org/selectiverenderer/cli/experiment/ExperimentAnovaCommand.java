@@ -41,8 +41,8 @@ import picocli.CommandLine.Parameters;
     footer = {
       "  ./selective-renderer experiment anova scores.csv --dv d_prime \\",
       "      --subject participant --within object_type --between condition",
-      "  ./selective-renderer experiment anova trials.csv --dv ms --subject participant \\",
-      "      --within quality --where correct=yes --mean"
+      "  ./selective-renderer experiment anova trials.csv --dv ms \\",
+      "      --subject participant --within quality --where correct=yes --mean"
     })
 final class ExperimentAnovaCommand extends CliCommand {
   /** The largest number of factors; more have too many interactions to interpret. */

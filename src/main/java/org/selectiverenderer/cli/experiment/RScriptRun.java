@@ -125,7 +125,7 @@ final class RScriptRun {
                   rounded(row.cell("value"), 3),
                   rounded(row.cell("df1"), 2),
                   rounded(row.cell("df2"), 2),
-                  rounded(row.cell("p"), 4),
+                  probability(row.cell("p")),
                   rounded(row.cell("ges"), 3)));
         }
       }
@@ -150,6 +150,11 @@ final class RScriptRun {
               return Matcher.quoteReplacement(
                   at < model.factors().size() ? model.factors().get(at) : found.group());
             });
+  }
+
+  private static String probability(String number) {
+    String rounded = rounded(number, 4);
+    return rounded.equals("0.0000") ? "< 0.0001" : rounded;
   }
 
   private static String rounded(String number, int decimals) {

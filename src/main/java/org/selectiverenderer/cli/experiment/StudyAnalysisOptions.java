@@ -90,7 +90,7 @@ final class StudyAnalysisOptions {
   void check(CommandFileCheck files) throws IOException {
     files.reads("--data", data);
     if (script != null) {
-      OutputFile.check("--r-script", script, ".R");
+      OutputFile.check("--r-script", script, ".r");
       files.writes("--r-script", script).writes("--r-script", table(script));
     }
   }
@@ -161,9 +161,11 @@ final class StudyAnalysisOptions {
           .tables(repeated, problems)
           .ifPresent(found -> found.forEach(table -> tables.add(List.of(table))));
     }
+    List<String> changed =
+        data == null ? StudyReportOfTrials.withAnotherPlan(study.get()) : List.of();
     return Optional.of(
         new Result(
-            new StudyReportOfTrials(study.get(), options).of(analyses, tables),
+            new StudyReportOfTrials(study.get(), options, changed).of(analyses, tables),
             trials.get().source()));
   }
 

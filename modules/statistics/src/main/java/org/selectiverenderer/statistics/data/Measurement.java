@@ -8,6 +8,7 @@ import java.util.List;
  * @param levels its level of each factor of the analysis, in their order
  */
 public record Measurement(String participant, List<String> levels, double value) {
+  /** Copies the levels. */
   public Measurement {
     levels = List.copyOf(levels);
   }

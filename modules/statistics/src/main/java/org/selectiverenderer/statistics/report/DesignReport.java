@@ -50,6 +50,7 @@ public final class DesignReport {
       Optional<Anova> anova,
       List<Exclusion> exclusions,
       List<Cells> tables) {
+    /** Copies the lists. */
     public Part {
       counts = List.copyOf(counts);
       exclusions = List.copyOf(exclusions);
@@ -70,6 +71,7 @@ public final class DesignReport {
 
   /** A table of text with rows as long as its header. */
   public record Cells(String caption, List<String> header, List<List<String>> rows) {
+    /** Copies the rows. */
     public Cells {
       header = List.copyOf(header);
       rows = rows.stream().map(List::copyOf).toList();
@@ -171,7 +173,7 @@ public final class DesignReport {
 
   /** Returns the report as JSON. */
   public String json(DataSource source, Provenance provenance) {
-    ObjectNode json = JsonTree.object().put("study", title);
+    ObjectNode json = JsonTree.object().put("title", title);
     provenance.write(source, json);
     remarks.forEach(json.putArray("remarks")::add);
     ArrayNode analyses = json.putArray("analyses");

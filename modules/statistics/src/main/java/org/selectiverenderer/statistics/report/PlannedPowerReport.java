@@ -29,6 +29,7 @@ public record PlannedPowerReport(
    */
   public record Row(String analysis, PowerEstimate.Finding finding, int untested) {}
 
+  /** Copies the rows. */
   public PlannedPowerReport {
     effects = List.copyOf(effects);
     rows = List.copyOf(rows);

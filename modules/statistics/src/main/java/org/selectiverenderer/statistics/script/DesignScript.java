@@ -1,10 +1,13 @@
 package org.selectiverenderer.statistics.script;
 
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.selectiverenderer.formats.csv.CsvWriter;
-import org.selectiverenderer.formats.csv.SpreadsheetText;
 import org.selectiverenderer.statistics.data.Measurement;
 
 /**
@@ -15,6 +18,8 @@ import org.selectiverenderer.statistics.data.Measurement;
  * @param models the analyses, in order
  */
 public record DesignScript(List<Model> models) {
+  private static final Pattern PLAIN = Pattern.compile("[0-9A-Za-z][0-9A-Za-z_. -]{0,99}");
+
   /** The largest number of factors of an analysis. */
   private static final int MOST_FACTORS = 5;
 
@@ -36,6 +41,7 @@ public record DesignScript(List<Model> models) {
       boolean mixed,
       boolean binary,
       List<Measurement> values) {
+    /** Copies the lists. */
     public Model {
       factors = List.copyOf(factors);
       between = List.copyOf(between);
@@ -43,6 +49,7 @@ public record DesignScript(List<Model> models) {
     }
   }
 
+  /** Copies the models. */
   public DesignScript {
     models = List.copyOf(models);
   }
@@ -79,19 +86,20 @@ public record DesignScript(List<Model> models) {
     return value ? "TRUE" : "FALSE";
   }
 
-  /** Returns the table of all values, as CSV. */
+  /**
+   * Returns the table of all values, as CSV. A participant or level whose name R's tables or models
+   * may not keep has a number in its place.
+   */
   public String data() {
     CsvWriter table = CsvWriter.bare();
     table.row("analysis", "participant", "f1", "f2", "f3", "f4", "f5", "value");
+    Map<String, String> names = new HashMap<>();
     for (int i = 0; i < models.size(); i++) {
       for (Measurement value : models.get(i).values()) {
         List<Object> row = new ArrayList<>(List.of(i + 1));
-        row.add(SpreadsheetText.marked(value.participant()));
+        row.add(name(value.participant(), names));
         for (int factor = 0; factor < MOST_FACTORS; factor++) {
-          row.add(
-              factor < value.levels().size()
-                  ? SpreadsheetText.marked(value.levels().get(factor))
-                  : "");
+          row.add(factor < value.levels().size() ? name(value.levels().get(factor), names) : "");
         }
         row.add(Double.toString(value.value()));
         table.row(row);
@@ -100,11 +108,16 @@ public record DesignScript(List<Model> models) {
     return table.toString();
   }
 
+  private static String name(String name, Map<String, String> names) {
+    return names.computeIfAbsent(
+        name, first -> PLAIN.matcher(name).matches() ? name : "unnamed " + (names.size() + 1));
+  }
+
   /**
    * Returns the name of an effect in R's results, such as {@code f1:f2}, with the factors' names.
    */
   public static String effect(Model model, String inScript) {
-    return java.util.Arrays.stream(inScript.split(":"))
+    return Arrays.stream(inScript.split(":"))
         .map(
             part -> {
               int at = part.matches("f[1-5]") ? part.charAt(1) - '1' : MOST_FACTORS;

@@ -78,6 +78,16 @@ class DesignScriptTest {
   }
 
   @Test
+  void theTableHasOnlyNamesThatRKeeps() {
+    String table =
+        new DesignScript(List.of(model("n", "f", false, values("=a\0\n", "full-1.5")))).data();
+    assertThat(table)
+        .startsWith("analysis,participant,f1,f2,f3,f4,f5,value\n1,p1,odd,unnamed 3,,,,")
+        .contains("1,p1,odd,full-1.5,,,,")
+        .doesNotContain("=a");
+  }
+
+  @Test
   void effectsHaveTheNamesOfTheFactors() {
     Model model = model("n", "light", false, List.of());
     assertThat(DesignScript.effect(model, "f1:f2")).isEqualTo("parity x light");
@@ -123,7 +133,10 @@ class DesignScriptTest {
               .filter(
                   row -> row.cell("analysis").equals(number) && row.cell("model").equals("anova"))
               .toList();
-      assertThat(own).extracting(row -> row.cell("effect")).containsExactly("f1", "f2", "f1:f2");
+      assertThat(own)
+          .as(Files.readString(output))
+          .extracting(row -> row.cell("effect"))
+          .containsExactly("f1", "f2", "f1:f2");
       for (CsvRow row : own) {
         String name = row.cell("effect").equals("f1:f2") ? "level x parity" : "";
         double f =

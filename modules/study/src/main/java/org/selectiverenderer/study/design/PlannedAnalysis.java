@@ -80,4 +80,20 @@ public record PlannedAnalysis(
     exclude = Map.copyOf(exclude);
     signal = Map.copyOf(signal);
   }
+
+  /** Returns whether another one plans the same, wherever it stands in its file. */
+  public boolean plansAs(PlannedAnalysis other) {
+    return equals(
+        new PlannedAnalysis(
+            other.name,
+            other.hypothesis,
+            other.measure,
+            other.where,
+            other.by,
+            other.aggregate,
+            other.exclude,
+            other.signal,
+            other.test,
+            place));
+  }
 }

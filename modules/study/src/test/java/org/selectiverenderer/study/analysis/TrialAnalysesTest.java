@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.LocalDate;
 import java.util.List;
 import java.util.Optional;
 import org.assertj.core.data.Offset;
@@ -15,8 +16,10 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.statistics.anova.AnovaOptions;
 import org.selectiverenderer.statistics.data.DataSource;
 import org.selectiverenderer.statistics.data.Measurement;
+import org.selectiverenderer.statistics.report.Provenance;
 import org.selectiverenderer.study.analysis.TrialAnalyses.Analysis;
 import org.selectiverenderer.study.session.LoadedStudy;
 import org.selectiverenderer.study.session.TrialSimulator;
@@ -328,5 +331,34 @@ class TrialAnalysesTest {
     String plan = "{\"name\": \"T\", \"measure\": \"ms\", \"by\": [\"age\"]}";
     assertThat(study(plan + ", " + plan)).isEmpty();
     assertThat(problems.list().get(0).toString()).contains("the analysis T is planned twice");
+  }
+
+  @Test
+  void aPlanThatWasChangedAfterASessionBeganIsTold() throws IOException {
+    String plan = "{\"name\": \"T\", \"measure\": \"ms\", \"by\": [\"age\"]}";
+    LoadedStudy study = study(plan).orElseThrow();
+    for (String participant : List.of("001", "002", "003")) {
+      Path session = folder.resolve("sub-" + participant + "/ses-01");
+      Files.createDirectories(session);
+      Files.writeString(session.resolve("events.jsonl"), "{}\n");
+      // Of the first participant the file was another one, but its plan the same.
+      Files.writeString(
+          session.resolve("study.json"),
+          STUDY
+              .replace("ANALYSIS", participant.equals("001") ? plan : plan.replace("ms", "correct"))
+              .replace("\"seed\": 1", "\n\"seed\": 2"));
+    }
+    List<String> changed = StudyReportOfTrials.withAnotherPlan(study);
+    assertThat(changed).containsExactly("002 (session 1)", "003 (session 1)");
+    TrialAnalyses all = analyses(plan, complete());
+    assertThat(
+            new StudyReportOfTrials(study, AnovaOptions.DEFAULT, changed)
+                .of(all.planned(), List.of())
+                .text(
+                    DataSource.none("t"), new Provenance("p", "1", LocalDate.of(2026, 1, 2), false))
+                .replace('\n', ' '))
+        .contains(
+            "The plan was changed after sessions had begun: that of 002 (session 1) and 1 more had"
+                + " another one.");
   }
 }
