@@ -10,6 +10,7 @@ import org.selectiverenderer.study.questionnaire.ButtonQuestionnaireController;
 import org.selectiverenderer.study.questionnaire.ChoiceOption;
 import org.selectiverenderer.study.questionnaire.ParticipantMessages;
 import org.selectiverenderer.study.questionnaire.Questionnaire;
+import org.selectiverenderer.study.questionnaire.QuestionnairePage;
 import org.selectiverenderer.study.questionnaire.QuestionnaireProgress;
 import org.selectiverenderer.study.session.Session;
 import org.selectiverenderer.study.session.SessionStep;
@@ -85,6 +86,11 @@ final class TrialQuestions {
   /** Returns whether all questions are answered. */
   boolean over() {
     return asking().over();
+  }
+
+  /** Returns the present page. */
+  QuestionnairePage page() {
+    return asking().course().page();
   }
 
   /** Returns the sheet of the present question. */

@@ -28,10 +28,16 @@ final class PageFooter {
   private final JProgressBar progress = new JProgressBar();
   private final JButton back = PlainText.only(new JButton());
   private final JButton next = PlainText.only(new JButton());
+  private final JButton again = PlainText.only(new JButton());
   private final Color plain = left.getForeground();
 
-  PageFooter(ParticipantMessages wording, Runnable goBack, Runnable goOn) {
+  PageFooter(ParticipantMessages wording, Runnable goBack, Runnable goOn, Runnable playAgain) {
     this.wording = wording;
+    again.setName("again");
+    again.setText(wording.of("audio.again"));
+    again.setFocusable(false);
+    again.setVisible(false);
+    again.addActionListener(event -> playAgain.run());
     next.setName("next");
     next.setFocusable(false);
     next.addActionListener(event -> goOn.run());
@@ -47,6 +53,7 @@ final class PageFooter {
     where.add(page);
     where.add(progress);
     JPanel buttons = new JPanel(new FlowLayout(FlowLayout.RIGHT, 10, 0));
+    buttons.add(again);
     buttons.add(back);
     buttons.add(next);
     JPanel right = new JPanel(new BorderLayout(0, 8));
@@ -97,9 +104,15 @@ final class PageFooter {
     next.setEnabled(open == 0 && !refused);
   }
 
+  /** Shows or hides the button that plays the page's audio again. */
+  void audible(boolean audio) {
+    again.setVisible(audio);
+  }
+
   /** Disables the buttons. */
   void close() {
     next.setEnabled(false);
     back.setEnabled(false);
+    again.setEnabled(false);
   }
 }

@@ -96,21 +96,24 @@ public final class StudyReader {
       throws IOException {
     ProblemCollector faults = new ProblemCollector(problems::add);
     StudyReader reader = new StudyReader(file, language, faults);
-    return JSON.read(
-        file,
-        faults,
-        keys -> {
-          Study study = reader.study(keys);
-          boolean all = !faults.any() && check.test(study);
-          UrlResolver own = new UrlResolver(study.folder());
-          viewpoints(keys, study, scene -> all || own.mayBeNamed(scene));
-          new TrialChecker(
-                  study,
-                  (scene, name) -> (all || own.mayBeNamed(scene)) && lacks(scene, name),
-                  (scene, name) -> (all || own.mayBeNamed(scene)) && lacksWithInlines(scene, name))
-              .check(fault -> keys.fault("blocks", fault));
-          return study;
-        });
+    Optional<Study> read =
+        JSON.read(
+            file,
+            faults,
+            keys -> {
+              Study study = reader.study(keys);
+              boolean all = !faults.any() && check.test(study);
+              UrlResolver own = new UrlResolver(study.folder());
+              viewpoints(keys, study, scene -> all || own.mayBeNamed(scene));
+              new TrialChecker(
+                      study,
+                      (scene, name) -> (all || own.mayBeNamed(scene)) && lacks(scene, name),
+                      (scene, name) ->
+                          (all || own.mayBeNamed(scene)) && lacksWithInlines(scene, name))
+                  .check(fault -> keys.fault("blocks", fault));
+              return study;
+            });
+    return read.filter(study -> !faults.anyError()); // Tables have faults of their own.
   }
 
   private Study study(JsonObjectReader keys) {
