@@ -9,6 +9,7 @@ import javax.swing.JLabel;
 import javax.swing.JWindow;
 import javax.swing.SwingUtilities;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.app.narration.Narration;
 import org.selectiverenderer.app.session.SessionUi;
 import org.selectiverenderer.study.session.ExperimenterControls;
 import org.selectiverenderer.study.session.Session;
@@ -47,6 +48,11 @@ public final class PreviewBanner implements SessionUi {
           banner = window;
         });
     dialogue.open(controls);
+  }
+
+  @Override
+  public void narrate(Narration narration) {
+    dialogue.narrate(narration);
   }
 
   @Override

@@ -7,10 +7,13 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.atomic.AtomicLong;
+import org.selectiverenderer.app.narration.Narration;
 import org.selectiverenderer.apparatus.DisplayMode;
 import org.selectiverenderer.apparatus.DisplayProfileLoader;
 import org.selectiverenderer.base.files.InputFileReader;
@@ -18,6 +21,7 @@ import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.base.problem.SpellingSuggester;
+import org.selectiverenderer.browser.sound.SoundDevices;
 import org.selectiverenderer.formats.csv.CsvRow;
 import org.selectiverenderer.formats.csv.CsvTable;
 import org.selectiverenderer.study.definition.Study;
@@ -27,6 +31,7 @@ import org.selectiverenderer.study.design.TrialBlock;
 import org.selectiverenderer.study.questionnaire.ItemQuestionnaireKind;
 import org.selectiverenderer.study.questionnaire.ParticipantMessages;
 import org.selectiverenderer.study.rehearsal.StudyDuration;
+import org.selectiverenderer.study.session.DiskRoom;
 import org.selectiverenderer.study.session.LoadedStudy;
 import org.selectiverenderer.study.session.StudyPlan;
 import org.selectiverenderer.walkthrough.Walkthrough;
@@ -51,9 +56,6 @@ public record StudyCheck(
   /** Column of an items table with the DEF of the object in the scene. */
   static final String SCENE_OBJECT = "scene_object";
 
-  /** Free bytes below which a session may end too early: a head log grows 20 MB an hour. */
-  private static final long LEAST_FREE = 200L << 20;
-
   /**
    * Checks a study that has been read.
    *
@@ -61,6 +63,20 @@ public record StudyCheck(
    * @throws IOException if a file that was there is not to be read
    */
   public static StudyCheck of(LoadedStudy material, ProblemCollector problems) throws IOException {
+    return of(List.of(material), problems);
+  }
+
+  /**
+   * Checks a study that has been read in all of its languages.
+   *
+   * @param translations the study in each language
+   * @param problems receives the findings
+   * @throws IOException if a file that was there is not to be read
+   */
+  public static StudyCheck of(List<LoadedStudy> translations, ProblemCollector problems)
+      throws IOException {
+    LoadedStudy material = translations.get(0);
+    audio(translations, problems);
     Study study = material.study();
     StudyPlan plan = StudyPlan.of(study, Math.min(10_000, study.participants()));
     SourceLocation whole = SourceLocation.of(study.file().toString());
@@ -85,13 +101,8 @@ public record StudyCheck(
                     missing.get(0)));
       }
     }
-    long free = Files.getFileStore(study.folder()).getUsableSpace();
-    if (free < LEAST_FREE) {
-      problems.warning(
-          whole,
-          "the disk with the study's folder has %d MB left; make room before a session"
-              .formatted(free >> 20));
-    }
+    DiskRoom room = DiskRoom.of(study);
+    room.warning().ifPresent(sentence -> problems.warning(whole, sentence));
     if (!Files.isWritable(study.folder())) {
       problems.error(whole, "the study's folder cannot be written, so no session can be kept");
     }
@@ -108,7 +119,28 @@ public record StudyCheck(
         StudyDuration.of(material, StudyDuration.Assumptions.USUAL),
         polygons,
         Math.max(0, views.size() - MOST_VIEWS),
-        free);
+        room.free());
+  }
+
+  /** Checks that the sound files of all languages can be played. */
+  private static void audio(List<LoadedStudy> translations, ProblemCollector problems) {
+    Set<Path> files = new LinkedHashSet<>();
+    translations.forEach(one -> files.addAll(one.audio()));
+    for (Path file : files) {
+      SourceLocation at = SourceLocation.of(file.toString());
+      try {
+        if (Narration.read(file, new AtomicLong(Long.MAX_VALUE)).isEmpty()) {
+          problems.error(at, "the audio has a format that cannot be played; use WAV or MP3");
+        }
+      } catch (IOException e) {
+        problems.error(at, "the audio " + e.getMessage());
+      }
+    }
+    if (!files.isEmpty() && SoundDevices.names().isEmpty()) {
+      problems.info(
+          SourceLocation.of(translations.get(0).study().file().toString()),
+          "the study has audio, and this computer has no sound device");
+    }
   }
 
   private static final class Checker {

@@ -91,6 +91,13 @@ public interface RunController {
   /** Reports an answer that the user of a headset gave with the controllers. */
   default void answered(ControllerCommand answer) {}
 
+  /**
+   * Reports how the tracker is, with each frame.
+   *
+   * @param silent a sentence that the tracker is silent; empty while its records arrive
+   */
+  default void tracked(Optional<String> silent) {}
+
   /** Returns whether the run is paused. */
   default boolean paused() {
     return false;

@@ -37,14 +37,21 @@ final class RunStatusFormatter {
     overlay.frame(drawn);
   }
 
+  /** Returns a sentence that the tracker is silent; empty while it is not. */
+  Optional<String> alarm() {
+    return head.health().stale()
+        ? Optional.of(OperatorConsole.alarm(settings.tracker(), head.health()))
+        : Optional.empty();
+  }
+
   /** Returns the lines over the picture. */
   List<String> overlay(RunningSceneState scene) {
     List<String> lines = new ArrayList<>();
     // In a stereo display the participant would see it: there the operator's window says so.
     if (headset) {
       head.described().ifPresent(lines::add);
-    } else if (!settings.display().presentation().stereo() && head.health().stale()) {
-      lines.add(OperatorConsole.alarm(settings.tracker(), head.health()));
+    } else if (!settings.display().presentation().stereo()) {
+      alarm().ifPresent(lines::add);
     }
     boolean walked = settings.motion().path().isEmpty();
     lines.addAll(overlay.lines(scene.walk(), walked ? scene.walking().describe() : ""));

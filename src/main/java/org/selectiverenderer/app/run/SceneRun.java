@@ -231,6 +231,7 @@ final class SceneRun implements WorldController, AutoCloseable {
   }
 
   private void advance(RunningSceneState live, double elapsed) {
+    guide.tracked(text.alarm());
     boolean over = guide.over(elapsed);
     if (!paused() || live.walk().frames() == 0) {
       head.log(false); // A frame that was stepped but not drawn because the window was hidden.

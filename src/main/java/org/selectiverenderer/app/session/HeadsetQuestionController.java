@@ -12,6 +12,7 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.headset.ControllerCommand;
 import org.selectiverenderer.app.headset.PanelPlacement;
 import org.selectiverenderer.app.headset.PanelPointerRay;
+import org.selectiverenderer.app.narration.Narration;
 import org.selectiverenderer.app.run.RunController;
 import org.selectiverenderer.browser.World;
 import org.selectiverenderer.browser.camera.Primitive2D;
@@ -57,11 +58,14 @@ final class HeadsetQuestionController implements RunController {
   private int frames;
 
   /** The sheet that was drawn last, and its placement in the world. */
+  private final Narration narration;
+
   private record Shown(QuestionPanelRenderer.Sheet sheet, Matrix4dc place) {}
 
   /**
    * @param layout gives the scale of the participant in the scene
    * @param dark whether nothing of the scene may be seen
+   * @param narration plays the audio of the pages
    * @throws IOException with a one-line message if a page's picture cannot be read
    */
   HeadsetQuestionController(
@@ -69,13 +73,15 @@ final class HeadsetQuestionController implements RunController {
       SessionStep.Questions step,
       ExperimenterControls controls,
       HeadsetLayout layout,
-      boolean dark)
+      boolean dark,
+      Narration narration)
       throws IOException {
     this.session = session;
     this.step = step;
     this.controls = controls;
     this.layout = layout;
     this.dark = dark;
+    this.narration = narration;
     told = new AnswerRecorder(session, step);
     sheet =
         new QuestionPanelRenderer(
@@ -245,7 +251,13 @@ final class HeadsetQuestionController implements RunController {
   @Override
   public boolean over(double seconds) {
     controls.status(where());
-    return controls.aborted() || told.failed() || through();
+    boolean over = controls.aborted() || told.failed() || through();
+    if (over) {
+      narration.hide();
+    } else if (buttons != null) {
+      narration.show(buttons.course().page().id(), buttons.course().page().audio());
+    }
+    return over;
   }
 
   @Override

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
@@ -124,6 +125,11 @@ final class SceneStepController implements RunController {
   @Override
   public boolean blind() {
     return stage.blind();
+  }
+
+  @Override
+  public void tracked(Optional<String> silent) {
+    controls.alarm(silent.orElse(""));
   }
 
   @Override

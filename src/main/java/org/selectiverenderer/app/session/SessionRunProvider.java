@@ -13,6 +13,7 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import org.selectiverenderer.app.head.HeadSampleListener;
 import org.selectiverenderer.app.metrics.RunMetrics;
+import org.selectiverenderer.app.narration.Narration;
 import org.selectiverenderer.app.run.RunListener;
 import org.selectiverenderer.app.run.RunRequest;
 import org.selectiverenderer.app.run.RunSequence;
@@ -47,11 +48,17 @@ final class SessionRunProvider implements RunSequence.Runs {
   private final SessionDisplaySettings show;
   private final ExperimenterControls controls;
   private final ExposureQualityCheck quality;
+  private final Narration narration;
   private final Set<String> brokenLogs = ConcurrentHashMap.newKeySet();
   private Optional<DisplayConfiguration> opened = Optional.empty();
   private boolean reopens;
 
-  SessionRunProvider(Session session, SessionDisplaySettings show, ExperimenterControls controls) {
+  SessionRunProvider(
+      Session session,
+      SessionDisplaySettings show,
+      ExperimenterControls controls,
+      Narration narration) {
+    this.narration = narration;
     this.session = session;
     this.show = show;
     this.controls = controls;
@@ -160,6 +167,7 @@ final class SessionRunProvider implements RunSequence.Runs {
                 controls,
                 show.stage(),
                 show.presentation().headset().map(HeadsetViewSettings::layout),
+                narration,
                 listener::problem)));
   }
 
@@ -215,7 +223,8 @@ final class SessionRunProvider implements RunSequence.Runs {
             step,
             controls,
             show.presentation().headset().orElseThrow().layout(),
-            study.practice().isEmpty()));
+            study.practice().isEmpty(),
+            narration));
   }
 
   private SceneStepController guide(SessionStep step, RunListener listener) {

@@ -7,7 +7,9 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import org.selectiverenderer.app.head.SharedHeadTracker;
 import org.selectiverenderer.app.headset.HeadsetConnection;
+import org.selectiverenderer.app.narration.Narration;
 import org.selectiverenderer.app.run.RunSequence;
+import org.selectiverenderer.browser.sound.SoundDeviceLine;
 import org.selectiverenderer.study.session.ExperimenterControls;
 import org.selectiverenderer.study.session.Session;
 import org.selectiverenderer.study.session.SessionStep;
@@ -28,6 +30,7 @@ public final class SessionRunner {
   private final SharedHeadTracker tracker;
   private final Consumer<String> message;
   private final Optional<SessionHeadset> headset;
+  private final Narration narration;
 
   /** Creates a runner without a headset. */
   public SessionRunner(
@@ -58,7 +61,8 @@ public final class SessionRunner {
     this.tracker = tracker;
     this.message = message;
     controls = new ExperimenterControls(session.journal());
-    shown = new SessionRunProvider(session, settings, controls);
+    narration = new Narration(SoundDeviceLine::open, System::nanoTime, this::warn);
+    shown = new SessionRunProvider(session, settings, controls, narration);
   }
 
   /**
@@ -68,7 +72,19 @@ public final class SessionRunner {
    * @throws InterruptedException if the thread is interrupted
    */
   public Outcome run() throws IOException, InterruptedException {
-    dialogue.open(controls);
+    try (narration) {
+      dialogue.open(controls);
+      dialogue.narrate(narration);
+      return steps();
+    }
+  }
+
+  private void warn(String sentence) {
+    session.journal().tell("problem", Map.of("text", sentence));
+    message.accept(sentence);
+  }
+
+  private Outcome steps() throws IOException, InterruptedException {
     while (true) {
       List<SessionStep> open = session.remaining();
       if (open.isEmpty()) {
@@ -78,6 +94,7 @@ public final class SessionRunner {
       }
       SessionStep step = open.get(0);
       controls.status(step.id());
+      controls.alarm("");
       if (step instanceof SessionStep.Form) {
         form(step);
         if (session.refused()) {

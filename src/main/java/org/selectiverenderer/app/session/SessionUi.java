@@ -2,6 +2,7 @@ package org.selectiverenderer.app.session;
 
 import java.io.IOException;
 import java.util.Optional;
+import org.selectiverenderer.app.narration.Narration;
 import org.selectiverenderer.study.session.ExperimenterControls;
 import org.selectiverenderer.study.session.Session;
 import org.selectiverenderer.study.session.SessionStep;
@@ -13,6 +14,14 @@ import org.selectiverenderer.study.session.SessionStep;
 public interface SessionUi extends AutoCloseable {
   /** Gives the experimenter the controls. */
   void open(ExperimenterControls controls);
+
+  /**
+   * Takes the player of the audio of pages; is called before anything is asked. Without a call
+   * pages are silent.
+   */
+  default void narrate(Narration narration) {
+    // A user interface without pages plays nothing.
+  }
 
   /**
    * Asks for age and consent.

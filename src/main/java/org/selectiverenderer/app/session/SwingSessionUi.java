@@ -4,6 +4,7 @@ import com.formdev.flatlaf.FlatLightLaf;
 import java.io.IOException;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.app.narration.Narration;
 import org.selectiverenderer.app.window.ControlWindow;
 import org.selectiverenderer.app.window.MonitorBounds;
 import org.selectiverenderer.app.window.QuestionnaireWindow;
@@ -23,6 +24,7 @@ public final class SwingSessionUi implements SessionUi {
   private final MonitorBounds desk;
   private final MonitorBounds reading;
   private @Nullable ControlWindow control;
+  private @Nullable Narration narration;
 
   /**
    * @param stage the monitors on which the windows open
@@ -44,6 +46,11 @@ public final class SwingSessionUi implements SessionUi {
   @Override
   public void open(ExperimenterControls controls) {
     control = ControlWindow.open(controls, desk);
+  }
+
+  @Override
+  public void narrate(Narration player) {
+    narration = player;
   }
 
   @Override
@@ -85,7 +92,8 @@ public final class SwingSessionUi implements SessionUi {
                 mayRefuse),
             answers,
             new SessionEndWatcher(() -> controls.aborted() || answers.failed(), controls::askAbort),
-            reading);
+            reading,
+            Optional.ofNullable(narration));
     answers.check();
     return through;
   }

@@ -1,6 +1,7 @@
 package org.selectiverenderer.app.session;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
@@ -16,6 +17,7 @@ import org.joml.Matrix4dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.headset.ControllerCommand;
 import org.selectiverenderer.app.headset.PanelPlacement;
+import org.selectiverenderer.app.narration.Narration;
 import org.selectiverenderer.app.run.RunController;
 import org.selectiverenderer.base.decimal.DecimalRounding;
 import org.selectiverenderer.base.problem.Problem;
@@ -30,6 +32,8 @@ import org.selectiverenderer.study.design.Trial;
 import org.selectiverenderer.study.design.TrialCourse;
 import org.selectiverenderer.study.design.TrialPhase;
 import org.selectiverenderer.study.design.TrialResult;
+import org.selectiverenderer.study.questionnaire.ParticipantMessages;
+import org.selectiverenderer.study.questionnaire.QuestionnairePage;
 import org.selectiverenderer.study.session.ExperimenterControls;
 import org.selectiverenderer.study.session.Session;
 import org.selectiverenderer.study.session.SessionStep;
@@ -62,13 +66,16 @@ final class TrialController implements RunController {
   private final AtomicReference<@Nullable IOException> failure = new AtomicReference<>();
   private @Nullable Walkthrough walk;
   private @Nullable PanelPlacement place;
+  private final Narration narration;
   private int frames;
+  private int phasesBegun;
   private double lastTime;
   private long lastNanos;
 
   /**
    * @param rest whether the participant may rest before the trial
    * @param headset gives the scale of a headset's user; empty for windows
+   * @param narration plays the audio of instructions and questions
    * @param problem receives warnings for the experimenter
    * @throws IOException with a one-line message if a questionnaire's picture cannot be read
    */
@@ -79,6 +86,7 @@ final class TrialController implements RunController {
       ExperimenterControls controls,
       OperatorViewSettings stage,
       Optional<HeadsetLayout> headset,
+      Narration narration,
       Consumer<Problem> problem)
       throws IOException {
     this.session = session;
@@ -87,6 +95,8 @@ final class TrialController implements RunController {
     this.stage = stage;
     this.headset = headset;
     this.problem = problem;
+    this.narration = narration;
+    step.trial().phases().forEach(this::load);
     Trial trial = rest ? withRest(step.trial()) : step.trial();
     course = new TrialCourse(trial, this::seconds, new Recorder());
     simulated =
@@ -229,6 +239,33 @@ final class TrialController implements RunController {
     return course.phase().filter(TrialPhase.Exposure.class::isInstance).isPresent();
   }
 
+  private void load(TrialPhase phase) {
+    if (phase instanceof TrialPhase.Instruction instruction) {
+      instruction.audio().ifPresent(narration::load);
+    } else if (phase instanceof TrialPhase.Repeat repeat) {
+      repeat.phases().forEach(this::load);
+    }
+  }
+
+  /** Plays the audio of the phase, or of the page of its questions. */
+  private void narrate() {
+    if (controls.paused() || course.over() || controls.aborted()) {
+      narration.hide();
+    } else if (asked().isPresent()) {
+      QuestionnairePage page = asked().get().page();
+      narration.show(step.id() + '/' + phasesBegun + '/' + page.id(), page.audio());
+    } else {
+      narration.show(step.id() + '/' + phasesBegun, spoken());
+    }
+  }
+
+  private Optional<Path> spoken() {
+    return course
+        .phase()
+        .filter(TrialPhase.Instruction.class::isInstance)
+        .flatMap(phase -> ((TrialPhase.Instruction) phase).audio());
+  }
+
   @Override
   public boolean over(double seconds) {
     lastTime = seconds;
@@ -249,6 +286,7 @@ final class TrialController implements RunController {
     if (session.options().unattended()) {
       simulated.frame(seconds);
     }
+    narrate();
     controls.status(status());
     return controls.aborted() || failure.get() != null || course.over();
   }
@@ -269,6 +307,10 @@ final class TrialController implements RunController {
       asked().get().pressed(key, character);
       return true;
     }
+    if (spoken().isPresent() && key.spelling().equals("r")) {
+      narration.again();
+      return true;
+    }
     return course.key(key.spelling(), lastTime + (nanos - lastNanos) * NANO);
   }
 
@@ -283,7 +325,9 @@ final class TrialController implements RunController {
     }
     List<String> keys = course.keys();
     double time = lastTime + (System.nanoTime() - lastNanos) * NANO;
-    if (keys.isEmpty()) {
+    if (spoken().isPresent() && answer == ControllerCommand.NO) {
+      narration.again();
+    } else if (keys.isEmpty()) {
       course.key("space", time);
     } else if (answer == ControllerCommand.YES || answer == ControllerCommand.CHOOSE) {
       course.key(keys.get(0), time);
@@ -315,6 +359,11 @@ final class TrialController implements RunController {
   }
 
   @Override
+  public void tracked(Optional<String> silent) {
+    controls.alarm(silent.orElse(""));
+  }
+
+  @Override
   public boolean paused() {
     return controls.paused();
   }
@@ -336,19 +385,21 @@ final class TrialController implements RunController {
     }
     TrialPhase phase = course.phase().get();
     if (phase instanceof TrialPhase.Instruction instruction) {
-      return Optional.of(
-          pages.text(
-              instruction.text(),
-              session
-                  .material()
-                  .wording()
-                  .of(headset.isPresent() ? "headset.read" : "trial.read")));
+      return Optional.of(pages.text(instruction.text(), hint(instruction.audio().isPresent())));
     } else if (phase instanceof TrialPhase.Fixation) {
       return Optional.of(pages.fixation());
     } else if (phase instanceof TrialPhase.Feedback feedback) {
       return Optional.of(pages.line(course.feedback(feedback)));
     }
     return asked().map(TrialQuestions::sheet).map(pages::sheet);
+  }
+
+  private String hint(boolean audio) {
+    ParticipantMessages wording = session.material().wording();
+    if (headset.isPresent()) {
+      return wording.of(audio ? "headset.again" : "headset.read");
+    }
+    return wording.of("trial.read") + (audio ? " " + wording.of("trial.again") : "");
   }
 
   @Override
@@ -384,6 +435,7 @@ final class TrialController implements RunController {
   private final class Recorder implements TrialCourse.Listener {
     @Override
     public void began(TrialPhase phase, double time) {
+      phasesBegun++;
       if (phase instanceof TrialPhase.Exposure exposure) {
         Map<String, Integer> choices = new LinkedHashMap<>();
         exposure.choices().forEach((name, choice) -> choices.put(name, number(name, choice)));

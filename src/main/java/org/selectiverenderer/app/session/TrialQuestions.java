@@ -12,6 +12,7 @@ import org.selectiverenderer.study.questionnaire.ChoiceOption;
 import org.selectiverenderer.study.questionnaire.NumberKeys;
 import org.selectiverenderer.study.questionnaire.ParticipantMessages;
 import org.selectiverenderer.study.questionnaire.Questionnaire;
+import org.selectiverenderer.study.questionnaire.QuestionnairePage;
 import org.selectiverenderer.study.questionnaire.QuestionnaireProgress;
 import org.selectiverenderer.study.questionnaire.SliderField;
 import org.selectiverenderer.study.session.Session;
@@ -93,6 +94,11 @@ final class TrialQuestions {
   /** Returns whether all questions are answered. */
   boolean over() {
     return asking().over();
+  }
+
+  /** Returns the present page. */
+  QuestionnairePage page() {
+    return asking().course().page();
   }
 
   /** Returns the sheet of the present question. */

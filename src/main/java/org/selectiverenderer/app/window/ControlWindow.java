@@ -1,6 +1,7 @@
 package org.selectiverenderer.app.window;
 
 import java.awt.BorderLayout;
+import java.awt.Color;
 import java.awt.EventQueue;
 import java.awt.FlowLayout;
 import java.awt.Frame;
@@ -34,9 +35,16 @@ import org.selectiverenderer.swing.WindowPacker;
  * windows.
  */
 public final class ControlWindow implements AutoCloseable {
+  private static final int ALARM_WIDTH = 440;
+  private static final String HOW_TO_GO_ON =
+      "F8 pauses, and continues when its records arrive again: look after its cable, its power or"
+          + " its program. If it stays silent, F9 goes on from a practice, an exposure ends by its"
+          + " time, and Abort ends the session; --resume --without-tracker then continues it.";
+
   private final ExperimenterControls controls;
   private final JFrame frame;
   private final JLabel status = PlainText.only(new JLabel(" "));
+  private final JTextArea alarm = WrappedTextArea.of("\n" + HOW_TO_GO_ON, 15f, ALARM_WIDTH);
   private final JTextArea notes = new JTextArea(8, 40);
   private final JTextField note = new JTextField();
   private final JToggleButton pause = new JToggleButton("Pause (F8)");
@@ -55,7 +63,14 @@ public final class ControlWindow implements AutoCloseable {
     frame.addWindowListener(new CloseInterceptor(this::abort));
     controls.questioner(() -> EventQueue.invokeLater(this::abort));
     frame.add(status, BorderLayout.NORTH);
-    frame.add(new JScrollPane(notes), BorderLayout.CENTER);
+    alarm.setName("alarm");
+    alarm.setOpaque(true);
+    alarm.setBackground(new Color(0xffe0b0));
+    alarm.setVisible(false);
+    JPanel middle = new JPanel(new BorderLayout());
+    middle.add(alarm, BorderLayout.NORTH);
+    middle.add(new JScrollPane(notes), BorderLayout.CENTER);
+    frame.add(middle, BorderLayout.CENTER);
     JPanel below = new JPanel(new BorderLayout());
     below.add(writing(), BorderLayout.NORTH);
     below.add(buttons(), BorderLayout.SOUTH);
@@ -75,6 +90,14 @@ public final class ControlWindow implements AutoCloseable {
   /** Updates the state of the session, which a key in another window may also have paused. */
   private void refresh() {
     status.setText(controls.status() + " ");
+    String wrong = controls.alarm();
+    if (alarm.isVisible() == wrong.isEmpty()) {
+      alarm.setVisible(!wrong.isEmpty());
+      frame.revalidate(); // The notes give it room.
+    }
+    if (!wrong.isEmpty()) {
+      alarm.setText(wrong + ".\n" + HOW_TO_GO_ON);
+    }
     if (pause.isSelected() != controls.paused()) {
       pause.setSelected(controls.paused());
     }

@@ -28,14 +28,21 @@ final class PageFooter {
   private final JProgressBar progress = new JProgressBar();
   private final JButton back = PlainText.only(new JButton());
   private final JButton next = PlainText.only(new JButton());
+  private final JButton again = PlainText.only(new JButton());
   private final Color plain = left.getForeground();
 
   /**
    * @param lines lines of the explanation of the keys
    */
-  PageFooter(ParticipantMessages wording, int lines, Runnable goBack, Runnable goOn) {
+  PageFooter(
+      ParticipantMessages wording, int lines, Runnable goBack, Runnable goOn, Runnable playAgain) {
     this.wording = wording;
     hint = WrappedTextArea.of(" " + "\n ".repeat(lines - 1), 12f, HINT_WIDTH);
+    again.setName("again");
+    again.setText(wording.of("audio.again"));
+    again.setFocusable(false);
+    again.setVisible(false);
+    again.addActionListener(event -> playAgain.run());
     next.setName("next");
     next.setFocusable(false);
     next.addActionListener(event -> goOn.run());
@@ -51,6 +58,7 @@ final class PageFooter {
     where.add(page);
     where.add(progress);
     JPanel buttons = new JPanel(new FlowLayout(FlowLayout.RIGHT, 10, 0));
+    buttons.add(again);
     buttons.add(back);
     buttons.add(next);
     JPanel right = new JPanel(new BorderLayout(0, 8));
@@ -101,9 +109,15 @@ final class PageFooter {
     next.setEnabled(open == 0 && !refused);
   }
 
+  /** Shows or hides the button that plays the page's audio again. */
+  void audible(boolean audio) {
+    again.setVisible(audio);
+  }
+
   /** Disables the buttons. */
   void close() {
     next.setEnabled(false);
     back.setEnabled(false);
+    again.setEnabled(false);
   }
 }

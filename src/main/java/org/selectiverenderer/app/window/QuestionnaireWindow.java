@@ -19,8 +19,10 @@ import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
+import javax.swing.Timer;
 import javax.swing.WindowConstants;
 import javax.swing.text.JTextComponent;
+import org.selectiverenderer.app.narration.Narration;
 import org.selectiverenderer.study.questionnaire.Answer;
 import org.selectiverenderer.study.questionnaire.AnswerField;
 import org.selectiverenderer.study.questionnaire.NumberKeys;
@@ -40,6 +42,9 @@ public final class QuestionnaireWindow {
   private static final int WIDTH = 980;
   private static final int LEAST_HEIGHT = 460;
   private static final int MOST_HEIGHT = 1000;
+
+  /** Milliseconds between two calls that keep the audio going. */
+  private static final int HEAR = 50;
 
   /**
    * A questionnaire to be asked of a participant.
@@ -68,6 +73,8 @@ public final class QuestionnaireWindow {
   private final JPanel middle = new JPanel(new BorderLayout());
   private final PageFooter foot;
   private final KeyEventDispatcher keys = this::key;
+  private final Optional<Narration> narration;
+  private final Timer hear;
   private PagePanel panel;
 
   private QuestionnaireWindow(
@@ -75,7 +82,10 @@ public final class QuestionnaireWindow {
       QuestionnaireProgress.Listener listener,
       SessionEndWatcher sessionEnd,
       MonitorBounds desk,
+      Optional<Narration> narration,
       Consumer<Boolean> done) {
+    this.narration = narration;
+    hear = new Timer(HEAR, event -> narrate());
     this.asking = asking;
     this.desk = desk;
     frame = new JFrame(desk.configuration());
@@ -83,7 +93,13 @@ public final class QuestionnaireWindow {
     course =
         new QuestionnaireProgress(
             asking.questionnaire(), asking.wording(), asking.known(), asking.from(), listener);
-    foot = new PageFooter(asking.wording(), hintLines(), this::back, this::goOn);
+    foot =
+        new PageFooter(
+            asking.wording(),
+            hintLines(),
+            this::back,
+            this::goOn,
+            () -> narration.ifPresent(Narration::again));
     panel = make(course.page());
     JPanel south = new JPanel(new BorderLayout());
     south.add(foot.component(), BorderLayout.CENTER);
@@ -96,6 +112,7 @@ public final class QuestionnaireWindow {
     frame.add(south, BorderLayout.SOUTH);
     size();
     lay();
+    hear.start();
     sessionEnd.watch(frame, () -> end(false));
     frame.addWindowFocusListener(
         new WindowAdapter() {
@@ -134,13 +151,15 @@ public final class QuestionnaireWindow {
    *
    * @param listener receives every page, answer and change of an answer, on Swing's thread
    * @param desk the participant's monitor
+   * @param narration plays the audio of the pages; empty for silence
    * @return whether all questions were answered and the participant went on
    */
   public static boolean ask(
       Asking asking,
       QuestionnaireProgress.Listener listener,
       SessionEndWatcher sessionEnd,
-      MonitorBounds desk) {
+      MonitorBounds desk,
+      Optional<Narration> narration) {
     AtomicBoolean through = new AtomicBoolean();
     ModalWindowRunner.on(
         finished ->
@@ -149,6 +168,7 @@ public final class QuestionnaireWindow {
                     listener,
                     sessionEnd,
                     desk,
+                    narration,
                     complete -> {
                       through.set(complete);
                       finished.run();
@@ -205,7 +225,15 @@ public final class QuestionnaireWindow {
     course.begin();
   }
 
+  private void narrate() {
+    narration.ifPresent(
+        player ->
+            player.show(
+                asking.questionnaire().id() + '/' + course.page().id(), course.page().audio()));
+  }
+
   private void count() {
+    foot.audible(narration.isPresent() && course.page().audio().isPresent());
     foot.show(
         course.number(),
         course.pages().size(),
@@ -300,6 +328,8 @@ public final class QuestionnaireWindow {
     panel.settle();
     KeyboardFocusManager.getCurrentKeyboardFocusManager().removeKeyEventDispatcher(keys);
     foot.close();
+    hear.stop();
+    narration.ifPresent(Narration::hide);
     done.accept(complete);
   }
 }

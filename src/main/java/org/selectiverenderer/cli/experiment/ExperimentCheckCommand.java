@@ -56,11 +56,9 @@ final class ExperimentCheckCommand extends CliCommand {
     new CommandFileCheck().writes("--output", output).check();
     ProblemCollector problems =
         new ProblemCollector(format.json() ? problem -> {} : console()::problem);
-    Optional<LoadedStudy> material =
-        study
-            .readForSession(
-                Optional.empty(), trust, TrustPrompt.onTerminal(console()), console(), problems)
-            .map(all -> all.get(0));
+    Optional<List<LoadedStudy>> material =
+        study.readForSession(
+            Optional.empty(), trust, TrustPrompt.onTerminal(console()), console(), problems);
     if (material.isEmpty()) {
       if (format.json()) {
         console().out().print(StudyCheckReport.json(problems.list()));

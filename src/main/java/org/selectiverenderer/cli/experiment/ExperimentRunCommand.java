@@ -47,6 +47,7 @@ import org.selectiverenderer.render.window.Monitors;
 import org.selectiverenderer.study.definition.LslSettings;
 import org.selectiverenderer.study.definition.Study;
 import org.selectiverenderer.study.design.StudyGroup;
+import org.selectiverenderer.study.session.DiskRoom;
 import org.selectiverenderer.study.session.LoadedStudy;
 import org.selectiverenderer.study.session.ParticipantLanguage;
 import org.selectiverenderer.study.session.Session;
@@ -167,6 +168,7 @@ final class ExperimentRunCommand extends CliCommand {
                       .map(StudyGroup::name)
                       .collect(Collectors.joining(", "))));
     }
+    DiskRoom.of(material.study()).warning().ifPresent(console()::message);
     Optional<DisplayConfiguration> presentation = presentation(material.study(), problems);
     if (presentation.isEmpty()) {
       return ExitStatus.PROBLEMS;

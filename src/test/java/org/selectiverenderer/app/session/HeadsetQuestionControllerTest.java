@@ -22,6 +22,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.app.headset.ControllerCommand;
 import org.selectiverenderer.app.headset.PanelPlacement;
+import org.selectiverenderer.app.narration.SilentNarration;
 import org.selectiverenderer.app.run.RunController;
 import org.selectiverenderer.app.run.RunListener;
 import org.selectiverenderer.app.run.RunRequest;
@@ -107,7 +108,8 @@ class HeadsetQuestionControllerTest {
                     told.add(text);
                   }
                 }),
-            controls);
+            controls,
+            SilentNarration.make());
   }
 
   @AfterEach

@@ -16,6 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.selectiverenderer.app.headset.ControllerCommand;
+import org.selectiverenderer.app.narration.SilentNarration;
 import org.selectiverenderer.browser.camera.Camera;
 import org.selectiverenderer.browser.camera.Primitive2D;
 import org.selectiverenderer.browser.camera.WorldSpacePanel;
@@ -102,7 +103,8 @@ class HeadsetQuestionsTest {
               (SessionStep.Questions) session.remaining().get(0),
               new ExperimenterControls(session.journal()),
               new HeadsetLayout(1),
-              true);
+              true,
+              SilentNarration.make());
       guide.opened(walk);
       guide.panels();
       for (String key : chosen.split(";")) {

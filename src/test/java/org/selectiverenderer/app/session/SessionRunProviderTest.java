@@ -13,6 +13,7 @@ import java.util.OptionalLong;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.selectiverenderer.app.narration.SilentNarration;
 import org.selectiverenderer.app.run.RunListener;
 import org.selectiverenderer.apparatus.DisplayMode;
 import org.selectiverenderer.apparatus.DisplayProfileLoader;
@@ -101,7 +102,8 @@ class SessionRunProviderTest {
                   false,
                   OperatorViewSettings.DESK,
                   new Unheard()),
-              new ExperimenterControls(session.journal()));
+              new ExperimenterControls(session.journal()),
+              SilentNarration.make());
       assertThat(
               steps
                   .next()

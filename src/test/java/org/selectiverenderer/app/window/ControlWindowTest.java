@@ -3,10 +3,12 @@ package org.selectiverenderer.app.window;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.BorderLayout;
+import java.awt.Container;
 import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.nio.file.Files;
+import java.util.Arrays;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.FutureTask;
@@ -14,6 +16,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import javax.swing.JButton;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
+import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
 import org.junit.jupiter.api.Test;
@@ -47,6 +50,17 @@ class ControlWindowTest extends SessionWindowFixture {
     assertThat(window).isEqualTo(new Rectangle(535, 200, 500, 300));
   }
 
+  private static Optional<JTextArea> alarm(Container within) {
+    return Arrays.stream(within.getComponents())
+        .map(
+            part ->
+                part instanceof JTextArea text && "alarm".equals(text.getName())
+                    ? Optional.of(text)
+                    : part instanceof Container more ? alarm(more) : Optional.<JTextArea>empty())
+        .flatMap(Optional::stream)
+        .findFirst();
+  }
+
   @Test
   void theExperimentersNotesPausesAndEndAreInTheJournal() throws IOException {
     LoadedStudy material = material("en");
@@ -78,6 +92,16 @@ class ControlWindowTest extends SessionWindowFixture {
                             .getLayoutComponent(BorderLayout.NORTH));
         hands.await("the status", () -> status.getText().startsWith("exposure-kitchen: 12 s left"));
         pictures(window, "session-controls");
+        JTextArea alarm = GuiRobot.onEdt(() -> alarm(window).orElseThrow());
+        assertThat(alarm.isVisible()).isFalse();
+        controls.alarm("The tracker is silent for 3.0 s: the view stays as it is");
+        hands.await("the alarm", alarm::isShowing);
+        assertThat(alarm.getText())
+            .contains("The tracker is silent for 3.0 s", "F8 pauses", "F9 goes on", "Abort")
+            .contains("--resume --without-tracker");
+        pictures(window, "session-alarm");
+        controls.alarm("");
+        hands.await("no alarm", () -> !alarm.isShowing());
         WindowFinder.click(hands, pause, () -> !controls.paused());
         AtomicBoolean went = new AtomicBoolean(); // Taken once.
         WindowFinder.click(

@@ -21,6 +21,7 @@ import javax.swing.JToggleButton;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.app.narration.SilentNarration;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.study.definition.StudyTemplate;
 import org.selectiverenderer.study.questionnaire.Answer;
@@ -130,7 +131,8 @@ abstract class SessionWindowFixture {
                   }
                 },
                 end,
-                desk));
+                desk,
+                Optional.of(SilentNarration.make())));
   }
 
   void choose(JFrame window, String name, List<String> heard) {

@@ -79,6 +79,38 @@ class ExperimentRehearsalTest extends CommandTestCase {
   }
 
   @Test
+  void audioThatIsMissingOrCannotBePlayedIsFoundInEachLanguage() throws IOException {
+    write(
+        "study.json",
+        """
+        {"name": "Heard", "conditions": ["high"], "participants": 2, "scene": "room.x3d",
+         "languages": ["en", "el"], "blocks": [{"name": "b", "trial": [
+          {"show": "instruction", "text": {"en": "Look.", "el": "Κοιτάξτε."},
+           "audio": {"en": "look.wav", "el": "look-el.wav"}}]}],
+         "questionnaires": [{"file": "heard.json"}]}
+        """);
+    write(
+        "heard.json",
+        "{\"name\": \"heard\", \"pages\": [{\"text\": \"Listen.\", \"audio\": \"page.mp3\"}]}");
+    write("look.wav", "no sound");
+    assertThat(execute("experiment", "check", study())).isEqualTo(1);
+    assertThat(messages())
+        .contains("study.json:4:", "there is no file 'look-el.wav' relative to the study file")
+        .contains("heard.json:1:", "there is no file 'page.mp3' relative to the questionnaire");
+    write("look-el.wav", "no sound");
+    write("page.mp3", "no sound");
+    assertThat(execute("experiment", "check", study())).isEqualTo(1);
+    assertThat(messages())
+        .contains(
+            file("look.wav") + ": the audio has a format that cannot be played",
+            file("look-el.wav") + ": the audio has",
+            file("page.mp3") + ": the audio has");
+    write("heard.json", "{\"name\": \"h\", \"pages\": [{\"text\": \"a\", \"audio\": \"a.txt\"}]}");
+    assertThat(execute("experiment", "check", study())).isEqualTo(1);
+    assertThat(messages()).contains("an audio must be a WAV, AIFF, AU or MP3 file");
+  }
+
+  @Test
   void aSwitchThatIsNotThereIsFoundWithTheLineOfItsStimulus() throws IOException {
     write("changes.csv", "object,kind\nLamp,near\n\"Lamp's\",far\n");
     assertThat(execute("experiment", "check", study())).isEqualTo(1);

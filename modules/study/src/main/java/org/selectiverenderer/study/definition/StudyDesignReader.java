@@ -53,7 +53,7 @@ final class StudyDesignReader {
     this.files = files;
     this.problems = problems;
     settings = new TrialSettingsReader(files, problems);
-    phases = new TrialPhaseReader(texts);
+    phases = new TrialPhaseReader(files, texts);
   }
 
   /**

@@ -32,6 +32,7 @@ public final class StudyPermissions {
         requests.file("file", own.file());
       }
     }
+    study.design().audio().forEach(file -> requests.file("audio", file));
     String profile = study.display().hmd();
     if (DisplayProfileLoader.builtIn(profile).isEmpty()) {
       requests.file("hmd", Path.of(profile));

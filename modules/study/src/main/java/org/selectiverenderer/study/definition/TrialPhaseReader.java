@@ -1,5 +1,6 @@
 package org.selectiverenderer.study.definition;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -11,8 +12,10 @@ import java.util.regex.Pattern;
 import org.selectiverenderer.base.problem.SpellingSuggester;
 import org.selectiverenderer.formats.json.JsonObjectReader;
 import org.selectiverenderer.formats.json.LocatedJsonValue;
+import org.selectiverenderer.study.definition.StudyQuestionnairesReader.FileOfKey;
 import org.selectiverenderer.study.design.TrialPhase;
 import org.selectiverenderer.study.design.TrialPhase.ResponseKeys;
+import org.selectiverenderer.study.questionnaire.AudioFileName;
 import org.selectiverenderer.study.questionnaire.QuestionKind;
 
 /** Reads the phases of a block's trials. */
@@ -23,9 +26,11 @@ final class TrialPhaseReader {
   private static final String KEY = "[0-9a-z]|space|enter|left|right|up|down";
   private static final int MOST_ROUNDS = 10_000;
 
+  private final FileOfKey files;
   private final QuestionKind.Texts texts;
 
-  TrialPhaseReader(QuestionKind.Texts texts) {
+  TrialPhaseReader(FileOfKey files, QuestionKind.Texts texts) {
+    this.files = files;
     this.texts = texts;
   }
 
@@ -47,7 +52,8 @@ final class TrialPhaseReader {
   private Optional<TrialPhase> phase(JsonObjectReader keys, List<String> columns) {
     String kind = keys.text("show");
     return switch (kind) {
-      case "instruction" -> Optional.of(new TrialPhase.Instruction(text(keys, "text", columns)));
+      case "instruction" ->
+          Optional.of(new TrialPhase.Instruction(text(keys, "text", columns), audio(keys)));
       case "fixation" -> Optional.of(new TrialPhase.Fixation(seconds(keys, 0.5)));
       case "exposure" -> Optional.of(exposure(keys, columns));
       case "blank" -> Optional.of(blank(keys, columns));
@@ -75,6 +81,18 @@ final class TrialPhaseReader {
         yield Optional.empty();
       }
     };
+  }
+
+  private Optional<Path> audio(JsonObjectReader keys) {
+    String name = texts.optional(keys, "audio");
+    if (name.isEmpty()) {
+      return Optional.empty();
+    }
+    if (!AudioFileName.known(name)) {
+      keys.fault("audio", AudioFileName.NEEDED);
+      return Optional.empty();
+    }
+    return Optional.of(files.find(keys, "audio", name));
   }
 
   private static double seconds(JsonObjectReader keys, double usual) {

@@ -1,7 +1,9 @@
 package org.selectiverenderer.study.design;
 
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /**
  * The design of a study.
@@ -31,6 +33,23 @@ public record StudyDesign(
   /** Returns the design with planned analyses. */
   public StudyDesign with(List<PlannedAnalysis> planned) {
     return new StudyDesign(factors, groups, blocks, planned);
+  }
+
+  /** Returns the sound files of the instructions. */
+  public List<Path> audio() {
+    return blocks.stream()
+        .flatMap(block -> block.phases().stream())
+        .flatMap(StudyDesign::audio)
+        .distinct()
+        .toList();
+  }
+
+  private static Stream<Path> audio(TrialPhase phase) {
+    return phase instanceof TrialPhase.Instruction instruction
+        ? instruction.audio().stream()
+        : phase instanceof TrialPhase.Repeat repeat
+            ? repeat.phases().stream().flatMap(StudyDesign::audio)
+            : Stream.of();
   }
 
   /** Returns the group with a name. */

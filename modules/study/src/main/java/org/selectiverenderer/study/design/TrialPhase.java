@@ -1,8 +1,10 @@
 package org.selectiverenderer.study.design;
 
+import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
@@ -16,11 +18,20 @@ public sealed interface TrialPhase {
   /** Returns the phase with the texts of a trial in place of {@code {column}}. */
   TrialPhase filled(Trial trial);
 
-  /** A text that is read on a black picture until the participant goes on. */
-  record Instruction(String text) implements TrialPhase {
+  /**
+   * A text that is read on a black picture until the participant goes on.
+   *
+   * @param audio a sound file that is played meanwhile
+   */
+  record Instruction(String text, Optional<Path> audio) implements TrialPhase {
+    /** Makes an instruction without audio. */
+    public Instruction(String text) {
+      this(text, Optional.empty());
+    }
+
     @Override
     public TrialPhase filled(Trial trial) {
-      return new Instruction(trial.filled(text));
+      return new Instruction(trial.filled(text), audio);
     }
   }
 

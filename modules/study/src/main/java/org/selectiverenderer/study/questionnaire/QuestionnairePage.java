@@ -16,6 +16,7 @@ import java.util.Random;
  * @param title may be empty
  * @param text text before the questions, paragraphs separated by line ends; may be empty
  * @param picture a PNG or JPEG file
+ * @param audio a sound file that is played when the page is shown
  * @param questions the questions; empty for a page to be read
  * @param shuffled whether the questions have a random order for each participant
  * @param when the branching rule; empty for a page that is always shown
@@ -25,11 +26,24 @@ public record QuestionnairePage(
     String title,
     String text,
     Optional<Path> picture,
+    Optional<Path> audio,
     List<Question> questions,
     boolean shuffled,
     Optional<BranchingRule> when) {
   public QuestionnairePage {
     questions = List.copyOf(questions);
+  }
+
+  /** Makes a page without audio. */
+  public QuestionnairePage(
+      String id,
+      String title,
+      String text,
+      Optional<Path> picture,
+      List<Question> questions,
+      boolean shuffled,
+      Optional<BranchingRule> when) {
+    this(id, title, text, picture, Optional.empty(), questions, shuffled, when);
   }
 
   /**
@@ -49,7 +63,7 @@ public record QuestionnairePage(
       mixed = (mixed ^ c) * 0x100000001B3L; // FNV-1a, whose low bits Random then spreads.
     }
     Collections.shuffle(order, new Random(mixed));
-    return new QuestionnairePage(id, title, text, picture, order, false, when);
+    return new QuestionnairePage(id, title, text, picture, audio, order, false, when);
   }
 
   /** Returns the page with all occurrences of a text replaced by another. */
@@ -59,6 +73,7 @@ public record QuestionnairePage(
         title.replace(old, other),
         text.replace(old, other),
         picture,
+        audio,
         questions.stream().map(question -> question.naming(old, other)).toList(),
         shuffled,
         when);

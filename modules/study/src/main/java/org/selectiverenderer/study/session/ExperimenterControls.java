@@ -15,6 +15,7 @@ public final class ExperimenterControls {
   private volatile boolean resetting;
   private volatile boolean asking;
   private volatile String status = "";
+  private volatile String alarm = "";
   private volatile Optional<Runnable> question = Optional.empty();
 
   public ExperimenterControls(SessionJournal journal) {
@@ -108,5 +109,14 @@ public final class ExperimenterControls {
 
   public String status() {
     return status;
+  }
+
+  /** Sets what is wrong now and needs the experimenter; empty where nothing is. */
+  public void alarm(String text) {
+    alarm = text;
+  }
+
+  public String alarm() {
+    return alarm;
   }
 }

@@ -6,12 +6,14 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Predicate;
+import java.util.stream.Stream;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.base.problem.SpellingSuggester;
@@ -273,6 +275,15 @@ public record LoadedStudy(
         .map(Asked::questionnaire)
         .filter(each -> each.name().equals(name))
         .findFirst();
+  }
+
+  /** Returns the sound files that are played to participants, each once. */
+  public Set<Path> audio() {
+    Set<Path> files = new LinkedHashSet<>(study.design().audio());
+    Stream.concat(Stream.of(form), asked.stream().map(Asked::questionnaire))
+        .flatMap(one -> one.pages().stream())
+        .forEach(page -> page.audio().ifPresent(files::add));
+    return files;
   }
 
   /** Returns the steps of a session, with the areas in the order of the study file. */

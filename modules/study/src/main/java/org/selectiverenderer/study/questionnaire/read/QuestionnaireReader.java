@@ -18,6 +18,7 @@ import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SpellingSuggester;
 import org.selectiverenderer.formats.json.JsonObjectReader;
 import org.selectiverenderer.formats.json.JsonSettingsReader;
+import org.selectiverenderer.study.questionnaire.AudioFileName;
 import org.selectiverenderer.study.questionnaire.BranchingRule;
 import org.selectiverenderer.study.questionnaire.PictureFile;
 import org.selectiverenderer.study.questionnaire.Question;
@@ -131,6 +132,10 @@ public final class QuestionnaireReader {
     String own = texts.optional(keys, "title");
     String text = texts.optional(keys, "text");
     Optional<Path> picture = keys.text("picture", false).flatMap(file -> picture(keys, file));
+    Optional<Path> audio =
+        Optional.of(texts.optional(keys, "audio"))
+            .filter(file -> !file.isEmpty())
+            .flatMap(file -> audio(keys, file));
     Optional<BranchingRule> when = when(keys);
     boolean shuffled =
         keys.choice("order", List.of(false, true), QuestionnaireReader::order, false);
@@ -143,6 +148,7 @@ public final class QuestionnaireReader {
         own.isEmpty() ? title : own,
         text,
         picture,
+        audio,
         read.stream().flatMap(Optional::stream).toList(),
         shuffled,
         when);
@@ -153,19 +159,38 @@ public final class QuestionnaireReader {
   }
 
   private Optional<Path> picture(JsonObjectReader keys, String name) {
-    Optional<Path> file = folder.map(base -> base.resolve(name).normalize());
     if (!name.toLowerCase(Locale.ROOT).matches(".*\\.(png|jpe?g)")) {
       keys.fault("picture", "a picture must be a PNG or JPEG file");
-    } else if (NetworkShare.is(name) || file.filter(pictures).isEmpty() && folder.isPresent()) {
-      keys.fault(
-          "picture",
-          "the picture '%s' is outside of the study; put it beside the questionnaire, or its folder into the study's \"allow\""
-              .formatted(name));
-    } else if (file.isEmpty() || !Files.isRegularFile(file.get())) {
-      keys.fault("picture", "there is no file '" + name + "' relative to the questionnaire's file");
-    } else {
+      return Optional.empty();
+    }
+    Optional<Path> file = own(keys, "picture", name);
+    if (file.isPresent()) {
       fault(file.get())
           .ifPresent(fault -> keys.fault("picture", "the file '%s' %s".formatted(name, fault)));
+    }
+    return file;
+  }
+
+  private Optional<Path> audio(JsonObjectReader keys, String name) {
+    if (!AudioFileName.known(name)) {
+      keys.fault("audio", AudioFileName.NEEDED);
+      return Optional.empty();
+    }
+    return own(keys, "audio", name);
+  }
+
+  /** Returns a file that the questionnaire may show or play; reports any other. */
+  private Optional<Path> own(JsonObjectReader keys, String key, String name) {
+    Optional<Path> file = folder.map(base -> base.resolve(name).normalize());
+    if (NetworkShare.is(name) || file.filter(pictures).isEmpty() && folder.isPresent()) {
+      keys.fault(
+          key,
+          "the %s '%s' is outside of the study; put it beside the questionnaire, or its folder into the study's \"allow\""
+              .formatted(key, name));
+      return Optional.empty();
+    } else if (file.isEmpty() || !Files.isRegularFile(file.get())) {
+      keys.fault(key, "there is no file '" + name + "' relative to the questionnaire's file");
+      return Optional.empty();
     }
     return file;
   }

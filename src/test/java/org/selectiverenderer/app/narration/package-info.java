@@ -1,0 +1,4 @@
+@NullMarked
+package org.selectiverenderer.app.narration;
+
+import org.jspecify.annotations.NullMarked;
