@@ -384,6 +384,7 @@ final class TrialController implements RunController {
   private final class Recorder implements TrialCourse.Listener {
     @Override
     public void began(TrialPhase phase, double time) {
+      session.journal().signal(kind(phase) + "-began", step.id(), step.trial()::filled);
       if (phase instanceof TrialPhase.Exposure exposure) {
         Map<String, Integer> choices = new LinkedHashMap<>();
         exposure.choices().forEach((name, choice) -> choices.put(name, number(name, choice)));
@@ -394,6 +395,11 @@ final class TrialController implements RunController {
               .tell("shown", Map.of("step", step.id(), "t", DecimalRounding.to(3, time)));
         }
       }
+    }
+
+    @Override
+    public void responded() {
+      session.journal().signal("response", step.id(), step.trial()::filled);
     }
 
     private int number(String name, String choice) {
