@@ -119,6 +119,7 @@ final class SchemaTables {
       case "name" -> pattern(schema.path("$defs").path(definition));
       case "text" -> "text, or one for each language";
       case "texts" -> "list of texts, or one for each language";
+      case "trigger" -> "a byte, a column in braces, or an object: [triggers.md](triggers.md)";
       default -> throw new IllegalStateException("a definition that has no words: " + definition);
     };
   }

@@ -147,6 +147,7 @@ final class SceneStepController implements RunController {
     }
     if (!exposed && frames > 1 && seconds >= begun + fade) {
       exposed = true;
+      session.journal().signal("exposure-began", step.id(), text -> text);
       session
           .journal()
           .tell("shown", Map.of("step", step.id(), "t", DecimalRounding.to(3, seconds)));

@@ -436,6 +436,7 @@ final class TrialController implements RunController {
     @Override
     public void began(TrialPhase phase, double time) {
       phasesBegun++;
+      session.journal().signal(kind(phase) + "-began", step.id(), step.trial()::filled);
       if (phase instanceof TrialPhase.Exposure exposure) {
         Map<String, Integer> choices = new LinkedHashMap<>();
         exposure.choices().forEach((name, choice) -> choices.put(name, number(name, choice)));
@@ -446,6 +447,11 @@ final class TrialController implements RunController {
               .tell("shown", Map.of("step", step.id(), "t", DecimalRounding.to(3, time)));
         }
       }
+    }
+
+    @Override
+    public void responded() {
+      session.journal().signal("response", step.id(), step.trial()::filled);
     }
 
     private int number(String name, String choice) {

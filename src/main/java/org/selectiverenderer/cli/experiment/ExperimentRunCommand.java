@@ -18,6 +18,7 @@ import org.selectiverenderer.app.session.SessionUi;
 import org.selectiverenderer.app.session.SimulatedSessionUi;
 import org.selectiverenderer.app.session.SwingSessionUi;
 import org.selectiverenderer.app.stream.LslStreams;
+import org.selectiverenderer.app.trigger.TriggerSender;
 import org.selectiverenderer.apparatus.DisplayMode;
 import org.selectiverenderer.apparatus.DisplayProfile;
 import org.selectiverenderer.apparatus.DisplayProfileLoader;
@@ -191,13 +192,22 @@ final class ExperimentRunCommand extends CliCommand {
             headset
                 .map(worn -> new SharedHeadTracker((settings, hears) -> worn.tracker(hears)))
                 .orElseGet(SharedHeadTracker::new);
+        TriggerSender triggers = TriggerSender.of(material.study().triggers());
         Session session = open(material, plain, tracker, problems);
+        // Closed before the session, whose journal it tells what was sent.
+        TriggerSender following = triggers.follow(session.journal(), console()::message);
         LslStreams streams = streams(wanted, library, session);
         SessionUi dialogue =
             unattended ? new SimulatedSessionUi() : new SwingSessionUi(material.wording(), stage)) {
       SessionDisplaySettings show =
           plain.heardBy(new ConsoleRunListener(console(), event -> {}, streams.samples()));
-      session.journal().listen(streams::event);
+      session
+          .journal()
+          .listen(
+              event -> {
+                following.event(event);
+                streams.event(event);
+              });
       console().message("session: " + session.folder().path());
       return ended(
           new SessionRunner(session, dialogue, show, tracker, headset, console()::message).run(),

@@ -19,6 +19,8 @@ public record PermissionRequest(Kind kind, String key, String target, String mea
     TRACKER,
     /** Data is sent to the network, or taken from it. */
     STREAM,
+    /** Signals are sent to a device. */
+    TRIGGER,
     /** A scene outside is shown, with what it may name there. */
     SCENE,
     /** A file outside is read. */

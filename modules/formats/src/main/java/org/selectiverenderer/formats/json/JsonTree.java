@@ -16,7 +16,10 @@ public final class JsonTree {
   static final ObjectMapper MAPPER = new ObjectMapper();
 
   private static final ObjectMapper SETTINGS =
-      JsonMapper.builder().enable(JsonReadFeature.ALLOW_JAVA_COMMENTS).build();
+      JsonMapper.builder()
+          .enable(JsonReadFeature.ALLOW_JAVA_COMMENTS)
+          .enable(JsonReadFeature.ALLOW_TRAILING_COMMA)
+          .build();
 
   private JsonTree() {}
 
@@ -40,7 +43,7 @@ public final class JsonTree {
     return MAPPER.readTree(text);
   }
 
-  /** Parses the text of a settings file, which may have comments. */
+  /** Parses the text of a settings file, which may have comments and last commas. */
   public static JsonNode parseSettings(String text) throws JsonProcessingException {
     return SETTINGS.readTree(text);
   }

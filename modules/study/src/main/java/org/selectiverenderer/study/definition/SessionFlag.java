@@ -21,6 +21,8 @@ public enum SessionFlag {
   TRACKER_ABSENT("without the study's tracker"),
   /** The tracker sent no records during an exposure for longer than the study allows. */
   TRACKER_LOST("tracker silent"),
+  /** A trigger signal could not be sent, as when its port had disappeared. */
+  TRIGGER_FAILED("trigger signal not sent"),
   /** The headset was taken off, or its runtime was lost, during an exposure. */
   HEADSET_LOST("headset taken off or lost"),
   /** An exposure had fewer frames per second than the study asks for. */

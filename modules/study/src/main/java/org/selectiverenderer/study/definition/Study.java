@@ -32,6 +32,7 @@ import org.selectiverenderer.x3d.url.ContentAccessPolicy;
  * @param streams streams to and from the Lab Streaming Layer
  * @param access which files other than their own the scenes may refer to
  * @param mute whether the scenes are shown without sound
+ * @param triggers signals that sessions send by a serial port
  */
 public record Study(
     Path file,
@@ -55,7 +56,8 @@ public record Study(
     StudyProcedure course,
     LslSettings streams,
     ContentAccessPolicy access,
-    boolean mute) {
+    boolean mute,
+    Optional<TriggerSettings> triggers) {
 
   public Study {
     areas = List.copyOf(areas);
@@ -184,7 +186,8 @@ public record Study(
         course,
         streams,
         access,
-        mute);
+        mute,
+        triggers);
   }
 
   /** Returns the study file's folder, which also contains the sessions. */

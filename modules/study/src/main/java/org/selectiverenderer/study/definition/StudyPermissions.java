@@ -43,6 +43,16 @@ public final class StudyPermissions {
     requests.access(study.access());
     tracker(requests, study.tracker());
     streams(requests, study.streams());
+    study
+        .triggers()
+        .ifPresent(
+            triggers ->
+                requests.add(
+                    new PermissionRequest(
+                        Kind.TRIGGER,
+                        "triggers",
+                        triggers.port(),
+                        "opens the serial port " + triggers.port() + " and sends signals by it")));
     return requests.requests();
   }
 

@@ -184,7 +184,8 @@ public final class StudyReader {
             StudyProcedureReader.read(keys),
             StudyStreamsReader.read(keys),
             ContentAccessKeys.of(keys, file.toAbsolutePath()),
-            keys.truth("mute", false));
+            keys.truth("mute", false),
+            TriggerSettingsReader.read(keys, design));
     if (areas.isEmpty() && design.blocks().isEmpty() && study.questionnaires().list().isEmpty()) {
       keys.fault(
           "the study has neither areas nor blocks nor questionnaires, so there is nothing to do");

@@ -51,6 +51,11 @@ public final class TrialCourse {
 
     /** A phase ends with the frame of this time, which does not show it any more. */
     void ended(TrialPhase phase, double began, double time);
+
+    /** The participant responds, on the thread that hands the key over. */
+    default void responded() {
+      // Most listeners read the response when the trial is over.
+    }
   }
 
   /**
@@ -186,6 +191,7 @@ public final class TrialCourse {
     if (!keys().contains(key)) {
       return false;
     }
+    listener.responded();
     response = key;
     responded = OptionalDouble.of(Math.max(0, time - asked));
     goOn = true;

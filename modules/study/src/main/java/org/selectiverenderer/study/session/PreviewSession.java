@@ -132,7 +132,8 @@ public final class PreviewSession {
         study.course(),
         study.streams(),
         study.access(),
-        study.mute());
+        study.mute(),
+        Optional.empty());
   }
 
   private static OptionalDouble shortened(OptionalDouble seconds, double speed) {

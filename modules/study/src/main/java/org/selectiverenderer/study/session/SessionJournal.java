@@ -17,6 +17,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.decimal.DecimalRounding;
 import org.selectiverenderer.base.files.DiskSync;
@@ -48,6 +49,20 @@ public final class SessionJournal implements AutoCloseable {
           });
   private volatile @Nullable IOException failure;
   private volatile Consumer<JsonNode> listener = event -> {};
+  private volatile SignalListener signals = (event, step, fill) -> {};
+
+  /** Hears of moments that are not events of the journal, such as the phases of a trial. */
+  @FunctionalInterface
+  public interface SignalListener {
+    /**
+     * Hears of a moment, at once and on the thread on which it happens; must not block.
+     *
+     * @param event what happens, such as {@code fixation-began} or {@code response}
+     * @param step the step in which it happens
+     * @param fill replaces names of factors and columns in braces by what the trial has
+     */
+    void heard(String event, String step, UnaryOperator<String> fill);
+  }
 
   private SessionJournal(
       Path file, FileChannel channel, SessionHistory history, JournalClock clock) {
@@ -95,6 +110,16 @@ public final class SessionJournal implements AutoCloseable {
   /** Sets the listener, which receives each event on the thread that logs it; it must not block. */
   public void listen(Consumer<JsonNode> hears) {
     listener = hears;
+  }
+
+  /** Sets the listener of signals. */
+  public void listenToSignals(SignalListener hears) {
+    signals = hears;
+  }
+
+  /** Tells the listener of signals of a moment, which is not logged. */
+  public void signal(String event, String step, UnaryOperator<String> fill) {
+    signals.heard(event, step, fill);
   }
 
   /**

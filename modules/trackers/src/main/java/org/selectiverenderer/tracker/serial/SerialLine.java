@@ -126,6 +126,15 @@ final class SerialLine {
     return on ? port.setRTS() : port.clearRTS();
   }
 
+  /**
+   * Sets the DTR wire.
+   *
+   * @return whether this port has a DTR wire
+   */
+  boolean dataTerminalReady(boolean on) {
+    return on ? port.setDTR() : port.clearDTR();
+  }
+
   void close() {
     port.closePort();
   }
