@@ -8,6 +8,7 @@ import java.util.function.Consumer;
 import org.selectiverenderer.app.head.SharedHeadTracker;
 import org.selectiverenderer.app.headset.HeadsetConnection;
 import org.selectiverenderer.app.run.RunSequence;
+import org.selectiverenderer.study.definition.Study;
 import org.selectiverenderer.study.session.ExperimenterControls;
 import org.selectiverenderer.study.session.Session;
 import org.selectiverenderer.study.session.SessionStep;
@@ -57,7 +58,10 @@ public final class SessionRunner {
     this.dialogue = dialogue;
     this.tracker = tracker;
     this.message = message;
-    controls = new ExperimenterControls(session.journal());
+    Study study = session.material().study();
+    controls =
+        new ExperimenterControls(
+            session.journal(), study.streams().wanted() || study.triggers().isPresent());
     shown = new SessionRunProvider(session, settings, controls);
   }
 
