@@ -9,6 +9,7 @@ import org.selectiverenderer.formats.json.JsonWriter;
 import org.selectiverenderer.render.ShadingMode;
 import org.selectiverenderer.render.context.GlInfo;
 import org.selectiverenderer.render.display.FrameTimeStatistics;
+import org.selectiverenderer.render.window.DisplayTiming;
 import org.selectiverenderer.tracker.LatencyHistogram;
 
 /**
@@ -27,6 +28,7 @@ import org.selectiverenderer.tracker.LatencyHistogram;
  *     submitted
  * @param trackerSilence the longest time without a tracker sample, in seconds; 0 without a tracker
  * @param headset the measurements of the headset in which the run was shown, if any
+ * @param display how the frames of the window were paced, if there was one
  */
 public record RunMetrics(
     double loadMs,
@@ -40,7 +42,28 @@ public record RunMetrics(
     ShadingMode shading,
     LatencyHistogram latency,
     double trackerSilence,
-    Optional<HeadsetMetrics> headset) {
+    Optional<HeadsetMetrics> headset,
+    Optional<DisplayTiming> display) {
+  /** A frame is slow if it took this many times the median. */
+  private static final double SLOW = 1.5;
+
+  /** Returns these measurements with how the window's frames were paced. */
+  public RunMetrics pacedBy(Optional<DisplayTiming> timing) {
+    return new RunMetrics(
+        loadMs,
+        firstFrameMs,
+        processToFirstFrameMs,
+        times,
+        polygons,
+        drawn,
+        peakMegabytes,
+        gl,
+        shading,
+        latency,
+        trackerSilence,
+        headset,
+        timing);
+  }
 
   /**
    * Returns the measurements as the JSON object that the command line documents; the last line ends
@@ -57,7 +80,8 @@ public record RunMetrics(
         .put("p50", DecimalRounding.to(2, times.p50()))
         .put("p95", DecimalRounding.to(2, times.p95()))
         .put("p99", DecimalRounding.to(2, times.p99()))
-        .put("max", DecimalRounding.to(2, times.max()));
+        .put("max", DecimalRounding.to(2, times.max()))
+        .put("slow_share", DecimalRounding.to(4, times.shareAbove(SLOW * times.p50())));
     polygons.put(node.putObject("polygons"));
     drawn.put(node.putObject("polygons_drawn"));
     if (latency.count() > 0) {
@@ -71,6 +95,11 @@ public record RunMetrics(
       node.put("tracker_silence_s", DecimalRounding.to(2, trackerSilence));
     }
     headset.ifPresent(worn -> worn.put(node.putObject("headset")));
+    display.ifPresent(
+        timing ->
+            node.putObject("display")
+                .put("refresh_hz", DecimalRounding.to(2, timing.hertz()))
+                .put("vsync", timing.synchronised()));
     node.put("peak_rss_mb", DecimalRounding.to(1, peakMegabytes));
     node.putObject("gl")
         .put("vendor", gl.vendor())

@@ -74,7 +74,8 @@ public final class RunMetricsCollector {
         shading,
         latency,
         trackerSilence,
-        headset);
+        headset,
+        Optional.empty());
   }
 
   /** Reads the memory use of this process. */

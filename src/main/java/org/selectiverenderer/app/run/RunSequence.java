@@ -177,7 +177,7 @@ public final class RunSequence implements WorldController {
     current = null;
     RunMetrics figures;
     try (run) {
-      figures = run.figures(window.info().orElse(new GlInfo("", "", "")));
+      figures = run.figures(window.info().orElse(new GlInfo("", "", ""))).pacedBy(window.timing());
     }
     if (run.unreadable()) {
       throw new IOException(

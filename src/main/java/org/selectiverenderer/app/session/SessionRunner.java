@@ -10,6 +10,7 @@ import org.selectiverenderer.app.headset.HeadsetConnection;
 import org.selectiverenderer.app.narration.Narration;
 import org.selectiverenderer.app.run.RunSequence;
 import org.selectiverenderer.browser.sound.SoundDeviceLine;
+import org.selectiverenderer.study.definition.Study;
 import org.selectiverenderer.study.session.ExperimenterControls;
 import org.selectiverenderer.study.session.Session;
 import org.selectiverenderer.study.session.SessionStep;
@@ -60,7 +61,10 @@ public final class SessionRunner {
     this.dialogue = dialogue;
     this.tracker = tracker;
     this.message = message;
-    controls = new ExperimenterControls(session.journal());
+    Study study = session.material().study();
+    controls =
+        new ExperimenterControls(
+            session.journal(), study.streams().wanted() || study.triggers().isPresent());
     narration = new Narration(SoundDeviceLine::open, System::nanoTime, this::warn);
     shown = new SessionRunProvider(session, settings, controls, narration);
   }

@@ -62,8 +62,8 @@ public final class LslStreams implements AutoCloseable {
    * Starts recording.
    *
    * @param predicates LSL predicates that select streams
-   * @param tells receives the events {@code stream-began}, {@code stream-ended} and {@code
-   *     problem}, on the recorder's thread
+   * @param tells receives the events {@code stream-began}, {@code stream-ended}, {@code
+   *     calibration} and {@code problem}, on the recorder's thread
    * @throws IOException if a predicate is malformed
    */
   public void record(
@@ -98,6 +98,21 @@ public final class LslStreams implements AutoCloseable {
                         "stream", stream.name(),
                         "file", String.valueOf(file.getFileName()),
                         "samples", samples));
+              }
+
+              @Override
+              public void calibrated(StreamInfo stream, double time, String text) {
+                tells.accept(
+                    "calibration",
+                    Map.of(
+                        "by",
+                        "stream",
+                        "stream",
+                        stream.name(),
+                        "stream_time",
+                        time,
+                        "text",
+                        text));
               }
 
               @Override

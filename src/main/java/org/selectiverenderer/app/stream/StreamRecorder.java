@@ -46,6 +46,13 @@ final class StreamRecorder implements AutoCloseable {
     /** Reports that the recording of a stream has ended. */
     void ended(StreamInfo stream, Path file, long samples);
 
+    /**
+     * Reports that a stream of texts tells of a calibration.
+     *
+     * @param time seconds of the sender's clock
+     */
+    void calibrated(StreamInfo stream, double time, String text);
+
     /** Reports a problem. */
     void problem(String text);
   }
@@ -192,7 +199,7 @@ final class StreamRecorder implements AutoCloseable {
     boolean more = false;
     for (StreamRecording stream : List.copyOf(streams)) {
       try {
-        more |= stream.take();
+        more |= stream.take((time, text) -> listener.calibrated(stream.stream(), time, text));
         if (compare || keep && !stream.known()) {
           stream.compare(lsl, closing && !stream.known() ? LAST_OFFSET_TIMEOUT : OFFSET_TIMEOUT);
         }

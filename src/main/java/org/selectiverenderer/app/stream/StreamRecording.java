@@ -14,6 +14,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.regex.Pattern;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.base.files.AtomicFileWriter;
 import org.selectiverenderer.base.files.DiskSync;
@@ -34,6 +35,12 @@ import org.selectiverenderer.lsl.StreamInfo;
 final class StreamRecording implements AutoCloseable {
   private static final int DECIMALS = 6;
 
+  /** Markers of eye trackers' programs say so in words of their own, such as "calibration_end". */
+  private static final Pattern CALIBRATION = Pattern.compile("calibrat", Pattern.CASE_INSENSITIVE);
+
+  private static final int MOST_MARKS = 1000;
+  private static final int LONGEST = 200;
+
   /** The number of samples after which other streams get their turn. */
   private static final int TURN = 4096;
 
@@ -47,6 +54,7 @@ final class StreamRecording implements AutoCloseable {
   private final FileChannel samples;
   private final FileChannel offsets;
   private long count;
+  private int marked;
   private boolean compared;
   private boolean known;
 
@@ -149,8 +157,12 @@ final class StreamRecording implements AutoCloseable {
     return count;
   }
 
-  /** Writes the samples that have arrived and returns whether there may be more. */
-  boolean take() throws IOException {
+  /**
+   * Writes the samples that have arrived and returns whether there may be more.
+   *
+   * @param marks receives the texts that tell of a calibration, with the time of the sender's clock
+   */
+  boolean take(CalibrationMarks marks) throws IOException {
     CsvWriter text = CsvWriter.bare();
     int taken = 0;
     for (Optional<LslInlet.Sample> sample = inlet.pull();
@@ -160,6 +172,9 @@ final class StreamRecording implements AutoCloseable {
       row.add(DecimalFormatter.fixed(sample.get().time(), DECIMALS));
       row.addAll(sample.get().values());
       text.row(row);
+      if (stream.texts()) {
+        mark(sample.get(), marks);
+      }
       taken++;
     }
     if (taken > 0) {
@@ -167,6 +182,26 @@ final class StreamRecording implements AutoCloseable {
       write(samples, text.toString());
     }
     return taken == TURN;
+  }
+
+  /** Receives marks of calibrations. */
+  @FunctionalInterface
+  interface CalibrationMarks {
+    /**
+     * Receives a mark.
+     *
+     * @param time seconds of the sender's clock
+     */
+    void marked(double time, String text);
+  }
+
+  private void mark(LslInlet.Sample sample, CalibrationMarks marks) {
+    for (String value : sample.values()) {
+      if (marked < MOST_MARKS && CALIBRATION.matcher(value).find()) {
+        marked++;
+        marks.marked(sample.time(), value.length() > LONGEST ? value.substring(0, LONGEST) : value);
+      }
+    }
   }
 
   /** Returns whether the offset of the sender's clock has been measured. */

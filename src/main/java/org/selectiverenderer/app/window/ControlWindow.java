@@ -81,6 +81,7 @@ public final class ControlWindow implements AutoCloseable {
     frame.setLocation(
         most.x + most.width - frame.getWidth(), most.y + most.height - frame.getHeight());
     key(KeyEvent.VK_F4, controls::resetHeading);
+    key(KeyEvent.VK_F6, controls::calibrated);
     key(KeyEvent.VK_F8, () -> controls.pause(!controls.paused()));
     key(KeyEvent.VK_F9, controls::goOn);
     refresh = new Timer(200, event -> refresh());
@@ -160,6 +161,15 @@ public final class ControlWindow implements AutoCloseable {
     abort.addActionListener(event -> abort());
     JPanel line = new JPanel(new FlowLayout(FlowLayout.RIGHT));
     line.add(abort);
+    if (controls.calibrates()) {
+      JButton calibrated = new JButton("Calibrated (F6)");
+      calibrated.setName("calibrated");
+      calibrated
+          .getAccessibleContext()
+          .setAccessibleDescription("marks that the eye tracker has been calibrated");
+      calibrated.addActionListener(event -> controls.calibrated());
+      line.add(calibrated);
+    }
     line.add(heading);
     line.add(pause);
     line.add(go);

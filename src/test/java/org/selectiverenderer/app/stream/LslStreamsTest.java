@@ -34,6 +34,8 @@ import org.selectiverenderer.control.SelectiveController;
 import org.selectiverenderer.formats.csv.CsvTable;
 import org.selectiverenderer.formats.json.JsonTree;
 import org.selectiverenderer.lsl.LslLibrary;
+import org.selectiverenderer.lsl.LslOutlet;
+import org.selectiverenderer.lsl.StreamInfo;
 import org.selectiverenderer.study.headlog.EyeSample;
 import org.selectiverenderer.study.headlog.HeadLogMetadata;
 import org.selectiverenderer.study.headlog.HeadSample;
@@ -278,6 +280,27 @@ class LslStreamsTest {
     List<String> measured = column(offsets, "offset");
     assertThat(measured.get(measured.size() - 1)).as("both clocks are this machine's").isNotEmpty();
     assertThat(Double.parseDouble(measured.get(measured.size() - 1))).isCloseTo(0, within(0.1));
+  }
+
+  @Test
+  void aMarkerThatTellsOfACalibrationIsAnEvent() throws Exception {
+    StreamInfo markers =
+        StreamInfo.sent(
+            "Tracker", "Markers", List.of(new StreamInfo.Channel("text", "", "Marker")), true, id);
+    try (LslOutlet tracker = lsl.outlet(markers);
+        LslStreams streams = LslStreams.none()) {
+      streams.record(lsl, List.of("source_id='" + id + "'"), folder.resolve("in"), this::tell);
+      awaited("stream-began");
+      tracker.push(lsl.clock(), "blink");
+      double time = lsl.clock();
+      tracker.push(time, "Calibration ended, 0.4 degrees");
+      JsonNode calibration = awaited("calibration");
+      assertThat(calibration.path("by").asText()).isEqualTo("stream");
+      assertThat(calibration.path("stream").asText()).isEqualTo("Tracker");
+      assertThat(calibration.path("text").asText()).isEqualTo("Calibration ended, 0.4 degrees");
+      assertThat(calibration.path("stream_time").asDouble()).isCloseTo(time, within(1e-6));
+    }
+    assertThat(awaited("stream-ended").path("samples").asInt()).isEqualTo(2);
   }
 
   @Test

@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicInteger;
 import javax.swing.JButton;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
@@ -155,6 +156,55 @@ class ControlWindowTest extends SessionWindowFixture {
             "continued",
             "aborted");
     assertThat(events).containsPattern("\"time\":\"\\d{4}-.*\"event\":\"note\",\"text\":\"7\"");
+  }
+
+  @Test
+  void calibrationsAreMarkedByButtonAndKeyWhereADeviceRecords() throws IOException {
+    try (Session session =
+        Session.begin(
+            material("en"),
+            "001",
+            1,
+            new SessionOptions(Optional.empty(), OptionalDouble.empty(), false, "test"),
+            new ProblemCollector())) {
+      AtomicInteger marks = new AtomicInteger();
+      session
+          .journal()
+          .listen(
+              event -> marks.addAndGet(event.path("event").asText().equals("calibration") ? 1 : 0));
+      ControlWindow opened =
+          ControlWindow.open(
+              new ExperimenterControls(session.journal(), true), MonitorBounds.USUAL);
+      try {
+        JFrame window = WindowFinder.named(hands, "controls");
+        pictures(window, "session-controls-calibrated");
+        JButton calibrated = GuiRobot.named(window, "Calibrated (F6)", JButton.class);
+        WindowFinder.click(hands, calibrated, () -> marks.get() > 0);
+        int before = marks.get();
+        hands.press(KeyEvent.VK_F6);
+        hands.await("the key's mark", () -> marks.get() == before + 1);
+      } finally {
+        opened.close();
+      }
+    }
+    assertThat(Files.readString(folder.resolve("study/sub-001/ses-01/events.jsonl")))
+        .contains("\"event\":\"calibration\",\"by\":\"experimenter\"");
+  }
+
+  @Test
+  void withoutSuchADeviceThereIsNoButton() throws IOException {
+    try (Session session =
+        Session.begin(
+            material("en"),
+            "001",
+            1,
+            new SessionOptions(Optional.empty(), OptionalDouble.empty(), false, "test"),
+            new ProblemCollector())) {
+      ExperimenterControls controls = new ExperimenterControls(session.journal());
+      controls.calibrated();
+    }
+    assertThat(Files.readString(folder.resolve("study/sub-001/ses-01/events.jsonl")))
+        .doesNotContain("calibration");
   }
 
   @Test

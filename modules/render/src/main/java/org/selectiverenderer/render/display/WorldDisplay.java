@@ -3,6 +3,7 @@ package org.selectiverenderer.render.display;
 import java.util.Optional;
 import org.selectiverenderer.render.context.GlInfo;
 import org.selectiverenderer.render.context.Screenshot;
+import org.selectiverenderer.render.window.DisplayTiming;
 
 /** Shows a world until its host is finished: in windows, or in a headset with a mirror window. */
 public interface WorldDisplay {
@@ -17,6 +18,11 @@ public interface WorldDisplay {
 
   /** Returns the OpenGL driver that draws; empty before anything was opened. */
   Optional<GlInfo> info();
+
+  /** Returns how the window's frames are paced; empty before it, and for other displays. */
+  default Optional<DisplayTiming> timing() {
+    return Optional.empty();
+  }
 
   /**
    * Returns the last picture of the world without the overlay, both eyes' in stereo; empty when it

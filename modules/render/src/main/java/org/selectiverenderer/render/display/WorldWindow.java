@@ -14,6 +14,7 @@ import org.selectiverenderer.render.FrameStatistics;
 import org.selectiverenderer.render.context.CrossContextImage;
 import org.selectiverenderer.render.context.GlInfo;
 import org.selectiverenderer.render.context.Screenshot;
+import org.selectiverenderer.render.window.DisplayTiming;
 import org.selectiverenderer.render.window.FrameSize;
 import org.selectiverenderer.render.window.InputEvent;
 import org.selectiverenderer.render.window.RenderWindow;
@@ -30,6 +31,7 @@ public final class WorldWindow implements WorldDisplay {
   private final @Nullable OperatorWindow operator;
   private volatile @Nullable Screenshot last;
   private volatile @Nullable GlInfo info;
+  private volatile @Nullable DisplayTiming timing;
   private volatile long uploads;
 
   public WorldWindow(WindowSetup stage, WorldController host) {
@@ -60,6 +62,11 @@ public final class WorldWindow implements WorldDisplay {
   @Override
   public Optional<GlInfo> info() {
     return Optional.ofNullable(info);
+  }
+
+  @Override
+  public Optional<DisplayTiming> timing() {
+    return Optional.ofNullable(timing);
   }
 
   @Override
@@ -109,6 +116,11 @@ public final class WorldWindow implements WorldDisplay {
     @Override
     public void start(GL3 gl) {
       info = GlInfo.of(gl);
+    }
+
+    @Override
+    public void paced(DisplayTiming told) {
+      timing = told;
     }
 
     @Override

@@ -1,5 +1,6 @@
 package org.selectiverenderer.render.window;
 
+import com.jogamp.newt.MonitorDevice;
 import com.jogamp.newt.event.KeyAdapter;
 import com.jogamp.newt.event.KeyEvent;
 import com.jogamp.newt.opengl.GLWindow;
@@ -236,11 +237,17 @@ public final class RenderWindow {
       if (!started) {
         started = true;
         source.start(gl);
+        source.paced(new DisplayTiming(hertz(drawable), gl.getSwapInterval() != 0));
       }
       if (width > 0 && height > 0) {
         source.draw(gl, new FrameSize(width, height, scale(drawable)));
         drawn++;
       }
+    }
+
+    private static double hertz(GLAutoDrawable drawable) {
+      MonitorDevice monitor = drawable instanceof GLWindow window ? window.getMainMonitor() : null;
+      return monitor == null ? 0 : Math.max(0, monitor.getCurrentMode().getRefreshRate());
     }
 
     private void stop(GL3 gl) {

@@ -16,6 +16,9 @@ public interface WindowContent {
   /** Called once, with the context current, before the first frame. */
   void start(GL3 gl);
 
+  /** Called once after {@link #start}: how the display paces the frames. */
+  default void paced(DisplayTiming timing) {}
+
   /**
    * Steps the world; called before each frame, after the input since the last frame.
    *

@@ -12,6 +12,7 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.decimal.DecimalRounding;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.study.dataset.DataTable;
+import org.selectiverenderer.study.dataset.JournalEvent;
 import org.selectiverenderer.study.dataset.RecordedRun;
 import org.selectiverenderer.study.dataset.RecordedSession;
 import org.selectiverenderer.study.dataset.RunEventsTable;
@@ -101,6 +102,31 @@ final class RunTables {
             TableColumn.number("fps", "1/s", "frames per second, the mean"),
             TableColumn.number("frame_p50", "ms", "median of the times between frames"),
             TableColumn.number("frame_p99", "ms", "99th percentile of the times between frames"),
+            TableColumn.number(
+                "slow_frames",
+                "",
+                "share of the frames that took more than one and a half times frame_p50, 0 to 1"),
+            TableColumn.number(
+                "refresh_rate",
+                "1/s",
+                "of the headset, or of the monitor with the participant's window; empty if the"
+                    + " system does not tell it"),
+            TableColumn.yesNo(
+                "vsync",
+                "frames waited for the display's refresh",
+                "they did not",
+                "whether frames waited for the display, as the driver says; empty in a headset,"
+                    + " which paces them itself"),
+            TableColumn.number(
+                "latency_p50",
+                "ms",
+                "median of the times from a record of the head tracker until the frame that shows"
+                    + " it was handed to the display; empty without a tracker"),
+            TableColumn.number("latency_p99", "ms", "99th percentile of these times"),
+            TableColumn.text(
+                "gpu", "the graphics card or the software that drew, as OpenGL names it"),
+            TableColumn.text(
+                "cpu", "operating system, its version, architecture and number of processors"),
             TableColumn.text("flags", "what is to be known of its quality, joined by |"),
             TableColumn.text("head_log", "the head log's file in the study's folder")));
   }
@@ -184,12 +210,42 @@ final class RunTables {
     row.add(number(figures.path("fps")));
     row.add(number(figures.path("frame_ms").path("p50")));
     row.add(number(figures.path("frame_ms").path("p99")));
+    row.add(number(figures.path("frame_ms").path("slow_share")));
+    row.add(rate(figures));
+    row.add(
+        figures.path("display").has("vsync")
+            ? figures.path("display").path("vsync").asBoolean() ? "yes" : "no"
+            : null);
+    row.add(number(figures.path("latency_ms").path("p50")));
+    row.add(number(figures.path("latency_ms").path("p99")));
+    row.add(figures.path("gl").path("renderer").asText(""));
+    row.add(machine(run));
     row.add(String.join("|", flags));
     row.add(
         log.isPresent()
             ? run.session().folder().study().relativize(run.headLog()).toString().replace('\\', '/')
             : null);
     exposures.add(row);
+  }
+
+  private static @Nullable Double rate(JsonNode figures) {
+    Double worn = number(figures.path("headset").path("rate_hz"));
+    Double shown = number(figures.path("display").path("refresh_hz"));
+    return worn != null ? worn : shown != null && shown > 0 ? shown : null;
+  }
+
+  /** Returns the machine of the program that showed the run: a session may go on elsewhere. */
+  private static String machine(RecordedRun run) {
+    String machine = "";
+    for (JournalEvent line : run.session().events()) {
+      if (line.members().has("machine")) {
+        machine = line.text("machine");
+      }
+      if (line.equals(run.events().get(0))) {
+        break;
+      }
+    }
+    return machine;
   }
 
   private static @Nullable Double number(JsonNode node) {

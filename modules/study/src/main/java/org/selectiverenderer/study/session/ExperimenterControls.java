@@ -9,6 +9,7 @@ import java.util.Optional;
  */
 public final class ExperimenterControls {
   private final SessionJournal journal;
+  private final boolean calibrates;
   private volatile boolean paused;
   private volatile boolean aborted;
   private volatile boolean going;
@@ -19,7 +20,28 @@ public final class ExperimenterControls {
   private volatile Optional<Runnable> question = Optional.empty();
 
   public ExperimenterControls(SessionJournal journal) {
+    this(journal, false);
+  }
+
+  /**
+   * @param calibrates whether another device, such as an eye tracker, records beside the session,
+   *     so that its calibrations are marked
+   */
+  public ExperimenterControls(SessionJournal journal, boolean calibrates) {
     this.journal = journal;
+    this.calibrates = calibrates;
+  }
+
+  /** Returns whether the experimenter can mark calibrations. */
+  public boolean calibrates() {
+    return calibrates;
+  }
+
+  /** Marks in the journal that another device, such as an eye tracker, has been calibrated. */
+  public void calibrated() {
+    if (calibrates) {
+      journal.tell("calibration", Map.of("by", "experimenter"));
+    }
   }
 
   /** Requests the end of the practice. */

@@ -55,7 +55,7 @@ public final class RecordedStudyFixture {
 
   private static final String FIRST =
       """
-      {"time":"2026-03-01T10:00:00.000+02:00","event":"session-began","participant":"001","session":1,"software":"selective-renderer 2.0","unattended":false}
+      {"time":"2026-03-01T10:00:00.000+02:00","event":"session-began","participant":"001","session":1,"software":"selective-renderer 2.0","machine":"Linux 6.1 amd64 8 processors","unattended":false}
       {"time":"2026-03-01T10:00:01.000+02:00","event":"step-began","step":"form","run":1}
       {"time":"2026-03-01T10:00:07.000+02:00","event":"answer","step":"form","object":"name","value":"Maria Nobody","ms":4000,"place":1}
       {"time":"2026-03-01T10:00:08.000+02:00","event":"answer","step":"form","object":"eyes","value":"brown","ms":1000,"place":2}
@@ -71,7 +71,7 @@ public final class RecordedStudyFixture {
       {"time":"2026-03-01T10:00:18.000+02:00","event":"note","text":"sneezed,\\tor \\"coughed\\""}
       {"time":"2026-03-01T10:00:18.500+02:00","event":"scene","step":"exposure-hall","what":{"t":4.5,"event":"exit","sensor":"DeskProx","schemas":[]}}
       {"time":"2026-03-01T10:00:19.000+02:00","event":"flag","flag":"low-frame-rate","step":"exposure-hall"}
-      {"time":"2026-03-01T10:00:21.000+02:00","event":"step-finished","step":"exposure-hall","condition":"selective","figures":{"fps":50.0,"frame_ms":{"p50":20,"p99":25}}}
+      {"time":"2026-03-01T10:00:21.000+02:00","event":"step-finished","step":"exposure-hall","condition":"selective","figures":{"fps":50.0,"frame_ms":{"p50":20,"p99":25,"slow_share":0.0125},"latency_ms":{"p50":8.5,"p99":14},"display":{"refresh_hz":59.95,"vsync":true},"gl":{"renderer":"GeForce"}}}
       {"time":"2026-03-01T10:00:22.000+02:00","event":"step-began","step":"memory-hall","run":1}
       {"time":"2026-03-01T10:00:25.000+02:00","event":"answer","step":"memory-hall","object":"boat","value":"yes","confidence":2,"ms":2500,"place":1}
       {"time":"2026-03-01T10:00:27.000+02:00","event":"answer","step":"memory-hall","object":"coat","value":"yes","confidence":5,"ms":1500,"place":2}
