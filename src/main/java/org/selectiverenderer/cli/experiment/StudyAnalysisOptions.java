@@ -27,6 +27,7 @@ import org.selectiverenderer.study.analysis.StudyReportOfTrials;
 import org.selectiverenderer.study.analysis.StudyTrials;
 import org.selectiverenderer.study.analysis.TrialAnalyses;
 import org.selectiverenderer.study.analysis.TrialAnalyses.Analysis;
+import org.selectiverenderer.study.definition.StudyTemplate;
 import org.selectiverenderer.study.design.PlannedAnalysis.Test;
 import org.selectiverenderer.study.session.CollectedAnswers;
 import org.selectiverenderer.study.session.LoadedStudy;
@@ -76,7 +77,8 @@ final class StudyAnalysisOptions {
 
   /** Returns whether the argument of the command is a study and not a table. */
   static boolean isStudy(Path file) {
-    return Files.isDirectory(file) || file.toString().endsWith(".json");
+    return Files.isRegularFile(file.resolve(StudyTemplate.STUDY))
+        || file.toString().endsWith(".json");
   }
 
   /** Complains of options that only a study has. */

@@ -1,4 +1,4 @@
-package org.selectiverenderer.study.session;
+package org.selectiverenderer.study.analysis;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -26,7 +26,11 @@ import org.selectiverenderer.statistics.anova.Anova;
 import org.selectiverenderer.statistics.anova.AnovaOptions;
 import org.selectiverenderer.statistics.anova.Effect;
 import org.selectiverenderer.statistics.anova.SphericityCorrection;
+import org.selectiverenderer.statistics.data.DataSource;
 import org.selectiverenderer.statistics.data.ObservationsReader;
+import org.selectiverenderer.study.session.LoadedStudy;
+import org.selectiverenderer.study.session.SimulatedEffect;
+import org.selectiverenderer.study.session.TrialSimulator;
 
 /**
  * The analyses of the example studies' simulated trials agree with those of R's afex, whose table
@@ -37,6 +41,9 @@ class DesignsAgreeWithRTest {
 
   /** A page with the table that readers see. */
   private static final Path PAGE = Path.of("docs/statistics.md");
+
+  private static final AnovaOptions OPTIONS =
+      AnovaOptions.DEFAULT.withSphericity(SphericityCorrection.NONE);
 
   @TempDir private Path folder;
 
@@ -79,11 +86,7 @@ class DesignsAgreeWithRTest {
       String where)
       throws IOException {
     ProblemCollector problems = new ProblemCollector();
-    LoadedStudy study =
-        LoadedStudy.read(EXAMPLES.resolve(example).resolve("study.json"), problems).orElseThrow();
-    List<SimulatedEffect> parsed =
-        list(effects).stream().map(text -> SimulatedEffect.of(text).orElseThrow()).toList();
-    String trials = new TrialSimulator(study, parsed, 1).csv(participants);
+    String trials = trials(study(example, problems), participants, effects);
     // The share of correct responses is the mean of 1 and 0.
     String counted = trials.replace(",yes", ",1").replace(",no", ",0");
     Map<String, String> rows =
@@ -98,8 +101,58 @@ class DesignsAgreeWithRTest {
                     problems)
                 .orElseThrow()
                 .design(),
-            AnovaOptions.DEFAULT.withSphericity(SphericityCorrection.NONE));
+            OPTIONS);
     assertThat(problems.list()).isEmpty();
+    agree(design, anova);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "mixed | rooms-between | 54 | quality=high:there+1 | Being there",
+        "time | quality-and-light | 24 | quality=reduced:ms+80;quality=reduced,light=dim:correct-0.15"
+            + " | Time to find",
+        "sensitivity | quality-and-light | 24"
+            + " | quality=reduced:ms+80;quality=reduced,light=dim:correct-0.15 | Sensitivity",
+        "change | change-blindness | 24 | change=shape:ms-60 | Time to see the change",
+        "threshold | levels-of-detail | 20 | side=left:correct-0.05 | Corners that are seen"
+      })
+  void whatAStudyPlansHasTheFiguresOfR(
+      String design, String example, int participants, String effects, String analysis)
+      throws IOException {
+    ProblemCollector problems = new ProblemCollector();
+    LoadedStudy study = study(example, problems);
+    StudyTrials trials =
+        StudyTrials.read(
+                "trials.csv",
+                trials(study, participants, effects).getBytes(StandardCharsets.UTF_8),
+                DataSource.none("trials.csv"),
+                study.study().design(),
+                problems)
+            .orElseThrow();
+    TrialAnalyses.Analysis planned =
+        new TrialAnalyses(study, trials)
+            .planned().stream()
+                .filter(each -> each.plan().name().equals(analysis))
+                .findFirst()
+                .orElseThrow();
+    agree(design, Anova.of(planned.data(), OPTIONS));
+  }
+
+  private static LoadedStudy study(String example, ProblemCollector problems) throws IOException {
+    return LoadedStudy.read(EXAMPLES.resolve(example).resolve("study.json"), problems)
+        .orElseThrow(() -> new AssertionError(problems.list()));
+  }
+
+  private static String trials(LoadedStudy study, int participants, String effects) {
+    List<SimulatedEffect> parsed =
+        list(effects).stream().map(text -> SimulatedEffect.of(text).orElseThrow()).toList();
+    return new TrialSimulator(study, parsed, 1).csv(participants);
+  }
+
+  /** Compares the effects with those of the golden table and of the page. */
+  private static void agree(String design, Anova anova) throws IOException {
     List<CsvRow> expected =
         golden().stream().filter(row -> row.cell("design").equals(design)).toList();
     assertThat(anova.effects()).hasSameSizeAs(expected);
