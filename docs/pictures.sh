@@ -72,6 +72,7 @@ session-consent.png                session
 session-controls.png               session
 session-kinds.png                  session
 session-operator.jpg               window
+session-orders.png                 session
 session-questionnaire.png          session
 session-sliders.png                session
 side-by-side.jpg                   run

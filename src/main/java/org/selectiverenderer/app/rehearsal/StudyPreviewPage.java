@@ -19,6 +19,7 @@ import org.selectiverenderer.study.questionnaire.ChoiceOption;
 import org.selectiverenderer.study.questionnaire.Question;
 import org.selectiverenderer.study.questionnaire.Questionnaire;
 import org.selectiverenderer.study.questionnaire.QuestionnairePage;
+import org.selectiverenderer.study.questionnaire.RankingField;
 import org.selectiverenderer.study.questionnaire.SliderField;
 import org.selectiverenderer.study.questionnaire.paper.SliderSvg;
 import org.selectiverenderer.study.session.LoadedStudy;
@@ -35,6 +36,7 @@ public final class StudyPreviewPage {
       .note{color:#555;font-size:9pt}
       .slider{display:grid;grid-template-columns:1fr 2fr 1fr;gap:6px}
       .slider :first-child{text-align:right}
+      .option img{max-width:180px;max-height:130px}
       .option{display:inline-block;border:1px solid #888;border-radius:4px;padding:1px 9px;margin:2px}
       .line{display:inline-block;border:1px solid #888;background:#fff;width:20em;height:1.4em}
       figure{display:inline-block;margin:.5em}figcaption{font-size:9pt;max-width:480px}
@@ -223,10 +225,14 @@ public final class StudyPreviewPage {
               line -> html.append("<p>").append(MarkupEscaper.attribute(line)).append("</p>\n"));
       if (page.picture().isPresent()) {
         Path file = page.picture().get();
-        boolean png = file.toString().toLowerCase(Locale.ROOT).endsWith("png");
-        picture(png ? "png" : "jpeg", InputFileReader.bytes(file));
+        picture(kind(file), InputFileReader.bytes(file));
       }
-      page.questions().forEach(this::question);
+      for (QuestionnairePage part : page.parts()) {
+        if (!part.stem().isEmpty()) {
+          html.append("<p>").append(MarkupEscaper.attribute(part.stem())).append("</p>\n");
+        }
+        part.questions().forEach(this::question);
+      }
       html.append("</div>\n");
     }
   }
@@ -245,12 +251,15 @@ public final class StudyPreviewPage {
                     .append("</span>"));
     html.append("<br>\n");
     for (AnswerField field : question.kind().fields(material.wording())) {
-      html.append(
-          field instanceof AnswerField.Choice choice
-              ? choice(choice)
-              : field instanceof SliderField slider
-                  ? SliderSvg.figure(slider)
-                  : "<span class=\"line\"></span> ");
+      if (field instanceof SliderField slider) {
+        html.append(SliderSvg.figure(slider));
+      } else if (field instanceof AnswerField.Choice choice) {
+        html.append(choice(choice));
+      } else if (field instanceof RankingField ranking) {
+        html.append("<br>").append(choice(AnswerField.Choice.of(ranking.options())));
+      } else {
+        html.append("<span class=\"line\"></span> ");
+      }
     }
     html.append("</p>\n");
   }
@@ -258,10 +267,28 @@ public final class StudyPreviewPage {
   private static String choice(AnswerField.Choice choice) {
     return MarkupEscaper.attribute(choice.least())
         + choice.options().stream()
-            .map(ChoiceOption::label)
-            .map(label -> "<span class=\"option\">" + MarkupEscaper.attribute(label) + "</span>")
+            .map(option -> "<span class=\"option\">" + shown(option) + "</span>")
             .collect(Collectors.joining())
         + MarkupEscaper.attribute(choice.most())
         + " ";
+  }
+
+  private static String shown(ChoiceOption option) {
+    String label = MarkupEscaper.attribute(option.label());
+    try {
+      return option.picture().isPresent()
+          ? "<img alt=\"%s\" src=\"data:image/%s;base64,%s\">"
+              .formatted(
+                  label,
+                  kind(option.picture().get()),
+                  Base64.getEncoder().encodeToString(InputFileReader.bytes(option.picture().get())))
+          : label;
+    } catch (IOException e) {
+      return label; // The picture was there when the study was read.
+    }
+  }
+
+  private static String kind(Path file) {
+    return file.toString().toLowerCase(Locale.ROOT).endsWith("png") ? "png" : "jpeg";
   }
 }

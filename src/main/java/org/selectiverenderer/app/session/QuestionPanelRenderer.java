@@ -68,13 +68,13 @@ final class QuestionPanelRenderer {
   }
 
   /**
-   * @param pictures the pictures of all pages by their files
+   * @param pictures the pictures of all pages and options by their files
    */
   QuestionPanelRenderer(ParticipantMessages wording, Map<Path, ArgbImage> pictures) {
     this.wording = wording;
     this.pictures = pictures;
     writing = new TextFieldRenderer(pen, wording);
-    choice = new ChoiceFieldRenderer(pen, wording);
+    choice = new ChoiceFieldRenderer(pen, wording, pictures);
     slider = new SliderFieldRenderer(pen);
   }
 
@@ -112,6 +112,7 @@ final class QuestionPanelRenderer {
         .ifPresent(picture -> picture(picture, asked.line().isPresent() && pointing));
     pen.skip(SMALL / 2);
     if (asked.question().isPresent()) {
+      pen.text(asked.question().get().kind().stem(), PLAIN, FAINT);
       pen.text(asked.question().get().text(), LARGE, INK);
       pen.text(asked.heading(), SMALL, FAINT);
       pen.skip(SMALL / 2);
@@ -119,6 +120,8 @@ final class QuestionPanelRenderer {
         writing.draw(asked, pointing);
       } else if (asked.slider().isPresent()) {
         slider.draw(asked);
+      } else if (asked.ranking().isPresent()) {
+        choice.ranking(asked, pointing);
       } else {
         choice.draw(asked, pointing);
       }
@@ -168,12 +171,15 @@ final class QuestionPanelRenderer {
           : wording.of(course.asked().isEmpty() ? "headset.read" : "headset.done");
     }
     String place = wording.filled("headset.question", asked.place(), course.asked().size());
-    if (pointing) {
+    if (pointing && asked.ranking().isEmpty()) {
       String what = asked.line().isPresent() ? "headset.keys" : "headset.point";
       return place + "  " + wording.of(what);
     }
     if (asked.line().isPresent()) {
       return place + "  " + wording.of("headset.written");
+    }
+    if (asked.ranking().isPresent()) {
+      return place + "  " + wording.of("headset.ranking");
     }
     if (asked.slider().isPresent()) {
       return place + "  " + wording.of("headset.slider");

@@ -7,6 +7,7 @@ import java.util.Random;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.headset.ControllerCommand;
 import org.selectiverenderer.render.window.KeyboardKey;
+import org.selectiverenderer.study.questionnaire.AnswerField;
 import org.selectiverenderer.study.questionnaire.ButtonQuestionnaireController;
 import org.selectiverenderer.study.questionnaire.ChoiceOption;
 import org.selectiverenderer.study.questionnaire.NumberKeys;
@@ -216,15 +217,15 @@ final class TrialQuestions {
   }
 
   private static List<String> values(ButtonQuestionnaireController asking) {
-    return asking.choice().orElseThrow().options().stream().map(ChoiceOption::value).toList();
+    return asking.options().stream().map(ChoiceOption::value).toList();
   }
 
   /** Moves the mark to the next or the previous option. */
   private static void step(ButtonQuestionnaireController asking, boolean forward) {
-    if (asking.choice().isEmpty()) {
+    if (asking.options().isEmpty()) {
       return;
     }
-    boolean inLine = asking.choice().get().inLine();
+    boolean inLine = asking.choice().map(AnswerField.Choice::inLine).orElse(false);
     if (forward == inLine) {
       asking.more();
     } else {
@@ -234,7 +235,7 @@ final class TrialQuestions {
 
   /** Chooses an option by its value, or else by its place. */
   private static void choose(ButtonQuestionnaireController asking, String character) {
-    if (asking.choice().isEmpty() || character.isBlank()) {
+    if (asking.options().isEmpty() || character.isBlank()) {
       return;
     }
     List<String> values = values(asking);

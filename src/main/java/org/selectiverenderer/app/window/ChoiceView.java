@@ -5,6 +5,7 @@ import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.FlowLayout;
 import java.awt.Font;
+import java.awt.GridLayout;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -40,6 +41,8 @@ final class ChoiceView implements FieldView {
    */
   static final int SECOND_DIGIT_MS = 1500;
 
+  private static final int PICTURES_ABREAST = 4;
+
   private final AnswerField.Choice field;
   private final Listener listener;
   private final JPanel panel = new JPanel();
@@ -68,7 +71,10 @@ final class ChoiceView implements FieldView {
     typed = numbers.orElse(new NumberKeys(List.of(), ""));
     wait.setRepeats(false);
     panel.setOpaque(false);
-    if (list(field)) {
+    if (field.pictured()) {
+      panel.setLayout(new GridLayout(0, Math.min(PICTURES_ABREAST, field.options().size()), 8, 8));
+      field.options().forEach(option -> panel.add(named(pictured(option), option, id, asked)));
+    } else if (list(field)) {
       panel.setLayout(new BoxLayout(panel, BoxLayout.Y_AXIS));
       field.options().forEach(option -> panel.add(named(listed(option), option, id, asked)));
     } else {
@@ -111,6 +117,13 @@ final class ChoiceView implements FieldView {
         QuestionRowLayout.note(option.note(), QuestionRowLayout.width(field, button)),
         BorderLayout.CENTER);
     return noted;
+  }
+
+  private static JToggleButton pictured(ChoiceOption option) {
+    JToggleButton button = new HiDpiComponents.Button("");
+    button.setIcon(new PictureIcon(option.picture().orElseThrow()));
+    button.putClientProperty(FlatClientProperties.STYLE, CHOSEN);
+    return button;
   }
 
   private JToggleButton listed(ChoiceOption option) {

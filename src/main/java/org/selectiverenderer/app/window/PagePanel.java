@@ -32,6 +32,10 @@ final class PagePanel implements QuestionRow.Listener {
   private final Runnable answered;
   private final List<QuestionRow> rows = new ArrayList<>();
   private final Map<QuestionRow, Long> typed = new HashMap<>();
+
+  /** The rows under each text or heading, which is shown while one of them is. */
+  private final Map<JComponent, List<QuestionRow>> headed = new HashMap<>();
+
   private final JScrollPane scroll;
   private int current;
 
@@ -52,21 +56,22 @@ final class PagePanel implements QuestionRow.Listener {
     JPanel list = new JPanel();
     list.setOpaque(false);
     list.setLayout(new BoxLayout(list, BoxLayout.Y_AXIS));
-    QuestionRowLayout shape = QuestionRowLayout.of(page, wording);
-    for (Question question : page.questions()) {
-      int number = rows.size();
-      QuestionRow row =
-          new QuestionRow(question, course.answer(question), wording, shape, width, this);
-      row.panel()
-          .addMouseListener(
-              new MouseAdapter() {
-                @Override
-                public void mousePressed(MouseEvent event) {
-                  mark(number);
-                }
-              });
-      rows.add(row);
-      list.add(row.panel());
+    List<QuestionnairePage> parts = page.parts();
+    for (QuestionnairePage part : parts) {
+      QuestionRowLayout shape = QuestionRowLayout.of(part, wording);
+      JComponent above =
+          above(part, parts.size() > 1 || !part.stem().isEmpty(), shape, wording, width);
+      if (above.getComponentCount() > 0) {
+        list.add(above);
+      }
+      for (Question question : part.questions()) {
+        QuestionRow row =
+            new QuestionRow(question, course.answer(question), wording, shape, width, this);
+        if (above.getComponentCount() > 0) {
+          headed.merge(above, List.of(row), PagePanel::both);
+        }
+        add(row, list);
+      }
     }
     JPanel top = new JPanel(new BorderLayout());
     top.setBackground(QuestionRow.PLAIN);
@@ -75,13 +80,61 @@ final class PagePanel implements QuestionRow.Listener {
     scroll.setBorder(BorderFactory.createEmptyBorder());
     // For a monitor that is narrower than a row of buttons.
     scroll.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_AS_NEEDED);
-    JComponent heading = shape.heading(page, wording);
-    if (heading.getComponentCount() > 0) {
-      scroll.setColumnHeaderView(heading);
+    if (parts.size() == 1 && page.stem().isEmpty()) {
+      JComponent heading = QuestionRowLayout.of(page, wording).heading(page, wording);
+      if (heading.getComponentCount() > 0) {
+        scroll.setColumnHeaderView(heading);
+      }
     }
     scroll.getVerticalScrollBar().setUnitIncrement(24);
     scroll.getViewport().addChangeListener(event -> look());
     ask();
+  }
+
+  private void add(QuestionRow row, JPanel list) {
+    int number = rows.size();
+    row.panel()
+        .addMouseListener(
+            new MouseAdapter() {
+              @Override
+              public void mousePressed(MouseEvent event) {
+                mark(number);
+              }
+            });
+    rows.add(row);
+    list.add(row.panel());
+  }
+
+  /** Returns what is above a part of the page: a grid's text, and the headings of its options. */
+  private static JPanel above(
+      QuestionnairePage part,
+      boolean headed,
+      QuestionRowLayout shape,
+      ParticipantMessages wording,
+      int width) {
+    JPanel above = new JPanel();
+    above.setOpaque(false);
+    above.setAlignmentX(0);
+    above.setLayout(new BoxLayout(above, BoxLayout.Y_AXIS));
+    if (!part.stem().isEmpty()) {
+      JComponent text = WrappedTextArea.of(part.stem(), 16f, width);
+      text.setAlignmentX(0);
+      text.setBorder(BorderFactory.createEmptyBorder(12, 12, 4, 12));
+      above.add(text);
+    }
+    JComponent heading = headed ? shape.heading(part, wording) : new JPanel();
+    if (heading.getComponentCount() > 0) {
+      heading.setAlignmentX(0);
+      heading.setOpaque(false);
+      above.add(heading);
+    }
+    return above;
+  }
+
+  private static List<QuestionRow> both(List<QuestionRow> some, List<QuestionRow> more) {
+    List<QuestionRow> all = new ArrayList<>(some);
+    all.addAll(more);
+    return all;
   }
 
   JScrollPane component() {
@@ -109,6 +162,8 @@ final class PagePanel implements QuestionRow.Listener {
   private void ask() {
     List<Question> asked = page.asked(course.answers());
     rows.forEach(row -> row.panel().setVisible(asked.contains(row.question())));
+    headed.forEach(
+        (above, own) -> above.setVisible(own.stream().anyMatch(row -> row.panel().isVisible())));
     scroll.revalidate();
     SwingUtilities.invokeLater(this::look);
   }

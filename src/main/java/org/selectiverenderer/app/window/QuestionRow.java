@@ -16,6 +16,7 @@ import org.selectiverenderer.study.questionnaire.Answer;
 import org.selectiverenderer.study.questionnaire.AnswerField;
 import org.selectiverenderer.study.questionnaire.ParticipantMessages;
 import org.selectiverenderer.study.questionnaire.Question;
+import org.selectiverenderer.study.questionnaire.RankingField;
 import org.selectiverenderer.study.questionnaire.SliderField;
 import org.selectiverenderer.swing.PlainText;
 
@@ -85,6 +86,9 @@ final class QuestionRow {
     }
     if (field instanceof SliderField slider) {
       return new SliderView(slider, question.id(), spoken(), shape, told);
+    }
+    if (field instanceof RankingField ranking) {
+      return new RankingView(ranking, question.id(), spoken(), told);
     }
     return new ChoiceView((AnswerField.Choice) field, question.id(), spoken(), shape, told);
   }

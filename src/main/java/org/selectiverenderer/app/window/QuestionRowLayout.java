@@ -42,6 +42,8 @@ record QuestionRowLayout(boolean beside, int name, int least, int most, boolean 
   private static final int NUMBER_MARGIN = 6;
   private static final int NOTED_WIDTH = 78;
   private static final int NAME_WIDTH = 260;
+  private static final int MOST_NAME_WIDTH = 480;
+  private static final int ROW_WIDTH = 880;
   private static final int END_WIDTH = 200;
   private static final int LINES_APART = 12;
 
@@ -57,8 +59,11 @@ record QuestionRowLayout(boolean beside, int name, int least, int most, boolean 
         fields.stream()
             .allMatch(
                 field -> field instanceof AnswerField.Choice choice && !ChoiceView.list(choice));
+    boolean grid = questions.stream().noneMatch(question -> question.kind().grid().isEmpty());
     boolean beside =
-        lines && questions.stream().allMatch(question -> question.text().length() <= BESIDE);
+        lines
+            && (grid
+                || questions.stream().allMatch(question -> question.text().length() <= BESIDE));
     boolean named = questions.stream().anyMatch(question -> !question.text().isEmpty());
     boolean alike =
         lines
@@ -74,10 +79,21 @@ record QuestionRowLayout(boolean beside, int name, int least, int most, boolean 
                 == 1;
     return new QuestionRowLayout(
         beside,
-        beside && named ? NAME_WIDTH : 0,
+        beside && named ? grid ? statements(fields) : NAME_WIDTH : 0,
         ends(fields, AnswerField.Choice::least, SliderField::least),
         ends(fields, AnswerField.Choice::most, SliderField::most),
         alike);
+  }
+
+  /** Returns the width of the statements of a grid: what its buttons leave. */
+  private static int statements(List<AnswerField> fields) {
+    int buttons =
+        fields.get(0) instanceof AnswerField.Choice choice
+            ? choice.options().stream()
+                .mapToInt(option -> width(choice, button(option)) + GAP)
+                .sum()
+            : 0;
+    return Math.max(NAME_WIDTH, Math.min(MOST_NAME_WIDTH, ROW_WIDTH - buttons));
   }
 
   private static int ends(

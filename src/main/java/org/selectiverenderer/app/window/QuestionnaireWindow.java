@@ -30,6 +30,7 @@ import org.selectiverenderer.study.questionnaire.ParticipantMessages;
 import org.selectiverenderer.study.questionnaire.Questionnaire;
 import org.selectiverenderer.study.questionnaire.QuestionnairePage;
 import org.selectiverenderer.study.questionnaire.QuestionnaireProgress;
+import org.selectiverenderer.study.questionnaire.RankingField;
 import org.selectiverenderer.study.questionnaire.SliderField;
 import org.selectiverenderer.swing.PlainText;
 
@@ -263,6 +264,10 @@ public final class QuestionnaireWindow {
         course.page().questions().stream()
             .flatMap(question -> question.kind().fields(wording).stream())
             .anyMatch(field -> NumberKeys.of(field).filter(NumberKeys::mayWait).isPresent());
+    boolean orders =
+        course.page().questions().stream()
+            .flatMap(question -> question.kind().fields(wording).stream())
+            .anyMatch(RankingField.class::isInstance);
     boolean thumbs =
         course.page().questions().stream()
             .flatMap(question -> question.kind().fields(wording).stream())
@@ -271,7 +276,8 @@ public final class QuestionnaireWindow {
         + (digits ? " " + wording.of("keys.digits") : "")
         + (lines ? " " + wording.of("keys.lines") : "")
         + (course.pages().size() > 1 ? " " + wording.of("keys.back") : "")
-        + (thumbs ? " " + wording.of("keys.thumb") : "");
+        + (thumbs ? " " + wording.of("keys.thumb") : "")
+        + (orders ? " " + wording.of("keys.order") : "");
   }
 
   private boolean key(KeyEvent event) {

@@ -24,16 +24,7 @@ final class ScaledPicture extends JComponent {
    * @throws UncheckedIOException if the picture cannot be read
    */
   ScaledPicture(Path file, int width) {
-    try {
-      PictureFile.requireSound(file);
-      BufferedImage read = ImageIO.read(file.toFile());
-      if (read == null) {
-        throw new IOException(file + " is not a picture that can be shown (PNG or JPEG)");
-      }
-      picture = read;
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    picture = read(file);
     double scale =
         Math.min(
             1,
@@ -46,6 +37,24 @@ final class ScaledPicture extends JComponent {
     setMinimumSize(size);
     setMaximumSize(size);
     setAlignmentX(0);
+  }
+
+  /**
+   * Reads a picture.
+   *
+   * @throws UncheckedIOException if it cannot be read
+   */
+  static BufferedImage read(Path file) {
+    try {
+      PictureFile.requireSound(file);
+      BufferedImage read = ImageIO.read(file.toFile());
+      if (read == null) {
+        throw new IOException(file + " is not a picture that can be shown (PNG or JPEG)");
+      }
+      return read;
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
   }
 
   @Override

@@ -2,11 +2,13 @@ package org.selectiverenderer.app.session;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -142,5 +144,66 @@ class TrialQuestionsTest {
     asked.pressed(KeyboardKey.ENTER, "");
     assertThat(asked.over()).isTrue();
     assertThat(answers()).containsOnly(Map.entry("height", Answer.of("2.5")));
+  }
+
+  @Test
+  void aRankingAndAGridAreAskedOneByOne() throws IOException {
+    TrialQuestions asked =
+        asked(
+            """
+            {"id": "best", "kind": "ranking", "text": "Which first?", "options": [
+              {"value": "red", "text": "Red"}, {"value": "blue", "text": "Blue"}]},
+            {"id": "agree", "kind": "grid", "text": "Do you agree?", "options": [
+              {"value": "1", "text": "no"}, {"value": "2", "text": "a little"},
+              {"value": "3", "text": "yes"}], "rows": [
+              {"id": "warm", "text": "It was warm."}, {"id": "large", "text": "It was large."}]}
+            """);
+    asked.pressed(KeyboardKey.DOWN, "");
+    asked.pressed(KeyboardKey.DOWN, "");
+    asked.pressed(KeyboardKey.ENTER, "");
+    assertThat(texts(asked)).contains("1. Blue", "Red");
+    type(asked, "r");
+    asked.pressed(KeyboardKey.ENTER, "");
+    assertThat(texts(asked)).contains("Do you agree?", "It was warm.", "a little");
+    type(asked, "2");
+    assertThat(texts(asked)).contains("Do you agree?", "It was large.");
+    type(asked, "3");
+    asked.pressed(KeyboardKey.ENTER, "");
+    assertThat(asked.over()).isTrue();
+    assertThat(answers())
+        .containsOnly(
+            Map.entry("best", Answer.of("blue|red")),
+            Map.entry("agree_warm", Answer.of("2")),
+            Map.entry("agree_large", Answer.of("3")));
+  }
+
+  @Test
+  void optionsMayBePictures() throws IOException {
+    for (String name : List.of("a.png", "b.png")) {
+      ImageIO.write(
+          new BufferedImage(800, 400, BufferedImage.TYPE_INT_RGB),
+          "png",
+          folder.resolve(name).toFile());
+    }
+    TrialQuestions asked =
+        asked(
+            """
+            {"id": "room", "kind": "single", "text": "Where were you?", "options": [
+              {"value": "a", "text": "in the hall", "picture": "a.png"},
+              {"value": "b", "text": "in the attic", "picture": "b.png"}]}
+            """);
+    List<Primitive2D.Picture> drawn =
+        asked.sheet().marks().stream()
+            .filter(Primitive2D.Picture.class::isInstance)
+            .map(Primitive2D.Picture.class::cast)
+            .toList();
+    assertThat(drawn).hasSize(2);
+    assertThat(drawn.get(0).pixels().width()).isEqualTo(384); // As many as a panel shows.
+    assertThat(drawn.get(0).width()).isEqualTo(2 * drawn.get(0).height());
+    assertThat(texts(asked)).doesNotContain("in the hall");
+    type(asked, "2");
+    asked.pressed(KeyboardKey.ENTER, "");
+    assertThat(asked.over()).isTrue();
+    assertThat(answers()).containsOnly(Map.entry("room", Answer.of("b")));
   }
 }

@@ -6,6 +6,7 @@ import java.awt.Component;
 import java.awt.Container;
 import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -13,8 +14,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.FutureTask;
+import javax.imageio.ImageIO;
 import javax.swing.JButton;
 import javax.swing.JFrame;
+import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JToggleButton;
 import javax.swing.SwingUtilities;
@@ -367,6 +370,83 @@ class QuestionnaireWindowTest extends SessionWindowFixture {
     assertThat(WindowFinder.answer(asked)).isTrue();
     assertThat(heard).last().isEqualTo("warm -1");
     assertThat(times).allMatch(ms -> ms >= 0);
+  }
+
+  @Test
+  void optionsAreRankedByKeysAndByDragging() throws IOException {
+    LoadedStudy material =
+        ofKinds(
+            """
+            {"name": "all", "title": "Orders", "pages": [{"name": "rank", "questions": [
+              {"id": "best", "kind": "ranking", "text": "Which room did you like best?", "options": [
+                {"value": "hall", "text": "The hall"}, {"value": "attic", "text": "The attic"},
+                {"value": "cellar", "text": "The cellar"}]},
+              {"id": "agree", "kind": "grid", "text": "How far do you agree?", "options": [
+                {"value": "1", "text": "I do not agree at all"},
+                {"value": "2", "text": "I neither agree nor disagree"},
+                {"value": "3", "text": "I agree completely"}], "rows": [
+                {"id": "warm", "text": "The rooms were warm."},
+                {"id": "large", "text": "The rooms were larger than those in which I live."}]}]}]}
+            """);
+    List<String> heard = new CopyOnWriteArrayList<>();
+    FutureTask<Boolean> asked =
+        asking(material, material.questionnaires("001").get(0), false, heard);
+    JFrame window = WindowFinder.named(hands, "questionnaire");
+    focus(window);
+    hands.press(KeyEvent.VK_SPACE);
+    hands.await("the order as it is", () -> heard.contains("best hall|attic|cellar"));
+    hands.press(KeyEvent.VK_3);
+    hands.await("the hall last", () -> heard.contains("best attic|cellar|hall"));
+    hands.press(KeyEvent.VK_UP);
+    hands.press(KeyEvent.VK_SHIFT, KeyEvent.VK_UP);
+    hands.await("the cellar first", () -> heard.contains("best cellar|attic|hall"));
+    JPanel hall = GuiRobot.named(window, "Which room did you like best?: The hall", JPanel.class);
+    hands.drag(hall, 0.5, 0.5, 0.5, -1.5);
+    hands.await("the hall first", () -> heard.contains("best hall|cellar|attic"));
+    hands.press(KeyEvent.VK_TAB);
+    hands.press(KeyEvent.VK_3);
+    hands.await("the first row", () -> heard.contains("agree_warm 3"));
+    hands.press(KeyEvent.VK_1);
+    hands.await("the second row", () -> heard.contains("agree_large 1"));
+    pictures(window, "session-orders");
+    assertThat(texts(window.getContentPane())).contains("How far do you agree?");
+    hands.press(KeyEvent.VK_ENTER);
+    assertThat(WindowFinder.answer(asked)).isTrue();
+  }
+
+  @Test
+  void picturesAreChosenByKeysAndByTheMouse() throws IOException {
+    for (String name : List.of("hall.png", "attic.png", "cellar.png")) {
+      BufferedImage picture = new BufferedImage(400, 300, BufferedImage.TYPE_INT_RGB);
+      picture.setRGB(200, 150, name.hashCode());
+      ImageIO.write(picture, "png", folder.resolve(name).toFile());
+    }
+    LoadedStudy material =
+        ofKinds(
+            """
+            {"name": "all", "title": "Pictures", "pages": [{"name": "see", "questions": [
+              {"id": "room", "kind": "single", "text": "Where were you?", "options": [
+                {"value": "hall", "text": "The hall", "picture": "hall.png"},
+                {"value": "attic", "text": "The attic", "picture": "attic.png"}]},
+              {"id": "seen", "kind": "multiple", "text": "What have you seen?", "options": [
+                {"value": "hall", "text": "The hall", "picture": "hall.png"},
+                {"value": "attic", "text": "The attic", "picture": "attic.png"},
+                {"value": "cellar", "text": "The cellar", "picture": "cellar.png"}]}]}]}
+            """);
+    List<String> heard = new CopyOnWriteArrayList<>();
+    FutureTask<Boolean> asked =
+        asking(material, material.questionnaires("001").get(0), false, heard);
+    JFrame window = WindowFinder.named(hands, "questionnaire");
+    focus(window);
+    hands.press(KeyEvent.VK_2);
+    hands.await("the attic", () -> heard.contains("room attic"));
+    hands.press(KeyEvent.VK_3);
+    hands.await("the cellar", () -> heard.contains("seen cellar"));
+    choose(window, "What have you seen?: The hall", heard);
+    assertThat(heard).containsExactly("room attic", "seen cellar", "seen hall|cellar");
+    pictures(window, "session-pictures");
+    hands.press(KeyEvent.VK_ENTER);
+    assertThat(WindowFinder.answer(asked)).isTrue();
   }
 
   /** Returns the text that a button has room for: with dots at its end if it is cut. */

@@ -125,6 +125,28 @@ class SessionPictures extends SessionWindowFixture {
   }
 
   @Test
+  void orders() throws IOException {
+    own(
+        "session-orders",
+        """
+        {"id": "best", "kind": "ranking", "text": "Which room did you like best?", "options": [
+          {"value": "kitchen", "text": "The kitchen"}, {"value": "lounge", "text": "The lounge"},
+          {"value": "office", "text": "The office"}]},
+        {"id": "agree", "kind": "grid", "text": "How far do you agree?", "options": [
+          {"value": "1", "text": "not at all"}, {"value": "2", "text": "rather not"},
+          {"value": "3", "text": "neither"}, {"value": "4", "text": "rather"},
+          {"value": "5", "text": "fully"}], "rows": [
+          {"id": "warm", "text": "The rooms were warm."},
+          {"id": "large", "text": "The rooms were larger than those in which I live."},
+          {"id": "live", "text": "I would like to live there."}]}
+        """,
+        KeyEvent.VK_2,
+        KeyEvent.VK_TAB,
+        KeyEvent.VK_4,
+        KeyEvent.VK_2);
+  }
+
+  @Test
   void controls() throws IOException {
     try (Session session =
         Session.begin(

@@ -29,7 +29,10 @@ public final class SessionAnswersTable {
     return List.of(
         TableColumn.text(
             "question", "the question's id; for recognition and expectancy the object"),
-        TableColumn.text("response", "what was answered; several choices are joined by |"),
+        TableColumn.text(
+            "response",
+            "what was answered; several choices, and an order from first to last, are joined by |;"
+                + " a row question_option has the option's rank"),
         TableColumn.whole(
             "confidence", "how sure the participant was, 1 (not at all) to 5 (certain)"),
         TableColumn.number(
@@ -84,6 +87,12 @@ public final class SessionAnswersTable {
     for (AnswerRow one : asked.tabled(given)) {
       if (!one.given().answer().value().isEmpty()) {
         rows.add(row(asked, one.question(), one.given()));
+        for (String part : one.question().kind().parts()) {
+          List<@Nullable Object> further = row(asked, one.question(), one.given());
+          further.set(0, one.question().id() + "_" + part);
+          further.set(1, one.question().kind().part(part, one.given().answer().value()));
+          rows.add(further);
+        }
       }
     }
     return rows;

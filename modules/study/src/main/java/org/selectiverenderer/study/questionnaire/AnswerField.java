@@ -10,10 +10,11 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
 /**
- * An input field of a question: a choice, a line to write on, a slider. Windows and paper forms
- * draw fields.
+ * An input field of a question: a choice, a line to write on, a slider, an order. Windows and paper
+ * forms draw fields.
  */
-public sealed interface AnswerField permits AnswerField.Choice, AnswerField.Line, SliderField {
+public sealed interface AnswerField
+    permits AnswerField.Choice, AnswerField.Line, SliderField, RankingField {
   /** Separates the values of an answer with several. */
   String SEPARATOR = "|";
 
@@ -67,9 +68,15 @@ public sealed interface AnswerField permits AnswerField.Choice, AnswerField.Line
       return new Choice(options, false, least, most);
     }
 
+    /** Returns whether the options are pictures. */
+    public boolean pictured() {
+      return options.stream().anyMatch(option -> option.picture().isPresent());
+    }
+
     /** Returns whether the labels are so short that the options are laid out side by side. */
     public boolean inLine() {
-      return options.stream().mapToInt(option -> option.label().length() + 2).sum() <= ONE_LINE;
+      return !pictured()
+          && options.stream().mapToInt(option -> option.label().length() + 2).sum() <= ONE_LINE;
     }
 
     /** Splits an answer into its values. */

@@ -1,5 +1,6 @@
 package org.selectiverenderer.study.questionnaire;
 
+import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.HashMap;
 import java.util.List;
@@ -27,9 +28,13 @@ public final class AnswersCsvBuilder {
     Map<String, Answer> counting = questionnaire.counting(answers);
     for (AnswerRow one : questionnaire.tabled(given)) {
       QuestionKind kind = one.question().kind();
-      List<Object> cells = kind.row(by, one.page().id(), one.question(), one.given());
-      rows.computeIfAbsent(kind.table(), table -> new StringBuilder())
-          .append(CsvWriter.line(cells.stream().map(AnswersCsvBuilder::cell).toArray()));
+      List<List<Object>> lines = new ArrayList<>();
+      lines.add(kind.row(by, one.page().id(), one.question(), one.given()));
+      lines.addAll(kind.further(by, one.page().id(), one.question(), one.given()));
+      for (List<Object> cells : lines) {
+        rows.computeIfAbsent(kind.table(), table -> new StringBuilder())
+            .append(CsvWriter.line(cells.stream().map(AnswersCsvBuilder::cell).toArray()));
+      }
     }
     for (ScoreDefinition score : questionnaire.scores()) {
       score

@@ -1,5 +1,6 @@
 package org.selectiverenderer.study.questionnaire;
 
+import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
@@ -12,12 +13,12 @@ import java.util.Set;
  * Lets a participant answer a questionnaire with two buttons and a stick, one question at a time.
  * Of two options each button is one; of several, the stick or the second button marks one and the
  * first button chooses it. If several options may be chosen, the first button toggles the marked
- * one, and after the last option it goes on. On a slider the stick moves the thumb far, the second
- * button by a step, and the first button goes on. For a text, the first button goes on and the
- * second deletes a character. At the end of a page, the first button turns the page and the second
- * goes back. No option is marked beforehand, so that no answer is suggested. A participant who
- * points with a controller chooses at once, and points at buttons to go back and on. Belongs to one
- * thread.
+ * one, and after the last option it goes on. Options are ranked by choosing them from the first to
+ * the last. On a slider the stick moves the thumb far, the second button by a step, and the first
+ * button goes on. For a text, the first button goes on and the second deletes a character. At the
+ * end of a page, the first button turns the page and the second goes back. No option is marked
+ * beforehand, so that no answer is suggested. A participant who points with a controller chooses at
+ * once, and points at buttons to go back and on. Belongs to one thread.
  */
 public final class ButtonQuestionnaireController {
   private final QuestionnaireProgress course;
@@ -26,6 +27,9 @@ public final class ButtonQuestionnaireController {
   private int field;
   private int marked = -1;
   private final StringBuilder written = new StringBuilder();
+
+  /** The options that have a rank, in order. */
+  private final List<ChoiceOption> ranked = new ArrayList<>();
 
   /** Time of the last move of a slider that is not reported yet. */
   private OptionalLong moved = OptionalLong.empty();
@@ -71,6 +75,25 @@ public final class ButtonQuestionnaireController {
     return asks().filter(AnswerField.Line.class::isInstance).map(AnswerField.Line.class::cast);
   }
 
+  /** Returns the current field if options are to be put in order. */
+  public Optional<RankingField> ranking() {
+    return asks().filter(RankingField.class::isInstance).map(RankingField.class::cast);
+  }
+
+  /** Returns the options of the current field; none if it has none. */
+  public List<ChoiceOption> options() {
+    return choice()
+        .map(AnswerField.Choice::options)
+        .or(() -> ranking().map(RankingField::options))
+        .orElse(List.of());
+  }
+
+  /** Returns the rank that an option has been given, from 1; empty if it has none yet. */
+  public OptionalInt rank(int option) {
+    int rank = ranked.indexOf(options().get(option));
+    return rank < 0 ? OptionalInt.empty() : OptionalInt.of(rank + 1);
+  }
+
   /** Returns the current field if it is a slider. */
   public Optional<SliderField> slider() {
     return asks().filter(SliderField.class::isInstance).map(SliderField.class::cast);
@@ -98,8 +121,8 @@ public final class ButtonQuestionnaireController {
   }
 
   /**
-   * Fills in the current field as a simulated participant does, if it is a line or a slider without
-   * an answer.
+   * Fills in the current field as a simulated participant does, if it is a line, a slider or a
+   * ranking without an answer.
    *
    * @return whether the field is one of these
    */
@@ -111,7 +134,12 @@ public final class ButtonQuestionnaireController {
       SliderField slider = slider().get();
       slide(slider.position(slider.simulated(random)).orElseThrow());
     }
-    return line().isPresent() || slider().isPresent();
+    if (ranking().isPresent() && course.answer(question().orElseThrow()).equals(Answer.NONE)) {
+      String value = ranking().get().simulated(random);
+      course.answer(question().orElseThrow(), Answer.of(value), true, System.nanoTime());
+      mark();
+    }
+    return line().isPresent() || slider().isPresent() || ranking().isPresent();
   }
 
   /** Returns the text written so far. */
@@ -175,20 +203,20 @@ public final class ButtonQuestionnaireController {
    * Returns how many places the mark cycles through: the options, and the end of a multiple choice.
    */
   private int places() {
-    AnswerField.Choice choice = choice().orElseThrow();
-    return choice.options().size() + (choice.several() ? 1 : 0);
+    boolean several = choice().map(AnswerField.Choice::several).orElse(true);
+    return options().size() + (several ? 1 : 0);
   }
 
   /** Handles the first button (yes). */
   public void yes() {
-    if (choice().isEmpty()) {
+    if (options().isEmpty()) {
       if (slider().isPresent() && thumb().isPresent()) {
         settleThumb();
       }
       forward();
     } else if (oneOfTwo()) {
       take(0);
-    } else if (marked == choice().orElseThrow().options().size()) {
+    } else if (marked == options().size()) {
       forward();
     } else if (marked >= 0) {
       take(marked);
@@ -238,8 +266,8 @@ public final class ButtonQuestionnaireController {
     if (slider().isPresent()) {
       int far = Math.max(1, slider().get().page() / 2);
       slideBy(away ? far : -far);
-    } else if (choice.isPresent() && !oneOfTwo()) {
-      boolean on = choice.get().inLine() == away;
+    } else if (!options().isEmpty() && !oneOfTwo()) {
+      boolean on = choice.map(AnswerField.Choice::inLine).orElse(false) == away;
       int last = places() - 1;
       marked = marked < 0 ? (on ? 0 : last) : Math.max(0, Math.min(last, marked + (on ? 1 : -1)));
     } else if (away && at > 0) {
@@ -360,6 +388,16 @@ public final class ButtonQuestionnaireController {
     marked = -1;
     written.setLength(0);
     line().ifPresent(known -> written.append(course.answer(question().orElseThrow()).value()));
+    ranked.clear();
+    ranking()
+        .ifPresent(
+            ranking -> {
+              String known = course.answer(question().orElseThrow()).value();
+              if (!known.isEmpty()) {
+                ranked.addAll(ranking.ordered(known));
+                marked = ranking.options().size();
+              }
+            });
     Optional<AnswerField.Choice> choice = choice();
     if (choice.isPresent() && !choice.get().several()) {
       Answer known = course.answer(question().orElseThrow());
@@ -369,7 +407,26 @@ public final class ButtonQuestionnaireController {
     }
   }
 
+  /** Gives an option the next rank, or takes back its own. */
+  private void rankNext(int option) {
+    Question question = question().orElseThrow();
+    ChoiceOption chosen = options().get(option);
+    if (!ranked.remove(chosen)) {
+      ranked.add(chosen);
+    }
+    boolean all = ranked.size() == options().size();
+    Answer answer = all ? Answer.of(RankingField.value(ranked)) : Answer.NONE;
+    if (!course.answer(question).equals(answer)) {
+      course.answer(question, answer, true, System.nanoTime());
+    }
+    marked = all ? options().size() : option;
+  }
+
   private void take(int option) {
+    if (ranking().isPresent()) {
+      rankNext(option);
+      return;
+    }
     Question question = question().orElseThrow();
     AnswerField.Choice choice = choice().orElseThrow();
     String value = choice.options().get(option).value();

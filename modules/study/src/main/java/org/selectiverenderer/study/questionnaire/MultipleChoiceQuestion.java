@@ -1,5 +1,6 @@
 package org.selectiverenderer.study.questionnaire;
 
+import java.nio.file.Path;
 import java.util.List;
 import org.selectiverenderer.formats.json.JsonObjectReader;
 
@@ -14,7 +15,7 @@ record MultipleChoiceQuestion(List<ChoiceOption> options) implements QuestionKin
 
   /** Reads {@code options}. */
   static MultipleChoiceQuestion read(JsonObjectReader keys, Texts texts) {
-    return new MultipleChoiceQuestion(SingleChoiceQuestion.options(keys, texts));
+    return new MultipleChoiceQuestion(SingleChoiceQuestion.pictured(keys, texts));
   }
 
   @Override
@@ -25,6 +26,11 @@ record MultipleChoiceQuestion(List<ChoiceOption> options) implements QuestionKin
   @Override
   public List<String> values() {
     return options.stream().map(ChoiceOption::value).toList();
+  }
+
+  @Override
+  public List<Path> pictures() {
+    return options.stream().flatMap(option -> option.picture().stream()).toList();
   }
 
   @Override

@@ -1,6 +1,7 @@
 package org.selectiverenderer.study.questionnaire;
 
 import java.util.Optional;
+import java.util.Random;
 
 /**
  * A question of a questionnaire.
@@ -45,7 +46,20 @@ public record Question(
 
   /** Returns the question with all occurrences of a text replaced by another. */
   Question naming(String old, String other) {
-    return new Question(id, text.replace(old, other), kind, optional, when, must, sets, personal);
+    return new Question(
+        id,
+        text.replace(old, other),
+        kind.naming(old, other),
+        optional,
+        when,
+        must,
+        sets,
+        personal);
+  }
+
+  /** Returns the question with its options in a participant's order. */
+  Question ordered(Random random) {
+    return new Question(id, text, kind.ordered(random), optional, when, must, sets, personal);
   }
 
   /** Returns whether an answer is complete; an optional question needs none. */

@@ -1,6 +1,8 @@
 package org.selectiverenderer.study.questionnaire;
 
+import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
 import org.selectiverenderer.base.problem.SpellingSuggester;
@@ -20,7 +22,9 @@ public sealed interface QuestionKind
         MultipleChoiceQuestion,
         TextQuestion,
         NumberQuestion,
-        SliderQuestion {
+        SliderQuestion,
+        RankingQuestion,
+        GridRowQuestion {
 
   /** Returns the spelling of the kind in files and tables. */
   String spelling();
@@ -58,6 +62,41 @@ public sealed interface QuestionKind
     return Optional.empty();
   }
 
+  /** Returns the id of the grid that the question is a row of; empty if it is of none. */
+  default String grid() {
+    return "";
+  }
+
+  /** Returns the text above all rows of the grid; may be empty. */
+  default String stem() {
+    return "";
+  }
+
+  /** Returns the kind with all occurrences of a text in its stem replaced by another. */
+  default QuestionKind naming(String old, String other) {
+    return this;
+  }
+
+  /** Returns the kind with its options in a participant's random order, if it asks for one. */
+  default QuestionKind ordered(Random random) {
+    return this;
+  }
+
+  /** Returns the pictures that the question shows. */
+  default List<Path> pictures() {
+    return List.of();
+  }
+
+  /** Returns the names of further columns that tables derive from a value; empty for none. */
+  default List<String> parts() {
+    return List.of();
+  }
+
+  /** Returns the cell of a further column; empty without a value. */
+  default String part(String name, String value) {
+    return "";
+  }
+
   /**
    * Returns the scale of the answers, from whose other end a score may count; empty for kinds whose
    * answers are on no scale.
@@ -78,17 +117,42 @@ public sealed interface QuestionKind
 
   /** Returns the cells of a row of that table. */
   default List<Object> row(Respondent by, String page, Question question, TimedAnswer given) {
+    return row(by, page, question.id(), given.answer().value(), given);
+  }
+
+  /** Returns the rows of that table that follow, one for each further column of a value. */
+  default List<List<Object>> further(
+      Respondent by, String page, Question question, TimedAnswer given) {
+    return parts().stream()
+        .map(
+            part ->
+                row(
+                    by,
+                    page,
+                    question.id() + "_" + part,
+                    part(part, given.answer().value()),
+                    given))
+        .toList();
+  }
+
+  private List<Object> row(
+      Respondent by, String page, String question, String value, TimedAnswer given) {
     return List.of(
         by.participant(),
         by.session(),
         by.condition(),
         by.questionnaire(),
         page,
-        question.id(),
+        question,
         spelling(),
-        given.answer().value(),
+        value,
         given.milliseconds(),
         given.placeCell());
+  }
+
+  /** Reads the statements of a grid by the ids of its rows, in order. */
+  static Map<String, String> rows(JsonObjectReader keys, Texts texts) {
+    return GridRowQuestion.rows(keys, texts);
   }
 
   /** Reads texts in the study's language from a questionnaire's file. */
@@ -101,6 +165,11 @@ public sealed interface QuestionKind
 
     /** Reads an optional list of texts; empty if missing. */
     List<String> list(JsonObjectReader keys, String key);
+
+    /** Reads the name of an optional picture; a fault in it is reported. */
+    default Optional<Path> picture(JsonObjectReader keys, String key) {
+      return Optional.empty();
+    }
   }
 
   /** Spellings of the kinds that a questionnaire's file may use. */
@@ -113,14 +182,18 @@ public sealed interface QuestionKind
           MultipleChoiceQuestion.SPELLING,
           TextQuestion.SPELLING,
           NumberQuestion.SPELLING,
-          SliderQuestion.SPELLING);
+          SliderQuestion.SPELLING,
+          RankingQuestion.SPELLING,
+          GridRowQuestion.SPELLING);
 
   /**
-   * Reads the kind of a question and the keys that it has.
+   * Reads the kind of a question and the keys that it has; a grid's is that of its rows.
    *
+   * @param id of the question
+   * @param text of the question
    * @return empty if there is no such kind, which is then reported
    */
-  static Optional<QuestionKind> read(JsonObjectReader keys, Texts texts) {
+  static Optional<QuestionKind> read(JsonObjectReader keys, Texts texts, String id, String text) {
     String kind = keys.text("kind");
     return switch (kind) {
       case ScaleQuestion.SPELLING -> Optional.of(ScaleQuestion.read(keys, texts));
@@ -131,6 +204,9 @@ public sealed interface QuestionKind
       case TextQuestion.SPELLING -> Optional.of(TextQuestion.read(keys));
       case NumberQuestion.SPELLING -> Optional.of(NumberQuestion.read(keys, texts));
       case SliderQuestion.SPELLING -> Optional.of(SliderQuestion.read(keys, texts));
+      case RankingQuestion.SPELLING -> Optional.of(RankingQuestion.read(keys, texts));
+      case GridRowQuestion.SPELLING ->
+          Optional.of(new GridRowQuestion(id, text, GridRowQuestion.options(keys, texts)));
       default -> {
         if (!kind.isEmpty()) {
           keys.fault(

@@ -54,16 +54,71 @@ public record QuestionnairePage(
    * @param name of the questionnaire in the study
    */
   QuestionnairePage ordered(long seed, String name, String participant) {
-    if (!shuffled) {
-      return this;
+    long mixed = mixed(seed, name + '/' + participant + '/' + id);
+    List<List<Question>> order = new ArrayList<>(units());
+    if (shuffled) {
+      Collections.shuffle(order, new Random(mixed));
     }
-    List<Question> order = new ArrayList<>(questions);
+    return new QuestionnairePage(
+        id,
+        title,
+        text,
+        picture,
+        audio,
+        order.stream()
+            .flatMap(List::stream)
+            .map(question -> question.ordered(new Random(mixed(mixed, question.id()))))
+            .toList(),
+        false,
+        when);
+  }
+
+  private static long mixed(long seed, String text) {
     long mixed = seed;
-    for (char c : (name + '/' + participant + '/' + id).toCharArray()) {
+    for (char c : text.toCharArray()) {
       mixed = (mixed ^ c) * 0x100000001B3L; // FNV-1a, whose low bits Random then spreads.
     }
-    Collections.shuffle(order, new Random(mixed));
-    return new QuestionnairePage(id, title, text, picture, audio, order, false, when);
+    return mixed;
+  }
+
+  /** Returns the questions that stay together in a random order: the rows of a grid. */
+  private List<List<Question>> units() {
+    List<List<Question>> units = new ArrayList<>();
+    String grid = "";
+    for (Question question : questions) {
+      String own = question.kind().grid();
+      if (own.isEmpty() || !own.equals(grid)) {
+        units.add(new ArrayList<>());
+      }
+      units.get(units.size() - 1).add(question);
+      grid = own;
+    }
+    return units;
+  }
+
+  /**
+   * Returns the page in parts that are laid out each by itself: a grid, or the questions between
+   * grids.
+   */
+  public List<QuestionnairePage> parts() {
+    List<List<Question>> parts = new ArrayList<>();
+    String grid = "";
+    for (Question question : questions) {
+      String own = question.kind().grid();
+      if (parts.isEmpty() || !own.equals(grid)) {
+        parts.add(new ArrayList<>());
+      }
+      parts.get(parts.size() - 1).add(question);
+      grid = own;
+    }
+    return parts.stream()
+        .map(part -> new QuestionnairePage(id, title, text, picture, audio, part, false, when))
+        .toList();
+  }
+
+  /** Returns the text above the page's questions if all are rows of one grid; may be empty. */
+  public String stem() {
+    return questions.isEmpty() ? "" : questions.get(0).kind().stem();
   }
 
   /** Returns the page with all occurrences of a text replaced by another. */

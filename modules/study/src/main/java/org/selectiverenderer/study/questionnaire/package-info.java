@@ -9,9 +9,10 @@
  * <p>The kind of a question is a {@link org.selectiverenderer.study.questionnaire.QuestionKind}, a
  * sealed type with one class for each kind, which defines its keys in files, its input fields,
  * simulated answers and the table of the answers. Input fields are {@link
- * org.selectiverenderer.study.questionnaire.AnswerField}s, of which there are two sorts: a choice
- * of options, and a line to write on. Windows, paper forms and data entry depend on fields only, so
- * that a new kind changes none of them.
+ * org.selectiverenderer.study.questionnaire.AnswerField}s, of which there are four sorts: a choice
+ * of options, a line to write on, a slider, and options to be put in order. Windows, paper forms
+ * and data entry depend on fields only, so that a new kind changes none of them. A grid is read as
+ * one question for each of its rows.
  *
  * <p>{@link org.selectiverenderer.study.questionnaire.QuestionnaireProgress} is the participant's
  * progress in a questionnaire, in a window or in a headset; {@link

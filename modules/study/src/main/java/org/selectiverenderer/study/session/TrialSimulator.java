@@ -188,7 +188,8 @@ public final class TrialSimulator {
     header.addAll(stimuli);
     header.addAll(TrialColumns.RESULT);
     asked.forEach(
-        (name, questions) -> questions.forEach(question -> header.add(name + "." + question.id())));
+        (name, questions) ->
+            questions.forEach(question -> header.addAll(TrialsTable.columns(name, question))));
     return header;
   }
 
@@ -211,7 +212,8 @@ public final class TrialSimulator {
             questions ->
                 questions.forEach(
                     question ->
-                        row.add(SpreadsheetText.marked(answers.getOrDefault(question, "")))));
+                        row.addAll(
+                            TrialsTable.cells(question, answers.getOrDefault(question, "")))));
     return row;
   }
 

@@ -30,7 +30,7 @@ final class TrialsTable {
   private final boolean practice;
   private final List<String> factors;
   private final Set<String> stimuli = new LinkedHashSet<>();
-  private final Map<String, List<String>> questions = new LinkedHashMap<>();
+  private final Map<String, List<Question>> questions = new LinkedHashMap<>();
   private final List<List<Object>> rows = new ArrayList<>();
 
   /**
@@ -48,7 +48,6 @@ final class TrialsTable {
               asked.questionnaire(),
               material.inTrials(asked.questionnaire()).orElseThrow().questions().stream()
                   .filter(Question::inTables)
-                  .map(Question::id)
                   .toList());
         }
       }
@@ -104,16 +103,36 @@ final class TrialsTable {
     questions
         .values()
         .forEach(
-            ids ->
-                ids.forEach(
-                    id ->
-                        row.add(
-                            SpreadsheetText.marked(
-                                Optional.ofNullable(given.get(id))
-                                    .map(TimedAnswer::answer)
-                                    .map(Answer::value)
-                                    .orElse("")))));
+            asked ->
+                asked.forEach(
+                    question -> {
+                      String value =
+                          Optional.ofNullable(given.get(question.id()))
+                              .map(TimedAnswer::answer)
+                              .map(Answer::value)
+                              .orElse("");
+                      cells(question, value).forEach(row::add);
+                    }));
     return row;
+  }
+
+  /** Returns the columns of a question: its id, and what is derived from its values. */
+  static List<String> columns(String questionnaire, Question question) {
+    List<String> columns = new ArrayList<>();
+    columns.add(questionnaire + "." + question.id());
+    question
+        .kind()
+        .parts()
+        .forEach(part -> columns.add(questionnaire + "." + question.id() + "_" + part));
+    return columns;
+  }
+
+  /** Returns the cells of a question's columns. */
+  static List<String> cells(Question question, String value) {
+    List<String> cells = new ArrayList<>();
+    cells.add(SpreadsheetText.marked(value));
+    question.kind().parts().forEach(part -> cells.add(question.kind().part(part, value)));
+    return cells;
   }
 
   /** Returns whether there are trials. */
@@ -127,7 +146,8 @@ final class TrialsTable {
     header.addAll(factors);
     header.addAll(stimuli);
     header.addAll(TrialColumns.RESULT);
-    questions.forEach((name, ids) -> ids.forEach(id -> header.add(name + "." + id)));
+    questions.forEach(
+        (name, asked) -> asked.forEach(question -> header.addAll(columns(name, question))));
     CsvWriter table = CsvWriter.bare();
     table.row(header);
     rows.forEach(table::row);

@@ -16,6 +16,7 @@ import org.selectiverenderer.study.questionnaire.ParticipantMessages;
 import org.selectiverenderer.study.questionnaire.Question;
 import org.selectiverenderer.study.questionnaire.Questionnaire;
 import org.selectiverenderer.study.questionnaire.QuestionnairePage;
+import org.selectiverenderer.study.questionnaire.RankingField;
 import org.selectiverenderer.study.questionnaire.SliderField;
 
 /**
@@ -39,12 +40,14 @@ public final class PaperQuestionnaireHtml {
       .options{list-style:none;padding-left:1em;margin:.2em 0}
       .box{display:inline-block;width:.8em;height:.8em;border:1px solid #000;margin-right:.5em}
       .line{border-bottom:1px solid #000;height:1.7em}
+      .line.rank{display:inline-block;width:2em;height:1.3em;margin-right:.5em}
       .line.short{display:inline-block;width:9em;height:1.3em}
       .slider{display:grid;grid-template-columns:3cm 10.8cm 3cm;align-items:start;gap:.2cm}
       .slider :first-child{text-align:right}
       .slider svg{width:10.8cm}
       .when{font-size:9pt;font-style:italic}
       small{font-size:8pt;display:block}
+      .options img{max-width:5cm;max-height:4cm;vertical-align:middle}
       img{max-width:100%;max-height:10cm}
       """;
 
@@ -99,7 +102,12 @@ public final class PaperQuestionnaireHtml {
     page.picture().ifPresent(file -> html.append(picture(file)));
     if (!page.questions().isEmpty()) {
       html.append("<p>%s</p>\n".formatted(MarkupEscaper.attribute(hint(page))));
-      html.append(questions(questionnaire, page));
+      for (QuestionnairePage part : page.parts()) {
+        if (!part.stem().isEmpty()) {
+          html.append("<p>%s</p>\n".formatted(MarkupEscaper.attribute(part.stem())));
+        }
+        html.append(questions(questionnaire, part));
+      }
     }
     return html.append("</section>\n").toString();
   }
@@ -110,14 +118,24 @@ public final class PaperQuestionnaireHtml {
             .flatMap(question -> question.kind().fields(wording).stream())
             .toList();
     boolean sliders = fields.stream().anyMatch(SliderField.class::isInstance);
-    return wording.of("print.hint") + (sliders ? " " + wording.of("print.slider") : "");
+    boolean rankings = fields.stream().anyMatch(RankingField.class::isInstance);
+    return wording.of("print.hint")
+        + (sliders ? " " + wording.of("print.slider") : "")
+        + (rankings ? " " + wording.of("print.ranking") : "");
   }
 
   private static String picture(Path file) {
+    return "<p>%s</p>\n".formatted(image(file, ""));
+  }
+
+  private static String image(Path file, String instead) {
     try {
       String kind = file.toString().toLowerCase(Locale.ROOT).endsWith("png") ? "png" : "jpeg";
-      return "<p><img alt=\"\" src=\"data:image/%s;base64,%s\"></p>\n"
-          .formatted(kind, Base64.getEncoder().encodeToString(InputFileReader.bytes(file)));
+      return "<img alt=\"%s\" src=\"data:image/%s;base64,%s\">"
+          .formatted(
+              MarkupEscaper.attribute(instead),
+              kind,
+              Base64.getEncoder().encodeToString(InputFileReader.bytes(file)));
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
@@ -270,6 +288,14 @@ public final class PaperQuestionnaireHtml {
     if (field instanceof SliderField slider) {
       return SliderSvg.figure(slider);
     }
+    if (field instanceof RankingField ranking) {
+      return ranking.options().stream()
+          .map(
+              option ->
+                  "<li><span class=\"line rank\"></span> %s</li>\n"
+                      .formatted(MarkupEscaper.attribute(option.label())))
+          .collect(Collectors.joining("", "<ul class=\"options\">\n", "</ul>\n"));
+    }
     AnswerField.Choice choice = (AnswerField.Choice) field;
     if (!choice.several() && choice.inLine()) {
       return "<table><tr>%s</tr></table>\n".formatted(cells(choice, true));
@@ -278,7 +304,11 @@ public final class PaperQuestionnaireHtml {
         .map(
             option ->
                 "<li><span class=\"box\"></span>%s</li>\n"
-                    .formatted(MarkupEscaper.attribute(option.label())))
+                    .formatted(
+                        option
+                            .picture()
+                            .map(file -> image(file, option.label()))
+                            .orElse(MarkupEscaper.attribute(option.label()))))
         .collect(Collectors.joining("", "<ul class=\"options\">\n", "</ul>\n"));
   }
 }

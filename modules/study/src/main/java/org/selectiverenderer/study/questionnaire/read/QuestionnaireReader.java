@@ -46,6 +46,9 @@ public final class QuestionnaireReader {
   private final Map<String, Question> questions = new LinkedHashMap<>();
   private final Set<String> pages = new HashSet<>();
 
+  /** Ids in tables that are derived from the answers to other questions. */
+  private final Set<String> columns = new HashSet<>();
+
   private QuestionnaireReader(
       Optional<Path> folder, Predicate<Path> pictures, LocalizedTexts texts) {
     this.folder = folder;
@@ -131,7 +134,7 @@ public final class QuestionnaireReader {
     }
     String own = texts.optional(keys, "title");
     String text = texts.optional(keys, "text");
-    Optional<Path> picture = keys.text("picture", false).flatMap(file -> picture(keys, file));
+    Optional<Path> picture = picture(keys, "picture");
     Optional<Path> audio =
         Optional.of(texts.optional(keys, "audio"))
             .filter(file -> !file.isEmpty())
@@ -139,7 +142,7 @@ public final class QuestionnaireReader {
     Optional<BranchingRule> when = when(keys);
     boolean shuffled =
         keys.choice("order", List.of(false, true), QuestionnaireReader::order, false);
-    List<Optional<Question>> read = keys.objects("questions", "a question", this::question);
+    List<List<Question>> read = keys.objects("questions", "a question", this::question);
     if (read.isEmpty() && text.isEmpty() && picture.isEmpty()) {
       keys.fault("a page needs a \"text\", a \"picture\" or \"questions\"");
     }
@@ -149,7 +152,7 @@ public final class QuestionnaireReader {
         text,
         picture,
         audio,
-        read.stream().flatMap(Optional::stream).toList(),
+        read.stream().flatMap(List::stream).toList(),
         shuffled,
         when);
   }
@@ -158,7 +161,36 @@ public final class QuestionnaireReader {
     return shuffled ? "random" : "fixed";
   }
 
-  private Optional<Path> picture(JsonObjectReader keys, String name) {
+  /** Returns a reader of texts that also reads pictures. */
+  private QuestionKind.Texts pictured() {
+    return new QuestionKind.Texts() {
+      @Override
+      public String text(JsonObjectReader keys, String key) {
+        return texts.text(keys, key);
+      }
+
+      @Override
+      public String optional(JsonObjectReader keys, String key) {
+        return texts.optional(keys, key);
+      }
+
+      @Override
+      public List<String> list(JsonObjectReader keys, String key) {
+        return texts.list(keys, key);
+      }
+
+      @Override
+      public Optional<Path> picture(JsonObjectReader keys, String key) {
+        return QuestionnaireReader.this.picture(keys, key);
+      }
+    };
+  }
+
+  private Optional<Path> picture(JsonObjectReader keys, String key) {
+    return keys.text(key, false).flatMap(name -> named(keys, name));
+  }
+
+  private Optional<Path> named(JsonObjectReader keys, String name) {
     if (!name.toLowerCase(Locale.ROOT).matches(".*\\.(png|jpe?g)")) {
       keys.fault("picture", "a picture must be a PNG or JPEG file");
       return Optional.empty();
@@ -203,7 +235,7 @@ public final class QuestionnaireReader {
     }
   }
 
-  private Optional<Question> question(JsonObjectReader keys) {
+  private List<Question> question(JsonObjectReader keys) {
     String id = name(keys, "id", "a question's id");
     Optional<BranchingRule> when = when(keys);
     String text = texts.optional(keys, "text");
@@ -219,7 +251,7 @@ public final class QuestionnaireReader {
                     Question.Sets::spelling,
                     Question.Sets.AGE))
             : Optional.empty();
-    Optional<QuestionKind> kind = QuestionKind.read(keys, texts);
+    Optional<QuestionKind> kind = QuestionKind.read(keys, pictured(), id, text);
     if (sets.equals(Optional.of(Question.Sets.IPD)) && kind.isPresent() && !isIpd(kind.get())) {
       keys.fault(
           "sets",
@@ -230,10 +262,32 @@ public final class QuestionnaireReader {
     if (kind.isPresent() && must.isPresent()) {
       known(keys, "must", must.get(), kind.get());
     }
-    Optional<Question> read =
-        kind.map(known -> new Question(id, text, known, optional, when, must, sets, personal));
-    if (read.isPresent() && questions.putIfAbsent(id, read.get()) != null) {
-      keys.fault("id", "the question " + id + " is defined twice");
+    if (kind.isEmpty()) {
+      return List.of();
+    }
+    Map<String, String> rows = new LinkedHashMap<>();
+    if (kind.get().grid().isEmpty()) {
+      rows.put(id, text);
+    } else {
+      QuestionKind.rows(keys, texts).forEach((row, says) -> rows.put(id + "_" + row, says));
+      if (must.isPresent() || sets.isPresent()) {
+        keys.fault("a grid has several answers, so it can have neither \"must\" nor \"sets\"");
+      }
+    }
+    List<Question> read = new ArrayList<>();
+    rows.forEach(
+        (row, says) -> {
+          Question one = new Question(row, says, kind.get(), optional, when, must, sets, personal);
+          if (questions.putIfAbsent(row, one) != null || columns.contains(row)) {
+            keys.fault("id", "the question " + row + " is defined twice");
+          }
+          read.add(one);
+        });
+    for (String part : kind.get().parts()) {
+      String column = id + "_" + part;
+      if (!columns.add(column) || questions.containsKey(column)) {
+        keys.fault("id", "the question " + column + " is defined twice");
+      }
     }
     return read;
   }

@@ -41,7 +41,12 @@ class QuestionnaireReaderTest {
           {"id": "text", "kind": "text", "text": "What?", "lines": 3, "optional": true},
           {"id": "number", "kind": "number", "text": "How many?", "min": 1, "max": 9, "whole": true},
           {"id": "line", "kind": "slider", "text": "How far?", "from": -1, "to": 1, "step": 0.1,
-           "least": "near", "most": "far", "marks": true, "number": true, "start": 0.5}]},
+           "least": "near", "most": "far", "marks": true, "number": true, "start": 0.5},
+          {"id": "best", "kind": "ranking", "text": "Which first?", "order": "random", "options": [
+            {"value": "a", "text": "A"}, {"value": "b", "text": "B"}]},
+          {"id": "agree", "kind": "grid", "text": "Do you agree?", "options": [
+            {"value": "1", "text": "no"}, {"value": "2", "text": "yes"}], "rows": [
+            {"id": "warm", "text": "It was warm."}, {"id": "large", "text": "It was large."}]}]},
         {"name": "two", "when": {"question": "yes", "is": ["yes"]}, "questions": [
           {"id": "why", "kind": "text", "text": "Why?", "when": {"question": "single", "is": ["b"]}}]},
         {"name": "three", "text": "Thank you."}],
@@ -102,7 +107,7 @@ class QuestionnaireReaderTest {
                     .contains("'Yes' is not a possible answer; possible are yes, no"),
             when ->
                 assertThat(when)
-                    .startsWith("all.json:15:")
+                    .startsWith("all.json:20:")
                     .contains("'B' is not a possible answer; possible are a, b"));
   }
 
@@ -121,6 +126,9 @@ class QuestionnaireReaderTest {
                 "text",
                 "number",
                 "slider",
+                "ranking",
+                "grid",
+                "grid",
                 "text"));
     assertThat(read.questions().stream().map(question -> question.kind().spelling()))
         .containsAll(QuestionKind.IN_FILES);
@@ -167,6 +175,17 @@ class QuestionnaireReaderTest {
         "\"to\": 1, \"step\" | \"to\": -1, \"step\" | \"to\" must be above \"from\"",
         "\"start\": 0.5 | \"start\": 0.55 | a value of the slider, -1 to 1 in steps of 0.1",
         "\"start\": 0.5 | \"start\": \"hiden\" | \"start\" must be \"hidden\" or a value",
+        "\"id\": \"large\" | \"id\": \"warm\" | the row warm is defined twice",
+        "\"id\": \"large\" | \"id\": \"lar ge\" | a row's id must consist of letters",
+        "\"rows\": | \"rws\": | a grid needs 1 to 100 \"rows\"",
+        "\"kind\": \"grid\" | \"kind\": \"grid\", \"must\": \"2\" | neither \"must\" nor \"sets\"",
+        "\"id\": \"poles\" | \"id\": \"agree_warm\" | the question agree_warm is defined twice",
+        "\"id\": \"poles\" | \"id\": \"best_b\" | the question best_b is defined twice",
+        "\"order\": \"random\" | \"order\": \"rnd\" | 'rnd' is not one of fixed, random",
+        "{\"value\": \"b\", \"text\": \"B\"}]}, | {\"value\": \"b\", \"text\": \"B\", \"picture\": \"b.gif\"}]}, | "
+            + "a picture must be a PNG or JPEG file",
+        "{\"value\": \"b\", \"text\": \"B\"}]}, | {\"value\": \"b\", \"text\": \"B\", \"picture\": \"b.png\"}]}, | "
+            + "there is no file 'b.png'",
         "\"left\": | \"lft\": | a question needs \"left\"",
         "\"id\": \"poles\" | \"id\": \"scale\" | the question scale is defined twice",
         "\"id\": \"poles\" | \"id\": \"my poles\" | a question's id must consist of letters",
@@ -207,7 +226,9 @@ class QuestionnaireReaderTest {
         .isEqualTo(known(TEXT.replace("{\"name\": \"sum\"", "{\"x\": 1, \"name\": \"sum\"")));
     List<String> ofQuestions = new ArrayList<>();
     for (String id :
-        List.of("scale", "poles", "yes", "single", "several", "text", "number", "line")) {
+        List.of(
+            "scale", "poles", "yes", "single", "several", "text", "number", "line", "best",
+            "agree")) {
       ofQuestions.addAll(known(TEXT.replace("{\"id\": \"" + id, "{\"x\": 1, \"id\": \"" + id)));
     }
     assertThat(keys(schema.at("/$defs/question")))
