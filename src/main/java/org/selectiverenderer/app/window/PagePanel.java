@@ -1,6 +1,7 @@
 package org.selectiverenderer.app.window;
 
 import java.awt.BorderLayout;
+import java.awt.Component;
 import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
@@ -119,16 +120,30 @@ final class PagePanel implements QuestionRow.Listener {
     if (!part.stem().isEmpty()) {
       JComponent text = WrappedTextArea.of(part.stem(), 16f, width);
       text.setAlignmentX(0);
-      text.setBorder(BorderFactory.createEmptyBorder(12, 12, 4, 12));
-      above.add(text);
+      JPanel padded = new JPanel(new BorderLayout());
+      padded.setOpaque(false);
+      padded.setAlignmentX(0);
+      padded.setBorder(BorderFactory.createEmptyBorder(12, 12, 4, 12));
+      padded.add(text, BorderLayout.WEST);
+      above.add(padded);
     }
     JComponent heading = headed ? shape.heading(part, wording) : new JPanel();
     if (heading.getComponentCount() > 0) {
       heading.setAlignmentX(0);
-      heading.setOpaque(false);
+      clear(heading);
       above.add(heading);
     }
     return above;
+  }
+
+  /** Lets the background of the rows be seen through a heading. */
+  private static void clear(JComponent component) {
+    component.setOpaque(false);
+    for (Component each : component.getComponents()) {
+      if (each instanceof JPanel panel) {
+        clear(panel);
+      }
+    }
   }
 
   private static List<QuestionRow> both(List<QuestionRow> some, List<QuestionRow> more) {

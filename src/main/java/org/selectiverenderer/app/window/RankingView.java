@@ -11,6 +11,7 @@ import java.awt.event.MouseEvent;
 import java.util.ArrayList;
 import java.util.List;
 import javax.swing.BorderFactory;
+import javax.swing.Box;
 import javax.swing.BoxLayout;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
@@ -58,6 +59,9 @@ final class RankingView implements FieldView {
     }
     marked = items.get(0);
     lay();
+    JComponent wide = (JComponent) Box.createRigidArea(new Dimension(WIDTH, 0));
+    wide.setAlignmentX(0); // All options are equally wide.
+    panel.add(wide);
   }
 
   /** An option with its place. */
