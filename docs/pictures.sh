@@ -66,6 +66,8 @@ polygons-office.svg                plots
 radiosity-kitchen.jpg              run
 radiosity-lounge.jpg               run
 radiosity-office.jpg               run
+rehearsal-plan.svg                 rehearsal
+rehearsal-preview.jpg              rehearsal
 sculptures.jpg                     run
 session-bipolar.png                session
 session-consent.png                session
@@ -95,6 +97,7 @@ explain() {
     light) echo 'by tools/compare-light, beside paths of light' ;;
     plots) echo 'written with its page by a test; CONTRIBUTING.md has the command' ;;
     monado) echo 'by .ci/openxr with Monado; needs root, and the system that .ci/openxr setup makes' ;;
+    rehearsal) echo 'by experiment check, and a window of a session of experiment preview' ;;
     report) echo 'a figure of experiment analyse, of simulated participants' ;;
   esac
 }
@@ -279,6 +282,36 @@ titled() {
     wait $! || true' titled "$word" "$seconds" "$key" "$file" "$@"
 }
 
+rehearsalPlan() { # OUT
+  screen 1280x1024 "$program" experiment check docs/examples/quality-and-light \
+    --output "$tmp/check.html" >/dev/null
+  sed -n '/<svg/,/<\/svg>/p' "$tmp/check.html" >"$1"
+}
+
+# The whole screen, as the banner is a window of its own, which without a window manager must be raised.
+# The space bar goes on from the instruction.
+rehearsalPreview() { # OUT
+  screen 1280x800 bash -c '
+    "$1" experiment preview docs/examples/change-blindness --from training --speed 1 >/dev/null 2>&1 &
+    timeout 180 xdotool search --sync --onlyvisible --name Participant >/dev/null
+    sleep 12
+    for window in $(xdotool search --onlyvisible --class .); do
+      eval "$(xdotool getwindowgeometry --shell "$window")"
+      [ "$HEIGHT" -gt 60 ] || xdotool windowraise "$window"
+    done
+    import -window root "$2/instruction.png"
+    xdotool mousemove 400 400 key space
+    for ((i = 0; i < 40; i++)); do # Until the scene is seen, not the black between two pictures.
+      sleep 0.3
+      import -window root "$2/exposure.png"
+      [ "$(identify -format %k "$2/exposure.png")" -lt 400 ] || break
+    done
+    kill $!
+    wait $! || true' rehearsalPreview "$program" "$tmp"
+  beside "$tmp/instruction.png" "$tmp/exposure.png" "$tmp/preview.png" 12
+  small "$tmp/preview.png" "$1" -resize 1200x
+}
+
 sessionOperator() { # OUT
   study
   titled 'Operator' 23 '' "$tmp/operator.png" "$program" experiment run "$tmp/study/study.json" \
@@ -349,6 +382,8 @@ take() { # NAME HOW
     head-log.svg) headlog "$to" ;;
     overlay.png) overlay "$to" ;;
     operator.jpg) operator "$to" ;;
+    rehearsal-plan.svg) rehearsalPlan "$to" ;;
+    rehearsal-preview.jpg) rehearsalPreview "$to" ;;
     session-operator.jpg) sessionOperator "$to" ;;
     threshold-trial.png) trial "$to" ;;
     session-controls.png) fromTest SessionPictures "$stem" "$to" 534x ;;

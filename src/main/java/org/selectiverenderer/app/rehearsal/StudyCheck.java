@@ -80,6 +80,7 @@ public record StudyCheck(
     Study study = material.study();
     StudyPlan plan = StudyPlan.of(study, Math.min(10_000, study.participants()));
     SourceLocation whole = SourceLocation.of(study.file().toString());
+    material.lackingScene().ifPresent(sentence -> problems.error(whole, sentence));
     plan.faults().forEach(fault -> problems.error(whole, fault));
     if (study.display().mode() != DisplayMode.OPENXR
         && DisplayProfileLoader.builtIn(study.display().hmd()).isEmpty()) {

@@ -66,6 +66,7 @@ public final class ControlWindow implements AutoCloseable {
     alarm.setName("alarm");
     alarm.setOpaque(true);
     alarm.setBackground(new Color(0xffe0b0));
+    alarm.setBorder(BorderFactory.createEmptyBorder(4, 12, 4, 12));
     alarm.setVisible(false);
     JPanel middle = new JPanel(new BorderLayout());
     middle.add(alarm, BorderLayout.NORTH);

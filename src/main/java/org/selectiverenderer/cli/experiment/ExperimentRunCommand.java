@@ -169,6 +169,10 @@ final class ExperimentRunCommand extends CliCommand {
                       .map(StudyGroup::name)
                       .collect(Collectors.joining(", "))));
     }
+    Optional<String> lacking = material.lackingScene();
+    if (lacking.isPresent()) {
+      throw CommandException.environment(lacking.get() + "; nothing has begun");
+    }
     DiskRoom.of(material.study()).warning().ifPresent(console()::message);
     Optional<DisplayConfiguration> presentation = presentation(material.study(), problems);
     if (presentation.isEmpty()) {

@@ -88,6 +88,17 @@ class ExperimentLanguagesTest extends CommandTestCase {
   }
 
   @Test
+  void trialsWithoutASceneAreRefusedBeforeAnythingBegins() throws IOException {
+    Path file = Path.of(study);
+    Files.writeString(file, Files.readString(file).replace("\"scene\": \"white.x3d\", ", ""));
+    assertThat(execute("experiment", "check", study)).isEqualTo(1);
+    assertThat(messages()).contains("the block b has trials without a scene");
+    assertThat(run("--participant", "1")).isEqualTo(2);
+    assertThat(messages()).contains("the block b has trials without a scene", "nothing has begun");
+    assertThat(folder.resolve("sub-1")).doesNotExist();
+  }
+
+  @Test
   void previewAndPaperAreInTheLanguages() throws IOException {
     Path page = folder.resolve("out/index.html");
     assertThat(execute("experiment", "preview", study, "--output", page.getParent().toString()))

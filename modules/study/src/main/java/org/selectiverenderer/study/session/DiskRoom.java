@@ -12,7 +12,7 @@ import org.selectiverenderer.study.definition.Study;
  */
 public record DiskRoom(long free) {
   /**
-   * Free bytes below which a session may end too early: an hour at 120 frames a second writes 120
+   * Free bytes below which a session may end too early: an hour at 120 frames a second writes 95
    * MB, as docs/experiment.md measures.
    */
   public static final long LEAST = 200L << 20;

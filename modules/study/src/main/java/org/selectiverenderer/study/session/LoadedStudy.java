@@ -23,6 +23,7 @@ import org.selectiverenderer.study.definition.StudyReader;
 import org.selectiverenderer.study.design.PlannedAnalysis;
 import org.selectiverenderer.study.design.TrialBlock;
 import org.selectiverenderer.study.design.TrialPhase;
+import org.selectiverenderer.study.design.TrialSequencer;
 import org.selectiverenderer.study.questionnaire.ParticipantMessages;
 import org.selectiverenderer.study.questionnaire.Question;
 import org.selectiverenderer.study.questionnaire.Questionnaire;
@@ -170,6 +171,27 @@ public record LoadedStudy(
    */
   public Optional<Path> scenery() {
     return study.practice().map(Study.Practice::scene).or(study::scene);
+  }
+
+  /** Returns a sentence if there is no scene in which the trials of a block could be shown. */
+  public Optional<String> lackingScene() {
+    if (scenery().isPresent()) {
+      return Optional.empty();
+    }
+    return study.design().blocks().stream()
+        .filter(
+            block ->
+                study.design().groups().stream()
+                    .flatMap(
+                        group ->
+                            new TrialSequencer(block, group, study.seed())
+                                .trials(0, 1).orElse(List.of()).stream())
+                    .anyMatch(trial -> study.scene(trial).isEmpty()))
+        .findFirst()
+        .map(
+            block ->
+                "the block %s has trials without a scene in which they could be shown; name a \"scene\" in the study, in its levels or in its stimuli"
+                    .formatted(block.name()));
   }
 
   /** Warns if the study wants questions inside the headset but has no scene to show them in. */
