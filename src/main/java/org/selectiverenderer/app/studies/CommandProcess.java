@@ -10,8 +10,8 @@ import java.util.function.IntConsumer;
 import org.selectiverenderer.base.platform.ChildProcessCommand;
 
 /**
- * A command of the program in a process of its own. It outlives this process: a session goes on when
- * the window that has started it is closed.
+ * A command of the program in a process of its own. It outlives this process: a session goes on
+ * when the window that has started it is closed.
  */
 public final class CommandProcess {
   /** The main class, by name, as the commands depend on the window and not the other way round. */

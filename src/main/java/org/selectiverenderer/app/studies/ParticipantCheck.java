@@ -6,8 +6,8 @@ import org.selectiverenderer.study.session.SessionFolder;
 import org.selectiverenderer.study.session.StudyStatus;
 
 /**
- * What becomes of a participant's id and a session's number, told before the command is started. The
- * command checks the same again.
+ * What becomes of a participant's id and a session's number, told before the command is started.
+ * The command checks the same again.
  *
  * @param other the id that the typed one resembles; empty for none
  */

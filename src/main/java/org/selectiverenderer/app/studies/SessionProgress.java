@@ -173,8 +173,7 @@ public record SessionProgress(
                     : StepState.OPEN;
         steps.add(new Step(id, where, trials.getOrDefault(id, 0)));
       }
-      return new SessionProgress(
-          steps, state, since, paused, List.copyOf(flags), notes);
+      return new SessionProgress(steps, state, since, paused, List.copyOf(flags), notes);
     }
   }
 }

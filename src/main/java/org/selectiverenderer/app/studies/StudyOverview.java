@@ -57,9 +57,7 @@ public record StudyOverview(
   public static Optional<StudyOverview> read(
       Path file, Predicate<Study> trusted, ProblemCollector problems) throws IOException {
     Optional<LoadedStudy> material = LoadedStudy.read(file, trusted, problems);
-    return material.isEmpty()
-        ? Optional.empty()
-        : Optional.of(of(material.get(), problems.list()));
+    return material.isEmpty() ? Optional.empty() : Optional.of(of(material.get(), problems.list()));
   }
 
   /** Reads the sessions of a study anew. */
@@ -111,8 +109,7 @@ public record StudyOverview(
   /** Returns whether a session runs now. */
   public boolean running(String participant, int session) {
     return runs.stream()
-        .anyMatch(
-            folder -> folder.participant().equals(participant) && folder.number() == session);
+        .anyMatch(folder -> folder.participant().equals(participant) && folder.number() == session);
   }
 
   /** Returns whether the disk has too little room for a session. */

@@ -47,7 +47,9 @@ final class SessionsPage extends JPanel {
   SessionsPage(StudyDesk desk, Resuming resuming) {
     super(
         new MigLayout(
-            "insets 12, fill, wrap 1, hidemode 3", "[grow,fill]", "[][][grow 70,fill][][grow 30,fill][]"));
+            "insets 12, fill, wrap 1, hidemode 3",
+            "[grow,fill]",
+            "[][][grow 70,fill][][grow 30,fill][]"));
     this.desk = desk;
     this.resuming = resuming;
     status = new ActionLine("sessions.reload", desk::reload);
@@ -100,10 +102,7 @@ final class SessionsPage extends JPanel {
 
   private static List<String> row(StudyOverview known, StudyStatus.Row row) {
     boolean runs = known.running(row.participant(), row.session());
-    String flags =
-        row.raised().stream()
-            .map(LiveSession::flag)
-            .collect(Collectors.joining(", "));
+    String flags = row.raised().stream().map(LiveSession::flag).collect(Collectors.joining(", "));
     return List.of(
         row.participant(),
         Integer.toString(row.session()),

@@ -144,7 +144,9 @@ final class StudyDesk {
     tell();
   }
 
-  /** Reads the sessions of the study again; one call at a time, and once more if asked meanwhile. */
+  /**
+   * Reads the sessions of the study again; one call at a time, and once more if asked meanwhile.
+   */
   void reload() {
     StudyOverview before = open;
     if (before == null) {

@@ -11,9 +11,9 @@ import org.selectiverenderer.enricher.text.Mnemonics;
 import org.selectiverenderer.swing.PlainText;
 
 /**
- * Looks up the texts of the study window in the language of {@link Locale.Category#DISPLAY}; English
- * where there is no bundle of that language. A text is a {@link MessageFormat}; {@code &} stands
- * before the mnemonic of a button or label.
+ * Looks up the texts of the study window in the language of {@link Locale.Category#DISPLAY};
+ * English where there is no bundle of that language. A text is a {@link MessageFormat}; {@code &}
+ * stands before the mnemonic of a button or label.
  */
 final class StudyTexts {
   private static final ResourceBundle.Control WITHOUT_DEFAULT =
@@ -29,8 +29,7 @@ final class StudyTexts {
    */
   static String of(String key, Object... arguments) {
     Locale locale = Locale.getDefault(Locale.Category.DISPLAY);
-    return PlainText.of(
-        new MessageFormat(bundle(locale).getString(key), locale).format(arguments));
+    return PlainText.of(new MessageFormat(bundle(locale).getString(key), locale).format(arguments));
   }
 
   /** Returns a text if the bundle has one, else another. */

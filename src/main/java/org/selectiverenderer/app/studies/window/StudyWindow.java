@@ -14,7 +14,6 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Optional;
-
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JFileChooser;
@@ -92,8 +91,7 @@ final class StudyWindow {
     saying.setBorder(BorderFactory.createEmptyBorder(6, 12, 8, 12));
     saying.setVisible(false);
     frame.setName("studies");
-    frame.setIconImages(
-        Arrays.stream(ICONS).mapToObj(WindowIcon::image).toList());
+    frame.setIconImages(Arrays.stream(ICONS).mapToObj(WindowIcon::image).toList());
     frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
     frame.addWindowListener(
         new WindowAdapter() {
@@ -152,8 +150,7 @@ final class StudyWindow {
   void begin(Optional<Path> study) {
     start.reload();
     Rectangle screen = frame.getGraphicsConfiguration().getBounds();
-    Insets bars =
-        Toolkit.getDefaultToolkit().getScreenInsets(frame.getGraphicsConfiguration());
+    Insets bars = Toolkit.getDefaultToolkit().getScreenInsets(frame.getGraphicsConfiguration());
     frame.setMinimumSize(new Dimension(640, 480));
     frame.setSize(
         Math.min(WIDTH, screen.width - bars.left - bars.right),
@@ -166,16 +163,21 @@ final class StudyWindow {
   private void show(Optional<StudyOverview> study) {
     if (study.isEmpty()) {
       frame.setTitle(StudyTexts.of("title"));
+      file.setText(" ");
       tabs.setSelectedIndex(0);
       cards.show(content, START);
       start.reload();
       return;
     }
     Study known = study.get().study();
+    boolean fresh = !known.file().toAbsolutePath().toString().equals(file.getText());
     frame.setTitle(PlainText.of(known.name()) + " \u2013 " + StudyTexts.of("title"));
     name.setText(known.name());
     file.setText(known.file().toAbsolutePath().toString());
     cards.show(content, STUDY);
+    if (fresh) {
+      session.focus();
+    }
   }
 
   /** Shows what went wrong, or what is being done; empty takes it away. */
