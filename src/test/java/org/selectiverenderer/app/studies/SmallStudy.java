@@ -30,11 +30,10 @@ public final class SmallStudy {
     return Files.writeString(
         folder.resolve("study.json"),
         """
-        {"name": "Small study", "conditions": ["high", "low"], "participants": 4, "seed": 3,
-         "areas": ["hall"], "blind": %s,
+        {"name": "Small study", "conditions": ["high", "selective"], "participants": 4, "seed": 3,
+         "blind": %s,
          "questionnaires": [{"kind": "recognition", "items": "items.csv"}]}
         """
-            .formatted(blind)
-            .replace("\"areas\": [\"hall\"], ", ""));
+            .formatted(blind));
   }
 }
