@@ -15,7 +15,7 @@ import picocli.CommandLine.Option;
     name = "experiment",
     description = {
       "Creates studies, runs sessions, collects and analyses answers.",
-      "Without a command it opens the study window, which does all of this too."
+      "Without a command it opens the study window."
     },
     footer = {
       "  ./selective-renderer experiment",

@@ -52,6 +52,8 @@ final class LiveSession {
   private static final int MOST = 50_000;
 
   private final StudyDesk desk;
+  private final Runnable changed;
+  private boolean starting;
   private final JPanel panel =
       new JPanel(
           new MigLayout(
@@ -67,10 +69,15 @@ final class LiveSession {
   private final Map<SessionFolder, CommandProcess> ours = new HashMap<>();
   private final Set<SessionFolder> over = new HashSet<>();
   private @Nullable SessionFolder followed;
+  private boolean fresh;
   private boolean polling;
 
-  LiveSession(StudyDesk desk) {
+  /**
+   * @param changed called when a session that was started here begins or ends
+   */
+  LiveSession(StudyDesk desk, Runnable changed) {
     this.desk = desk;
+    this.changed = changed;
     head.setName("live.head");
     state.setName("live.state");
     devices.setName("live.devices");
@@ -84,8 +91,8 @@ final class LiveSession {
     JList<String> list = PlainText.entries(new JList<>(steps));
     list.setName("live.steps");
     list.getAccessibleContext().setAccessibleName(StudyTexts.of("live.steps"));
-    JPanel both = new JPanel(new MigLayout("insets 0, fill", "[grow 35,fill][grow 65,fill]"));
-    both.add(titled("live.steps", new JScrollPane(list)), "grow, push, wmin 160");
+    JPanel both = new JPanel(new MigLayout("insets 0, fill", "[35%,fill][65%,grow,fill]"));
+    both.add(titled("live.steps", new JScrollPane(list)), "grow, pushy, wmin 120");
     both.add(titled("live.messages", new JScrollPane(messages)), "grow, push, wmin 160");
     panel.add(head);
     panel.add(bar);
@@ -112,7 +119,7 @@ final class LiveSession {
 
   /** Returns whether a session that was started here runs. */
   boolean running() {
-    return !ours.isEmpty();
+    return starting || !ours.isEmpty();
   }
 
   /** Starts a session, and follows it. */
@@ -125,11 +132,15 @@ final class LiveSession {
     messages.setText("");
     followed = folder;
     head.setText(StudyTexts.of("live.starting", participant, Integer.toString(number)));
+    starting = true;
+    fresh = true;
+    changed.run();
     desk.start(
         command,
         this::add,
         status -> ended(folder, status),
         process -> {
+          starting = false;
           ours.put(folder, process);
           abort.setEnabled(true);
         });
@@ -145,7 +156,9 @@ final class LiveSession {
   }
 
   private void ended(SessionFolder folder, int status) {
+    starting = false;
     ours.remove(folder);
+    changed.run();
     if (status != 0 && folder.equals(followed)) {
       head.setText(StudyTexts.of("live.failed", folder.participant()));
     }
@@ -244,6 +257,10 @@ final class LiveSession {
     show(now, progress);
     devices(material.study(), read.free(), progress.flags());
     boolean ended = progress.state() != SessionProgress.State.BEGUN;
+    if (fresh && !ended) {
+      fresh = false; // Its participant has a folder now, and a place soon.
+      desk.reload();
+    }
     if (ended != reported) {
       if (ended) {
         over.add(now);

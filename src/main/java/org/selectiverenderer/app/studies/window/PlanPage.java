@@ -3,6 +3,7 @@ package org.selectiverenderer.app.studies.window;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -18,8 +19,8 @@ import org.selectiverenderer.study.session.StudyPlan;
 final class PlanPage extends JPanel {
   private static final long serialVersionUID = 1;
 
-  /** Number of trials of a block that a row names; the page shows all. */
-  private static final int MOST_TRIALS = 40;
+  /** Number of combinations of a block that a row names; the page shows all trials. */
+  private static final int MOST_RUNS = 40;
 
   private final transient StudyDesk desk;
   private final RowsModel rows =
@@ -56,7 +57,7 @@ final class PlanPage extends JPanel {
     table.bold(row -> plan.places().get(row).number() == plan.next());
     note.setText(
         plan.faults().isEmpty()
-            ? StudyTexts.of("plan.next", Integer.toString(plan.next()))
+            ? StudyTexts.of(hidden ? "plan.next.blind" : "plan.next", Integer.toString(plan.next()))
             : StudyTexts.of("plan.fault", plan.faults().get(0)));
     page.command(
         hidden
@@ -82,12 +83,27 @@ final class PlanPage extends JPanel {
     if (block.trials().isEmpty()) {
       return block.name() + ": " + block.open().orElse(StudyTexts.of("plan.noorder"));
     }
-    String trials =
-        block.trials().stream()
-            .limit(MOST_TRIALS)
-            .map(StudyPlan.PlannedTrial::combination)
-            .collect(Collectors.joining(", "));
-    return block.name() + ": " + trials + (block.trials().size() > MOST_TRIALS ? " \u2026" : "");
+    return block.name()
+        + ": "
+        + String.join(
+            ", ", runs(block.trials().stream().map(StudyPlan.PlannedTrial::combination).toList()));
+  }
+
+  /** Returns neighbours that are equal as one with their number; after the most of them dots. */
+  static List<String> runs(List<String> trials) {
+    List<String> runs = new ArrayList<>();
+    int i = 0;
+    while (i < trials.size() && runs.size() < MOST_RUNS) {
+      int from = i;
+      while (i < trials.size() && trials.get(i).equals(trials.get(from))) {
+        i++;
+      }
+      runs.add(i - from == 1 ? trials.get(from) : i - from + " \u00d7 " + trials.get(from));
+    }
+    if (i < trials.size()) {
+      runs.add("\u2026");
+    }
+    return runs;
   }
 
   private void page() {

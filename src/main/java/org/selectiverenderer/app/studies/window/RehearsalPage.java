@@ -50,6 +50,8 @@ final class RehearsalPage extends JPanel {
     verdict.setName("check.verdict");
     report.setName("check.report");
     report.setEditable(false);
+    report.setLineWrap(true);
+    report.setWrapStyleWord(true);
     report.getAccessibleContext().setAccessibleName(StudyTexts.of("check.report"));
     from.setName("preview.from");
     speed.setName("preview.speed");
@@ -65,8 +67,8 @@ final class RehearsalPage extends JPanel {
     times.setLabelFor(((JSpinner.DefaultEditor) speed.getEditor()).getTextField());
     choice.add(step);
     choice.add(from);
-    choice.add(times, "gapleft 12");
-    choice.add(speed);
+    choice.add(speed, "gapleft 12");
+    choice.add(times);
     add(choice);
     add(session);
     from.addActionListener(event -> commands());

@@ -42,7 +42,7 @@ final class SessionPage extends JPanel {
   SessionPage(StudyDesk desk) {
     super(new MigLayout("insets 12, fill, wrap 1", "[grow,fill]", "[][][grow,fill]"));
     this.desk = desk;
-    live = new LiveSession(desk);
+    live = new LiveSession(desk, this::judge);
     id.setName("session.id");
     session.setName("session.number");
     next.setName("session.next");
@@ -127,6 +127,11 @@ final class SessionPage extends JPanel {
             unattended.isSelected()));
   }
 
+  /** Puts the keyboard where a session begins. */
+  void focus() {
+    id.requestFocusInWindow();
+  }
+
   private ParticipantCheck check(StudyOverview known) {
     return ParticipantCheck.of(known, id.getText().strip(), (Integer) session.getValue());
   }
@@ -154,7 +159,7 @@ final class SessionPage extends JPanel {
                         ? "session.resume"
                         : "session.start")));
     start.command(
-        check.possible()
+        check.possible() && !live.running()
             ? desk.commands().map(commands -> commands.run(wanted(check)))
             : Optional.empty());
   }
@@ -172,7 +177,8 @@ final class SessionPage extends JPanel {
       return;
     }
     ParticipantCheck check = check(study.get());
-    if (!check.possible()
+    if (live.running()
+        || !check.possible()
         || check.answer() == ParticipantCheck.Answer.ALIKE
             && !confirmed("check.alike.ask", id.getText().strip(), check.other())
         || study.get().diskLow()

@@ -163,16 +163,21 @@ final class StudyWindow {
   private void show(Optional<StudyOverview> study) {
     if (study.isEmpty()) {
       frame.setTitle(StudyTexts.of("title"));
+      file.setText(" ");
       tabs.setSelectedIndex(0);
       cards.show(content, START);
       start.reload();
       return;
     }
     Study known = study.get().study();
+    boolean fresh = !known.file().toAbsolutePath().toString().equals(file.getText());
     frame.setTitle(PlainText.of(known.name()) + " \u2013 " + StudyTexts.of("title"));
     name.setText(known.name());
     file.setText(known.file().toAbsolutePath().toString());
     cards.show(content, STUDY);
+    if (fresh) {
+      session.focus();
+    }
   }
 
   /** Shows what went wrong, or what is being done; empty takes it away. */
