@@ -199,7 +199,8 @@ final class HeadsetQuestionController implements RunController {
       boolean yes = asking.question().isEmpty() || filled || simulated.nextBoolean();
       answered(yes ? ControllerCommand.YES : ControllerCommand.NO);
     }
-    QuestionPanelRenderer.Sheet drawn = sheet.of(asking, aim.isPresent());
+    QuestionPanelRenderer.Sheet drawn =
+        sheet.of(asking, aim.isPresent() ? AnswerDevice.RAY : AnswerDevice.BUTTONS);
     Matrix4dc stands =
         where.of(QuestionPanelRenderer.WIDTH, drawn.height(), QuestionPanelRenderer.metres());
     shown = new Shown(drawn, stands);

@@ -96,9 +96,10 @@ final class QuestionPanelRenderer {
   /**
    * Lays out the current question.
    *
-   * @param pointing whether a hand points, so that buttons are drawn
+   * @param device with which the answer is given; buttons are drawn for a ray only
    */
-  Sheet of(ButtonQuestionnaireController asked, boolean pointing) {
+  Sheet of(ButtonQuestionnaireController asked, AnswerDevice device) {
+    boolean pointing = device == AnswerDevice.RAY;
     pen.begin();
     QuestionnaireProgress course = asked.course();
     QuestionnairePage page = course.page();
@@ -130,7 +131,7 @@ final class QuestionPanelRenderer {
     if (pointing) {
       turns(asked);
     }
-    pen.text(hint(asked, pointing), SMALL, FAINT);
+    pen.text(hint(asked, device), SMALL, FAINT);
     double height = pen.y() + MARGIN - SMALL / 2;
     List<Primitive2D> all = new ArrayList<>();
     all.add(Primitive2D.rectangle(0, 0, WIDTH, height, PAPER));
@@ -163,33 +164,32 @@ final class QuestionPanelRenderer {
     }
   }
 
-  private String hint(ButtonQuestionnaireController asked, boolean pointing) {
+  private String hint(ButtonQuestionnaireController asked, AnswerDevice device) {
     QuestionnaireProgress course = asked.course();
+    String means = device == AnswerDevice.KEYBOARD ? "keyboard." : "headset.";
     if (asked.question().isEmpty()) {
       return course.refuses()
           ? wording.of("form.refused")
-          : wording.of(course.asked().isEmpty() ? "headset.read" : "headset.done");
+          : wording.of(means + (course.asked().isEmpty() ? "read" : "done"));
     }
-    String place = wording.filled("headset.question", asked.place(), course.asked().size());
-    if (pointing && asked.ranking().isEmpty()) {
-      String what = asked.line().isPresent() ? "headset.keys" : "headset.point";
-      return place + "  " + wording.of(what);
+    String place = wording.filled("headset.question", asked.place(), course.asked().size()) + "  ";
+    if (device == AnswerDevice.RAY && asked.ranking().isEmpty()) {
+      return place + wording.of(asked.line().isPresent() ? "headset.keys" : "headset.point");
     }
     if (asked.line().isPresent()) {
-      return place + "  " + wording.of("headset.written");
+      return place + wording.of(means + "written");
     }
     if (asked.ranking().isPresent()) {
-      return place + "  " + wording.of("headset.ranking");
+      return place + wording.of(means + "ranking");
     }
     if (asked.slider().isPresent()) {
-      return place + "  " + wording.of("headset.slider");
+      return place + wording.of(means + "slider");
     }
     List<ChoiceOption> options = asked.choice().orElseThrow().options();
     return place
-        + "  "
-        + (asked.oneOfTwo()
+        + (asked.oneOfTwo() && device != AnswerDevice.KEYBOARD
             ? wording.filled("headset.two", options.get(0).label(), options.get(1).label())
-            : wording.of("headset.several"));
+            : wording.of(means + "several"));
   }
 
   /** Draws a centred picture as large as the space allows. */

@@ -112,7 +112,8 @@ final class TrialController implements RunController {
                     .material()
                     .inTrials(asked.questionnaire())
                     .orElseThrow()
-                    .ordered(session.material().study().seed(), session.folder().participant())));
+                    .ordered(session.material().study().seed(), session.folder().participant()),
+                headset.isPresent() ? AnswerDevice.BUTTONS : AnswerDevice.KEYBOARD));
       }
     }
   }

@@ -36,6 +36,7 @@ final class TrialQuestions {
   private final Session session;
   private final SessionStep.OneTrial step;
   private final AnswerRecorder recorder;
+  private final AnswerDevice device;
   private final QuestionPanelRenderer renderer;
   private final Random simulated;
   private @Nullable ButtonQuestionnaireController buttons;
@@ -44,12 +45,15 @@ final class TrialQuestions {
   private int frames;
 
   /**
+   * @param device with which the participant answers
    * @throws IOException with a one-line message if a picture of the questionnaire cannot be read
    */
-  TrialQuestions(Session session, SessionStep.OneTrial step, Questionnaire questionnaire)
+  TrialQuestions(
+      Session session, SessionStep.OneTrial step, Questionnaire questionnaire, AnswerDevice device)
       throws IOException {
     this.session = session;
     this.step = step;
+    this.device = device;
     this.questionnaire = questionnaire;
     wording = session.material().wording();
     recorder = new AnswerRecorder(session, step);
@@ -104,7 +108,7 @@ final class TrialQuestions {
 
   /** Returns the sheet of the present question. */
   QuestionPanelRenderer.Sheet sheet() {
-    return renderer.of(asking(), false);
+    return renderer.of(asking(), device);
   }
 
   /** Handles a button of a headset's controller. */

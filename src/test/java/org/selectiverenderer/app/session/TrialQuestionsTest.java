@@ -55,7 +55,12 @@ class TrialQuestionsTest {
     BlockProgress progress = session.progress(block);
     trial = new SessionStep.OneTrial(progress.next().orElseThrow());
     session.began(trial, progress);
-    return new TrialQuestions(session, trial, session.material().inTrials("rate").orElseThrow());
+    return of(AnswerDevice.KEYBOARD);
+  }
+
+  private TrialQuestions of(AnswerDevice device) throws IOException {
+    return new TrialQuestions(
+        session, trial, session.material().inTrials("rate").orElseThrow(), device);
   }
 
   @AfterEach
@@ -78,6 +83,15 @@ class TrialQuestionsTest {
 
   private Map<String, Answer> answers() {
     return session.answers(trial);
+  }
+
+  @Test
+  void theLastLineExplainsTheDeviceThatIsThere() throws IOException {
+    TrialQuestions keys = asked("{\"id\": \"far\", \"kind\": \"slider\", \"text\": \"How far?\"}");
+    assertThat(String.join(" ", texts(keys)))
+        .contains("Enter gives the answer")
+        .doesNotContain("button");
+    assertThat(String.join(" ", texts(of(AnswerDevice.BUTTONS)))).contains("button");
   }
 
   @Test
