@@ -12,13 +12,13 @@ import org.selectiverenderer.study.session.SessionFolder;
  * @param material the study with the site's folder
  * @param taken the sessions of the site that count
  */
-public record StudySite(String name, LoadedStudy material, Set<SessionFolder> taken) {
+record StudySite(String name, LoadedStudy material, Set<SessionFolder> taken) {
   public StudySite {
     taken = Set.copyOf(taken);
   }
 
   /** Returns the id in the tables of a participant, whose id at the site is given. */
-  public String id(String participant) {
+  String id(String participant) {
     return name + participant;
   }
 
