@@ -25,7 +25,7 @@ final class PlanPage extends JPanel {
   private final transient StudyDesk desk;
   private final RowsModel rows =
       new RowsModel("plan.place", "plan.participant", "plan.group", "plan.order");
-  private final RowsTable table = new RowsTable(rows, "plan", 6, 14, 16, 80);
+  private final RowsTable table = new RowsTable(rows, "plan", 7, 16, 16, 80);
   private final JCheckBox showCondition = StudyTexts.checkBox("plan.showcondition");
   private final ActionLine page = new ActionLine("plan.page", this::page);
   private final JLabel note = new JLabel(" ");

@@ -32,7 +32,7 @@ final class RehearsalPage extends JPanel {
   private final JLabel verdict = PlainText.only(new JLabel(" "));
   private final RowsModel rows = new RowsModel("check.severity", "check.where", "check.what");
   private final RowsTable table = new RowsTable(rows, "findings", 10, 28, 80);
-  private final JTextArea report = new JTextArea();
+  private final JTextArea report = new JTextArea(8, 40);
   private final ActionLine check = new ActionLine("check.run", this::check);
   private final ActionLine page = new ActionLine("preview.page", this::page);
   private final JComboBox<String> from = PlainText.entries(new JComboBox<>());
@@ -58,7 +58,7 @@ final class RehearsalPage extends JPanel {
     add(check);
     add(verdict);
     add(new JScrollPane(table), "grow, push, hmin 60");
-    add(new JScrollPane(report), "grow, push, hmin 60");
+    add(new JScrollPane(report), "grow, push, hmin 100");
     add(page);
     JPanel choice = new JPanel(new MigLayout("insets 0, fillx", "[][][][][grow]"));
     JLabel step = StudyTexts.label("preview.step");

@@ -36,7 +36,7 @@ final class SessionsPage extends JPanel {
           "sessions.state",
           "sessions.missing",
           "sessions.flags");
-  private final RowsTable table = new RowsTable(rows, "sessions", 12, 8, 14, 12, 34, 34);
+  private final RowsTable table = new RowsTable(rows, "sessions", 16, 12, 14, 16, 30, 30);
   private final RowsModel sizes =
       new RowsModel("sessions.group", "sessions.planned", "sessions.assigned", "sessions.finished");
   private final RowsTable groups = new RowsTable(sizes, "groups", 24, 10, 10, 10);

@@ -74,13 +74,14 @@ class StudyWindowTest extends StudyWindowFixture {
     hands.await("the end of the session", () -> head.getText().endsWith("is finished."));
     assertThat(in(window, "live.state", JLabel.class).getText()).contains("simulated");
     hands.await("the next id", () -> id.getText().equals("002") && start.isEnabled());
-    assertThat(in(window, "session.next", JLabel.class).getText()).startsWith("Place 2 of 4");
+    JLabel next = in(window, "session.next", JLabel.class);
+    hands.await("the next place", () -> next.getText().startsWith("Place 2 of 4"));
 
     page(window, 2);
     JTable sessions = in(window, "sessions", JTable.class);
     assertThat(sessions.getRowCount()).isEqualTo(1);
     assertThat(sessions.getValueAt(0, 0)).isEqualTo("001");
-    assertThat(sessions.getValueAt(0, 3)).isEqualTo("finished");
+    hands.await("the finished session", () -> "finished".equals(sessions.getValueAt(0, 3)));
     assertThat(in(window, "sessions.summary", JLabel.class).getText()).startsWith("1 of 4");
 
     page(window, 4);
