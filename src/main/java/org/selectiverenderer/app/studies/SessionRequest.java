@@ -1,5 +1,7 @@
 package org.selectiverenderer.app.studies;
 
+import java.util.Optional;
+
 /**
  * The session that the experimenter wants.
  *
@@ -7,10 +9,17 @@ package org.selectiverenderer.app.studies;
  * @param session number of the session, from 1
  * @param somebodyNew whether the experimenter has confirmed an id that resembles another one
  * @param resume whether to continue the session
+ * @param language one of the study's languages, for a participant without sessions; empty for the
+ *     first
  * @param options how it is shown
  */
 public record SessionRequest(
-    String participant, int session, boolean somebodyNew, boolean resume, Options options) {
+    String participant,
+    int session,
+    boolean somebodyNew,
+    boolean resume,
+    Optional<String> language,
+    Options options) {
 
   /**
    * Options of a session.

@@ -10,6 +10,9 @@ public final class StudyCommands {
   /** Name of the table of recognition answers in a folder of results. */
   public static final String RESPONSES = "responses.csv";
 
+  /** Name of the table of trials in a folder of results. */
+  public static final String TRIALS = "trials.csv";
+
   /** Name of the report in a folder of results. */
   public static final String REPORT = "report.html";
 
@@ -29,6 +32,17 @@ public final class StudyCommands {
     return new ProgramCommand(words);
   }
 
+  /**
+   * Copies an example of a design into a folder.
+   *
+   * @param design its name, as {@code experiment new --design} knows it
+   */
+  public static ProgramCommand copy(Path folder, String design) {
+    List<String> words = words("new", folder.toString());
+    words.addAll(List.of("--design", design));
+    return new ProgramCommand(words);
+  }
+
   /** Runs or resumes a session. */
   public ProgramCommand run(SessionRequest wanted) {
     List<String> words = words("run", study);
@@ -38,6 +52,7 @@ public final class StudyCommands {
     }
     flag(words, wanted.resume(), "--resume");
     flag(words, wanted.somebodyNew(), "--new-participant");
+    wanted.language().ifPresent(code -> words.addAll(List.of("--language", code)));
     flag(words, wanted.options().view(), "--operator");
     flag(words, wanted.options().withoutTracker(), "--without-tracker");
     flag(words, wanted.options().showCondition(), "--show-condition");
@@ -91,14 +106,22 @@ public final class StudyCommands {
     words.addAll(List.of("--answers", folder.resolve("answers.csv").toString()));
     words.addAll(List.of("--scores", folder.resolve("scores.csv").toString()));
     if (trials) {
-      words.addAll(List.of("--trials", folder.resolve("trials.csv").toString()));
+      words.addAll(List.of("--trials", folder.resolve(TRIALS).toString()));
     }
     return new ProgramCommand(words);
   }
 
-  /** Analyses the recognition answers of a folder, and writes the report there. */
-  public static ProgramCommand analyse(Path folder) {
-    List<String> words = words("analyse", folder.resolve(RESPONSES).toString());
+  /**
+   * Analyses the recognition answers that were collected into a folder, or the trials, and writes
+   * the report there.
+   *
+   * @param trials whether the study has blocks of trials
+   */
+  public ProgramCommand analyse(Path folder, boolean trials) {
+    List<String> words = words("analyse", trials ? study : folder.resolve(RESPONSES).toString());
+    if (trials) {
+      words.addAll(List.of("--data", folder.resolve(TRIALS).toString()));
+    }
     words.addAll(List.of("--format", "html", "--output", folder.resolve(REPORT).toString()));
     return new ProgramCommand(words);
   }

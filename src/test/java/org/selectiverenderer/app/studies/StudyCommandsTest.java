@@ -22,8 +22,10 @@ class StudyCommandsTest {
     SessionRequest.Options everything = new SessionRequest.Options(true, true, true, true);
     return Stream.of(
         StudyCommands.create(Path.of("new"), Optional.of(Path.of("scene.x3d"))),
-        STUDY.run(new SessionRequest("007", 2, true, false, everything)),
-        STUDY.run(new SessionRequest("007", 1, false, true, SessionRequest.Options.USUAL)),
+        STUDY.run(new SessionRequest("007", 2, true, false, Optional.of("el"), everything)),
+        STUDY.run(
+            new SessionRequest(
+                "007", 1, false, true, Optional.empty(), SessionRequest.Options.USUAL)),
         STUDY.plan(),
         STUDY.planPage(Path.of("plan.html")),
         STUDY.status(true),
@@ -31,7 +33,9 @@ class StudyCommandsTest {
         STUDY.preview(Path.of("preview")),
         STUDY.previewFrom("form", 10),
         STUDY.collect(Path.of("results"), true),
-        StudyCommands.analyse(Path.of("results")));
+        STUDY.analyse(Path.of("results"), false),
+        STUDY.analyse(Path.of("results"), true),
+        StudyCommands.copy(Path.of("new"), "change-blindness"));
   }
 
   /** Everything that the commands do, and nothing that they cannot. */

@@ -4,9 +4,11 @@ import java.awt.Frame;
 import java.awt.event.KeyEvent;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JButton;
+import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JFileChooser;
@@ -18,12 +20,18 @@ import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.app.studies.ProgramCommand;
 import org.selectiverenderer.app.studies.StudyCommands;
+import org.selectiverenderer.swing.PlainText;
 
-/** Asks for the folder of a new study and its scene, and makes it by the command. */
+/** Asks for the design, the folder and the scene of a new study, and makes it by the command. */
 final class NewStudyDialog {
+  /** The examples that {@code experiment new --design} copies. */
+  private static final List<String> DESIGNS =
+      List.of("change-blindness", "quality-and-light", "rooms-between", "levels-of-detail");
+
   private final StudyDesk desk;
   private final JDialog dialog;
   private final JTextField folder = new JTextField(36);
+  private final JComboBox<String> design = PlainText.only(new JComboBox<>());
   private final JTextField scene = new JTextField(36);
   private final JTextArea fault = new JTextArea(2, 36);
   private final ActionLine create = new ActionLine("new.create", this::create);
@@ -46,6 +54,18 @@ final class NewStudyDialog {
     fault.setOpaque(false);
     JPanel panel = new JPanel(new MigLayout("insets 16, fillx, wrap 3", "[][grow,fill][]", ""));
     panel.add(new JLabel(StudyTexts.of("new.about")), "span 3, wrap");
+    JLabel kind = StudyTexts.label("new.design");
+    kind.setLabelFor(design);
+    design.setName("new.design");
+    design.addItem(StudyTexts.of("new.design.thesis"));
+    DESIGNS.forEach(each -> design.addItem(StudyTexts.of("new.design." + each)));
+    design.addActionListener(
+        event -> {
+          scene.setEnabled(example().isEmpty());
+          commands();
+        });
+    panel.add(kind);
+    panel.add(design, "span 2");
     row(panel, "new.folder", folder, JFileChooser.DIRECTORIES_ONLY);
     row(panel, "new.scene", scene, JFileChooser.FILES_ONLY);
     panel.add(create, "span 3, growx");
@@ -90,6 +110,12 @@ final class NewStudyDialog {
     dialog.setVisible(true);
   }
 
+  /** Returns the example to copy; empty for the study of the thesis. */
+  private Optional<String> example() {
+    int at = design.getSelectedIndex();
+    return at <= 0 ? Optional.empty() : Optional.of(DESIGNS.get(at - 1));
+  }
+
   private Optional<ProgramCommand> command() {
     String named = folder.getText().strip();
     String shown = scene.getText().strip();
@@ -97,6 +123,9 @@ final class NewStudyDialog {
       return Optional.empty();
     }
     try {
+      if (example().isPresent()) {
+        return Optional.of(StudyCommands.copy(Path.of(named), example().get()));
+      }
       return Optional.of(
           StudyCommands.create(
               Path.of(named), shown.isEmpty() ? Optional.empty() : Optional.of(Path.of(shown))));

@@ -21,7 +21,10 @@ import org.selectiverenderer.app.studies.StudyCommands;
 import org.selectiverenderer.app.studies.StudyOverview;
 import org.selectiverenderer.swing.PlainText;
 
-/** The answers, collected into a folder, and the report on those about remembered objects. */
+/**
+ * The answers, collected into a folder, and the report on those about remembered objects, or on the
+ * trials.
+ */
 final class ResultsPage extends JPanel {
   private static final long serialVersionUID = 1;
 
@@ -98,7 +101,7 @@ final class ResultsPage extends JPanel {
     try {
       Path chosen = folder();
       collect.command(commands.map(each -> each.collect(chosen, trials)));
-      analyse.command(commands.map(each -> StudyCommands.analyse(chosen)));
+      analyse.command(commands.map(each -> each.analyse(chosen, trials)));
     } catch (InvalidPathException e) {
       collect.command(Optional.empty());
       analyse.command(Optional.empty());
@@ -146,20 +149,26 @@ final class ResultsPage extends JPanel {
 
   private void analyse() {
     Path chosen = folder();
+    boolean trials = desk.study().filter(StudyOverview::trials).isPresent();
     told.setText("");
     analyse.allow(false);
-    desk.start(
-        StudyCommands.analyse(chosen),
-        this::tell,
-        status -> {
-          analyse.allow(true);
-          listFiles();
-          if (status == 0) {
-            tell(StudyTexts.of("results.done", chosen.resolve(StudyCommands.REPORT).toString()));
-            desk.browse(chosen.resolve(StudyCommands.REPORT));
-          }
-        },
-        process -> {});
+    desk.commands()
+        .ifPresent(
+            commands ->
+                desk.start(
+                    commands.analyse(chosen, trials),
+                    this::tell,
+                    status -> analysed(chosen, status),
+                    process -> {}));
+  }
+
+  private void analysed(Path chosen, int status) {
+    analyse.allow(true);
+    listFiles();
+    if (status == 0) {
+      tell(StudyTexts.of("results.done", chosen.resolve(StudyCommands.REPORT).toString()));
+      desk.browse(chosen.resolve(StudyCommands.REPORT));
+    }
   }
 
   private void tell(String line) {

@@ -1,8 +1,11 @@
 package org.selectiverenderer.app.studies.window;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import javax.swing.DefaultComboBoxModel;
 import javax.swing.JCheckBox;
+import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JOptionPane;
@@ -36,7 +39,10 @@ final class SessionPage extends JPanel {
   private final JCheckBox withoutTracker = StudyTexts.checkBox("session.withouttracker");
   private final JCheckBox showCondition = StudyTexts.checkBox("session.showcondition");
   private final JCheckBox unattended = StudyTexts.checkBox("session.unattended");
+  private final JComboBox<String> language = new JComboBox<>();
+  private final JLabel inLanguage = StudyTexts.label("session.language");
   private final ActionLine start = new ActionLine("session.start", this::start);
+  private transient List<String> offered = List.of();
   private @Nullable String suggested;
 
   SessionPage(StudyDesk desk) {
@@ -45,6 +51,9 @@ final class SessionPage extends JPanel {
     live = new LiveSession(desk, this::judge);
     id.setName("session.id");
     session.setName("session.number");
+    language.setName("session.language");
+    inLanguage.setLabelFor(language);
+    language.addActionListener(event -> judge());
     next.setName("session.next");
     verdict.setName("session.verdict");
     add(next);
@@ -59,7 +68,7 @@ final class SessionPage extends JPanel {
   }
 
   private JComponent form() {
-    JPanel form = new JPanel(new MigLayout("insets 0, fillx", "[][][][][grow]", ""));
+    JPanel form = new JPanel(new MigLayout("insets 0, fillx", "[][][][][][][grow]", ""));
     JLabel who = StudyTexts.label("session.participant");
     who.setLabelFor(id);
     JLabel number = StudyTexts.label("session.session");
@@ -68,6 +77,8 @@ final class SessionPage extends JPanel {
     form.add(id);
     form.add(number, "gapleft 12");
     form.add(session);
+    form.add(inLanguage, "gapleft 12, hidemode 3");
+    form.add(language, "hidemode 3");
     form.add(verdict, "growx, wmin 0, wrap");
     JPanel options = new JPanel(new MigLayout("insets 0, fillx, wrap 2", "[][grow]"));
     options.add(view);
@@ -88,6 +99,7 @@ final class SessionPage extends JPanel {
         known -> {
           showCondition.setVisible(known.blind());
           next.setText(sentence(known));
+          languages(known.study().languages());
           // What the experimenter has typed stays; a suggestion gives way to the next one.
           if (suggested == null || id.getText().equals(suggested) || id.getText().isEmpty()) {
             suggested = known.ids().next();
@@ -100,6 +112,25 @@ final class SessionPage extends JPanel {
       id.setText("");
     }
     judge();
+  }
+
+  private void languages(List<String> codes) {
+    if (!codes.equals(offered)) {
+      offered = codes;
+      language.setModel(new DefaultComboBoxModel<>(codes.toArray(String[]::new)));
+    }
+    inLanguage.setVisible(codes.size() > 1);
+    language.setVisible(codes.size() > 1);
+  }
+
+  /** Returns the language to begin in; a known participant keeps the one of earlier sessions. */
+  private Optional<String> chosen(ParticipantCheck check) {
+    boolean begins =
+        check.answer() == ParticipantCheck.Answer.NEW
+            || check.answer() == ParticipantCheck.Answer.ALIKE;
+    return begins && language.getSelectedIndex() > 0
+        ? Optional.of(offered.get(language.getSelectedIndex()))
+        : Optional.empty();
   }
 
   private static String sentence(StudyOverview known) {
@@ -120,6 +151,7 @@ final class SessionPage extends JPanel {
         (Integer) session.getValue(),
         check.answer() == ParticipantCheck.Answer.ALIKE,
         check.answer() == ParticipantCheck.Answer.BEGUN,
+        chosen(check),
         new SessionRequest.Options(
             view.isSelected(),
             withoutTracker.isSelected(),
@@ -145,6 +177,9 @@ final class SessionPage extends JPanel {
       return;
     }
     ParticipantCheck check = check(study.get());
+    language.setEnabled(
+        check.answer() != ParticipantCheck.Answer.KNOWN
+            && check.answer() != ParticipantCheck.Answer.BEGUN);
     verdict.setText(
         StudyTexts.of(
             "check." + check.answer().name().toLowerCase(Locale.ROOT),
