@@ -9,7 +9,7 @@ import org.selectiverenderer.formats.json.JsonObjectReader;
  * A bipolar scale (semantic differential): a rating between two opposites, such as dark and bright,
  * from 1 to an odd or even number.
  */
-public record BipolarQuestion(int to, String left, String right) implements QuestionKind {
+record BipolarQuestion(int to, String left, String right) implements QuestionKind {
   /** Spelling of the kind in files. */
   static final String SPELLING = "bipolar";
 

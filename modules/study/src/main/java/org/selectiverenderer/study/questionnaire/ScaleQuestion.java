@@ -10,7 +10,7 @@ import org.selectiverenderer.formats.json.JsonObjectReader;
  *
  * @param notes the meaning of each step; empty if only the ends are labelled
  */
-public record ScaleQuestion(int from, int to, String least, String most, List<String> notes)
+record ScaleQuestion(int from, int to, String least, String most, List<String> notes)
     implements QuestionKind {
   /** Spelling of the kind in files. */
   static final String SPELLING = "scale";
