@@ -110,12 +110,12 @@ public final class DesignReport {
 
   private static Section section(Part part, boolean pictures) {
     List<ReportBlock> blocks = new ArrayList<>();
-    blocks.add(
-        new Paragraph(
-            part.planned()
-                ? "As planned."
-                : "Exploratory: the study file does not plan this analysis. Its p values confirm"
-                    + " nothing."));
+    if (!part.planned()) {
+      blocks.add(
+          new Paragraph(
+              "Exploratory: the study file does not plan this analysis. Its p values confirm"
+                  + " nothing."));
+    }
     if (!part.hypothesis().isEmpty()) {
       blocks.add(new Paragraph("Hypothesis: " + part.hypothesis()));
     }

@@ -48,26 +48,76 @@ final class InteractionPlot {
     bold = new SizedFont(fonts.font(FontFamily.SANS, FontStyle.BOLD), 13, true);
   }
 
-  /** Returns an SVG element of 460 x 330 pixels. */
+  /** Returns an SVG element of 460 x 330 pixels, and more where the legend has several rows. */
   String svg(Anova anova, String title) {
-    return draw(SvgCanvas.inline(WIDTH, HEIGHT, title), anova, title);
+    Legend legend = new Legend(anova.design());
+    return draw(SvgCanvas.inline(WIDTH, HEIGHT + legend.more(), title), anova, title, legend);
   }
 
   /** Returns the plot as a complete SVG file. */
   String file(Anova anova, String title) {
-    return draw(new SvgCanvas(WIDTH, HEIGHT, title), anova, title);
+    Legend legend = new Legend(anova.design());
+    return draw(new SvgCanvas(WIDTH, HEIGHT + legend.more(), title), anova, title, legend);
   }
 
-  private String draw(SvgCanvas canvas, Anova anova, String title) {
-    canvas.rectangle(0, 0, WIDTH, HEIGHT, ChartColour.PAPER);
+  private String draw(SvgCanvas canvas, Anova anova, String title, Legend legend) {
+    canvas.rectangle(0, 0, WIDTH, HEIGHT + legend.more(), ChartColour.PAPER);
     canvas.text(bold.fit(title, WIDTH - LEFT - RIGHT), LEFT, 16, bold, ChartColour.INK);
-    new Drawing(anova, canvas).draw();
+    new Drawing(anova, canvas, legend).draw();
     return canvas.finish();
+  }
+
+  /** The names of the levels within participants, in as many rows as they need. */
+  private final class Legend {
+    private static final int ROW = 18;
+    private static final int LINE = 21;
+    private static final int GAP = 19;
+
+    private final List<String> names = new ArrayList<>();
+    private final List<double[]> places = new ArrayList<>();
+    private int rows = 1;
+
+    Legend(FactorialDesign design) {
+      List<String> levels = design.within().levels();
+      double x = LEFT;
+      for (int level = 0; levels.size() > 1 && level < levels.size(); level++) {
+        String name = plain.fit(levels.get(level), WIDTH - LEFT - RIGHT - LINE);
+        double width = LINE + plain.width(name);
+        if (x > LEFT && x + width > WIDTH - RIGHT) {
+          x = LEFT;
+          rows++;
+        }
+        names.add(name);
+        places.add(new double[] {x, 27 + ROW * (rows - 1)});
+        x += width + GAP;
+      }
+    }
+
+    /** Returns the height of the rows after the first one. */
+    int more() {
+      return ROW * (rows - 1);
+    }
+
+    void draw(SvgCanvas canvas) {
+      for (int level = 0; level < names.size(); level++) {
+        double x = places.get(level)[0];
+        double y = places.get(level)[1];
+        canvas.rectangle(x, y, 16, 3, colour(level));
+        canvas.text(names.get(level), x + LINE, y + 6, plain, ChartColour.INK);
+      }
+    }
+  }
+
+  private static ChartColour colour(int level) {
+    return LINES.get(level % LINES.size());
   }
 
   /** The drawing of one plot, with its scale. */
   private final class Drawing {
     private final SvgCanvas canvas;
+    private final Legend legend;
+    private final int top;
+    private final int height;
     private final FactorialDesign design;
     private final List<MarginalMean> means;
     private final int groups;
@@ -76,8 +126,11 @@ final class InteractionPlot {
     private final double high;
     private final double step;
 
-    Drawing(Anova anova, SvgCanvas canvas) {
+    Drawing(Anova anova, SvgCanvas canvas, Legend legend) {
       this.canvas = canvas;
+      this.legend = legend;
+      top = TOP + legend.more();
+      height = HEIGHT + legend.more();
       design = anova.design();
       groups = design.between().levels().size();
       levels = design.within().levels().size();
@@ -105,7 +158,7 @@ final class InteractionPlot {
 
     void draw() {
       axes();
-      legend();
+      legend.draw(canvas);
       for (int level = 0; level < levels; level++) {
         points(level);
       }
@@ -128,31 +181,27 @@ final class InteractionPlot {
       }
       double slot = (double) (WIDTH - LEFT - RIGHT) / groups;
       for (int group = 0; group < groups; group++) {
-        String count = " (n = " + design.group(group).size() + ")";
-        double room = slot - 8 - plain.width(count);
-        String name = plain.fit(design.between().levels().get(group), room) + count;
+        String count = "n = " + design.group(group).size();
+        String name = count;
+        if (groups > 1) {
+          double room = slot - 8 - plain.width(" (" + count + ")");
+          name = plain.fit(design.between().levels().get(group), room) + " (" + count + ")";
+        }
         double x = LEFT + slot * (group + 0.5) - plain.width(name) / 2;
-        canvas.text(name, x, HEIGHT - BOTTOM + 20, plain, ChartColour.INK);
+        canvas.text(name, x, height - BOTTOM + 20, plain, ChartColour.INK);
+      }
+      if (groups == 1) {
+        return;
       }
       String axis = plain.fit(design.between().name(), WIDTH - LEFT - RIGHT);
       double middle = LEFT + (WIDTH - LEFT - RIGHT) / 2.0;
-      canvas.text(axis, middle - plain.width(axis) / 2, HEIGHT - 8, plain, ChartColour.FAINT_INK);
+      canvas.text(axis, middle - plain.width(axis) / 2, height - 8, plain, ChartColour.FAINT_INK);
     }
 
     private String number(double value) {
       int decimals = Math.max(0, (int) Math.ceil(-Math.log10(step) - 1e-9));
       String text = String.format(Locale.ROOT, "%." + decimals + "f", value);
       return text.matches("-0(\\.0+)?") ? text.substring(1) : text.replace('-', '\u2212');
-    }
-
-    private void legend() {
-      double x = LEFT;
-      for (int level = 0; levels > 1 && level < levels; level++) {
-        String name = design.within().levels().get(level);
-        canvas.rectangle(x, 27, 16, 3, colour(level));
-        canvas.text(name, x + 21, 33, plain, ChartColour.INK);
-        x += 40 + plain.width(name);
-      }
     }
 
     private void points(int level) {
@@ -198,15 +247,12 @@ final class InteractionPlot {
 
     private double x(int group, int level) {
       double slot = (double) (WIDTH - LEFT - RIGHT) / groups;
-      return LEFT + slot * (group + 0.5) + DODGE * (level - (levels - 1) / 2.0);
+      double apart = Math.min(DODGE, (slot - 2 * SPREAD) / levels);
+      return LEFT + slot * (group + 0.5) + apart * (level - (levels - 1) / 2.0);
     }
 
     private double y(double value) {
-      return TOP + (HEIGHT - TOP - BOTTOM) * (high - value) / (high - low);
-    }
-
-    private ChartColour colour(int level) {
-      return LINES.get(level % LINES.size());
+      return top + (height - top - BOTTOM) * (high - value) / (high - low);
     }
   }
 }
