@@ -4,16 +4,13 @@ import org.selectiverenderer.apartment.materials.Materials;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.BoxBuilder;
 import org.selectiverenderer.modelling.ExtrudedSolid;
-import org.selectiverenderer.modelling.ModelColour;
-import org.selectiverenderer.modelling.ModelMaterial;
 import org.selectiverenderer.modelling.ModelPlacement;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.ProfileCurve;
 import org.selectiverenderer.modelling.RoundSolidBuilder;
 import org.selectiverenderer.modelling.SimplePolygon;
 
-/** A steel toaster for two slices, both of which look out, with its lever and dial at the right. */
+/** A steel toaster for two slices, empty, with its lever and dial at the right. */
 final class Toaster {
   private static final double WIDTH = 0.29;
   private static final double DEPTH = 0.17;
@@ -24,17 +21,12 @@ final class Toaster {
     return ModelPlacement.centred(
         "toaster",
         Part.of("shell", Materials.POLISHED_STEEL, shell()),
-        Part.of("trim", Materials.SOFT_BLACK, base(), slots(), lever(), dial()),
-        Part.of(
-            "toast",
-            ModelMaterial.matt(ModelColour.hex(0xC98F4E)),
-            toast().move(-0.012, 0, 0.024),
-            toast().move(-0.012, 0, -0.042)));
+        Part.of("trim", Materials.SOFT_BLACK, base(), slots(), lever(), dial()));
   }
 
   private static TriangleMesh shell() {
-    SimplePolygon seenFromAbove = SimplePolygon.roundedRectangle(WIDTH, DEPTH, 0.05, 4);
-    return RoundedSlabs.lying(seenFromAbove, 0.158, 0.024, 3).move(0, 0.014, 0);
+    SimplePolygon seenFromAbove = SimplePolygon.roundedRectangle(WIDTH, DEPTH, 0.05, 5);
+    return RoundedSlabs.lying(seenFromAbove, 0.158, 0.024, 4).move(0, 0.014, 0);
   }
 
   private static TriangleMesh base() {
@@ -43,9 +35,10 @@ final class Toaster {
     return ExtrudedSolid.plate(0.022, 0.006, 1, seenFromAbove);
   }
 
-  /** Returns a raised frame around the two openings. */
+  /** Returns a raised frame around the two openings, which are dark: the shell has no inside. */
   private static TriangleMesh slots() {
     SimplePolygon slot = SimplePolygon.rectangle(0.176, 0.03).move(-0.012, 0);
+    TriangleMesh dark = BoxBuilder.plain(0.18, 0.002, 0.034).move(-0.012, 0, 0);
     return ExtrudedSolid.plate(
             0.006,
             0.002,
@@ -53,17 +46,9 @@ final class Toaster {
             SimplePolygon.roundedRectangle(0.212, 0.118, 0.02, 2).move(-0.008, 0),
             slot.move(0, 0.033),
             slot.move(0, -0.033))
+        .append(dark.move(0, 0.0005, 0.033))
+        .append(dark.move(0, 0.0005, -0.033))
         .move(0, 0.1705, 0);
-  }
-
-  /** Returns an upright slice of bread, half of it in the slot. */
-  private static TriangleMesh toast() {
-    SimplePolygon slice =
-        ProfileCurve.from(0.054, 0)
-            .line(0.056, 0.055)
-            .spline(2, 0.066, 0.076, 0.05, 0.094, 0, 0.098)
-            .closedWithMirrorX();
-    return ExtrudedSolid.bevelled(0.018, 0.005, 1, slice).move(0, 0.118, 0);
   }
 
   private static TriangleMesh lever() {
