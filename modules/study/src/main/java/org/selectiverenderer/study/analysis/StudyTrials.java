@@ -42,7 +42,7 @@ public record StudyTrials(CsvTable table, List<CsvRow> rows, DataSource source) 
     Optional<CsvTable> table =
         CsvTable.parse(file, content, (at, message) -> problems.error(at, message));
     List<String> needed = new ArrayList<>(TrialColumns.FIRST);
-    needed.addAll(design.factors().stream().map(Factor::name).toList());
+    needed.addAll(design.factorNames());
     needed.addAll(TrialColumns.RESULT);
     if (table.isEmpty()
         || !table

@@ -98,7 +98,7 @@ final class PlannedAnalysesReader {
   private Map<String, String> where(JsonObjectReader keys) {
     Map<String, String> where = new LinkedHashMap<>();
     List<String> known = new ArrayList<>(List.of("group", "block", "response", "correct"));
-    known.addAll(design.factors().stream().map(Factor::name).toList());
+    known.addAll(design.factorNames());
     known.addAll(stimuli);
     for (String column : keys.names()) {
       String cell = keys.text(column);
@@ -132,7 +132,7 @@ final class PlannedAnalysesReader {
   private Map<String, String> signal(JsonObjectReader keys) {
     Map<String, String> signal = new LinkedHashMap<>();
     List<String> known = new ArrayList<>(stimuli);
-    known.addAll(design.factors().stream().map(Factor::name).toList());
+    known.addAll(design.factorNames());
     for (String column : keys.names()) {
       if (!known.contains(column)) {
         keys.fault(
@@ -145,7 +145,7 @@ final class PlannedAnalysesReader {
 
   private List<String> by(JsonObjectReader keys, String measure, Map<String, String> where) {
     List<String> by = new ArrayList<>();
-    List<String> known = new ArrayList<>(design.factors().stream().map(Factor::name).toList());
+    List<String> known = new ArrayList<>(design.factorNames());
     if (known.isEmpty() && design.groups().size() > 1) {
       known.add("group");
     }

@@ -1,8 +1,10 @@
 package org.selectiverenderer.study.design;
 
 import java.nio.file.Path;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Stream;
 
 /**
@@ -33,6 +35,19 @@ public record StudyDesign(
   /** Returns the design with planned analyses. */
   public StudyDesign with(List<PlannedAnalysis> planned) {
     return new StudyDesign(factors, groups, blocks, planned);
+  }
+
+  /** Returns the names of the factors, which are columns of the table of trials. */
+  public List<String> factorNames() {
+    return factors.stream().map(Factor::name).toList();
+  }
+
+  /** Returns the columns of all stimulus lists that are not factors, in their order. */
+  public Set<String> stimulusColumns() {
+    Set<String> columns = new LinkedHashSet<>();
+    blocks.forEach(block -> block.stimuli().ifPresent(list -> columns.addAll(list.columns())));
+    factorNames().forEach(columns::remove);
+    return columns;
   }
 
   /** Returns the sound files of the instructions. */

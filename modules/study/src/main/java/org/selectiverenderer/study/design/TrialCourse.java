@@ -233,15 +233,6 @@ public final class TrialCourse {
         responded.isPresent()
             ? OptionalDouble.of(responded.getAsDouble() * 1000)
             : OptionalDouble.empty();
-    return new TrialResult(
-        trial.id(),
-        trial.block(),
-        trial.number(),
-        trial.round(),
-        trial.levels(),
-        trial.line(),
-        response,
-        milliseconds,
-        correct());
+    return TrialResult.of(trial, response, milliseconds, correct());
   }
 }

@@ -31,4 +31,19 @@ public record TrialResult(
   public TrialResult {
     levels = Map.copyOf(levels);
   }
+
+  /** Returns the result of a trial with a response. */
+  public static TrialResult of(
+      Trial trial, String response, OptionalDouble milliseconds, Optional<Boolean> correct) {
+    return new TrialResult(
+        trial.id(),
+        trial.block(),
+        trial.number(),
+        trial.round(),
+        trial.levels(),
+        trial.line(),
+        response,
+        milliseconds,
+        correct);
+  }
 }

@@ -275,19 +275,29 @@ public record LoadedStudy(
   /** Returns the questions that trials ask by their columns in the table of trials. */
   public Map<String, Question> trialQuestions() {
     Map<String, Question> columns = new LinkedHashMap<>();
+    questionsInTrials()
+        .forEach(
+            (name, questions) ->
+                questions.forEach(question -> columns.put(name + "." + question.id(), question)));
+    return columns;
+  }
+
+  /** Returns the questions that trials ask and tables have, by the names of the questionnaires. */
+  Map<String, List<Question>> questionsInTrials() {
+    Map<String, List<Question>> questions = new LinkedHashMap<>();
     for (TrialBlock block : study.design().blocks()) {
       for (TrialPhase phase : block.phases()) {
-        if (phase instanceof TrialPhase.Questions questions) {
-          inTrials(questions.questionnaire()).stream()
-              .flatMap(asked -> asked.questions().stream())
-              .filter(Question::inTables)
-              .forEach(
-                  question ->
-                      columns.put(questions.questionnaire() + "." + question.id(), question));
+        if (phase instanceof TrialPhase.Questions named) {
+          questions.put(
+              named.questionnaire(),
+              inTrials(named.questionnaire()).stream()
+                  .flatMap(questionnaire -> questionnaire.questions().stream())
+                  .filter(Question::inTables)
+                  .toList());
         }
       }
     }
-    return columns;
+    return questions;
   }
 
   /** Returns a questionnaire that trials ask, by its name. */

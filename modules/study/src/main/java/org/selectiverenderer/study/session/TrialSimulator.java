@@ -2,8 +2,6 @@ package org.selectiverenderer.study.session;
 
 import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.LinkedHashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -15,7 +13,6 @@ import org.selectiverenderer.formats.csv.CsvWriter;
 import org.selectiverenderer.formats.csv.SpreadsheetText;
 import org.selectiverenderer.study.design.BlockProgress;
 import org.selectiverenderer.study.design.Factor;
-import org.selectiverenderer.study.design.StimulusList;
 import org.selectiverenderer.study.design.StudyGroup;
 import org.selectiverenderer.study.design.Trial;
 import org.selectiverenderer.study.design.TrialBlock;
@@ -60,8 +57,8 @@ public final class TrialSimulator {
   private final List<SimulatedEffect> effects;
   private final long seed;
   private final List<String> factors;
-  private final Set<String> stimuli = new LinkedHashSet<>();
-  private final Map<String, List<Question>> asked = new LinkedHashMap<>();
+  private final Set<String> stimuli;
+  private final Map<String, List<Question>> asked;
 
   /** A participant's own deviations, in standard deviations. */
   private static final class Person {
@@ -94,20 +91,9 @@ public final class TrialSimulator {
     this.material = material;
     this.effects = List.copyOf(effects);
     this.seed = seed;
-    factors = material.study().design().factors().stream().map(Factor::name).toList();
-    for (TrialBlock block : material.study().design().blocks()) {
-      block.stimuli().map(StimulusList::columns).ifPresent(stimuli::addAll);
-      for (TrialPhase phase : block.phases()) {
-        if (phase instanceof TrialPhase.Questions questions) {
-          asked.put(
-              questions.questionnaire(),
-              material.inTrials(questions.questionnaire()).orElseThrow().questions().stream()
-                  .filter(Question::inTables)
-                  .toList());
-        }
-      }
-    }
-    factors.forEach(stimuli::remove);
+    factors = material.study().design().factorNames();
+    stimuli = material.study().design().stimulusColumns();
+    asked = material.questionsInTrials();
   }
 
   /** Returns why an effect can do nothing in this study; empty if it can. */
@@ -252,16 +238,7 @@ public final class TrialSimulator {
         correct = Optional.of(right);
       }
     }
-    return new TrialResult(
-        trial.id(),
-        trial.block(),
-        trial.number(),
-        trial.round(),
-        trial.levels(),
-        trial.line(),
-        response,
-        milliseconds,
-        correct);
+    return TrialResult.of(trial, response, milliseconds, correct);
   }
 
   /** Returns the probability of a correct response without effects. */

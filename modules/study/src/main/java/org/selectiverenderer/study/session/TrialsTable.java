@@ -1,8 +1,6 @@
 package org.selectiverenderer.study.session;
 
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -10,11 +8,9 @@ import java.util.Optional;
 import java.util.Set;
 import org.selectiverenderer.formats.csv.CsvWriter;
 import org.selectiverenderer.formats.csv.SpreadsheetText;
-import org.selectiverenderer.study.design.Factor;
 import org.selectiverenderer.study.design.StimulusList;
 import org.selectiverenderer.study.design.TrialBlock;
 import org.selectiverenderer.study.design.TrialColumns;
-import org.selectiverenderer.study.design.TrialPhase;
 import org.selectiverenderer.study.design.TrialResult;
 import org.selectiverenderer.study.questionnaire.Answer;
 import org.selectiverenderer.study.questionnaire.Question;
@@ -29,8 +25,8 @@ final class TrialsTable {
   private final LoadedStudy material;
   private final boolean practice;
   private final List<String> factors;
-  private final Set<String> stimuli = new LinkedHashSet<>();
-  private final Map<String, List<Question>> questions = new LinkedHashMap<>();
+  private final Set<String> stimuli;
+  private final Map<String, List<Question>> questions;
   private final List<List<Object>> rows = new ArrayList<>();
 
   /**
@@ -39,20 +35,9 @@ final class TrialsTable {
   TrialsTable(LoadedStudy material, boolean practice) {
     this.material = material;
     this.practice = practice;
-    factors = material.study().design().factors().stream().map(Factor::name).toList();
-    for (TrialBlock block : material.study().design().blocks()) {
-      block.stimuli().map(StimulusList::columns).ifPresent(stimuli::addAll);
-      for (TrialPhase phase : block.phases()) {
-        if (phase instanceof TrialPhase.Questions asked) {
-          questions.put(
-              asked.questionnaire(),
-              material.inTrials(asked.questionnaire()).orElseThrow().questions().stream()
-                  .filter(Question::inTables)
-                  .toList());
-        }
-      }
-    }
-    factors.forEach(stimuli::remove);
+    factors = material.study().design().factorNames();
+    stimuli = material.study().design().stimulusColumns();
+    questions = material.questionsInTrials();
   }
 
   /** Adds the finished trials of a session, in order. */
