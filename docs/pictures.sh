@@ -81,6 +81,8 @@ side-by-side.jpg                   run
 story-enricher.png                 window
 story-kitchen.svg                  report
 story-room.jpg                     run
+study-plan.png                     study
+study-session.png                  study
 threshold-trial.png                window
 trashcan-versions.png              run
 '
@@ -93,6 +95,7 @@ explain() {
     dialogs) echo 'a dialog of the enricher, driven by PicturesTest' ;;
     form) echo 'the form of a node, driven by FormPanelTest' ;;
     session) echo 'a screen of a session, driven by SessionPictures' ;;
+    study) echo 'the study window, driven by StudyWindowPictures' ;;
     headset) echo 'what an eye sees of the questions inside a headset, drawn by HeadsetQuestionsTest' ;;
     light) echo 'by tools/compare-light, beside paths of light' ;;
     plots) echo 'written with its page by a test; CONTRIBUTING.md has the command' ;;
@@ -388,6 +391,7 @@ take() { # NAME HOW
     threshold-trial.png) trial "$to" ;;
     session-controls.png) fromTest SessionPictures "$stem" "$to" 534x ;;
     session-*) fromTest SessionPictures "$stem" "$to" 980x ;;
+    study-*) fromTest StudyWindowPictures "$stem" "$to" 1000x ;;
     headset-questions.png)
       tested HeadsetQuestionsTest 1
       convert target/pictures/headset-questions-en.png target/pictures/headset-questions-el.png +append "$tmp/questions.png"

@@ -153,7 +153,7 @@ class StoriesTest extends CommandTestCase {
   void filesThatItShowsAreThoseOfTheExamples(String reader) throws IOException {
     List<String> examples = new ArrayList<>();
     try (Stream<Path> files = Files.list(EXAMPLES)) {
-      for (Path file : files.toList()) {
+      for (Path file : files.filter(Files::isRegularFile).toList()) {
         examples.add(Files.readString(file).replace("\r\n", "\n"));
       }
     }

@@ -290,8 +290,14 @@ class LslStreamsTest {
     try (LslOutlet tracker = lsl.outlet(markers);
         LslStreams streams = LslStreams.none()) {
       streams.record(lsl, List.of("source_id='" + id + "'"), folder.resolve("in"), this::tell);
-      awaited("stream-began");
-      tracker.push(lsl.clock(), "blink");
+      Path file = folder.resolve("in").resolve(awaited("stream-began").path("file").asText());
+      // What is sent before the recorder has connected reaches nobody.
+      Eventually.await(
+          "a recorded marker",
+          () -> {
+            tracker.push(lsl.clock(), "blink");
+            return Files.exists(file) && Files.readAllLines(file).size() > 1;
+          });
       double time = lsl.clock();
       tracker.push(time, "Calibration ended, 0.4 degrees");
       JsonNode calibration = awaited("calibration");
@@ -300,7 +306,7 @@ class LslStreamsTest {
       assertThat(calibration.path("text").asText()).isEqualTo("Calibration ended, 0.4 degrees");
       assertThat(calibration.path("stream_time").asDouble()).isCloseTo(time, within(1e-6));
     }
-    assertThat(awaited("stream-ended").path("samples").asInt()).isEqualTo(2);
+    assertThat(awaited("stream-ended").path("samples").asInt()).isGreaterThan(1);
   }
 
   @Test
