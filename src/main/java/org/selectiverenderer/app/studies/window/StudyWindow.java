@@ -117,6 +117,7 @@ final class StudyWindow {
     JPanel study = new JPanel(new BorderLayout());
     JPanel head = new JPanel(new MigLayout("insets 10 12 4 12, fillx", "[grow,fill][]", "[][]"));
     name.setName("name");
+    file.setName("file");
     name.setFont(name.getFont().deriveFont(Font.BOLD, name.getFont().getSize2D() * 1.3f));
     JButton back = StudyTexts.button("back");
     back.addActionListener(event -> desk.close());

@@ -11,6 +11,7 @@ import javax.swing.JCheckBox;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JTabbedPane;
+import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -40,7 +41,20 @@ class StudyWindowPictures extends StudyWindowFixture {
     return window;
   }
 
+  /** Takes a picture, in which folders are not those of the machine that draws it. */
   private void picture(JFrame window, String name) throws IOException {
+    JLabel file = in(window, "file", JLabel.class);
+    JTextArea messages = in(window, "live.messages", JTextArea.class);
+    GuiRobot.onEdt(
+        () -> {
+          file.setText("/home/lab/quality-and-light/study.json");
+          messages.setText(
+              messages
+                  .getText()
+                  .replaceAll("(?m)^Picked up .*\\R", "")
+                  .replace(folder.toString(), "/home/lab"));
+          return true;
+        });
     DisplaySettling.pause(1500);
     GuiRobot.picture(window.getContentPane(), name, SCALE);
   }
