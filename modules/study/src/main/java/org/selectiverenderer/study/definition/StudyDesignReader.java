@@ -36,6 +36,8 @@ final class StudyDesignReader {
   private static final String LEVEL = "[0-9A-Za-z][0-9A-Za-z_.-]*";
   private static final String BLOCK = "[0-9A-Za-z]+";
 
+  private static final int MOST_GROUPS = 1000;
+
   /** More trials take no participant through a session. */
   private static final int MOST_TRIALS = 20_000;
 
@@ -63,12 +65,23 @@ final class StudyDesignReader {
    */
   StudyDesign read(JsonObjectReader keys, List<StudyGroup> conditions) {
     Set<String> names = new HashSet<>();
-    List<Factor> factors = keys.objects("factors", "a factor", each -> factor(each, names));
+    List<Factor> named = keys.objects("factors", "a factor", each -> factor(each, names));
     if (keys.has("factors") && keys.has("conditions")) {
       keys.fault(
           "conditions",
           "a study has \"conditions\" or \"factors\"; make the conditions the levels of a factor");
     }
+    long products =
+        named.stream()
+            .filter(factor -> factor.scope() == Factor.Scope.BETWEEN)
+            .mapToLong(factor -> factor.levels().size())
+            .reduce(1, (a, b) -> Math.min(MOST_GROUPS + 1L, a * b));
+    if (products > MOST_GROUPS) {
+      keys.fault(
+          "factors",
+          "the levels between participants make more than %d groups".formatted(MOST_GROUPS));
+    }
+    List<Factor> factors = products > MOST_GROUPS ? List.of() : named;
     List<StudyGroup> groups = keys.has("factors") ? StudyGroup.of(factors) : conditions;
     Set<String> blocks = new HashSet<>();
     StudyDesign design =
@@ -299,12 +312,12 @@ final class StudyDesignReader {
               .formatted(combinations));
     }
     long trials =
-        combinations
+        (block.pairing() == TrialBlock.Pairing.ROTATED ? 1 : combinations)
             * block.stimuli().map(list -> list.rows().size()).orElse(1)
             * block.repetitions();
     if (trials > MOST_TRIALS) {
       keys.fault(
-          "the block %s has %d trials, more than the %d that a session can have"
+          "the block %s has %d trials, more than the %d that a block can have"
               .formatted(block.name(), trials, MOST_TRIALS));
     } else if (!keys.has("trial")) {
       keys.fault("a block needs a \"trial\": the list of its phases");

@@ -48,7 +48,7 @@ public final class BlockProgress {
             .map(
                 rule ->
                     new StaircaseTrials(
-                        block, rule, sequencer, seed, block.name() + group.name() + turn));
+                        block, rule, sequencer, turn, seed, block.name() + group.name() + turn));
     order = staircases.isPresent() ? List.of() : round(1);
     over = staircases.isEmpty() && order.isEmpty();
   }

@@ -1,5 +1,7 @@
 package org.selectiverenderer.study.design;
 
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -77,7 +79,7 @@ public record PlannedAnalysis(
   public PlannedAnalysis {
     where = Map.copyOf(where);
     by = List.copyOf(by);
-    exclude = Map.copyOf(exclude);
+    exclude = Collections.unmodifiableMap(new LinkedHashMap<>(exclude)); // In the file's order.
     signal = Map.copyOf(signal);
   }
 

@@ -28,6 +28,7 @@ final class StaircaseTrials {
       TrialBlock block,
       TrialStaircase rule,
       TrialSequencer sequencer,
+      int turn,
       long seed,
       String participant) {
     this.sequencer = sequencer;
@@ -38,7 +39,7 @@ final class StaircaseTrials {
             .filter(factor -> factor.name().equals(rule.factor()))
             .findFirst()
             .orElseThrow(() -> new IllegalArgumentException("no factor " + rule.factor()));
-    for (TrialSequencer.Cell cell : sequencer.cellsWithout(varied)) {
+    for (TrialSequencer.Cell cell : sequencer.cellsWithout(varied, turn)) {
       tracks.add(
           new Track(
               cell,

@@ -44,7 +44,8 @@ public record TrialBlock(
     /**
      * Each participant sees each stimulus in one combination; over as many participants of a group
      * as there are combinations, each stimulus comes once in each (lists counterbalanced by a Latin
-     * square).
+     * square). Where combinations come in a Latin square or in all orders, each order comes with
+     * each pairing over as many participants as the product of their numbers.
      */
     ROTATED;
 

@@ -13,6 +13,7 @@ import java.util.OptionalDouble;
  * @param round of a practice block, from 1
  * @param levels names of its levels by factor
  * @param line line of its stimulus in the list, from 1; 0 without a list
+ * @param stimulus the cells of its stimulus, as they were then; empty without a list
  * @param response the key of the response; empty for none
  * @param milliseconds from the begin of the first phase with keys to the response
  * @param correct whether the response was correct; empty where none is wrong, and false where a
@@ -25,11 +26,13 @@ public record TrialResult(
     int round,
     Map<String, String> levels,
     int line,
+    Map<String, String> stimulus,
     String response,
     OptionalDouble milliseconds,
     Optional<Boolean> correct) {
   public TrialResult {
     levels = Map.copyOf(levels);
+    stimulus = Map.copyOf(stimulus);
   }
 
   /** Returns the result of a trial with a response. */
@@ -42,6 +45,7 @@ public record TrialResult(
         trial.round(),
         trial.levels(),
         trial.line(),
+        trial.stimulus(),
         response,
         milliseconds,
         correct);

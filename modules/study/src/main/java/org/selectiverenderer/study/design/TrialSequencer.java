@@ -60,13 +60,20 @@ public final class TrialSequencer {
       case FULL ->
           Optional.of(
               numbered(
-                  grouped(combinations, permutation(combinations.size(), turn), turn, random),
+                  grouped(
+                      combinations,
+                      permutation(combinations.size(), turn),
+                      pairing(turn, orders(combinations.size())),
+                      random),
                   round));
       case LATIN_SQUARE ->
           Optional.of(
               numbered(
                   grouped(
-                      combinations, WilliamsSquare.row(combinations.size(), turn), turn, random),
+                      combinations,
+                      WilliamsSquare.row(combinations.size(), turn),
+                      pairing(turn, WilliamsSquare.rows(combinations.size())),
+                      random),
                   round));
       case RANDOM ->
           shuffled(cells(combinations, turn), random).map(cells -> numbered(cells, round));
@@ -74,8 +81,26 @@ public final class TrialSequencer {
   }
 
   /**
-   * Returns the trials of an order that was recorded; rows that the list no longer has are left
-   * out.
+   * Returns the shift by which stimuli are paired with combinations. It moves on with each
+   * participant, and by one more when the orders begin anew: otherwise an order would always come
+   * with the same pairing.
+   */
+  private static int pairing(int turn, int orders) {
+    return turn + turn / orders;
+  }
+
+  private static int orders(int combinations) {
+    int orders = 1;
+    for (int i = 2; i <= combinations; i++) {
+      orders *= i;
+    }
+    return orders;
+  }
+
+  /**
+   * Returns the trials of an order that was recorded.
+   *
+   * @throws IllegalArgumentException if the list no longer has a row of it
    */
   List<Trial> rebuilt(List<TrialKey> keys, int round) {
     List<Cell> cells = new ArrayList<>();
@@ -85,9 +110,12 @@ public final class TrialSequencer {
               .stimuli()
               .flatMap(
                   list -> list.rows().stream().filter(row -> row.line() == key.line()).findFirst());
-      if (stimulus.isPresent() || key.line() == 0) {
-        cells.add(new Cell(key.levels(), stimulus));
+      if (stimulus.isEmpty() && key.line() > 0) {
+        throw new IllegalArgumentException(
+            "the order of the trials that this participant has begun needs line %d of the stimuli of the block %s, which the list no longer has; put the list back as it was"
+                .formatted(key.line(), block.name()));
       }
+      cells.add(new Cell(key.levels(), stimulus));
     }
     return numbered(cells, round);
   }
@@ -110,12 +138,12 @@ public final class TrialSequencer {
   }
 
   /** Returns the cells of all crossed factors but one, each once, without their order. */
-  List<Cell> cellsWithout(Factor varied) {
+  List<Cell> cellsWithout(Factor varied, int turn) {
     List<Map<String, String>> combinations =
         combinations(block.crossed().stream().filter(factor -> !factor.equals(varied)).toList());
     List<Cell> cells = new ArrayList<>();
     for (int combination = 0; combination < combinations.size(); combination++) {
-      cells.addAll(of(combinations, combination, 0));
+      cells.addAll(of(combinations, combination, turn));
     }
     return cells;
   }
@@ -131,7 +159,7 @@ public final class TrialSequencer {
   }
 
   /** Returns the cells of a combination, in the order of the stimuli. */
-  private List<Cell> of(List<Map<String, String>> combinations, int combination, int turn) {
+  private List<Cell> of(List<Map<String, String>> combinations, int combination, int shift) {
     Map<String, String> levels = combinations.get(combination);
     if (block.stimuli().isEmpty()) {
       return List.of(new Cell(levels, Optional.empty()));
@@ -141,7 +169,7 @@ public final class TrialSequencer {
     for (int row = 0; row < rows.size(); row++) {
       boolean paired =
           block.pairing() == TrialBlock.Pairing.CROSSED
-              || (row + turn) % combinations.size() == combination;
+              || (row + shift) % combinations.size() == combination;
       if (paired) {
         Map<String, String> all = new LinkedHashMap<>();
         for (Factor factor : block.factors()) {
@@ -155,12 +183,12 @@ public final class TrialSequencer {
   }
 
   private List<Cell> grouped(
-      List<Map<String, String>> combinations, List<Integer> order, int turn, Random random) {
+      List<Map<String, String>> combinations, List<Integer> order, int shift, Random random) {
     List<Cell> cells = new ArrayList<>();
     for (int combination : order) {
       List<Cell> together = new ArrayList<>();
       for (int repetition = 0; repetition < block.repetitions(); repetition++) {
-        together.addAll(of(combinations, combination, turn));
+        together.addAll(of(combinations, combination, shift));
       }
       Collections.shuffle(together, random);
       cells.addAll(together);

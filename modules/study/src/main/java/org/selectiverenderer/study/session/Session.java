@@ -196,17 +196,22 @@ public final class Session implements AutoCloseable {
    *
    * @throws IllegalStateException if the participant has no group yet
    */
-  public BlockProgress progress(SessionStep.Block step) {
+  public BlockProgress progress(SessionStep.Block step) throws IOException {
     Study study = material.study();
     StudyGroup group =
         group().orElseThrow(() -> new IllegalStateException("no group is assigned yet"));
-    BlockProgress progress =
-        new BlockProgress(
-            step.block(),
-            group,
-            AreaSequence.turn(study, Math.max(1, history.place())),
-            study.seed(),
-            history.orders(step.id()));
+    BlockProgress progress;
+    try {
+      progress =
+          new BlockProgress(
+              step.block(),
+              group,
+              AreaSequence.turn(study, Math.max(1, history.place())),
+              study.seed(),
+              history.orders(step.id()));
+    } catch (IllegalArgumentException e) {
+      throw new IOException(study.file() + ": " + e.getMessage(), e);
+    }
     history.results().stream()
         .filter(result -> result.block().equals(step.block().name()))
         .forEach(

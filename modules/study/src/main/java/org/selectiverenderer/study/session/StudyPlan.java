@@ -23,6 +23,9 @@ import org.selectiverenderer.study.design.TrialSequencer;
  * @param faults sentences about orders that do not exist
  */
 public record StudyPlan(Study study, List<Place> places, int next, List<String> faults) {
+  /** More trials take too much memory. */
+  private static final int MOST_TRIALS = 2_000_000;
+
   /** Name of the only block of a study without blocks, whose trials are the areas. */
   public static final String AREAS = "areas";
 
@@ -76,7 +79,7 @@ public record StudyPlan(Study study, List<Place> places, int next, List<String> 
    * Makes the plan of the first places.
    *
    * @param number how many places, at least 1
-   * @throws IOException if the file of the participants cannot be read
+   * @throws IOException if the file of the participants cannot be read, or the plan is too long
    */
   public static StudyPlan of(Study study, int number) throws IOException {
     Map<Integer, String> taken = new HashMap<>();
@@ -85,6 +88,7 @@ public record StudyPlan(Study study, List<Place> places, int next, List<String> 
     Map<String, Integer> turns = new HashMap<>();
     List<Place> places = new ArrayList<>();
     List<String> faults = new ArrayList<>();
+    long planned = 0;
     for (int place = 1; place <= number; place++) {
       StudyGroup group = schedule.group(place);
       int turn = turns.merge(group.name(), 1, Integer::sum) - 1;
@@ -97,6 +101,12 @@ public record StudyPlan(Study study, List<Place> places, int next, List<String> 
         blocks.add(areas(study, participant, turn));
       }
       places.add(new Place(place, participant, group, blocks));
+      planned += blocks.stream().mapToLong(block -> block.trials().size()).sum();
+      if (planned > MOST_TRIALS) {
+        throw new IOException(
+            "%s: the plan of %d places has more than %d trials; plan fewer places"
+                .formatted(study.file(), number, MOST_TRIALS));
+      }
     }
     return new StudyPlan(study, places, schedule.free(taken.keySet(), Optional.empty()), faults);
   }

@@ -88,6 +88,7 @@ final class TrialEvents {
             event.path("round").asInt(1),
             texts(event.path("levels")),
             event.path("line").asInt(),
+            texts(event.path("stimulus")),
             event.path("response").asText(""),
             event.has("ms")
                 ? OptionalDouble.of(event.path("ms").asDouble())

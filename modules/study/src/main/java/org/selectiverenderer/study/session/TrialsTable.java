@@ -8,7 +8,6 @@ import java.util.Optional;
 import java.util.Set;
 import org.selectiverenderer.formats.csv.CsvWriter;
 import org.selectiverenderer.formats.csv.SpreadsheetText;
-import org.selectiverenderer.study.design.StimulusList;
 import org.selectiverenderer.study.design.TrialBlock;
 import org.selectiverenderer.study.design.TrialColumns;
 import org.selectiverenderer.study.design.TrialResult;
@@ -67,16 +66,8 @@ final class TrialsTable {
     row.add(result.number());
     row.add(result.round());
     factors.forEach(factor -> row.add(result.levels().getOrDefault(factor, "")));
-    Map<String, String> cells =
-        block
-            .flatMap(TrialBlock::stimuli)
-            .flatMap(
-                list ->
-                    list.rows().stream()
-                        .filter(stimulus -> stimulus.line() == result.line())
-                        .findFirst())
-            .map(StimulusList.Stimulus::cells)
-            .orElse(Map.of());
+    // The cells that the participant has seen count, also where the list has changed since.
+    Map<String, String> cells = result.stimulus();
     stimuli.forEach(column -> row.add(SpreadsheetText.marked(cells.getOrDefault(column, ""))));
     row.add(result.response());
     row.add(

@@ -113,6 +113,24 @@ class StudyDesignReaderTest {
   }
 
   @Test
+  void moreGroupsThanAStudyCanHaveAreAnError() throws IOException {
+    StringBuilder factors = new StringBuilder();
+    for (int i = 0; i < 25; i++) {
+      factors.append(
+          "{\"name\": \"f%d\", \"varies\": \"between\", \"levels\": [{\"name\": \"a\"}, {\"name\": \"b\"}]},"
+              .formatted(i));
+    }
+    ProblemCollector problems = new ProblemCollector();
+    assertThat(read(STUDY.replace("\"factors\": [", "\"factors\": [" + factors), problems))
+        .isEmpty();
+    assertThat(problems.list())
+        .anyMatch(
+            p ->
+                p.toString()
+                    .contains("the levels between participants make more than 1000 groups"));
+  }
+
+  @Test
   void aSwitchThatTheSceneLacksIsAnError() throws IOException {
     Files.writeString(
         folder.resolve("list.csv"), "item,object,answer\n1,Vase,f\n2,Lmp,j\n3,Vase,f\n");

@@ -50,16 +50,7 @@ class BlockProgressTest {
   }
 
   private static TrialResult result(Trial trial, Optional<Boolean> correct) {
-    return new TrialResult(
-        trial.id(),
-        trial.block(),
-        trial.number(),
-        trial.round(),
-        trial.levels(),
-        trial.line(),
-        "f",
-        OptionalDouble.of(500),
-        correct);
+    return TrialResult.of(trial, "f", OptionalDouble.of(500), correct);
   }
 
   @Test

@@ -14,6 +14,8 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.study.design.TrialBlock.Order;
 import org.selectiverenderer.study.design.TrialBlock.Pairing;
@@ -125,6 +127,31 @@ class TrialSequencerTest {
                   .add(trial.levels().get("quality")));
     }
     assertThat(seen.values()).hasSize(4).containsOnly(Set.of("high", "low"));
+  }
+
+  /** An order that always came with the same pairing would show the same stimuli first to all. */
+  @ParameterizedTest
+  @EnumSource(
+      value = Order.class,
+      names = {"LATIN_SQUARE", "FULL"})
+  void eachStimulusComesFirstAndLastInEachCombination(Order order) {
+    TrialBlock rotated =
+        block(
+            List.of(factor("quality", "high", "low")),
+            Optional.of(stimuli(4, "room", "hall")),
+            Pairing.ROTATED,
+            order,
+            Map.of());
+    Set<String> seen = new HashSet<>();
+    for (int turn = 0; turn < 4; turn++) {
+      for (Trial trial : trials(rotated, turn)) {
+        seen.add(
+            trial.stimulus().get("item")
+                + trial.levels().get("quality")
+                + (trial.number() <= 2 ? " first" : " last"));
+      }
+    }
+    assertThat(seen).hasSize(4 * 2 * 2);
   }
 
   @Test
