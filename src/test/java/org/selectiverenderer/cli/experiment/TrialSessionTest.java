@@ -131,6 +131,13 @@ class TrialSessionTest extends CommandTestCase {
                 + "sure.sure");
     assertThat(rows).hasSize(1 + 3 * 4);
     assertThat(rows.get(1)).startsWith("001,1,all,main,1,1,").matches(".*,[1-5]");
+    // What participants saw stays, whatever becomes of the list.
+    Files.writeString(folder.resolve("list.csv"), "object,answer\nLamp,j\nLamp,f\nVase,f\n");
+    Path again = folder.resolve("again.csv");
+    assertThat(execute("experiment", "collect", study.toString(), "--trials", again.toString()))
+        .as(messages())
+        .isZero();
+    assertThat(again).hasSameTextualContentAs(trials);
     assertThat(
             execute(
                 "experiment",
