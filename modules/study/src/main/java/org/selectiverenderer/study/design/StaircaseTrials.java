@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.Random;
 import org.selectiverenderer.study.design.BlockProgress.StaircaseEstimate;
 import org.selectiverenderer.study.design.TrialBlock.TrialStaircase;
+import org.selectiverenderer.study.random.SeededRandom;
 
 /**
  * The trials of a block with a staircase: one staircase for each combination of the other factors
@@ -80,11 +81,7 @@ final class StaircaseTrials {
   }
 
   private Random random(int number) {
-    long mixed = seed;
-    for (char c : (participant + '/' + number).toCharArray()) {
-      mixed = (mixed ^ c) * 0x100000001B3L; // FNV-1a, whose low bits Random then spreads.
-    }
-    return new Random(mixed * 0x9E3779B97F4A7C15L);
+    return SeededRandom.of(seed, participant + '/' + number);
   }
 
   /** Records the response to the trial that {@link #next} returned last. */

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
+import org.selectiverenderer.study.random.SeededRandom;
 
 /**
  * Determines the trials of a participant in a block, in order. The same seed, group, place and
@@ -303,10 +304,6 @@ public final class TrialSequencer {
   }
 
   private Random random(int turn, int round) {
-    long mixed = seed;
-    for (char c : (block.name() + '/' + group.name() + '/' + turn + '/' + round).toCharArray()) {
-      mixed = (mixed ^ c) * 0x100000001B3L; // FNV-1a, whose low bits Random then spreads.
-    }
-    return new Random(mixed * 0x9E3779B97F4A7C15L);
+    return SeededRandom.of(seed, block.name() + '/' + group.name() + '/' + turn + '/' + round);
   }
 }

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
+import org.selectiverenderer.study.random.SeededRandom;
 
 /**
  * A page of a questionnaire, shown on the screen at a time.
@@ -54,7 +55,7 @@ public record QuestionnairePage(
    * @param name of the questionnaire in the study
    */
   QuestionnairePage ordered(long seed, String name, String participant) {
-    long mixed = mixed(seed, name + '/' + participant + '/' + id);
+    long mixed = SeededRandom.mixed(seed, name + '/' + participant + '/' + id);
     List<List<Question>> order = new ArrayList<>(units());
     if (shuffled) {
       Collections.shuffle(order, new Random(mixed));
@@ -67,18 +68,10 @@ public record QuestionnairePage(
         audio,
         order.stream()
             .flatMap(List::stream)
-            .map(question -> question.ordered(new Random(mixed(mixed, question.id()))))
+            .map(question -> question.ordered(new Random(SeededRandom.mixed(mixed, question.id()))))
             .toList(),
         false,
         when);
-  }
-
-  private static long mixed(long seed, String text) {
-    long mixed = seed;
-    for (char c : text.toCharArray()) {
-      mixed = (mixed ^ c) * 0x100000001B3L; // FNV-1a, whose low bits Random then spreads.
-    }
-    return mixed;
   }
 
   /** Returns the questions that stay together in a random order: the rows of a grid. */

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
+import org.selectiverenderer.study.random.SeededRandom;
 
 /**
  * One participant's trials: the tracks of all objects, randomly interleaved so that the participant
@@ -87,11 +88,7 @@ public final class InterleavedTracks {
   }
 
   private Random random(int number) {
-    long mixed = study.seed();
-    for (char c : (participant + '/' + number).toCharArray()) {
-      mixed = (mixed ^ c) * 0x100000001B3L; // FNV-1a, whose low bits Random then spreads.
-    }
-    return new Random(mixed * 0x9E3779B97F4A7C15L);
+    return SeededRandom.of(study.seed(), participant + '/' + number);
   }
 
   private List<String> others(String object, Random random) {
