@@ -1,6 +1,7 @@
 package org.selectiverenderer.render.window;
 
 import com.jogamp.nativewindow.NativeWindowException;
+import com.jogamp.nativewindow.NativeWindowFactory;
 import com.jogamp.nativewindow.WindowClosingProtocol.WindowClosingMode;
 import com.jogamp.newt.Screen;
 import com.jogamp.newt.event.WindowAdapter;
@@ -10,6 +11,7 @@ import com.jogamp.opengl.GLCapabilities;
 import com.jogamp.opengl.GLContext;
 import com.jogamp.opengl.GLEventListener;
 import com.jogamp.opengl.GLException;
+import java.text.Normalizer;
 import org.selectiverenderer.render.context.GlProfiles;
 
 /** Opens and closes NEWT windows that the calling thread draws. */
@@ -44,7 +46,7 @@ final class NewtWindowFactory {
             .monitor()
             .map(monitor -> GLWindow.create(Monitors.screen(monitor), wanted))
             .orElseGet(() -> GLWindow.create(wanted));
-    window.setTitle(options.title());
+    window.setTitle(shown(options.title()));
     window.setSize(options.width(), options.height());
     options.monitor().ifPresent(monitor -> window.setPosition(monitor.x(), monitor.y()));
     window.setDefaultCloseOperation(WindowClosingMode.DO_NOTHING_ON_CLOSE);
@@ -64,6 +66,19 @@ final class NewtWindowFactory {
     // All windows are drawn before any is shown, so that both eyes change together.
     window.setAutoSwapBufferMode(false);
     return window;
+  }
+
+  /**
+   * Returns a title as the window system shows it: NEWT hands the bytes of UTF-8 to a call of X11
+   * that takes them for Latin-1, so that other letters than those of ASCII would be wrong ones.
+   */
+  private static String shown(String title) {
+    if (!NativeWindowFactory.getNativeWindowType(true).equals(NativeWindowFactory.TYPE_X11)) {
+      return title;
+    }
+    String plain =
+        Normalizer.normalize(title, Normalizer.Form.NFD).replaceAll("[^ -~]", "").strip();
+    return plain.isEmpty() ? "Selective Renderer" : plain;
   }
 
   /**

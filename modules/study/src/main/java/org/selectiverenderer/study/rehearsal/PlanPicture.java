@@ -54,7 +54,9 @@ final class PlanPicture {
     for (StudyPlan.Place place : rows) {
       for (StudyPlan.Block block : place.blocks()) {
         for (StudyPlan.PlannedTrial trial : block.trials()) {
-          if (!combinations.contains(trial.combination())
+          // Trials without levels, such as those of a practice block, stay grey.
+          if (!trial.levels().isEmpty()
+              && !combinations.contains(trial.combination())
               && combinations.size() < 2 * COLOURS.size()) {
             combinations.add(trial.combination());
           }
@@ -88,7 +90,7 @@ final class PlanPicture {
     int at = TOP + ROW * rows.size() + 14;
     if (!coloured) {
       canvas.text(
-          "too many combinations for colours: they are in the table",
+          "more combinations than colours: experiment plan --format csv lists them",
           LEFT,
           at + 12,
           plain,
