@@ -155,6 +155,16 @@ public final class TriggerSender implements AutoCloseable {
 
   private void send(Item item) {
     rest();
+    int code = 0;
+    if (!(item.signal() instanceof Line)) {
+      try {
+        code = code(item);
+      } catch (IOException e) {
+        // The port is all right, and stays open.
+        tellFailed(item.step(), unsent(item.event(), e));
+        return;
+      }
+    }
     try {
       TriggerOutput port = output;
       if (port == null) {
@@ -164,7 +174,7 @@ public final class TriggerSender implements AutoCloseable {
       if (item.signal() instanceof Line line) {
         port.line(line.wire(), true);
       } else {
-        port.send(code(item));
+        port.send(code);
       }
       long sent = System.nanoTime();
       if (item.signal().ms() > 0) {
@@ -232,7 +242,11 @@ public final class TriggerSender implements AutoCloseable {
     close(output);
     output = null;
     lasting = null;
-    tellFailed(step, "the trigger of %s was not sent: %s".formatted(event, reason.getMessage()));
+    tellFailed(step, unsent(event, reason));
+  }
+
+  private static String unsent(String event, IOException reason) {
+    return "the trigger of %s was not sent: %s".formatted(event, reason.getMessage());
   }
 
   private synchronized void tellFailed(String step, String text) {

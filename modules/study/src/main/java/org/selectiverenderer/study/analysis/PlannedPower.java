@@ -65,7 +65,7 @@ public record PlannedPower(int participants, int studies, List<Tested> effects) 
       long seed,
       Consumer<String> progress) {
     Map<Effect, Integer> found = new LinkedHashMap<>();
-    Map<Effect, Integer> untested = new LinkedHashMap<>();
+    Map<Effect, Integer> tested = new LinkedHashMap<>();
     for (int first = 0; first < studies; first += STEP) {
       int end = Math.min(studies, first + STEP);
       List<Map<Effect, Double>> all =
@@ -77,7 +77,7 @@ public record PlannedPower(int participants, int studies, List<Tested> effects) 
         each.forEach(
             (effect, p) -> {
               found.merge(effect, p < options.alpha() ? 1 : 0, Integer::sum);
-              untested.merge(effect, Double.isNaN(p) ? 1 : 0, Integer::sum);
+              tested.merge(effect, Double.isNaN(p) ? 0 : 1, Integer::sum);
             });
       }
       progress.accept("%d of %d studies".formatted(end, studies));
@@ -89,7 +89,7 @@ public record PlannedPower(int participants, int studies, List<Tested> effects) 
                 new Tested(
                     effect.analysis(),
                     PowerEstimate.Finding.of(effect.name(), number, studies),
-                    untested.getOrDefault(effect, 0))));
+                    studies - tested.getOrDefault(effect, 0))));
     return new PlannedPower(participants, studies, effects);
   }
 

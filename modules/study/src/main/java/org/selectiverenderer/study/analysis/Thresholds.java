@@ -19,8 +19,9 @@ import org.selectiverenderer.study.design.UpDownStaircase;
 final class Thresholds {
   private Thresholds() {}
 
-  /** A staircase of a participant: the levels of other factors, and the stimulus. */
-  private record Track(String participant, List<String> levels, List<String> cells) {}
+  /** A staircase of a session: the levels of other factors, and the stimulus. */
+  private record Track(
+      String participant, String session, List<String> levels, List<String> cells) {}
 
   /**
    * Returns the threshold of each staircase that converged: the mean of the levels' names at the
@@ -70,6 +71,7 @@ final class Thresholds {
         Track track =
             new Track(
                 row.cell("participant"),
+                row.cell("session"),
                 plan.by().stream().map(row::cellIfAny).toList(),
                 columns.stream().map(row::cellIfAny).toList());
         tracks

@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.LinkedHashSet;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
@@ -49,9 +50,11 @@ record ArchivedFiles(Map<String, byte[]> inside, Map<String, String> outside) {
     Map<String, byte[]> inside = new TreeMap<>();
     Map<String, String> outside = new TreeMap<>();
     for (Path file : all(material)) {
-      String name = folder.relativize(file).toString().replace('\\', '/');
+      // On Windows a file may be on another drive, to which no relative path leads.
+      boolean elsewhere = !Objects.equals(folder.getRoot(), file.toAbsolutePath().getRoot());
+      String name = elsewhere ? "" : folder.relativize(file).toString().replace('\\', '/');
       byte[] content = InputFileReader.bytes(file);
-      if (name.startsWith("../") || folder.relativize(file).isAbsolute()) {
+      if (elsewhere || name.startsWith("../")) {
         outside.put(String.valueOf(file.getFileName()), Sha256.of(content));
       } else if (!DATA.matcher(name).matches()) {
         inside.put("study/" + name, told(file, content, home, problems));

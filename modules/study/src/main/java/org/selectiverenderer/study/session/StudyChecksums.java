@@ -7,6 +7,7 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import org.selectiverenderer.study.definition.Study;
 
@@ -53,8 +54,12 @@ public final class StudyChecksums {
       if (StudyFiles.isScene(file)) {
         FileChecksumCalculator.ofScene(file, study.access()).forEach(sums::putIfAbsent);
       } else {
-        sums.putIfAbsent(
-            folder.relativize(file).toString().replace('\\', '/'), FileChecksumCalculator.of(file));
+        // On Windows a file may be on another drive, to which no relative path leads.
+        Path shown =
+            Objects.equals(folder.getRoot(), file.toAbsolutePath().getRoot())
+                ? folder.relativize(file.toAbsolutePath())
+                : file.toAbsolutePath();
+        sums.putIfAbsent(shown.toString().replace('\\', '/'), FileChecksumCalculator.of(file));
       }
     }
     return sums;
