@@ -45,6 +45,7 @@ single <- function(i, d, a, f) {
   w <- f[!a$between]
   forms <- c(if (length(w)) paste0(fixed, " + (1 + ", paste(w, collapse = " * "), " | participant)"),
     paste(fixed, "+ (1 | participant)"))
+  best <- NULL
   for (form in forms) {
     warned <- FALSE
     fit <- tryCatch(withCallingHandlers(
@@ -53,10 +54,15 @@ single <- function(i, d, a, f) {
       else lmerTest::lmer(as.formula(form), d),
       warning = function(w) { warned <<- TRUE; invokeRestart("muffleWarning") },
       message = function(m) invokeRestart("muffleMessage")), error = function(e) NULL)
-    if (!is.null(fit) && !warned && !lme4::isSingular(fit)) break
+    if (is.null(fit)) next
+    worse <- if (warned) 2 else if (lme4::isSingular(fit)) 1 else 0
+    if (is.null(best) || worse <= best$worse) best <- list(fit = fit, form = form, worse = worse)
+    if (worse == 0) break
   }
-  if (is.null(fit)) stop("the mixed model has no fit")
-  model <- paste(if (a$binary) "logistic mixed model," else "linear mixed model,", sub(".* \\+ \\(", "(", form))
+  if (is.null(best)) stop("the mixed model has no fit")
+  fit <- best$fit
+  model <- paste0(if (a$binary) "logistic mixed model, " else "linear mixed model, ",
+    sub(".* \\+ \\(", "(", best$form), c("", ", singular", ", did not converge")[best$worse + 1])
   if (a$binary) {
     t <- quietly(car::Anova(fit, type = 3))
     for (e in setdiff(rownames(t), "(Intercept)"))
@@ -79,7 +85,10 @@ for (i in seq_along(analyses)) {
   if (a$mixed) tryCatch(single(i, d, a, f), error = function(e)
     keep(i, "mixed model", "", NA, NA, paste("not computed:", conditionMessage(e)), NA, NA, NA))
   shown <- results[results$analysis == i, ]
-  for (j in rev(seq_along(a$labels))) shown$effect <- gsub(f[j], a$labels[j], shown$effect, fixed = TRUE)
+  shown$effect <- vapply(strsplit(shown$effect, ":", fixed = TRUE), function(parts) {
+    at <- match(parts, f)
+    paste(ifelse(is.na(at), parts, a$labels[at]), collapse = ":")
+  }, "")
   cat("\n", a$name, "\n", sep = "")
   print(shown[-1], row.names = FALSE, digits = 5)
 }

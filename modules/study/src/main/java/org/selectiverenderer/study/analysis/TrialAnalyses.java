@@ -4,9 +4,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.stream.Collectors;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.formats.csv.CsvRow;
 import org.selectiverenderer.statistics.anova.FactorialDesign;
+import org.selectiverenderer.statistics.anova.Subject;
 import org.selectiverenderer.statistics.data.Exclusion;
 import org.selectiverenderer.statistics.data.Measurement;
 import org.selectiverenderer.statistics.script.DesignScript;
@@ -130,8 +132,12 @@ public final class TrialAnalyses {
   public static DesignScript script(List<Analysis> analyses) {
     List<DesignScript.Model> models = new ArrayList<>();
     for (Analysis analysis : analyses) {
+      // R gets the participants that are analysed here, so that both speak of the same people.
+      Set<String> analysed =
+          analysis.data().subjects().stream().map(Subject::id).collect(Collectors.toSet());
       List<Measurement> values =
-          analysis.single().isEmpty() ? analysis.values() : analysis.single();
+          (analysis.single().isEmpty() ? analysis.values() : analysis.single())
+              .stream().filter(value -> analysed.contains(value.participant())).toList();
       models.add(
           new DesignScript.Model(
               analysis.plan().name(),

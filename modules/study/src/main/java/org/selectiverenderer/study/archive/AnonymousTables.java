@@ -23,7 +23,8 @@ import org.selectiverenderer.study.dataset.TableColumn;
 
 /**
  * Makes the tables of a study anonymous. Participants get new ids by chance, by which the rows are
- * sorted, so that neither ids nor rows tell who came when.
+ * sorted, so that neither ids nor rows tell who came when. The order of a participant's trials may
+ * still tell the place in the schedule to those who compute the plan; the package says so.
  */
 final class AnonymousTables {
   /** When the first session of each participant begins, long before any did (as BIDS advises). */

@@ -53,6 +53,9 @@ record ArchiveReadme(
           1900-01-01T00:00:00Z; durations and differences are as they were.
         - Not in the package: answers that the study calls personal, notes of the experimenter, %s
           places in the schedule, names of machines and of recordings, those who refused consent.
+        - Orders follow from the study's seed and the places in the schedule. Whoever compares the
+          order of a participant's trials with `experiment plan` may learn the place, which tells
+          when about the participant came.
         - The recordings of each frame (head logs) are not in the package; gaze, events and exposures
           have what was made of them.
         """

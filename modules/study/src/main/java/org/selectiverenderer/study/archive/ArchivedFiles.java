@@ -36,6 +36,13 @@ record ArchivedFiles(Map<String, byte[]> inside, Map<String, String> outside) {
   private static final Pattern ABSOLUTE =
       Pattern.compile("\"((?:[A-Za-z]:|~)?(?:/|\\\\\\\\)(?!dev/)[^\"]*[/\\\\])([^\"/\\\\]*)\"");
 
+  /**
+   * A folder in which a path on Linux, macOS or Windows names a person, or an address of a file.
+   */
+  private static final Pattern PERSONAL =
+      Pattern.compile(
+          "file:/{1,3}[^\\s\"'<>]{1,200}|(?:/home/|/Users/|[A-Za-z]:[/\\\\]{1,2}Users[/\\\\]{1,2})[^/\\\\\\s\"'<>]{1,100}");
+
   private static final Pattern TEXT = Pattern.compile("(?i).*\\.(json|csv|tsv|x3d|wrl|txt|html?)");
 
   /**
@@ -97,7 +104,13 @@ record ArchivedFiles(Map<String, byte[]> inside, Map<String, String> outside) {
         content = text.getBytes(StandardCharsets.UTF_8);
       }
     }
-    if (home.length() > 3 && text.contains(home)) {
+    Matcher named = PERSONAL.matcher(text);
+    if (named.find()) {
+      problems.warning(
+          SourceLocation.of(file.toString()),
+          "the file names '%s', a folder of a machine, and is in the package so; change it, and write the package again"
+              .formatted(named.group()));
+    } else if (home.length() > 3 && text.contains(home)) {
       problems.warning(
           SourceLocation.of(file.toString()),
           "the file names the folder %s of this machine, and is in the package so; change it, and"
