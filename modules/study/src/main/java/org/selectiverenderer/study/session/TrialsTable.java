@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.selectiverenderer.formats.csv.CsvWriter;
 import org.selectiverenderer.formats.csv.SpreadsheetText;
+import org.selectiverenderer.study.design.StimulusList;
 import org.selectiverenderer.study.design.TrialBlock;
 import org.selectiverenderer.study.design.TrialColumns;
 import org.selectiverenderer.study.design.TrialResult;
@@ -52,6 +53,15 @@ final class TrialsTable {
     }
   }
 
+  private static Map<String, String> listed(Optional<TrialBlock> block, int line) {
+    return block
+        .flatMap(TrialBlock::stimuli)
+        .flatMap(
+            list -> list.rows().stream().filter(stimulus -> stimulus.line() == line).findFirst())
+        .map(StimulusList.Stimulus::cells)
+        .orElse(Map.of());
+  }
+
   private List<Object> row(
       String participant,
       int session,
@@ -67,7 +77,8 @@ final class TrialsTable {
     row.add(result.round());
     factors.forEach(factor -> row.add(result.levels().getOrDefault(factor, "")));
     // The cells that the participant has seen count, also where the list has changed since.
-    Map<String, String> cells = result.stimulus();
+    Map<String, String> cells =
+        result.stimulus().isEmpty() ? listed(block, result.line()) : result.stimulus();
     stimuli.forEach(column -> row.add(SpreadsheetText.marked(cells.getOrDefault(column, ""))));
     row.add(result.response());
     row.add(
