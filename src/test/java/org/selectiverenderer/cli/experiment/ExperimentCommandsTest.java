@@ -153,7 +153,7 @@ class ExperimentCommandsTest extends CommandTestCase {
     assertThat(anova("--within", "type", "--between", "type")).isEqualTo(2);
     assertThat(anova("--within", "type", "--output", folder.resolve("no/x").toString()))
         .isEqualTo(2);
-    assertThat(execute("experiment")).isEqualTo(2);
+    assertThat(execute("experiment", "nothing")).isEqualTo(2);
     assertThat(execute("experiment", "simulate", "--d-prime", "1,2")).isEqualTo(2);
     assertThat(execute("experiment", "simulate", "--power", "--area", "attic")).isEqualTo(2);
     assertThat(text(err)).doesNotContain("\tat ");
