@@ -15,13 +15,15 @@ import org.selectiverenderer.authoring.file.DocumentFile;
 import org.selectiverenderer.enricher.task.TaskExecutor;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.ElementTree;
 import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 
 /**
  * One open document and its selection. For the event dispatch thread only.
  *
- * <p>The selection outlives edits: when the document is parsed again, the element with the same DEF
- * name or path is selected again; while the text is not well formed, nothing is selected.
+ * <p>Several elements may be selected. The selection outlives edits: when the document is parsed
+ * again, the elements with the same DEF name or path are selected again; while the text is not well
+ * formed, nothing is selected.
  */
 public final class EnricherSession {
   private final DocumentFile file;
@@ -33,8 +35,8 @@ public final class EnricherSession {
   private final EnrichmentEdits edits;
   private final List<SelectionListener> listeners = new CopyOnWriteArrayList<>();
   private final DocumentListener following = this::follow;
-  private @Nullable DocumentElement selection;
-  private @Nullable DocumentElement lost;
+  private List<DocumentElement> selected = List.of();
+  private List<DocumentElement> lost = List.of();
 
   /** Creates a session with a scene that may read no other than its own files. */
   public EnricherSession(
@@ -97,9 +99,14 @@ public final class EnricherSession {
     messages.accept(sentence);
   }
 
-  /** The selected element; empty for none. */
+  /** The element that forms and single-node commands work on: the one selected last; empty for none. */
   public Optional<DocumentElement> selection() {
-    return Optional.ofNullable(selection);
+    return selected.isEmpty() ? Optional.empty() : Optional.of(selected.get(selected.size() - 1));
+  }
+
+  /** All selected elements in the order in which they were selected; {@link #selection} is the last. */
+  public List<DocumentElement> selectedElements() {
+    return selected;
   }
 
   /**
@@ -109,17 +116,31 @@ public final class EnricherSession {
    * @param origin the view that selects it
    */
   public void select(@Nullable DocumentElement element, Object origin) {
-    lost = null;
-    DocumentElement now = element != null && element.attached() ? element : null;
-    if (now != selection) {
-      selection = now;
+    selectAll(element == null ? List.of() : List.of(element), origin);
+  }
+
+  /**
+   * Selects several elements.
+   *
+   * @param elements those to select; the last becomes {@link #selection}, one named twice counts once
+   * @param origin the view that selects them
+   */
+  public void selectAll(List<DocumentElement> elements, Object origin) {
+    lost = List.of();
+    show(elements.stream().filter(DocumentElement::attached).toList(), origin);
+  }
+
+  private void show(List<DocumentElement> elements, Object origin) {
+    List<DocumentElement> now = elements.stream().distinct().toList();
+    if (!now.equals(selected)) {
+      selected = now;
       tell(origin);
     }
   }
 
   private void tell(Object origin) {
-    Optional<DocumentElement> selected = selection();
-    listeners.forEach(listener -> listener.selected(selected, origin));
+    Optional<DocumentElement> last = selection();
+    listeners.forEach(listener -> listener.selected(last, origin));
   }
 
   public void addSelectionListener(SelectionListener listener) {
@@ -151,13 +172,20 @@ public final class EnricherSession {
   }
 
   private void follow(DocumentListener.Change change) {
-    if (selection == null && lost == null || selection != null && selection.attached()) {
+    List<DocumentElement> before = selected.isEmpty() ? lost : selected;
+    if (before.isEmpty() || before.stream().allMatch(DocumentElement::attached)) {
       return;
     }
-    DocumentElement before = selection != null ? selection : lost;
-    selection = document().tree().flatMap(tree -> ElementPath.of(before).find(tree)).orElse(null);
-    lost = selection == null && document().tree().isEmpty() ? before : null;
-    tell(this);
+    Optional<ElementTree> tree = document().tree();
+    lost = tree.isEmpty() ? before : List.of();
+    show(
+        tree.map(found -> before.stream().flatMap(e -> findAgain(e, found).stream()).toList())
+            .orElse(List.of()),
+        this);
+  }
+
+  private static Optional<DocumentElement> findAgain(DocumentElement element, ElementTree tree) {
+    return element.attached() ? Optional.of(element) : ElementPath.of(element).find(tree);
   }
 
   /** Stops following the document. */

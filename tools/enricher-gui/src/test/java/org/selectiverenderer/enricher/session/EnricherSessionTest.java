@@ -6,10 +6,12 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.enricher.robot.TestSessions;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 class EnricherSessionTest {
   @TempDir Path folder;
@@ -23,6 +25,43 @@ class EnricherSessionTest {
     session.document().history().undo();
     assertThat(session.selection()).hasValueSatisfying(e -> assertThat(e.attached()).isTrue());
     assertThat(session.selection().orElseThrow().def()).hasValue("Switch_Cup");
+  }
+
+  @Test
+  void severalElementsStaySelectedWhenABrokenTextIsMended() throws IOException {
+    EnricherSession session =
+        TestSessions.with(folder, TestSessions.object("Cup") + TestSessions.object("Jug"));
+    List<Optional<String>> heard = new ArrayList<>();
+    session.addSelectionListener(
+        (element, origin) -> heard.add(element.flatMap(DocumentElement::def)));
+    session.selectAll(List.of(named(session, "Switch_Jug"), named(session, "Switch_Cup")), this);
+    session.document().type(0, 0, "<");
+    assertThat(session.selectedElements()).isEmpty();
+    session.document().history().undo();
+    assertThat(session.selectedElements())
+        .containsExactly(named(session, "Switch_Jug"), named(session, "Switch_Cup"));
+    assertThat(heard)
+        .containsExactly(Optional.of("Switch_Cup"), Optional.empty(), Optional.of("Switch_Cup"));
+  }
+
+  @Test
+  void aNodeIsFoundAgainInTheScopeOfItsName() throws IOException {
+    EnricherSession session =
+        TestSessions.with(
+            folder,
+            "<ProtoDeclare name='P'><ProtoBody><Group DEF='A'/><Group DEF='B'/></ProtoBody>"
+                + "</ProtoDeclare><Group DEF='A'/>");
+    String text = session.document().text().toString();
+    for (int start : List.of(text.indexOf("<Group"), text.lastIndexOf("<Group"))) {
+      session.select(session.document().tree().orElseThrow().at(start).orElseThrow(), this);
+      session.document().type(0, 0, "<");
+      session.document().history().undo();
+      assertThat(session.selection().orElseThrow().start()).isEqualTo(start);
+    }
+  }
+
+  private static DocumentElement named(EnricherSession session, String def) {
+    return session.document().tree().orElseThrow().named(def).orElseThrow();
   }
 
   @Test
