@@ -1,0 +1,54 @@
+package org.selectiverenderer.export;
+
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.selectiverenderer.schema.Condition;
+import org.selectiverenderer.schema.SensorSchemas;
+import org.selectiverenderer.schema.SwitchSchemas;
+
+/**
+ * The enriched nodes of a scene, in its order.
+ *
+ * @param areas the ProximitySensors whose metadata name schemas
+ * @param objects the Switches whose metadata describe versions
+ */
+record ControlledNodes(List<Area> areas, List<VersionedObject> objects) {
+  ControlledNodes {
+    areas = List.copyOf(areas);
+    objects = List.copyOf(objects);
+  }
+
+  /**
+   * An area.
+   *
+   * @param def DEF of the ProximitySensor
+   */
+  record Area(String def, SensorSchemas schemas) {}
+
+  /**
+   * An object in versions.
+   *
+   * @param def DEF of the Switch
+   * @param whichChoice the choice that the file names; -1 for none
+   */
+  record VersionedObject(String def, SwitchSchemas schemas, int whichChoice) {}
+
+  /** Returns the choice of each object, in their order, under a condition that never changes it. */
+  List<Integer> choices(Condition condition, long seed) {
+    Map<Integer, SwitchSchemas> byPlace = new LinkedHashMap<>();
+    objects.forEach(object -> byPlace.put(byPlace.size(), object.schemas()));
+    return List.copyOf(condition.initialChoices(byPlace, activated(), seed).values());
+  }
+
+  private Set<String> activated() {
+    Set<String> activated = new LinkedHashSet<>();
+    for (Area area : areas) {
+      activated.addAll(area.schemas().enter());
+      activated.addAll(area.schemas().exit());
+    }
+    return activated;
+  }
+}
