@@ -72,6 +72,11 @@ final class ObjectFinder {
     return found.stream().findFirst();
   }
 
+  /** Finds the object of an element that need not have a name yet. */
+  Optional<ObjectElements> at(DocumentElement element, String def) {
+    return object(element, name(def));
+  }
+
   private Optional<ObjectElements> object(DocumentElement element, String name) {
     NodeView node = scene.node(element);
     if (node == null) {
@@ -173,7 +178,7 @@ final class ObjectFinder {
   }
 
   /** Returns the object's own name: TrashCan for Transform_TrashCan and for Switch_TrashCan. */
-  private static String name(String def) {
+  static String name(String def) {
     for (String prefix : PREFIXES) {
       if (def.startsWith(prefix) && def.length() > prefix.length()) {
         return def.substring(prefix.length());
