@@ -2,15 +2,24 @@ package org.selectiverenderer.authoring;
 
 import java.util.HashSet;
 import java.util.Set;
+import java.util.function.Predicate;
+import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.ElementScope;
 import org.selectiverenderer.x3d.source.ElementTree;
 
-/** Generates DEF names that no node of the document has, for one edit. */
+/** Generates DEF names that no other node of a scope has, for one edit. */
 public final class UniqueNameGenerator {
-  private final ElementTree tree;
+  private final Predicate<String> taken;
   private final Set<String> given = new HashSet<>();
 
+  /** Creates a generator of names that are in none of the document's scopes. */
   public UniqueNameGenerator(ElementTree tree) {
-    this.tree = tree;
+    this.taken = tree::occurs;
+  }
+
+  /** Creates a generator of names for the {@link ElementScope} of an element. */
+  public UniqueNameGenerator(ElementTree tree, DocumentElement at) {
+    this.taken = name -> tree.named(name, at).isPresent() || tree.used(name, at);
   }
 
   /** Returns the wanted name as a valid identifier, with a number appended if it is taken. */
@@ -21,7 +30,7 @@ public final class UniqueNameGenerator {
   /** Returns the name itself, with a number appended if it is taken. */
   public String unused(String base) {
     String name = base;
-    for (int i = 2; tree.named(name).isPresent() || tree.used(name) || given.contains(name); i++) {
+    for (int i = 2; taken.test(name) || given.contains(name); i++) {
       name = base + "_" + i;
     }
     given.add(name);
