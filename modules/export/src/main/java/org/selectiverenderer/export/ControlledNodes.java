@@ -1,10 +1,14 @@
 package org.selectiverenderer.export;
 
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import org.selectiverenderer.authoring.enrichment.DocumentEnrichment;
+import org.selectiverenderer.authoring.enrichment.EnrichedSensor;
+import org.selectiverenderer.authoring.enrichment.EnrichedSwitch;
 import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.schema.SensorSchemas;
 import org.selectiverenderer.schema.SwitchSchemas;
@@ -35,6 +39,22 @@ record ControlledNodes(List<Area> areas, List<VersionedObject> objects) {
    * @param whichChoice the choice that the file names; -1 for none
    */
   record VersionedObject(String def, SwitchSchemas schemas, int whichChoice) {}
+
+  /** Returns the enriched nodes of a document, all of which have DEF names. */
+  static ControlledNodes of(DocumentEnrichment enrichment) {
+    List<Area> areas =
+        enrichment.sensors().stream()
+            .filter(EnrichedSensor::enriched)
+            .map(sensor -> new Area(sensor.name(), sensor.schemas()))
+            .toList();
+    List<VersionedObject> objects = new ArrayList<>();
+    for (EnrichedSwitch node : enrichment.switches()) {
+      node.schemas()
+          .map(schemas -> new VersionedObject(node.name(), schemas, node.whichChoice()))
+          .ifPresent(objects::add);
+    }
+    return new ControlledNodes(areas, objects);
+  }
 
   /** Returns the choice of each object, in their order, under a condition that never changes it. */
   List<Integer> choices(Condition condition, long seed) {

@@ -35,11 +35,9 @@ final class EnrichedNodeReader {
     List<DocumentElement> children = element.children().stream().filter(this::isChoice).toList();
     Optional<MetadataElement> metadata = MetadataElement.of(document, element);
     SchemaReader reader = new SchemaReader(problem -> findings.add(finding(problem)));
-    List<VersionMetadata> described =
-        metadata
-            .flatMap(source -> reader.switchNode(source, children.size()))
-            .map(SwitchSchemas::choices)
-            .orElse(List.of());
+    Optional<SwitchSchemas> schemas =
+        metadata.flatMap(source -> reader.switchNode(source, children.size()));
+    List<VersionMetadata> described = schemas.map(SwitchSchemas::choices).orElse(List.of());
     List<ChoiceNode> choices = new ArrayList<>();
     for (int i = 0; i < children.size(); i++) {
       DocumentElement child = children.get(i);
@@ -53,7 +51,7 @@ final class EnrichedNodeReader {
         MetadataNames.object(element.def().orElse("Switch" + (index + 1))),
         choices,
         whichChoice(element),
-        !described.isEmpty(),
+        schemas,
         findings);
   }
 

@@ -1,6 +1,8 @@
 package org.selectiverenderer.authoring.enrichment;
 
 import java.util.List;
+import java.util.Optional;
+import org.selectiverenderer.schema.SwitchSchemas;
 import org.selectiverenderer.authoring.ElementFinding;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
@@ -11,7 +13,7 @@ import org.selectiverenderer.x3d.source.DocumentElement;
  * @param object the object's own name, without {@code Switch_}
  * @param choices its children in order
  * @param whichChoice index of the initially shown choice; -1 for none
- * @param enriched whether it has schema metadata
+ * @param schemas its schema metadata; empty where it has none
  * @param findings the findings about its metadata
  */
 public record EnrichedSwitch(
@@ -20,7 +22,7 @@ public record EnrichedSwitch(
     String object,
     List<ChoiceNode> choices,
     int whichChoice,
-    boolean enriched,
+    Optional<SwitchSchemas> schemas,
     List<ElementFinding> findings) {
   public EnrichedSwitch {
     choices = List.copyOf(choices);
@@ -34,6 +36,11 @@ public record EnrichedSwitch(
    * @param url first URL of an Inline; empty for other nodes
    */
   public record ChoiceNode(int index, DocumentElement element, String url, ChoiceMetadata values) {}
+
+  /** Returns whether it has schema metadata. */
+  public boolean enriched() {
+    return schemas.isPresent();
+  }
 
   /** Returns the metadata of all choices in order. */
   public List<ChoiceMetadata> values() {

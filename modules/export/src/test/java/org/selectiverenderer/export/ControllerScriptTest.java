@@ -1,0 +1,135 @@
+package org.selectiverenderer.export;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.selectiverenderer.authoring.Edit;
+import org.selectiverenderer.authoring.SceneDocument;
+import org.selectiverenderer.authoring.enrichment.DocumentEnrichment;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.browser.World;
+import org.selectiverenderer.browser.loading.SceneLoader;
+import org.selectiverenderer.browser.nodes.NodeFactory;
+import org.selectiverenderer.browser.sai.EmbeddedBrowser;
+import org.selectiverenderer.browser.viewer.CameraPath;
+import org.selectiverenderer.browser.viewer.CameraPathReader;
+import org.selectiverenderer.browser.viewer.PathMotion;
+import org.selectiverenderer.control.SelectiveController;
+import org.selectiverenderer.schema.Condition;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.source.ReadLimits;
+import org.selectiverenderer.x3d.url.ContentAccessPolicy;
+import org.web3d.x3d.sai.grouping.Switch;
+
+/** The exported Script does what the controller of this program does. */
+class ControllerScriptTest {
+  private static final double RATE = 4;
+
+  @TempDir Path folder;
+
+  /** A change of a Switch that a viewer could see. */
+  private record Change(int frame, String object, int choice) {}
+
+  /** Neither the objects' files nor pictures are needed to see which is to be shown when. */
+  private static String apartment() throws IOException {
+    return Files.readString(Path.of("scenes/apartment.x3d"))
+        .replaceAll("<Inline (DEF='\\w+' )?url='[^']*'/>", "<Group/>")
+        .replaceAll("\\w+Url='[^']*'", "");
+  }
+
+  private static SceneDocument exported(String scene, Condition condition, int seed)
+      throws IOException {
+    SceneDocument document =
+        SceneDocument.of("scene.x3d", scene.getBytes(StandardCharsets.UTF_8));
+    ControlledNodes nodes =
+        ControlledNodes.of(new DocumentEnrichment(document, NodeCatalogue.load()));
+    List<String> lines = new ControllerScript(nodes, "SchemaController").lines(condition, seed);
+    var root = document.tree().orElseThrow().scene().orElseThrow();
+    document.perform(new Edit("export", List.of(document.layout().insertLast(root, lines))));
+    return document;
+  }
+
+  private List<Change> walk(String scene, boolean controlled, Condition condition, long seed)
+      throws IOException {
+    CameraPath path =
+        CameraPathReader.read(Path.of("scenes/paths/apartment-tour.csv"), new ProblemCollector())
+            .orElseThrow();
+    ProblemCollector problems = new ProblemCollector();
+    Path file = Files.writeString(folder.resolve("scene.x3d"), scene);
+    try (SceneLoader loader =
+        new SceneLoader(
+            NodeCatalogue.load(),
+            new NodeFactory(),
+            ReadLimits.standard(),
+            ContentAccessPolicy.none(),
+            problems)) {
+      World world = new World(loader.load(file), problems);
+      EmbeddedBrowser browser = new EmbeddedBrowser(world, loader, line -> {}, Map.of());
+      SelectiveController.Settings settings = new SelectiveController.Settings(condition, seed);
+      SelectiveController controller =
+          controlled
+              ? new SelectiveController(browser, settings, event -> {}, problem -> {})
+              : null;
+      world.instances().update();
+      List<Change> changes = new ArrayList<>();
+      Map<String, Integer> shown = new HashMap<>();
+      PathMotion motion = new PathMotion(path, 0);
+      for (int frame = 0; frame / RATE < path.end(); frame++) {
+        world.step(frame / RATE, motion);
+        for (String object : objects(scene)) {
+          int choice =
+              ((Switch) browser.getExecutionContext().getNamedNode(object)).getWhichChoice();
+          Integer before = shown.put(object, choice);
+          if (before == null || before != choice) {
+            changes.add(new Change(frame, object, choice));
+          }
+        }
+      }
+      if (controller != null) {
+        controller.close();
+      }
+      browser.dispose();
+      assertThat(problems.list()).as("problems").isEmpty();
+      return changes;
+    }
+  }
+
+  private static List<String> objects(String scene) throws IOException {
+    SceneDocument document =
+        SceneDocument.of("scene.x3d", scene.getBytes(StandardCharsets.UTF_8));
+    return ControlledNodes.of(new DocumentEnrichment(document, NodeCatalogue.load()))
+        .objects()
+        .stream()
+        .map(ControlledNodes.VersionedObject::def)
+        .toList();
+  }
+
+  @ParameterizedTest
+  @EnumSource(Condition.class)
+  void theScriptSwitchesWhenAndWhatTheControllerSwitches(Condition condition) throws IOException {
+    String exported = exported(apartment(), condition, 7).text().toString();
+
+    assertThat(walk(exported, false, condition, 7))
+        .hasSizeGreaterThan(30)
+        .isEqualTo(walk(apartment(), true, condition, 7));
+  }
+
+  @Test
+  void theRulesStayShortEnoughToRead() throws IOException {
+    String text = exported(apartment(), Condition.SELECTIVE, 0).text().toString();
+    String rules = text.substring(text.indexOf("<![CDATA["), text.indexOf("// Below stands"));
+
+    assertThat(rules.lines().count()).isLessThan(300);
+  }
+}
