@@ -16,6 +16,7 @@ import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.authoring.SourceFormatter;
 import org.selectiverenderer.authoring.UniqueNameGenerator;
 import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.ElementScope;
 import org.selectiverenderer.x3d.source.ElementTree;
 import org.selectiverenderer.x3d.source.SourceAttribute;
 import org.selectiverenderer.x3d.source.TextEdit;
@@ -63,17 +64,31 @@ public final class NodeEdits {
     }
   }
 
-  /** Returns an unused DEF name derived from the wanted one. */
+  /** Returns a DEF name for the scene that is derived from the wanted one and unused there. */
   public String free(String wanted) {
-    return new UniqueNameGenerator(tree()).free(wanted);
+    return free(wanted, tree().root());
+  }
+
+  /** Returns a DEF name that is derived from the wanted one and unused in the scope of a node. */
+  public String free(String wanted, DocumentElement at) {
+    return new UniqueNameGenerator(tree(), at).free(wanted);
   }
 
   /**
-   * Checks that a name is valid and unused.
+   * Checks that a name is valid and unused in the scene.
    *
    * @throws EditRejectedException if the name is invalid, or another node has it
    */
   public void check(String name) {
+    check(name, tree().root());
+  }
+
+  /**
+   * Checks that a name is valid and unused in the scope of a node.
+   *
+   * @throws EditRejectedException if the name is invalid, or another node has it
+   */
+  public void check(String name, DocumentElement at) {
     if (!UniqueNameGenerator.allowed(name)) {
       throw new EditRejectedException(
           "'%s' is not a valid DEF name; use a letter first and no spaces or quotes, such as %s"
@@ -81,14 +96,12 @@ public final class NodeEdits {
                   name,
                   UniqueNameGenerator.identifier(name.isBlank() ? "Area" : "N" + name.strip())));
     }
-    ElementTree tree = tree();
-    if (tree.named(name).isPresent()) {
+    Optional<DocumentElement> other = tree().named(name, at);
+    if (other.isPresent()) {
       throw new EditRejectedException(
           "%s is the name of the %s in line %d already; choose another one"
               .formatted(
-                  name,
-                  tree.named(name).get().name(),
-                  document.location(tree.named(name).get().start()).line()));
+                  name, other.get().name(), document.location(other.get().start()).line()));
     }
   }
 
@@ -102,7 +115,7 @@ public final class NodeEdits {
     if (name.equals(from)) {
       return new Edit("Rename " + from, List.of());
     }
-    check(name);
+    check(name, node);
     node.use()
         .ifPresent(
             other -> {
@@ -144,23 +157,25 @@ public final class NodeEdits {
    * @param more changes to be made in the copy only; offsets are those of the original
    */
   public TextEdit copied(DocumentElement node, String name, List<TextEdit> more) {
-    check(name);
+    check(name, node);
     removableOnly(node);
     SourceFormatter layout = document.layout();
     if (node.use().isPresent()) {
       throw new EditRejectedException(
           "this is a USE of %s; copy the original".formatted(node.use().get()));
     }
-    UniqueNameGenerator free = new UniqueNameGenerator(tree());
+    UniqueNameGenerator free = new UniqueNameGenerator(tree(), node);
     free.unused(name);
     Map<String, String> renamed = new HashMap<>();
     node.def().ifPresent(def -> renamed.put(def, name));
-    node.visit(each -> each.def().ifPresent(def -> renamed.computeIfAbsent(def, free::unused)));
+    ElementScope.visitWithin(
+        node, each -> each.def().ifPresent(def -> renamed.computeIfAbsent(def, free::unused)));
     List<TextEdit> changes = new ArrayList<>(more);
     if (node.def().isEmpty()) {
       changes.add(layout.attribute(node, "DEF", name));
     }
-    node.visit(
+    ElementScope.visitWithin(
+        node,
         each -> {
           for (String attribute : List.of("DEF", "USE", "fromNode", "toNode")) {
             each.tag()
@@ -207,12 +222,30 @@ public final class NodeEdits {
    * @throws EditRejectedException if it is referenced by USE, or is mandatory
    */
   public List<TextEdit> removal(DocumentElement node) {
-    tree();
     removableOnly(node);
+    withoutInstances(node);
     SourceFormatter layout = document.layout();
     List<TextEdit> changes = new ArrayList<>(released(node));
     changes.add(layout.remove(node));
     return changes;
+  }
+
+  /** Refuses to remove a prototype that would leave instances without one. */
+  private void withoutInstances(DocumentElement node) {
+    ElementTree tree = tree();
+    for (DocumentElement instance : tree.instances()) {
+      Optional<DocumentElement> declaration =
+          node.contains(instance)
+              ? Optional.empty()
+              : instance.text("name").flatMap(name -> tree.prototype(name.strip(), instance));
+      if (declaration.filter(node::contains).isPresent()) {
+        throw new EditRejectedException(
+            "the prototype %s has an instance in line %d; delete it first"
+                .formatted(
+                    declaration.get().text("name").orElse(""),
+                    document.location(instance.start()).line()));
+      }
+    }
   }
 
   /**
