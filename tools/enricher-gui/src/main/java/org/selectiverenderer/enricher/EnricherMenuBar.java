@@ -19,6 +19,7 @@ import javax.swing.event.MenuListener;
 import org.selectiverenderer.authoring.UndoHistory;
 import org.selectiverenderer.enricher.area.AreaCommands;
 import org.selectiverenderer.enricher.area.GridSetting;
+import org.selectiverenderer.enricher.menu.StructureCommands;
 import org.selectiverenderer.enricher.settings.EnricherSettings;
 import org.selectiverenderer.enricher.settings.Language;
 import org.selectiverenderer.enricher.settings.Theme;
@@ -91,6 +92,16 @@ final class EnricherMenuBar {
     menu.add(undo);
     menu.add(redo);
     menu.addSeparator();
+    menu.add(nodes("cut", "ctrl X", StructureCommands::cut));
+    menu.add(nodes("copy", "ctrl C", StructureCommands::copy));
+    menu.add(nodes("paste", "ctrl V", StructureCommands::paste));
+    menu.add(nodes("delete", "DELETE", StructureCommands::delete));
+    menu.add(
+        command(
+            "node.duplicate",
+            "",
+            with(bench -> bench.nodes(StructureCommands::duplicate))));
+    menu.addSeparator();
     menu.add(
         new MenuAction(Texts.of("overview.copy"), "ctrl alt C", with(Workbench::copyMetadata)));
     menu.add(
@@ -102,6 +113,10 @@ final class EnricherMenuBar {
     menu.add(command("menu.fix", "alt ENTER", with(Workbench::fixProblem)));
     source(menu);
     return menu;
+  }
+
+  private MenuAction nodes(String text, String key, Consumer<StructureCommands> work) {
+    return command("node." + text, key, with(bench -> bench.edit(key, work)));
   }
 
   /** Adds the commands of the source view, which bring it into view. */
@@ -149,9 +164,7 @@ final class EnricherMenuBar {
     menu.addSeparator();
     menu.add(area("add", "ctrl shift A", AreaCommands::addAroundSelection));
     menu.add(area("switch", "ctrl shift W", AreaCommands::makeSwitch));
-    menu.add(area("rename.node", "", AreaCommands::rename));
-    menu.add(area("copy.node", "", AreaCommands::copy));
-    menu.add(area("delete.node", "", AreaCommands::delete));
+    menu.add(area("rename.node", "F2", AreaCommands::rename));
     JMenu grid = menu("area.grid");
     grid.addMenuListener(new Opening(() -> listGrid(grid)));
     menu.add(grid);
