@@ -150,6 +150,7 @@ public final class VersionCandidateFinder {
     }
     boolean group =
         element.use().isEmpty()
+            && !element.name().equals("ProtoInstance") // whose nodes are no elements of the scene
             && GroupingNodeChildren.isGroup(node.type())
             && !Set.of("Switch", "LOD", "GeoLOD", "CADFace").contains(node.type().name());
     Optional<MeasuredElement> result = group ? group(element, node) : leaf(element, node);
@@ -262,14 +263,11 @@ public final class VersionCandidateFinder {
   }
 
   private Remark remark(MeasuredElement each, BoundingBox box) {
-    if (each.polygons() < FEW) {
-      return Remark.FEW;
-    }
     if (shares(each)) {
       return Remark.SHARED;
     }
     if (all.size() == 1) {
-      return Remark.NONE; // the object is the scene
+      return few(each); // the object is the scene
     }
     double least = Math.min(box.width(), Math.min(box.height(), box.depth()));
     if (box.extent() >= WIDE * extent.extent() && least <= FLAT * box.extent()) {
@@ -281,6 +279,10 @@ public final class VersionCandidateFinder {
             && box.depth() >= AROUND * extent.depth();
     return around && found.size() + shapes > 1 && each.shapes() < shapes
         ? Remark.AROUND
-        : Remark.NONE;
+        : few(each);
+  }
+
+  private static Remark few(MeasuredElement each) {
+    return each.polygons() < FEW ? Remark.FEW : Remark.NONE;
   }
 }
