@@ -89,7 +89,7 @@ final class Workbench {
     this.session = session;
     this.settings = settings;
     menu = new NodeMenu(session);
-    pictures = new VersionImageRenderer(asScene(session));
+    pictures = new VersionImageRenderer(() -> asScene(session));
     autosave = new Autosave(session, recovery);
     BudgetFileLocator budgets =
         new BudgetFileLocator(
@@ -306,6 +306,12 @@ final class Workbench {
   void lookAtFilesAgain() {
     preview.reload();
     cost.lookAtFilesAgain();
+  }
+
+  /** Reads the scene and its files again, as it may read from other folders and hosts now. */
+  void accessChanged() {
+    lookAtFilesAgain();
+    problems.checkAgain();
   }
 
   /** The viewer's pose in the preview; empty while there is none. */
