@@ -19,6 +19,7 @@ import org.selectiverenderer.enricher.area.AreaCommands;
 import org.selectiverenderer.enricher.area.GridSetting;
 import org.selectiverenderer.enricher.area.NameDialog;
 import org.selectiverenderer.enricher.area.NamePrompt;
+import org.selectiverenderer.enricher.component.CollapsibleSplit;
 import org.selectiverenderer.enricher.cost.BudgetFileLocator;
 import org.selectiverenderer.enricher.cost.CostPanel;
 import org.selectiverenderer.enricher.form.FormPanel;
@@ -50,6 +51,12 @@ import org.selectiverenderer.x3d.url.UrlResolver;
 final class Workbench {
   private static final Set<String> FORMS = Set.of("Switch", "ProximitySensor");
 
+  /** Height in pixels of the polygons and limits below the table of schemas. */
+  private static final int COSTS = 300;
+
+  /** Height in pixels of the views in which both have room. */
+  private static final int BOTH = 780;
+
   private final EnricherSession session;
   private final EnricherSettings settings;
   private final Autosave autosave;
@@ -61,6 +68,7 @@ final class Workbench {
   private final OverviewPanel overview;
   private final CostPanel cost;
   private final JSplitPane schemas;
+  private final CollapsibleSplit schemasAndCosts;
   private final AreaCommands areas;
   private final PlanPanel plan;
   private final HelpPanel help;
@@ -113,7 +121,13 @@ final class Workbench {
     preview = new PreviewPanel(session);
     overview = new OverviewPanel(session);
     cost = new CostPanel(session, budgets, problems::checkAgain);
-    schemas = split(JSplitPane.VERTICAL_SPLIT, overview, cost, 0.6, "polygons");
+    schemas = split(JSplitPane.VERTICAL_SPLIT, overview, cost, 1, "polygons");
+    schemasAndCosts =
+        new CollapsibleSplit(
+            schemas,
+            Texts.of("cost.name"),
+            Texts.of("cost.fold"),
+            open -> settings.put("costs", open));
     GridSetting grid = new GridSetting(settings);
     NamePrompt names = new NameDialog(() -> tabs);
     areas = new AreaCommands(session, preview.probe(), names);
@@ -122,7 +136,7 @@ final class Workbench {
         Texts.of("area.add.short"), Texts.of("area.add.tip"), areas::addAroundSelection);
     plan = new PlanPanel(session, areas, names, grid);
     addTab("Preview", Texts.of("window.tab.preview"), preview);
-    addTab("Schemas", Texts.of("window.tab.schemas"), schemas);
+    addTab("Schemas", Texts.of("window.tab.schemas"), schemasAndCosts);
     addTab("Source", Texts.of("window.tab.source"), source.component());
     addTab("Plan", Texts.of("area.plan"), plan);
     addTab("Help", Texts.of("window.tab.help"), help);
@@ -252,7 +266,9 @@ final class Workbench {
     left.setDividerLocation(settings.number("split.tree", Math.min(230, width / 4)));
     int rest = width - left.getDividerLocation() - left.getDividerSize();
     column.layOut(rest, settings.number("split.form", Math.min(375, rest / 2)));
-    schemas.setDividerLocation(settings.number("split.cost", Math.max(100, height / 2 - 60)));
+    int views = height - settings.number("split.problems", Math.min(130, height / 4));
+    schemas.setDividerLocation(settings.number("split.cost", Math.max(100, views - COSTS)));
+    schemasAndCosts.open(settings.flag("costs", views >= BOTH));
     all.setDividerLocation(
         Math.max(120, height - settings.number("split.problems", Math.min(130, height / 4))));
   }

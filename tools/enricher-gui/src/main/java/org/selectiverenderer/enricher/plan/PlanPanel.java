@@ -140,6 +140,7 @@ public final class PlanPanel extends JPanel {
     fit.addActionListener(event -> view.fit());
     bar.add(fit);
     JPanel foot = new JPanel(new MigLayout("insets 2 6 2 6", "[grow,fill]"));
+    hint.setToolTipText(hint.getText());
     foot.add(hint, "wmin 0");
     add(bar, "wmin 0");
     add(view, "wmin 0, hmin 0");
