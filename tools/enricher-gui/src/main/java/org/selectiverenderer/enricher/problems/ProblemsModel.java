@@ -14,6 +14,7 @@ import org.selectiverenderer.authoring.enrichment.DocumentEnrichment;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.enricher.problems.ProblemEntry.Place;
+import org.selectiverenderer.enricher.text.AccessHint;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.DocumentError;
 
@@ -53,7 +54,8 @@ final class ProblemsModel {
   private ProblemEntry entry(Problem problem) {
     boolean here = problem.location().file().equals(document.name());
     Place place = here ? place(problem) : new Place.Elsewhere(problem.location());
-    return new ProblemEntry(problem.severity(), problem.message(), place, Optional.empty());
+    return new ProblemEntry(
+        problem.severity(), AccessHint.inWindow(problem.message()), place, Optional.empty());
   }
 
   private Place place(Problem problem) {
