@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Predicate;
 import java.util.stream.Stream;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.EditRejectedException;
@@ -248,6 +249,43 @@ public final class NodeEdits {
   }
 
   /**
+   * Returns the changes that remove several nodes and the references to them.
+   *
+   * @param nodes nodes none of which contains another
+   * @throws EditRejectedException if one is mandatory, or referenced by USE from outside of them
+   */
+  public List<TextEdit> removal(List<DocumentElement> nodes) {
+    tree();
+    nodes.forEach(NodeEdits::removableOnly);
+    SourceFormatter layout = document.layout();
+    List<TextEdit> changes = new ArrayList<>();
+    references(nodes).forEach(each -> changes.add(layout.remove(each)));
+    nodes.forEach(each -> changes.add(layout.remove(each)));
+    return changes;
+  }
+
+  /**
+   * Returns the ROUTE, IMPORT and EXPORT statements outside of nodes that name one of them or their
+   * descendants.
+   *
+   * @throws EditRejectedException if a node is referenced by USE from outside of them
+   */
+  public Set<DocumentElement> references(List<DocumentElement> nodes) {
+    Predicate<DocumentElement> outside =
+        each -> nodes.stream().noneMatch(node -> node.contains(each));
+    Set<DocumentElement> found = new LinkedHashSet<>();
+    for (DocumentElement node : nodes) {
+      NodeReferences references = NodeReferences.into(node);
+      references.uses().stream().filter(outside).findFirst().ifPresent(this::usedElsewhere);
+      Stream.of(references.routes(), references.exports(), references.imports())
+          .flatMap(List::stream)
+          .filter(outside)
+          .forEach(found::add);
+    }
+    return found;
+  }
+
+  /**
    * Returns the changes that remove the routes, imports and exports of a node and its descendants.
    *
    * @throws EditRejectedException if it is referenced by USE
@@ -265,17 +303,18 @@ public final class NodeEdits {
   }
 
   private List<TextEdit> released(NodeReferences references) {
-    if (!references.uses().isEmpty()) {
-      DocumentElement use = references.uses().get(0);
-      throw new EditRejectedException(
-          "%s is used elsewhere (USE in line %d), and this reference would break; delete it first"
-              .formatted(use.use().orElse(""), document.location(use.start()).line()));
-    }
+    references.uses().stream().findFirst().ifPresent(this::usedElsewhere);
     SourceFormatter layout = document.layout();
     Set<DocumentElement> gone = new LinkedHashSet<>(references.routes());
     gone.addAll(references.exports());
     gone.addAll(references.imports());
     return gone.stream().map(layout::remove).toList();
+  }
+
+  private void usedElsewhere(DocumentElement use) {
+    throw new EditRejectedException(
+        "%s is used elsewhere (USE in line %d), and this reference would break; delete it first"
+            .formatted(use.use().orElse(""), document.location(use.start()).line()));
   }
 
   /** Returns the outermost enclosing group that contains only the node, or the node itself. */

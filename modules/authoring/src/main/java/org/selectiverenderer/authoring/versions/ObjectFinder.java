@@ -58,11 +58,6 @@ final class ObjectFinder {
     return object(element, name);
   }
 
-  /** Finds the object of an element that need not have a name yet. */
-  Optional<ObjectElements> at(DocumentElement element, String def) {
-    return object(element, name(def));
-  }
-
   private Optional<DocumentElement> inPrototype(String def) {
     List<DocumentElement> found = new ArrayList<>();
     scene
@@ -75,6 +70,11 @@ final class ObjectFinder {
               }
             });
     return found.stream().findFirst();
+  }
+
+  /** Finds the object of an element that need not have a name yet. */
+  Optional<ObjectElements> at(DocumentElement element, String def) {
+    return object(element, name(def));
   }
 
   private Optional<ObjectElements> object(DocumentElement element, String name) {
