@@ -34,6 +34,7 @@ final class CommandCatalogue {
           "apartment",
           "radiosity",
           "bench",
+          "examples",
           "doctor",
           "sai",
           BundleFilesCommand.NAME);

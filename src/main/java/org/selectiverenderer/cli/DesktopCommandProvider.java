@@ -14,6 +14,7 @@ import org.selectiverenderer.cli.author.ValidateCommand;
 import org.selectiverenderer.cli.author.VersionsCommand;
 import org.selectiverenderer.cli.bundle.BundleFilesCommand;
 import org.selectiverenderer.cli.experiment.ExperimentCommand;
+import org.selectiverenderer.cli.start.ExamplesCommand;
 import org.selectiverenderer.cli.view.DoctorCommand;
 import org.selectiverenderer.cli.view.RunCommand;
 import org.selectiverenderer.cli.view.SaiCommand;
@@ -34,6 +35,7 @@ public final class DesktopCommandProvider implements CommandProvider {
   @Override
   public List<String> names() {
     return List.of(
+        "examples",
         "run",
         "simulate",
         "validate",
@@ -53,6 +55,7 @@ public final class DesktopCommandProvider implements CommandProvider {
   public CliCommand create(String name, CommandContext context) {
     Console console = context.console();
     return switch (name) {
+      case "examples" -> new ExamplesCommand(console);
       case "run" -> new RunCommand(console);
       case "simulate" -> new SimulateCommand(console);
       case "validate" -> new ValidateCommand(console, context.input());

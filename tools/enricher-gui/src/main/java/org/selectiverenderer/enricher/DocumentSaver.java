@@ -55,8 +55,45 @@ final class DocumentSaver {
       waiting.add(() -> save(review, saved));
     } else if (!session.document().modified()) {
       saved.run();
-    } else if (faultAccepted(session.file().path()) && (!review || questions.review(session))) {
-      write(session.file().writing(), saved);
+    } else if (faultAccepted(session.file().path())) {
+      if (review) {
+        review(saved);
+      } else {
+        write(session.file().writing(), saved);
+      }
+    }
+  }
+
+  /**
+   * Shows the changes before they are saved. What another program has changed meanwhile is asked
+   * about first, as it is none of the author's changes.
+   */
+  private void review(Runnable saved) {
+    DocumentFile.ChangeGuard guard = session.file().guard();
+    session
+        .tasks()
+        .run(
+            Texts.of("window.looking", String.valueOf(session.file().path().getFileName())),
+            guard::state,
+            state -> {
+              if (writing) {
+                waiting.add(() -> save(true, saved));
+              } else if (state == FileState.CHANGED) {
+                String path = session.file().path().toString();
+                conflict(
+                    Texts.of("merge.outside", path),
+                    () -> reviewed(session.file().writing().over(), saved),
+                    () -> save(true, saved));
+              } else {
+                reviewed(session.file().writing(), saved);
+              }
+            },
+            failed -> reviewed(session.file().writing(), saved));
+  }
+
+  private void reviewed(SaveOperation what, Runnable saved) {
+    if (questions.review(session)) {
+      write(what, saved);
     }
   }
 
@@ -168,14 +205,19 @@ final class DocumentSaver {
       questions.tell(sentence);
       return;
     }
+    conflict(sentence, () -> write(what.over(), saved), () -> save(false, saved));
+  }
+
+  /** Asks what becomes of a file that another program has changed and that is to be saved. */
+  private void conflict(String sentence, Runnable over, Runnable merged) {
     known = FileState.CHANGED; // asked here, so not again when the window gets the focus
     List<OnDisk> possible = new ArrayList<>(List.of(OnDisk.KEEP, OnDisk.OVERWRITE));
     if (session.document().locked().isEmpty()) {
       possible.add(OnDisk.MERGE);
     }
     switch (questions.changedOnDisk(sentence, possible)) {
-      case OVERWRITE -> write(what.over(), saved);
-      case MERGE -> merge(() -> save(false, saved));
+      case OVERWRITE -> over.run();
+      case MERGE -> merge(merged);
       case KEEP, TAKE -> session.message(Texts.of("merge.kept"));
     }
   }
@@ -304,7 +346,7 @@ final class DocumentSaver {
     if (now == FileState.GONE) {
       session.message(Texts.of("window.gone", path.toString()));
     } else if (now == FileState.CHANGED) {
-      boolean mergeable = session.document().modified() && session.document().locked().isEmpty();
+      boolean mergeable = session.document().locked().isEmpty();
       List<OnDisk> possible =
           mergeable
               ? List.of(OnDisk.KEEP, OnDisk.TAKE, OnDisk.MERGE)

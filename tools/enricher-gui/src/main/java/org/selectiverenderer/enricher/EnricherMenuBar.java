@@ -124,6 +124,7 @@ final class EnricherMenuBar {
     JMenu menu = menu("menu.scene");
     menu.add(command("menu.ratings", "ctrl R", () -> dialogs.ratings(Optional.empty())));
     menu.add(command("menu.versions", "ctrl M", dialogs::versions));
+    menu.add(command("menu.versions.many", "", dialogs::manyVersions));
     areas(menu);
     return menu;
   }

@@ -26,6 +26,30 @@ class DocumentSaverConflictsTest extends DocumentSaverFixture {
   }
 
   @Test
+  void anOutsideEditIsAskedAboutBeforeTheChangesAreShown() throws Exception {
+    type();
+    theirs();
+    assertThat(save(true)).isFalse();
+    assertThat(answers.asked).containsExactly("changed [KEEP, OVERWRITE, MERGE]");
+    answers.asked.clear();
+    answers.onDisk = UserPrompts.OnDisk.OVERWRITE;
+    assertThat(save(true)).isTrue();
+    assertThat(answers.asked).containsExactly("changed [KEEP, OVERWRITE, MERGE]", "review");
+    assertThat(onDisk()).contains("mine").doesNotContain("theirs");
+  }
+
+  @Test
+  void aFileThatWasMergedIsShownAndSaved() throws Exception {
+    type();
+    theirs();
+    answers.onDisk = UserPrompts.OnDisk.MERGE;
+    assertThat(save(true)).isTrue();
+    assertThat(answers.asked)
+        .containsExactly("changed [KEEP, OVERWRITE, MERGE]", "conflicts 0", "review");
+    assertThat(onDisk()).contains("mine").contains("theirs");
+  }
+
+  @Test
   void aChangeOnTheDiskIsAskedAboutOnce() throws Exception {
     saving.lookAtDisk(() -> done++);
     result();
@@ -34,7 +58,7 @@ class DocumentSaverConflictsTest extends DocumentSaverFixture {
     result();
     saving.lookAtDisk(() -> done++);
     result();
-    assertThat(answers.asked).containsExactly("changed [KEEP, TAKE]");
+    assertThat(answers.asked).containsExactly("changed [KEEP, TAKE, MERGE]");
   }
 
   /** Another program has added a comment behind the scene. */
