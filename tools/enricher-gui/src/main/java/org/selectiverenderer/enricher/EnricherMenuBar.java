@@ -72,6 +72,10 @@ final class EnricherMenuBar {
     menu.add(command("menu.open", "ctrl O", window.opening()::chooseAndOpen));
     recent.addMenuListener(new Opening(this::listRecent));
     menu.add(recent);
+    menu.add(new MenuAction(Texts.of("run.inline"), "ctrl I", runs::openInline));
+    menu.add(
+        new MenuAction(Texts.of("run.inlinewindow"), "ctrl shift I", runs::openInlineInWindow));
+    menu.add(back);
     menu.add(command("menu.kept", "", window.opening()::askAboutKept));
     menu.addSeparator();
     menu.add(save);
@@ -133,11 +137,6 @@ final class EnricherMenuBar {
     menu.add(new MenuAction(Texts.of("run.run"), "F5", runs::run));
     menu.add(new MenuAction(Texts.of("run.runas"), "shift F5", runs::runAs));
     menu.add(new MenuAction(Texts.of("run.shown"), "", runs::showMessages));
-    menu.addSeparator();
-    menu.add(new MenuAction(Texts.of("run.inline"), "ctrl I", runs::openInline));
-    menu.add(
-        new MenuAction(Texts.of("run.inlinewindow"), "ctrl shift I", runs::openInlineInWindow));
-    menu.add(back);
     menu.addSeparator();
     menu.add(new MenuAction(Texts.of("run.studies"), "", runs::openStudies));
     return menu;
