@@ -28,7 +28,6 @@ final class EnricherMenuBar {
   private final EnricherWindow window;
   private final SceneDialogs dialogs;
   private final RunCommands runs;
-  private final MenuAction back;
   private final EnricherSettings settings;
   private final JMenuBar bar = new JMenuBar();
   private final FileMenu file;
@@ -39,11 +38,10 @@ final class EnricherMenuBar {
   EnricherMenuBar(
       EnricherWindow window, SceneDialogs dialogs, RunCommands runs, EnricherSettings settings) {
     this.runs = runs;
-    back = new MenuAction(Texts.of("run.backnone"), "alt LEFT", runs::back);
     this.window = window;
     this.dialogs = dialogs;
     this.settings = settings;
-    file = new FileMenu(window, settings);
+    file = new FileMenu(window, runs, settings);
     undo = command("menu.undo", "ctrl Z", window::undo);
     redo = command("menu.redo", "ctrl shift Z", window::redo);
     bar.add(file.menu());
@@ -116,11 +114,6 @@ final class EnricherMenuBar {
     menu.add(new MenuAction(Texts.of("run.run"), "F5", runs::run));
     menu.add(new MenuAction(Texts.of("run.runas"), "shift F5", runs::runAs));
     menu.add(new MenuAction(Texts.of("run.shown"), "", runs::showMessages));
-    menu.addSeparator();
-    menu.add(new MenuAction(Texts.of("run.inline"), "ctrl I", runs::openInline));
-    menu.add(
-        new MenuAction(Texts.of("run.inlinewindow"), "ctrl shift I", runs::openInlineInWindow));
-    menu.add(back);
     menu.addSeparator();
     menu.add(new MenuAction(Texts.of("run.studies"), "", runs::openStudies));
     return menu;
@@ -250,8 +243,7 @@ final class EnricherMenuBar {
     Optional<UndoHistory> history = window.session().map(session -> session.document().history());
     file.refresh();
     String from = runs.from().map(file -> String.valueOf(file.getFileName())).orElse("");
-    back.rename(from.isEmpty() ? Texts.of("run.backnone") : Texts.of("run.back", from));
-    back.setEnabled(!from.isEmpty());
+    file.back(from);
     name(undo, "menu.undo", history.flatMap(UndoHistory::undoName).map(steps::shown));
     name(redo, "menu.redo", history.flatMap(UndoHistory::redoName).map(steps::shown));
   }

@@ -72,6 +72,10 @@ public final class SceneTreePanel {
     pause.setRepeats(false);
     search.getDocument().addDocumentListener(new TextChangeListener(pause::restart));
     search.addActionListener(event -> nextHit());
+    if (nothingEnrichable()) {
+      model.showNodesOnly(false);
+      extent.setSelectedIndex(WHOLE);
+    }
     extent.getAccessibleContext().setAccessibleName(Texts.of("nodes.extent"));
     extent.addActionListener(event -> extentChosen());
     panel.add(search, "growx, wmin 0, wrap");
@@ -99,6 +103,15 @@ public final class SceneTreePanel {
     session.addSelectionListener(selecting);
     session.document().addListener(changing);
     expandTop();
+  }
+
+  /** Whether the scene has no Switch and no sensor yet, of which the tree would show nothing. */
+  private boolean nothingEnrichable() {
+    return session
+        .document()
+        .tree()
+        .filter(tree -> tree.switches().isEmpty() && tree.sensors().isEmpty())
+        .isPresent();
   }
 
   /** Sets the fixed row height, which a large model needs, from the font. */
@@ -311,7 +324,11 @@ public final class SceneTreePanel {
         .ifPresent(
             fault ->
                 waiting.setText(
-                    Texts.of("node.treeWaits", Integer.toString(fault.location().line()))));
+                    Texts.of(
+                        "node.treeWaits",
+                        fault.location().line(),
+                        Integer.toString(fault.location().line()),
+                        fault.message())));
   }
 
   /** Stops following the session. */
