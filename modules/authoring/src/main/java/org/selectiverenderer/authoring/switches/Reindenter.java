@@ -4,18 +4,18 @@ package org.selectiverenderer.authoring.switches;
  * Changes the indentation of an element's lines. Only lines that begin with a tag or a comment
  * change, so that attribute values and scripts keep every character.
  */
-final class Reindenter {
+public final class Reindenter {
   private static final String PROGRAM = "<![CDATA[";
 
   private Reindenter() {}
 
   /** Indents all lines but the first. */
-  static String deeper(String element, String step) {
+  public static String deeper(String element, String step) {
     return moved(element, step, true);
   }
 
   /** Unindents all lines but the first, if they are indented. */
-  static String shallower(String element, String step) {
+  public static String shallower(String element, String step) {
     return moved(element, step, false);
   }
 
