@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.tree;
 
+import java.awt.Rectangle;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -11,6 +12,7 @@ import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.JTree;
+import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import javax.swing.ToolTipManager;
 import javax.swing.tree.TreePath;
@@ -222,8 +224,24 @@ public final class SceneTreePanel {
         () -> {
           Optional<TreePath> path = element.flatMap(model::path);
           tree.setSelectionPath(path.orElse(null));
-          path.ifPresent(tree::scrollPathToVisible);
+          path.ifPresent(this::scrollTo);
         });
+  }
+
+  /** Scrolls to a row, sideways too: of deep nodes a tree would show the first letter only. */
+  private void scrollTo(TreePath path) {
+    tree.scrollPathToVisible(path);
+    sideways(path);
+    // Once more: a scroll bar that comes up for it takes the last row's place.
+    SwingUtilities.invokeLater(() -> sideways(path));
+  }
+
+  private void sideways(TreePath path) {
+    Rectangle row = tree.getPathBounds(path);
+    if (row != null) {
+      row.width = Math.min(row.width, tree.getVisibleRect().width);
+      tree.scrollRectToVisible(row);
+    }
   }
 
   private void changed(org.selectiverenderer.authoring.DocumentListener.Change change) {
