@@ -1,6 +1,7 @@
 package org.selectiverenderer.enricher.tree;
 
 import java.awt.event.ActionEvent;
+import java.awt.Rectangle;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -14,6 +15,7 @@ import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.JTree;
 import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import javax.swing.ToolTipManager;
 import javax.swing.tree.TreePath;
@@ -258,7 +260,7 @@ public final class SceneTreePanel {
               elements.stream().flatMap(each -> model.path(each).stream()).distinct().toList();
           tree.setSelectionPaths(paths.toArray(new TreePath[0]));
           if (!paths.isEmpty()) {
-            tree.scrollPathToVisible(paths.get(paths.size() - 1));
+            scrollTo(paths.get(paths.size() - 1));
           }
         });
   }
@@ -287,6 +289,22 @@ public final class SceneTreePanel {
                 work.run();
               }
             });
+  }
+
+  /** Scrolls to a row, sideways too: of deep nodes a tree would show the first letter only. */
+  private void scrollTo(TreePath path) {
+    tree.scrollPathToVisible(path);
+    sideways(path);
+    // Once more: a scroll bar that comes up for it takes the last row's place.
+    SwingUtilities.invokeLater(() -> sideways(path));
+  }
+
+  private void sideways(TreePath path) {
+    Rectangle row = tree.getPathBounds(path);
+    if (row != null) {
+      row.width = Math.min(row.width, tree.getVisibleRect().width);
+      tree.scrollRectToVisible(row);
+    }
   }
 
   private void changed(org.selectiverenderer.authoring.DocumentListener.Change change) {
