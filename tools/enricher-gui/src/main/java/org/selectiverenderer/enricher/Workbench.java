@@ -105,7 +105,7 @@ final class Workbench {
     menu = new NodeMenu(session);
     structure =
         new StructureCommands(session, Toolkit.getDefaultToolkit().getSystemClipboard());
-    pictures = new VersionImageRenderer(asScene(session));
+    pictures = new VersionImageRenderer(() -> asScene(session));
     autosave = new Autosave(session, recovery);
     BudgetFileLocator budgets =
         new BudgetFileLocator(
@@ -390,6 +390,12 @@ final class Workbench {
   void lookAtFilesAgain() {
     preview.reload();
     cost.lookAtFilesAgain();
+  }
+
+  /** Reads the scene and its files again, as it may read from other folders and hosts now. */
+  void accessChanged() {
+    lookAtFilesAgain();
+    problems.checkAgain();
   }
 
   /** The viewer's pose in the preview; empty while there is none. */

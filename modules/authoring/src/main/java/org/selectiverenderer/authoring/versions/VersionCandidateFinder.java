@@ -150,6 +150,7 @@ public final class VersionCandidateFinder {
     }
     boolean group =
         element.use().isEmpty()
+            && !element.name().equals("ProtoInstance") // whose nodes are no elements of the scene
             && GroupingNodeChildren.isGroup(node.type())
             && !Set.of("Switch", "LOD", "GeoLOD", "CADFace").contains(node.type().name());
     Optional<MeasuredElement> result = group ? group(element, node) : leaf(element, node);
