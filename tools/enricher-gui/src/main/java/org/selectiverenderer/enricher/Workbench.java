@@ -16,6 +16,8 @@ import org.selectiverenderer.authoring.file.CrashRecovery;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.browser.viewer.Pose;
 import org.selectiverenderer.enricher.menu.StructureCommands;
+import org.selectiverenderer.enricher.insert.InsertCommands;
+import org.selectiverenderer.enricher.area.DuplicateShifts;
 import org.selectiverenderer.enricher.tree.NodeDrop;
 import org.selectiverenderer.authoring.structure.ChildPosition;
 import org.selectiverenderer.enricher.text.MnemonicText;
@@ -86,6 +88,7 @@ final class Workbench {
   private final NodeMenu menu;
   private final StructureCommands structure;
   private final FocusedKeys focused;
+  private final InsertCommands insert;
   private final List<Runnable> disposals = new ArrayList<>();
 
   /**
@@ -155,6 +158,8 @@ final class Workbench {
     focused = new FocusedKeys(all, List.of(tree.component(), preview, plan));
     addMenus(makeVersions);
     addTreeKeys();
+    structure.shifts(new DuplicateShifts(preview.probe()));
+    insert = new InsertCommands(session, structure, this::here);
     disposals.add(focused::dispose);
     disposals.add(autosave::dispose);
     disposals.add(problems::dispose);
@@ -206,6 +211,13 @@ final class Workbench {
             "ctrl D",
             element -> structure.removable(),
             element -> nodes(StructureCommands::duplicate)));
+    menu.add(
+        new NodeCommand(
+            "insertNode",
+            Texts.of("insert.node"),
+            "INSERT",
+            element -> session.document().locked().isEmpty(),
+            element -> insertNode()));
     menu.add(areas.commands(this::commit));
     menu.add(
         List.of(
@@ -241,6 +253,7 @@ final class Workbench {
     key("ctrl D", "node.duplicate", StructureCommands::duplicate);
     key("alt UP", "node.up", each -> each.step(false));
     key("alt DOWN", "node.down", each -> each.step(true));
+    tree.onKey("INSERT", MnemonicText.of(Texts.of("insert.node")).words(), this::insertNode);
     tree.onKey("F2", MnemonicText.of(Texts.of("area.rename.node")).words(), this::renameNode);
     tree.onDrop(
         new NodeDrop() {
@@ -271,6 +284,18 @@ final class Workbench {
   void nodes(Consumer<StructureCommands> work) {
     commit();
     work.accept(structure);
+  }
+
+  /** Inserts a template at the selection. */
+  void insert(String template) {
+    commit();
+    insert.insert(template, all);
+  }
+
+  /** Asks for a node to be inserted at the selection. */
+  void insertNode() {
+    commit();
+    insert.choose(all);
   }
 
   /** Does what a key does where the focus is, in a text for example, else acts on the nodes. */
