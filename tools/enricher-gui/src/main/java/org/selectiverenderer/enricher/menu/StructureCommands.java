@@ -142,8 +142,13 @@ public final class StructureCommands {
           if (!before.done()) {
             return;
           }
+          Optional<Integer> place = next.map(each -> edit.moved(each.start()));
           document().perform(edit);
-          session.select(next.filter(DocumentElement::attached).orElse(null), document());
+          session.select(
+              place
+                  .flatMap(at -> document().tree().flatMap(tree -> tree.at(at)))
+                  .orElse(null),
+              document());
           session.message(
               routes == 0
                   ? done
