@@ -152,6 +152,7 @@ final class EnricherMenuBar {
     menu.add(area("rename.node", "", AreaCommands::rename));
     menu.add(area("copy.node", "", AreaCommands::copy));
     menu.add(area("delete.node", "", AreaCommands::delete));
+    menu.add(ArrangeMenu.of(window));
     JMenu grid = menu("area.grid");
     grid.addMenuListener(new Opening(() -> listGrid(grid)));
     menu.add(grid);
