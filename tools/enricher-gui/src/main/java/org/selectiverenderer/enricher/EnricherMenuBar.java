@@ -14,6 +14,7 @@ import javax.swing.KeyStroke;
 import org.selectiverenderer.authoring.UndoHistory;
 import org.selectiverenderer.enricher.area.AreaCommands;
 import org.selectiverenderer.enricher.area.GridSetting;
+import org.selectiverenderer.enricher.menu.StructureCommands;
 import org.selectiverenderer.enricher.settings.EnricherSettings;
 import org.selectiverenderer.enricher.settings.Language;
 import org.selectiverenderer.enricher.settings.Theme;
@@ -27,7 +28,6 @@ final class EnricherMenuBar {
   private final EnricherWindow window;
   private final SceneDialogs dialogs;
   private final RunCommands runs;
-  private final MenuAction back;
   private final EnricherSettings settings;
   private final JMenuBar bar = new JMenuBar();
   private final FileMenu file;
@@ -38,11 +38,10 @@ final class EnricherMenuBar {
   EnricherMenuBar(
       EnricherWindow window, SceneDialogs dialogs, RunCommands runs, EnricherSettings settings) {
     this.runs = runs;
-    back = new MenuAction(Texts.of("run.backnone"), "alt LEFT", runs::back);
     this.window = window;
     this.dialogs = dialogs;
     this.settings = settings;
-    file = new FileMenu(window, settings);
+    file = new FileMenu(window, runs, settings);
     undo = command("menu.undo", "ctrl Z", window::undo);
     redo = command("menu.redo", "ctrl shift Z", window::redo);
     bar.add(file.menu());
@@ -58,6 +57,16 @@ final class EnricherMenuBar {
     menu.add(undo);
     menu.add(redo);
     menu.addSeparator();
+    menu.add(nodes("cut", "ctrl X", StructureCommands::cut));
+    menu.add(nodes("copy", "ctrl C", StructureCommands::copy));
+    menu.add(nodes("paste", "ctrl V", StructureCommands::paste));
+    menu.add(nodes("delete", "DELETE", StructureCommands::delete));
+    menu.add(
+        command(
+            "node.duplicate",
+            "",
+            with(bench -> bench.nodes(StructureCommands::duplicate))));
+    menu.addSeparator();
     menu.add(
         new MenuAction(Texts.of("overview.copy"), "ctrl alt C", with(Workbench::copyMetadata)));
     menu.add(
@@ -69,6 +78,10 @@ final class EnricherMenuBar {
     menu.add(command("menu.fix", "alt ENTER", with(Workbench::fixProblem)));
     source(menu);
     return menu;
+  }
+
+  private MenuAction nodes(String text, String key, Consumer<StructureCommands> work) {
+    return command("node." + text, key, with(bench -> bench.edit(key, work)));
   }
 
   /** Adds the commands of the source view, which bring it into view. */
@@ -102,11 +115,6 @@ final class EnricherMenuBar {
     menu.add(new MenuAction(Texts.of("run.runas"), "shift F5", runs::runAs));
     menu.add(new MenuAction(Texts.of("run.shown"), "", runs::showMessages));
     menu.addSeparator();
-    menu.add(new MenuAction(Texts.of("run.inline"), "ctrl I", runs::openInline));
-    menu.add(
-        new MenuAction(Texts.of("run.inlinewindow"), "ctrl shift I", runs::openInlineInWindow));
-    menu.add(back);
-    menu.addSeparator();
     menu.add(new MenuAction(Texts.of("run.studies"), "", runs::openStudies));
     return menu;
   }
@@ -116,9 +124,7 @@ final class EnricherMenuBar {
     menu.addSeparator();
     menu.add(area("add", "ctrl shift A", AreaCommands::addAroundSelection));
     menu.add(area("switch", "ctrl shift W", AreaCommands::makeSwitch));
-    menu.add(area("rename.node", "", AreaCommands::rename));
-    menu.add(area("copy.node", "", AreaCommands::copy));
-    menu.add(area("delete.node", "", AreaCommands::delete));
+    menu.add(area("rename.node", "F2", AreaCommands::rename));
     JMenu grid = menu("area.grid");
     grid.addMenuListener(new MenuOpeningListener(() -> listGrid(grid)));
     menu.add(grid);
@@ -237,8 +243,7 @@ final class EnricherMenuBar {
     Optional<UndoHistory> history = window.session().map(session -> session.document().history());
     file.refresh();
     String from = runs.from().map(file -> String.valueOf(file.getFileName())).orElse("");
-    back.rename(from.isEmpty() ? Texts.of("run.backnone") : Texts.of("run.back", from));
-    back.setEnabled(!from.isEmpty());
+    file.back(from);
     name(undo, "menu.undo", history.flatMap(UndoHistory::undoName).map(steps::shown));
     name(redo, "menu.redo", history.flatMap(UndoHistory::redoName).map(steps::shown));
   }

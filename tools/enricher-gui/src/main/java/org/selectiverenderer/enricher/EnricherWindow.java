@@ -56,9 +56,17 @@ final class EnricherWindow {
   private final SaveCommands saves;
   private final FileCommands files;
   private final EnricherMenuBar menus;
+  private final Runnable removeTypingFilter;
 
-  /** Refreshes title and menus after the edit, when its step is in the undo history. */
-  private final DocumentListener titles = change -> EventQueue.invokeLater(this::refresh);
+  /**
+   * Refreshes title and menus after the edit, when its step is in the undo history. What was said
+   * of an action before is no longer so; the edit's own message comes after it.
+   */
+  private final DocumentListener titles =
+      change -> {
+        status.say("");
+        EventQueue.invokeLater(this::refresh);
+      };
 
   private @Nullable Workbench bench;
 
@@ -114,6 +122,7 @@ final class EnricherWindow {
     menus = new EnricherMenuBar(this, dialogs, runs, settings);
     frame.setJMenuBar(menus.bar());
     menus.moreKeys(frame.getRootPane());
+    removeTypingFilter = AcceleratorTypingFilter.install(menus.bar());
     frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
     frame.addWindowListener(
         new WindowAdapter() {
@@ -238,6 +247,7 @@ final class EnricherWindow {
     bench = opened;
     saves.begin(opened);
     session.document().addListener(titles);
+    session.addSelectionListener((element, origin) -> status.say(""));
     content.removeAll();
     content.add(opened.component(), BorderLayout.CENTER);
     FileDropHandler.install(opened.component(), this::dropped);
@@ -336,6 +346,7 @@ final class EnricherWindow {
    */
   void dispose() {
     letGo(false);
+    removeTypingFilter.run();
     runs.dispose();
     status.dispose();
     tasks.close();

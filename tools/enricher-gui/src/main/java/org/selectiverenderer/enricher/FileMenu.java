@@ -12,14 +12,16 @@ final class FileMenu {
   private final EnricherWindow window;
   private final JMenu menu = new JMenu(command("menu.file", "", () -> {}));
   private final JMenu recent = new JMenu(command("menu.recent", "", () -> {}));
+  private final MenuAction back;
   private final JCheckBoxMenuItem review =
       new JCheckBoxMenuItem(command("menu.review", "", () -> {}));
 
   /** The commands that need an open scene. */
   private final List<MenuAction> ofScene;
 
-  FileMenu(EnricherWindow window, EnricherSettings settings) {
+  FileMenu(EnricherWindow window, RunCommands runs, EnricherSettings settings) {
     this.window = window;
+    back = new MenuAction(Texts.of("run.backnone"), "alt LEFT", runs::back);
     MenuAction save = command("menu.save", "ctrl S", window.saves()::save);
     MenuAction saveAs = command("menu.saveas", "ctrl shift S", window.saves()::saveAs);
     MenuAction changes = command("menu.changes", "ctrl D", window.saves()::showChanges);
@@ -34,6 +36,9 @@ final class FileMenu {
     menu.add(command("window.opennew", "ctrl shift O", window.files()::openInNewWindow));
     recent.addMenuListener(new MenuOpeningListener(this::listRecent));
     menu.add(recent);
+    menu.add(command("run.inline", "ctrl I", runs::openInline));
+    menu.add(command("run.inlinewindow", "ctrl shift I", runs::openInlineInWindow));
+    menu.add(back);
     menu.add(command("menu.kept", "", window.opening()::askAboutKept));
     menu.addSeparator();
     menu.add(save);
@@ -69,6 +74,16 @@ final class FileMenu {
 
   JMenu menu() {
     return menu;
+  }
+
+  /**
+   * Names the scene that Back goes to.
+   *
+   * @param from empty for none
+   */
+  void back(String from) {
+    back.rename(from.isEmpty() ? Texts.of("run.backnone") : Texts.of("run.back", from));
+    back.setEnabled(!from.isEmpty());
   }
 
   /** Whether changes are shown before they are saved. */
