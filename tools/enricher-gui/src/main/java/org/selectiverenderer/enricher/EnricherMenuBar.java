@@ -141,6 +141,7 @@ final class EnricherMenuBar {
     menu.add(area("add", "ctrl shift A", AreaCommands::addAroundSelection));
     menu.add(area("switch", "ctrl shift W", AreaCommands::makeSwitch));
     menu.add(area("rename.node", "F2", AreaCommands::rename));
+    menu.add(ArrangeMenu.of(window));
     JMenu grid = menu("area.grid");
     grid.addMenuListener(new MenuOpeningListener(() -> listGrid(grid)));
     menu.add(grid);

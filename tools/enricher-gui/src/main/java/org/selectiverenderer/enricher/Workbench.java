@@ -35,6 +35,8 @@ import org.selectiverenderer.enricher.menu.NodeEditCommands;
 import org.selectiverenderer.enricher.menu.NodeMenu;
 import org.selectiverenderer.enricher.overview.MetadataClipboard;
 import org.selectiverenderer.enricher.overview.OverviewPanel;
+import org.selectiverenderer.enricher.placement.HandleSettings;
+import org.selectiverenderer.enricher.placement.PlacementCommands;
 import org.selectiverenderer.enricher.plan.PlanPanel;
 import org.selectiverenderer.enricher.preview.PreviewPanel;
 import org.selectiverenderer.enricher.preview.VersionImageRenderer;
@@ -76,6 +78,7 @@ final class Workbench {
   private final JSplitPane schemas;
   private final CollapsibleSplit schemasAndCosts;
   private final AreaCommands areas;
+  private final PlacementCommands placement;
   private final PlanPanel plan;
   private final HelpPanel help;
   private final ProblemsPanel problems;
@@ -143,6 +146,9 @@ final class Workbench {
     NamePrompt names = new NameDialog(() -> tabs);
     areas = new AreaCommands(session, preview.probe(), names);
     preview.grid(grid::step);
+    HandleSettings handles = new HandleSettings();
+    preview.handles(handles);
+    placement = new PlacementCommands(session, preview.probe());
     preview.addAction(
         Texts.of("area.add.short"), Texts.of("area.add.tip"), areas::addAroundSelection);
     plan = new PlanPanel(session, areas, names, grid);
@@ -219,6 +225,7 @@ final class Workbench {
             element -> session.document().locked().isEmpty(),
             element -> insertNode()));
     menu.add(areas.commands(this::commit));
+    menu.add(placement.commands());
     menu.add(
         List.of(
             new NodeCommand(
@@ -409,6 +416,11 @@ final class Workbench {
   /** The commands for areas, Switches and nodes. */
   AreaCommands areas() {
     return areas;
+  }
+
+  /** The commands that place selected nodes. */
+  PlacementCommands placement() {
+    return placement;
   }
 
   /** Reads the version files again, which may have changed although the document has not. */

@@ -5,6 +5,7 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.apparatus.MouseButtonMapping;
 import org.selectiverenderer.browser.camera.Camera;
+import org.selectiverenderer.browser.collision.RayCaster;
 import org.selectiverenderer.browser.navigation.KeyboardMouseControls;
 import org.selectiverenderer.browser.navigation.NavigationCommand;
 import org.selectiverenderer.browser.viewer.Pose;
@@ -143,6 +144,11 @@ final class PreviewController implements AutoCloseable {
     if (scene != null) {
       eye.cast(scene, x, y).ifPresent(hit -> eye.orbit().pivot(hit.point()));
     }
+  }
+
+  /** Returns the nearest hit of the ray through a pixel. */
+  Optional<RayCaster.Hit> cast(int x, int y) {
+    return scene == null ? Optional.empty() : eye.cast(scene, x, y);
   }
 
   /** Tells the walked scene which pixel the pointer is over. */
