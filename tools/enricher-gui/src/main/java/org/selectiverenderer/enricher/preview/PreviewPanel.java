@@ -246,6 +246,11 @@ public final class PreviewPanel extends JPanel {
     return view;
   }
 
+  /** The words about what is measured. */
+  String measured() {
+    return measure.words();
+  }
+
   /** The text of the status line. */
   String message() {
     return foot.message();
