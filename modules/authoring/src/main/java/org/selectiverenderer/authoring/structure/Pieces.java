@@ -13,6 +13,7 @@ import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.authoring.UniqueNameGenerator;
 import org.selectiverenderer.x3d.catalogue.ContainerFieldRules;
 import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.ElementScope;
 import org.selectiverenderer.x3d.source.SourceAttribute;
 import org.selectiverenderer.x3d.source.TextEdit;
 
@@ -56,9 +57,9 @@ final class Pieces {
         });
     elements.forEach(
         element ->
-            element.visit(
+            ElementScope.visitWithin(element, 
                 each -> each.def().ifPresent(def -> renamed.computeIfAbsent(def, names::unused))));
-    elements.forEach(element -> element.visit(each -> follow(each, renamed)));
+    elements.forEach(element -> ElementScope.visitWithin(element, each -> follow(each, renamed)));
   }
 
   private void follow(DocumentElement element, Map<String, String> renamed) {
@@ -100,7 +101,7 @@ final class Pieces {
     Set<String> defined = new HashSet<>();
     elements.forEach(
         element ->
-            element.visit(
+            ElementScope.visitWithin(element, 
                 each -> {
                   each.use().filter(use -> !defined.contains(use)).ifPresent(open::add);
                   each.def().ifPresent(defined::add);
@@ -111,7 +112,7 @@ final class Pieces {
   /** Returns the names that are defined in the elements. */
   Set<String> defined() {
     Set<String> defined = new HashSet<>();
-    elements.forEach(element -> element.visit(each -> each.def().ifPresent(defined::add)));
+    elements.forEach(element -> ElementScope.visitWithin(element, each -> each.def().ifPresent(defined::add)));
     return defined;
   }
 

@@ -17,6 +17,7 @@ import org.selectiverenderer.authoring.UniqueNameGenerator;
 import org.selectiverenderer.authoring.nodes.NodeEdits;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.ElementScope;
 import org.selectiverenderer.x3d.source.ElementTree;
 import org.selectiverenderer.x3d.source.TextEdit;
 
@@ -95,8 +96,8 @@ public final class StructureEdits {
     Pieces pieces = new Pieces(fragment.document(), fragment.elements());
     place(pieces, fragment.elements(), position.parent(), Set.of());
     TextEdit where = insertion(position, Set.of(), List.of("<N/>"));
-    defined(pieces.open(), where.from(), Set.of());
-    pieces.rename(new UniqueNameGenerator(tree()), Map.of());
+    defined(pieces.open(), position.parent(), where.from(), Set.of());
+    pieces.rename(new UniqueNameGenerator(tree(), position.parent()), Map.of());
     TextEdit change = insertion(position, Set.of(), pieces.lines());
     int count = fragment.elements().size();
     return new StructureChange(
@@ -131,9 +132,9 @@ public final class StructureEdits {
         .orElseThrow(() -> new EditRejectedException(nowhere(elements, target)));
   }
 
-  /** Returns a node's text without names and white space, by which a node knows its copy. */
+  /** Returns a node's text by which it knows its copies: without numbers of names, white space. */
   private static String bare(String text) {
-    return text.replaceAll("\\b(DEF|USE)\\s*=\\s*('[^']*'|\"[^\"]*\")|\\s+", "");
+    return text.replaceAll("_[1-9][0-9]*(?=['\"])|\\s+", "");
   }
 
   /** Returns the first element that no free field of a parent takes; empty if all fit. */
@@ -204,7 +205,7 @@ public final class StructureEdits {
       if (each.contains(parent)) {
         throw new EditRejectedException(each + " cannot be moved into itself");
       }
-      if (scope(each) != scope(parent)) {
+      if (!ElementScope.shared(each, parent)) {
         throw new EditRejectedException(
             "The body of a prototype has names of its own: copy " + each + " and paste it instead");
       }
@@ -216,8 +217,8 @@ public final class StructureEdits {
     pieces.written();
     place(pieces, all, parent, leaving);
     int at = insertion(position, leaving, List.of("<N/>")).from();
-    defined(pieces.open(), at, leaving);
-    usedAfter(pieces.defined(), at, leaving);
+    defined(pieces.open(), parent, at, leaving);
+    usedAfter(pieces.defined(), parent, at, leaving);
     SourceFormatter layout = document.layout();
     List<TextEdit> changes = new ArrayList<>();
     all.forEach(each -> changes.add(layout.remove(each)));
@@ -234,8 +235,8 @@ public final class StructureEdits {
     Pieces pieces = new Pieces(document, all);
     place(pieces, all, position.parent(), Set.of());
     int at = insertion(position, Set.of(), List.of("<N/>")).from();
-    defined(pieces.open(), at, Set.of());
-    pieces.rename(new UniqueNameGenerator(tree()), Map.of());
+    defined(pieces.open(), position.parent(), at, Set.of());
+    pieces.rename(new UniqueNameGenerator(tree(), position.parent()), Map.of());
     TextEdit change = insertion(position, Set.of(), pieces.lines());
     return new StructureChange(
         new Edit("Copy " + called(all), List.of(change)),
@@ -299,9 +300,10 @@ public final class StructureEdits {
   }
 
   /** Refuses a place before the nodes that are referred to there. */
-  private void defined(Set<String> names, int at, Set<DocumentElement> leaving) {
+  private void defined(
+      Set<String> names, DocumentElement parent, int at, Set<DocumentElement> leaving) {
     for (String name : names) {
-      Optional<DocumentElement> node = tree().named(name);
+      Optional<DocumentElement> node = tree().named(name, parent);
       if (node.isEmpty()) {
         throw new EditRejectedException(
             "It uses the node %s (USE), which this scene does not have; copy that one along"
@@ -317,30 +319,21 @@ public final class StructureEdits {
   }
 
   /** Refuses a place after nodes that refer to what is moved there. */
-  private void usedAfter(Set<String> names, int at, Set<DocumentElement> leaving) {
-    tree()
-        .root()
-        .visit(
-            each -> {
-              boolean before =
-                  each.use().filter(names::contains).isPresent()
-                      && each.start() < at
-                      && leaving.stream().noneMatch(moved -> moved.contains(each));
-              if (before) {
-                throw new EditRejectedException(
-                    "%s is used in line %d (USE) and must stay before that"
-                        .formatted(
-                            each.use().orElse(""), document.location(each.start()).line()));
-              }
-            });
-  }
-
-  private static DocumentElement scope(DocumentElement element) {
-    DocumentElement at = element;
-    while (at.parent().isPresent() && !at.name().equals("ProtoBody")) {
-      at = at.parent().get();
-    }
-    return at;
+  private void usedAfter(
+      Set<String> names, DocumentElement parent, int at, Set<DocumentElement> leaving) {
+    ElementScope.visit(
+        parent,
+        each -> {
+          boolean before =
+              each.use().filter(names::contains).isPresent()
+                  && each.start() < at
+                  && leaving.stream().noneMatch(moved -> moved.contains(each));
+          if (before) {
+            throw new EditRejectedException(
+                "%s is used in line %d (USE) and must stay before that"
+                    .formatted(each.use().orElse(""), document.location(each.start()).line()));
+          }
+        });
   }
 
   private TextEdit insertion(
@@ -380,7 +373,8 @@ public final class StructureEdits {
    */
   public StructureChange duplicate(List<DocumentElement> elements, DuplicateShift shift) {
     List<DocumentElement> all = outermost(elements);
-    UniqueNameGenerator names = new UniqueNameGenerator(tree());
+    ElementTree tree = tree();
+    Map<DocumentElement, UniqueNameGenerator> scopes = new HashMap<>();
     List<StructureChange.Added> added = new ArrayList<>();
     for (DocumentElement each : all) {
       if (!NodeEdits.removable(each)) {
@@ -389,6 +383,9 @@ public final class StructureEdits {
       DocumentElement parent = each.parent().orElseThrow();
       Pieces pieces = new Pieces(document, List.of(each));
       place(pieces, List.of(each), parent, Set.of());
+      UniqueNameGenerator names =
+          scopes.computeIfAbsent(
+              ElementScope.of(each), scope -> new UniqueNameGenerator(tree, each));
       Map<DocumentElement, String> wanted = new HashMap<>();
       each.def().ifPresent(def -> wanted.put(each, names.unused(def)));
       pieces.rename(names, wanted);
