@@ -14,7 +14,7 @@ import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** Finds the fields of elements that hold urls: those of type MFString named url or so. */
-final class UrlFields {
+public final class UrlFields {
   /** Fields that the author of a prototype or script has declared, and their values. */
   private static final Set<String> OWN = Set.of("field", "fieldValue");
 
@@ -23,18 +23,19 @@ final class UrlFields {
    *
    * @param attribute the attribute that holds the urls
    */
-  record UrlField(DocumentElement element, String attribute, List<String> urls) {}
+  public record UrlField(DocumentElement element, String attribute, List<String> urls) {}
 
   private final NodeCatalogue catalogue;
   private final Map<String, List<String>> names = new HashMap<>();
 
-  UrlFields(NodeCatalogue catalogue) {
+  /** Creates a finder that knows the fields of the nodes in a catalogue. */
+  public UrlFields(NodeCatalogue catalogue) {
     this.catalogue = catalogue;
     names.put("ExternProtoDeclare", List.of("url"));
   }
 
   /** Returns the fields with urls, in document order. */
-  List<UrlField> of(List<DocumentElement> elements) {
+  public List<UrlField> of(List<DocumentElement> elements) {
     List<UrlField> found = new ArrayList<>();
     for (DocumentElement element : elements) {
       if (OWN.contains(element.name())) {
