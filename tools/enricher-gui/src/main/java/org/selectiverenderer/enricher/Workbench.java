@@ -140,7 +140,7 @@ final class Workbench {
     placement = new PlacementCommands(session, preview.probe());
     preview.addAction(
         Texts.of("area.add.short"), Texts.of("area.add.tip"), areas::addAroundSelection);
-    plan = new PlanPanel(session, areas, names, grid);
+    plan = new PlanPanel(session, areas, names, grid, handles);
     addTab("Preview", Texts.of("window.tab.preview"), preview);
     addTab("Schemas", Texts.of("window.tab.schemas"), schemasAndCosts);
     addTab("Source", Texts.of("window.tab.source"), source.component());
