@@ -142,7 +142,7 @@ final class PreviewCanvas extends AccessibleCanvas {
         .ifPresent(
             count ->
                 text.append("  (")
-                    .append(Texts.of("counts.polygons", count, DecimalFormatter.grouped(count)))
+                    .append(Texts.of("counts.inarea", count, DecimalFormatter.grouped(count)))
                     .append(')'));
     return text.toString();
   }

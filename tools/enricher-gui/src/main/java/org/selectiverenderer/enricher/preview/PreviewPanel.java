@@ -103,7 +103,7 @@ public final class PreviewPanel extends JPanel {
         new PreviewUpdater(
             session.document(),
             () -> session.file().path(),
-            session.access(),
+            session::access,
             thread,
             new Loading());
     feed.now();
