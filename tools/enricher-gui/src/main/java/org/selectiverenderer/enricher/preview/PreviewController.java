@@ -6,6 +6,7 @@ import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.apparatus.MouseButtonMapping;
 import org.selectiverenderer.browser.camera.Camera;
+import org.selectiverenderer.browser.collision.RayCaster;
 import org.selectiverenderer.browser.navigation.KeyboardMouseControls;
 import org.selectiverenderer.browser.navigation.NavigationCommand;
 import org.selectiverenderer.browser.viewer.Pose;
@@ -144,6 +145,11 @@ final class PreviewController implements AutoCloseable {
     if (scene != null) {
       eye.cast(scene, x, y).ifPresent(hit -> eye.orbit().pivot(hit.point()));
     }
+  }
+
+  /** Returns the nearest hit of the ray through a pixel. */
+  Optional<RayCaster.Hit> cast(int x, int y) {
+    return scene == null ? Optional.empty() : eye.cast(scene, x, y);
   }
 
   /** Tells the walked scene which pixel the pointer is over. */

@@ -50,6 +50,9 @@ public final class SceneTreePanel {
   private final org.selectiverenderer.authoring.DocumentListener changing = this::changed;
   private boolean following;
 
+  /** Of the text whose elements the rows are. */
+  private long revision;
+
   /**
    * @param faulty tests whether an element has a problem
    */
@@ -102,6 +105,7 @@ public final class SceneTreePanel {
         .setAccessibleName(Texts.of("nodes.scroll"));
     panel.add(scroll, "grow, wmin 0, hmin 0, wrap");
     panel.add(waiting, "growx, wmin 0"); // below the tree, which thus does not move
+    revision = session.document().revision();
     session.addSelectionListener(selecting);
     session.document().addListener(changing);
     expandTop();
@@ -247,7 +251,8 @@ public final class SceneTreePanel {
   }
 
   private void follow(Optional<DocumentElement> element, Object origin) {
-    if (origin != this) {
+    // While an edit is told to the others, the rows are still those before it.
+    if (origin != this && session.document().revision() == revision) {
       show(session.selectedElements());
     }
   }
@@ -309,6 +314,7 @@ public final class SceneTreePanel {
 
   private void changed(org.selectiverenderer.authoring.DocumentListener.Change change) {
     showWaiting();
+    revision = change.revision();
     if (session.document().tree().isEmpty()) {
       tree.repaint(); // keeps the last elements, greyed
       return;
