@@ -413,6 +413,11 @@ final class Workbench {
     }
   }
 
+  /** Finds the places onto which models are dropped. */
+  ModelDropTarget drops() {
+    return new ModelDropTarget(preview, plan, tree.component());
+  }
+
   /** The commands for areas, Switches and nodes. */
   AreaCommands areas() {
     return areas;

@@ -1,8 +1,10 @@
 package org.selectiverenderer.enricher.plan;
 
 import java.awt.Component;
+import java.awt.Point;
 import java.awt.event.ActionEvent;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import javax.swing.AbstractAction;
 import javax.swing.JButton;
@@ -16,6 +18,7 @@ import javax.swing.JSpinner;
 import javax.swing.JToolBar;
 import javax.swing.KeyStroke;
 import javax.swing.SpinnerNumberModel;
+import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
 import org.joml.Vector3d;
@@ -167,6 +170,18 @@ public final class PlanPanel extends JPanel {
     add(foot);
     getAccessibleContext().setAccessibleName(Texts.of("area.plan"));
     followGrid();
+  }
+
+  /**
+   * Returns the place under a point of a component in scene coordinates, at the height of the cut;
+   * empty outside of the picture.
+   */
+  public Optional<Vector3d> place(Component over, Point at) {
+    Point inside = SwingUtilities.convertPoint(over, at, view);
+    PlanTransform now = view.scale();
+    return view.contains(inside) && cut.getValue() instanceof Number y
+        ? Optional.of(new Vector3d(now.x(inside.x), y.doubleValue(), now.z(inside.y)))
+        : Optional.empty();
   }
 
   private void keys() {
