@@ -2,9 +2,13 @@ package org.selectiverenderer.enricher;
 
 import java.awt.Window;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.enricher.images.ImagesDialog;
 import org.selectiverenderer.enricher.ratings.RatingsDialog;
 import org.selectiverenderer.enricher.routes.RoutesDialog;
@@ -13,6 +17,7 @@ import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.enricher.versions.BatchVersionsDialog;
 import org.selectiverenderer.enricher.versions.VersionsDialog;
 import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.ElementTree;
 
 /** The dialogs that edit the open scene. What is being typed is committed before they open. */
 final class SceneDialogs {
@@ -96,9 +101,36 @@ final class SceneDialogs {
     Optional<Workbench> open = bench.get();
     open.ifPresent(Workbench::commit);
     if (open.isPresent() && object.attached()) {
-      new VersionsDialog(owner, open.get().session(), object).setVisible(true);
+      EnricherSession session = open.get().session();
+      Set<String> before = names(session);
+      int made = new VersionsDialog(owner, session, object).made();
       open.get().lookAtFilesAgain();
+      if (made > 0) {
+        switches(session).stream()
+            .filter(each -> each == object || !before.contains(each.def().orElse("")))
+            .findFirst()
+            .ifPresent(
+                each -> {
+                  session.select(each, this);
+                  say.accept(
+                      Texts.of(
+                          "versions.made",
+                          each.toString(),
+                          made,
+                          DecimalFormatter.grouped(made)));
+                });
+      }
     }
+  }
+
+  private static List<DocumentElement> switches(EnricherSession session) {
+    return session.document().tree().map(ElementTree::switches).orElse(List.of());
+  }
+
+  private static Set<String> names(EnricherSession session) {
+    return switches(session).stream()
+        .flatMap(each -> each.def().stream())
+        .collect(Collectors.toSet());
   }
 
   /**

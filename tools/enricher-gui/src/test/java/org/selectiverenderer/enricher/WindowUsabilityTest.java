@@ -278,24 +278,35 @@ class WindowUsabilityTest {
               });
       assertThat(english).isEmpty();
       GuiRobot.picture(window.frame().getRootPane(), "window-greek-scene", 1);
-      GuiRobot.onEdt(
-          () -> {
-            for (int i = 0; i < window.frame().getJMenuBar().getMenuCount(); i++) {
-              List<Integer> letters = new ArrayList<>();
-              for (Component item : window.frame().getJMenuBar().getMenu(i).getMenuComponents()) {
-                if (item instanceof AbstractButton button && button.getMnemonic() != 0) {
-                  letters.add(button.getMnemonic());
-                }
-              }
-              assertThat(letters)
-                  .as(window.frame().getJMenuBar().getMenu(i).getText())
-                  .doesNotHaveDuplicates();
-            }
-            return true;
-          });
+      assertLettersAreUnique();
     } finally {
       Locale.setDefault(Locale.Category.DISPLAY, before);
     }
+  }
+
+  @Test
+  void inEnglishTheLettersOfAMenuAreUniqueToo() throws IOException {
+    show();
+    open(scene());
+    assertLettersAreUnique();
+  }
+
+  private void assertLettersAreUnique() {
+    GuiRobot.onEdt(
+        () -> {
+          for (int i = 0; i < window.frame().getJMenuBar().getMenuCount(); i++) {
+            List<Integer> letters = new ArrayList<>();
+            for (Component item : window.frame().getJMenuBar().getMenu(i).getMenuComponents()) {
+              if (item instanceof AbstractButton button && button.getMnemonic() != 0) {
+                letters.add(button.getMnemonic());
+              }
+            }
+            assertThat(letters)
+                .as(window.frame().getJMenuBar().getMenu(i).getText())
+                .doesNotHaveDuplicates();
+          }
+          return true;
+        });
   }
 
   /** The texts of menus, buttons, labels and tabs in a container, and their tooltips. */

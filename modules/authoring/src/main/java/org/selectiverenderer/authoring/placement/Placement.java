@@ -51,7 +51,7 @@ public record Placement(
   }
 
   /** Returns whether a node stands in the scene as a child of a group. */
-  static boolean movable(NodeCatalogue catalogue, DocumentElement node) {
+  public static boolean movable(NodeCatalogue catalogue, DocumentElement node) {
     boolean shown =
         node.name().equals("ProtoInstance")
             || catalogue.find(node.name()).filter(type -> type.is("X3DBoundedObject")).isPresent();
@@ -69,7 +69,8 @@ public record Placement(
     return shown && place && child;
   }
 
-  private static boolean transforms(DocumentElement node) {
+  /** Returns whether a node is a Transform or one like it, whose pose can be changed. */
+  public static boolean transforms(DocumentElement node) {
     return TRANSFORMS.contains(node.name()) && node.use().isEmpty();
   }
 

@@ -134,7 +134,11 @@ public final class FormPanel extends JPanel {
         .fault()
         .map(
             fault ->
-                Texts.of("form.fault", String.valueOf(fault.location().line()), fault.message()))
+                Texts.of(
+                    "form.fault",
+                    fault.location().line(),
+                    Integer.toString(fault.location().line()),
+                    fault.message()))
         .orElse(Texts.of("form.choose"));
   }
 

@@ -5,6 +5,7 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.apparatus.MouseButtonMapping;
 import org.selectiverenderer.browser.camera.Camera;
+import org.selectiverenderer.browser.collision.RayCaster;
 import org.selectiverenderer.browser.navigation.KeyboardMouseControls;
 import org.selectiverenderer.browser.navigation.NavigationCommand;
 import org.selectiverenderer.browser.viewer.Pose;
@@ -29,7 +30,7 @@ final class PreviewController implements AutoCloseable {
   private int width;
   private final VersionOverride versions = new VersionOverride();
   private int height;
-  private List<SourceAnchor> selection = List.of();
+  private List<SelectedNode> selection = List.of();
   private List<String> schemas = List.of();
   private boolean changed;
 
@@ -129,7 +130,7 @@ final class PreviewController implements AutoCloseable {
   /** Frames the selected node. */
   void frameSelected() {
     if (scene != null && !moving()) {
-      eye.frame(scene, selection);
+      eye.frame(scene, selection.stream().map(SelectedNode::anchors).toList());
     }
   }
 
@@ -143,6 +144,11 @@ final class PreviewController implements AutoCloseable {
     if (scene != null) {
       eye.cast(scene, x, y).ifPresent(hit -> eye.orbit().pivot(hit.point()));
     }
+  }
+
+  /** Returns the nearest hit of the ray through a pixel. */
+  Optional<RayCaster.Hit> cast(int x, int y) {
+    return scene == null ? Optional.empty() : eye.cast(scene, x, y);
   }
 
   /** Tells the walked scene which pixel the pointer is over. */
@@ -175,14 +181,15 @@ final class PreviewController implements AutoCloseable {
   /** An element that was clicked on, in the text of a revision. */
   record Picked(SourceAnchor anchor, long revision) {}
 
-  /**
-   * Sets the selection of the document.
-   *
-   * @param anchors of the element and those around it, the nearest first
-   */
-  void select(List<SourceAnchor> anchors) {
-    changed |= !anchors.equals(selection);
-    selection = anchors;
+  /** Sets the selected nodes of the document, in the order of their selection. */
+  void select(List<SelectedNode> nodes) {
+    changed |= !nodes.equals(selection);
+    selection = nodes;
+  }
+
+  /** The anchors of the node selected last and of those around it, the nearest first. */
+  private List<SourceAnchor> last() {
+    return selection.isEmpty() ? List.of() : selection.get(selection.size() - 1).anchors();
   }
 
   /** The scene; for queries on this thread. */
@@ -209,7 +216,7 @@ final class PreviewController implements AutoCloseable {
    */
   void version(int steps) {
     if (scene != null && !moving()) {
-      versions.step(scene, selection, steps);
+      versions.step(scene, last(), steps);
     }
   }
 

@@ -16,6 +16,7 @@ import org.selectiverenderer.authoring.geometry.GeometryRepair;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.enricher.problems.ProblemEntry.Place;
+import org.selectiverenderer.enricher.text.AccessHint;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.DocumentError;
@@ -57,7 +58,8 @@ final class ProblemsModel {
     boolean here = problem.location().file().equals(document.name());
     Place place = here ? place(problem) : new Place.Elsewhere(problem.location());
     ProblemEntry found =
-        new ProblemEntry(problem.severity(), problem.message(), place, Optional.empty());
+        new ProblemEntry(
+            problem.severity(), AccessHint.inWindow(problem.message()), place, Optional.empty());
     return here ? found.with(repair(found)) : found;
   }
 
@@ -199,7 +201,10 @@ final class ProblemsModel {
     return all;
   }
 
-  ProblemCounts counts() {
-    return ProblemCounts.of(all, unenriched, enrichable);
+  /**
+   * @param checking whether the checks of the present text have not ended
+   */
+  ProblemCounts counts(boolean checking) {
+    return ProblemCounts.of(checking, all, unenriched, enrichable);
   }
 }
