@@ -121,6 +121,8 @@ final class EnricherMenuBar {
     menu.add(command("menu.ratings", "ctrl R", () -> dialogs.ratings(Optional.empty())));
     menu.add(command("menu.versions", "ctrl M", dialogs::versions));
     menu.add(command("menu.versions.many", "", dialogs::manyVersions));
+    menu.add(command("menu.images", "", dialogs::images));
+    menu.add(command("menu.routes", "", dialogs::routes));
     areas(menu);
     return menu;
   }

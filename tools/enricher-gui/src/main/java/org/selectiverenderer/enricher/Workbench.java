@@ -151,7 +151,7 @@ final class Workbench {
     placement = new PlacementCommands(session, preview.probe());
     preview.addAction(
         Texts.of("area.add.short"), Texts.of("area.add.tip"), areas::addAroundSelection);
-    plan = new PlanPanel(session, areas, names, grid);
+    plan = new PlanPanel(session, areas, names, grid, handles);
     addTab("Preview", Texts.of("window.tab.preview"), preview);
     addTab("Schemas", Texts.of("window.tab.schemas"), schemasAndCosts);
     addTab("Source", Texts.of("window.tab.source"), source.component());
@@ -413,6 +413,11 @@ final class Workbench {
     if (!inForm) {
       tabs.setSelectedComponent(source.component());
     }
+  }
+
+  /** Finds the places onto which models are dropped. */
+  ModelDropTarget drops() {
+    return new ModelDropTarget(preview, plan, tree.component());
   }
 
   /** The commands for areas, Switches and nodes. */
