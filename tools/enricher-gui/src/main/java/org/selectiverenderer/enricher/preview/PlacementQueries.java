@@ -6,7 +6,7 @@ import java.util.function.Function;
 import javax.swing.SwingUtilities;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
-import org.selectiverenderer.geometry.RayCaster;
+import org.selectiverenderer.browser.collision.RayCaster;
 
 /**
  * Finds places in the running scene where something can stand. Asked on the event dispatch thread,
