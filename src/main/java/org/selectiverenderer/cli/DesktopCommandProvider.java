@@ -9,6 +9,7 @@ import org.selectiverenderer.app.studies.window.StudyWindowApp;
 import org.selectiverenderer.base.files.SettingsFolder;
 import org.selectiverenderer.cli.author.ConvertCommand;
 import org.selectiverenderer.cli.author.EnrichCommand;
+import org.selectiverenderer.cli.author.ExportCommand;
 import org.selectiverenderer.cli.author.PolygonsCommand;
 import org.selectiverenderer.cli.author.SimplifyCommand;
 import org.selectiverenderer.cli.author.ValidateCommand;
@@ -44,6 +45,7 @@ public final class DesktopCommandProvider implements CommandProvider {
         "validate",
         "enrich",
         "convert",
+        "export",
         "simplify",
         "versions",
         "polygons",
@@ -65,6 +67,7 @@ public final class DesktopCommandProvider implements CommandProvider {
       case "validate" -> new ValidateCommand(console, context.input());
       case "enrich" -> new EnrichCommand(console, DesktopCommandProvider::enricher);
       case "convert" -> new ConvertCommand(console);
+      case "export" -> new ExportCommand(console);
       case "simplify" -> new SimplifyCommand(console);
       case "versions" -> new VersionsCommand(console);
       case "polygons" -> new PolygonsCommand(console);

@@ -1,0 +1,172 @@
+package org.selectiverenderer.export;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import org.selectiverenderer.authoring.Edit;
+import org.selectiverenderer.authoring.SceneDocument;
+import org.selectiverenderer.authoring.UniqueNameGenerator;
+import org.selectiverenderer.authoring.enrichment.DocumentEnrichment;
+import org.selectiverenderer.authoring.enrichment.EnrichedSensor;
+import org.selectiverenderer.authoring.enrichment.EnrichedSwitch;
+import org.selectiverenderer.authoring.packaging.PackageLayout;
+import org.selectiverenderer.authoring.packaging.PackagedFile;
+import org.selectiverenderer.authoring.packaging.ScenePackage;
+import org.selectiverenderer.authoring.packaging.ScenePackager;
+import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.schema.Condition;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.read.X3dReader;
+import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.ElementScope;
+import org.selectiverenderer.x3d.source.TextEdit;
+import org.selectiverenderer.x3d.source.XmlDocument;
+import org.selectiverenderer.x3d.url.ContentAccessPolicy;
+import org.selectiverenderer.x3d.url.UrlResolver;
+import org.selectiverenderer.x3d.write.SceneFormat;
+
+/**
+ * Exports an enriched scene with all its files, so that browsers render it selectively that know
+ * nothing of this program: a Script of the scene sets the choices of its Switches.
+ */
+public final class SceneExporter {
+  private static final String SCRIPT = "SchemaController";
+
+  private final NodeCatalogue catalogue;
+  private final ContentAccessPolicy access;
+  private final ProblemCollector problems;
+
+  /**
+   * Creates an exporter.
+   *
+   * @param access the files that scenes may read besides those of their own project
+   * @param problems receives what cannot be exported, as errors, and what other browsers may lack
+   */
+  public SceneExporter(
+      NodeCatalogue catalogue, ContentAccessPolicy access, ProblemCollector problems) {
+    this.catalogue = catalogue;
+    this.access = access;
+    this.problems = problems;
+  }
+
+  /**
+   * Exports a scene; nothing is written.
+   *
+   * @param condition the condition that the Script begins with
+   * @param seed the random seed of the condition {@code random}
+   * @param format the encoding of the scene; files that it names keep theirs
+   * @param name the file name of the exported scene
+   * @return empty if it cannot be exported, which is reported as an error
+   * @throws IOException if a file cannot be read, with a sentence
+   */
+  public Optional<ScenePackage> export(
+      Path scene, Condition condition, int seed, SceneFormat format, String name)
+      throws IOException {
+    Path folder = Objects.requireNonNull(scene.toRealPath().getParent());
+    UrlResolver resolver = new UrlResolver(folder, access);
+    Optional<SceneDocument> flat =
+        new InlineFlattener(catalogue, resolver, problems).flatten(scene);
+    if (flat.isEmpty()) {
+      return Optional.empty();
+    }
+    SceneDocument document = flat.get();
+    DocumentEnrichment enrichment = new DocumentEnrichment(document, catalogue);
+    if (!exportable(document, enrichment, scene)) {
+      return Optional.empty();
+    }
+    nameNodes(document, enrichment);
+    addScript(document, ControlledNodes.of(enrichment), condition, seed);
+    ScenePackager packager =
+        new ScenePackager(
+            catalogue, folder, access, PackageLayout.around(folder), () -> false);
+    ScenePackage files = packager.collect(scene, document.snapshot(), Path.of(name));
+    return format == SceneFormat.XML ? Optional.of(files) : encoded(files, format);
+  }
+
+  private boolean exportable(SceneDocument document, DocumentEnrichment enrichment, Path scene) {
+    List<DocumentElement> enriched = new ArrayList<>();
+    enrichment.switches().stream()
+        .filter(EnrichedSwitch::enriched)
+        .map(EnrichedSwitch::element)
+        .forEach(enriched::add);
+    boolean objects = !enriched.isEmpty();
+    enrichment.sensors().stream()
+        .filter(EnrichedSensor::enriched)
+        .map(EnrichedSensor::element)
+        .forEach(enriched::add);
+    if (!objects || document.tree().flatMap(tree -> tree.scene()).isEmpty()) {
+      problems.error(
+          SourceLocation.of(scene.toString()),
+          "the scene has no enriched object, so that there is nothing to control; enrich it first");
+      return false;
+    }
+    boolean all = true;
+    for (DocumentElement element : enriched) {
+      if (ElementScope.of(element).parent().isPresent()) {
+        problems.error(
+            element.location(),
+            "%s is in the declaration of a prototype, whose nodes no ROUTE of the scene reaches;"
+                    .formatted(element)
+                + " put the object itself into the scene to export it");
+        all = false;
+      } else if (element.isReference()) {
+        problems.error(
+            element.location(),
+            element + " comes from an entity of the DOCTYPE; write it out in the scene");
+        all = false;
+      }
+    }
+    return all;
+  }
+
+  /** Gives names to the enriched nodes that have none, for ROUTEs. */
+  private static void nameNodes(SceneDocument document, DocumentEnrichment enrichment) {
+    UniqueNameGenerator names =
+        new UniqueNameGenerator(
+            document.tree().orElseThrow(), document.tree().orElseThrow().scene().orElseThrow());
+    List<TextEdit> edits = new ArrayList<>();
+    enrichment.sensors().stream()
+        .filter(sensor -> sensor.enriched() && sensor.element().def().isEmpty())
+        .forEach(sensor -> edits.add(name(document, sensor.element(), names.unused("Area"))));
+    enrichment.switches().stream()
+        .filter(node -> node.enriched() && node.element().def().isEmpty())
+        .forEach(node -> edits.add(name(document, node.element(), names.unused("Switch"))));
+    if (!edits.isEmpty()) {
+      edits.sort(Comparator.comparingInt(TextEdit::from));
+      document.perform(new Edit("Names", edits));
+    }
+  }
+
+  private static TextEdit name(SceneDocument document, DocumentElement element, String name) {
+    return document.layout().attribute(element, "DEF", name);
+  }
+
+  private static void addScript(
+      SceneDocument document, ControlledNodes nodes, Condition condition, int seed) {
+    var tree = document.tree().orElseThrow();
+    DocumentElement scene = tree.scene().orElseThrow();
+    String def = new UniqueNameGenerator(tree, scene).unused(SCRIPT);
+    List<String> lines = new ControllerScript(nodes, def).lines(condition, seed);
+    document.perform(new Edit("Script", List.of(document.layout().insertLast(scene, lines))));
+  }
+
+  private Optional<ScenePackage> encoded(ScenePackage files, SceneFormat format)
+      throws IOException {
+    byte[] xml = files.scene().changed().orElseThrow();
+    XmlDocument document =
+        new X3dReader(catalogue)
+            .document(files.scene().source().toString(), new ByteArrayInputStream(xml), xml.length);
+    byte[] bytes =
+        format.text(document, catalogue, problems).getBytes(StandardCharsets.UTF_8);
+    PackagedFile scene =
+        new PackagedFile(files.scene().target(), files.scene().source(), Optional.of(bytes));
+    return Optional.of(new ScenePackage(scene, files.files(), files.left(), List.of()));
+  }
+}
