@@ -21,6 +21,7 @@ final class CommandCatalogue {
    */
   private static final List<String> ORDER =
       List.of(
+          "start",
           "run",
           "simulate",
           "validate",
@@ -34,6 +35,7 @@ final class CommandCatalogue {
           "apartment",
           "radiosity",
           "bench",
+          "examples",
           "doctor",
           "sai",
           BundleFilesCommand.NAME);

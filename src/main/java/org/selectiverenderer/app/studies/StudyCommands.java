@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.selectiverenderer.app.process.ProgramCommand;
 
 /** The commands of a study's window, for one study file. */
 public final class StudyCommands {

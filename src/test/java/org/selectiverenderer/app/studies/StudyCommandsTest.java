@@ -9,6 +9,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.selectiverenderer.app.process.ProgramCommand;
 import org.selectiverenderer.cli.experiment.ExperimentCommand;
 import org.selectiverenderer.command.CliCommand;
 import org.selectiverenderer.command.output.Console;

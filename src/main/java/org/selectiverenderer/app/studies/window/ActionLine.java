@@ -8,7 +8,7 @@ import javax.swing.JButton;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
-import org.selectiverenderer.app.studies.ProgramCommand;
+import org.selectiverenderer.app.process.ProgramCommand;
 
 /** A button, and beside it the command line that does the same, to be copied. */
 final class ActionLine extends JPanel {

@@ -18,7 +18,7 @@ import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
-import org.selectiverenderer.app.studies.ProgramCommand;
+import org.selectiverenderer.app.process.ProgramCommand;
 import org.selectiverenderer.app.studies.StudyCommands;
 import org.selectiverenderer.swing.PlainText;
 

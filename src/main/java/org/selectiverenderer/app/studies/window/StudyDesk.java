@@ -14,14 +14,15 @@ import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import javax.swing.SwingUtilities;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.app.studies.CommandProcess;
-import org.selectiverenderer.app.studies.ProgramCommand;
-import org.selectiverenderer.app.studies.RecentStudies;
+import org.selectiverenderer.app.process.CommandProcess;
+import org.selectiverenderer.app.process.ProgramCommand;
+import org.selectiverenderer.app.recent.RecentPaths;
 import org.selectiverenderer.app.studies.StudyCommands;
 import org.selectiverenderer.app.studies.StudyOverview;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.study.definition.Study;
+import org.selectiverenderer.swing.BackgroundReader;
 
 /**
  * The open study, its commands, and the studies opened lately. Belongs to Swing's event thread, on
@@ -31,7 +32,7 @@ final class StudyDesk {
   /** Name of the study file in a study's folder. */
   static final String STUDY = "study.json";
 
-  private final RecentStudies recent;
+  private final RecentPaths recent;
   private final BackgroundReader reader;
   private final Predicate<Study> trusted;
   private final List<Consumer<Optional<StudyOverview>>> listeners = new ArrayList<>();
@@ -45,7 +46,7 @@ final class StudyDesk {
    * @param say shows a sentence to the user; empty takes away the one before
    */
   StudyDesk(
-      RecentStudies recent,
+      RecentPaths recent,
       BackgroundReader reader,
       Predicate<Study> trusted,
       Consumer<String> say) {

@@ -29,7 +29,7 @@ import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import javax.swing.WindowConstants;
 import net.miginfocom.swing.MigLayout;
-import org.selectiverenderer.app.studies.RecentStudies;
+import org.selectiverenderer.app.recent.RecentPaths;
 import org.selectiverenderer.app.studies.StudyOverview;
 import org.selectiverenderer.base.trust.PermissionRequests;
 import org.selectiverenderer.base.trust.TrustStore;
@@ -37,6 +37,7 @@ import org.selectiverenderer.enricher.WindowIcon;
 import org.selectiverenderer.enricher.text.Mnemonics;
 import org.selectiverenderer.study.definition.Study;
 import org.selectiverenderer.study.definition.StudyPermissions;
+import org.selectiverenderer.swing.BackgroundReader;
 import org.selectiverenderer.swing.PlainText;
 import org.selectiverenderer.swing.TrustDialog;
 
@@ -59,7 +60,7 @@ final class StudyWindow {
   private final JTextArea said = new JTextArea();
   private final JScrollPane saying = new JScrollPane(said);
   private final JTabbedPane tabs = new JTabbedPane();
-  private final BackgroundReader reader = new BackgroundReader();
+  private final BackgroundReader reader = new BackgroundReader("study-reader", StudyTexts.of("closing"));
   private final TrustStore trust;
   private final StudyDesk desk;
   private final StartPage start;
@@ -73,7 +74,7 @@ final class StudyWindow {
   StudyWindow(Path settings, Runnable closed) {
     this.closed = closed;
     trust = new TrustStore(settings);
-    desk = new StudyDesk(new RecentStudies(settings), reader, this::trusted, this::say);
+    desk = new StudyDesk(RecentPaths.studies(settings), reader, this::trusted, this::say);
     start = new StartPage(desk, this::choose, this::create);
     session = new SessionPage(desk);
     tab("tab.session", session);

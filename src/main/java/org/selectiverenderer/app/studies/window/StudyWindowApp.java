@@ -1,16 +1,12 @@
 package org.selectiverenderer.app.studies.window;
 
-import java.awt.AWTError;
 import java.awt.EventQueue;
-import java.awt.GraphicsEnvironment;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
-import org.selectiverenderer.enricher.settings.EnricherSettings;
-import org.selectiverenderer.enricher.settings.FontZoom;
-import org.selectiverenderer.enricher.settings.Language;
-import org.selectiverenderer.enricher.settings.Theme;
+import org.selectiverenderer.enricher.settings.WindowLook;
+import org.selectiverenderer.swing.Screen;
 
 /** Runs the study window: opens it and waits until the experimenter closes it. */
 public final class StudyWindowApp {
@@ -26,7 +22,7 @@ public final class StudyWindowApp {
    */
   public static void run(Optional<Path> study, Path settings)
       throws IOException, InterruptedException {
-    if (!display()) {
+    if (!Screen.exists()) {
       throw new IOException(
           "the study window needs a display; without a display use the commands that experiment"
               + " --help lists");
@@ -34,31 +30,9 @@ public final class StudyWindowApp {
     CountDownLatch closed = new CountDownLatch(1);
     EventQueue.invokeLater(
         () -> {
-          look(settings);
+          WindowLook.apply(settings);
           new StudyWindow(settings, closed::countDown).begin(study);
         });
     closed.await();
-  }
-
-  /** Applies theme, text size and language of the enricher's settings. */
-  static void look(Path folder) {
-    EnricherSettings settings = new EnricherSettings(folder);
-    try {
-      settings.load();
-    } catch (IOException e) {
-      // The defaults apply; the enricher's window tells of settings that cannot be read.
-    }
-    Language.of(settings).apply();
-    Theme.of(settings.word("theme", "")).apply();
-    new FontZoom(settings).apply();
-  }
-
-  private static boolean display() {
-    try {
-      return !GraphicsEnvironment.isHeadless()
-          && GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0;
-    } catch (AWTError e) {
-      return false; // DISPLAY names an X server that does not answer
-    }
   }
 }

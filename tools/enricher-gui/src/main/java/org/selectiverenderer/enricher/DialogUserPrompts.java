@@ -80,6 +80,11 @@ final class DialogUserPrompts implements UserPrompts {
   }
 
   @Override
+  public boolean revert(String sentence) {
+    return choose(sentence, Texts.of("keep.cancel"), Texts.of("window.revert.do")) == 1;
+  }
+
+  @Override
   public boolean overwrite(String sentence) {
     return choose(sentence, Texts.of("keep.cancel"), Texts.of("window.overwrite")) == 1;
   }

@@ -9,6 +9,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Queue;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import org.selectiverenderer.authoring.DocumentSnapshot;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.file.BrokenRelativeUrls;
@@ -35,12 +36,17 @@ import org.selectiverenderer.x3d.source.TextEdit;
 final class DocumentSaver {
   private final EnricherSession session;
   private final UserPrompts questions;
+  private final Predicate<Path> elsewhere;
   private final Queue<Runnable> waiting = new ArrayDeque<>();
   private boolean writing;
   private FileState known = FileState.SAME;
 
-  DocumentSaver(EnricherSession session, UserPrompts questions) {
+  /**
+   * @param elsewhere brings another window to the front that has a file; false if none has it
+   */
+  DocumentSaver(EnricherSession session, UserPrompts questions, Predicate<Path> elsewhere) {
     this.session = session;
+    this.elsewhere = elsewhere;
     this.questions = questions;
   }
 
@@ -55,8 +61,45 @@ final class DocumentSaver {
       waiting.add(() -> save(review, saved));
     } else if (!session.document().modified()) {
       saved.run();
-    } else if (faultAccepted(session.file().path()) && (!review || questions.review(session))) {
-      write(session.file().writing(), saved);
+    } else if (faultAccepted(session.file().path())) {
+      if (review) {
+        review(saved);
+      } else {
+        write(session.file().writing(), saved);
+      }
+    }
+  }
+
+  /**
+   * Shows the changes before they are saved. What another program has changed meanwhile is asked
+   * about first, as it is none of the author's changes.
+   */
+  private void review(Runnable saved) {
+    DocumentFile.ChangeGuard guard = session.file().guard();
+    session
+        .tasks()
+        .run(
+            Texts.of("window.looking", String.valueOf(session.file().path().getFileName())),
+            guard::state,
+            state -> {
+              if (writing) {
+                waiting.add(() -> save(true, saved));
+              } else if (state == FileState.CHANGED) {
+                String path = session.file().path().toString();
+                conflict(
+                    Texts.of("merge.outside", path),
+                    () -> reviewed(session.file().writing().over(), saved),
+                    () -> save(true, saved));
+              } else {
+                reviewed(session.file().writing(), saved);
+              }
+            },
+            failed -> reviewed(session.file().writing(), saved));
+  }
+
+  private void reviewed(SaveOperation what, Runnable saved) {
+    if (questions.review(session)) {
+      write(what, saved);
     }
   }
 
@@ -90,6 +133,7 @@ final class DocumentSaver {
     questions
         .fileToSave(now)
         .map(other -> SceneFileExtension.added(other, now))
+        .filter(other -> !taken(other.toAbsolutePath()))
         .filter(other -> free(now, other.toAbsolutePath()))
         .filter(other -> complete(now, other.toAbsolutePath()))
         .filter(this::faultAccepted)
@@ -100,6 +144,15 @@ final class DocumentSaver {
                         ? session.file().writing()
                         : session.file().writing(other),
                     saved));
+  }
+
+  /** Returns whether another window has the file, which is then said. */
+  private boolean taken(Path other) {
+    boolean taken = elsewhere.test(other);
+    if (taken) {
+      session.message(Texts.of("window.taken", String.valueOf(other.getFileName())));
+    }
+    return taken;
   }
 
   /** Returns whether the file may be written: it is new, or the author agrees to overwrite it. */
@@ -168,14 +221,19 @@ final class DocumentSaver {
       questions.tell(sentence);
       return;
     }
+    conflict(sentence, () -> write(what.over(), saved), () -> save(false, saved));
+  }
+
+  /** Asks what becomes of a file that another program has changed and that is to be saved. */
+  private void conflict(String sentence, Runnable over, Runnable merged) {
     known = FileState.CHANGED; // asked here, so not again when the window gets the focus
     List<OnDisk> possible = new ArrayList<>(List.of(OnDisk.KEEP, OnDisk.OVERWRITE));
     if (session.document().locked().isEmpty()) {
       possible.add(OnDisk.MERGE);
     }
     switch (questions.changedOnDisk(sentence, possible)) {
-      case OVERWRITE -> write(what.over(), saved);
-      case MERGE -> merge(() -> save(false, saved));
+      case OVERWRITE -> over.run();
+      case MERGE -> merge(merged);
       case KEEP, TAKE -> session.message(Texts.of("merge.kept"));
     }
   }
@@ -219,6 +277,27 @@ final class DocumentSaver {
    * would then be saved as the same bytes, else by reloading.
    */
   private void takeDisk(Runnable reload) {
+    takeDisk(Texts.of("merge.step.take"), reload);
+  }
+
+  /**
+   * Takes the saved text in place of the document's, after the author has agreed.
+   *
+   * @param reload opens the file again, where the text cannot be taken as a step
+   */
+  void revert(Runnable reload) {
+    Path path = session.file().path();
+    if (writing) {
+      waiting.add(() -> revert(reload));
+    } else if (!Files.isRegularFile(path)) {
+      questions.tell(Texts.of("window.nosaved", path.toString()));
+    } else if (questions.revert(
+        Texts.of("window.revert", String.valueOf(path.getFileName())))) {
+      takeDisk(Texts.of("window.revert.step"), reload);
+    }
+  }
+
+  private void takeDisk(String step, Runnable reload) {
     withDisk(
         copy -> {
           DocumentSnapshot now = session.document().snapshot();
@@ -229,9 +308,9 @@ final class DocumentSaver {
           ThreeWayMerge all = ThreeWayMerge.of(Optional.of(now.text()), now.text(), copy.text());
           Edit edit =
               all.text(List.of()).equals(copy.text())
-                  ? all.edit(Texts.of("merge.step.take"), List.of())
+                  ? all.edit(step, List.of())
                   : new Edit(
-                      Texts.of("merge.step.take"),
+                      step,
                       List.of(new TextEdit(0, now.text().length(), copy.text())));
           take(copy, edit);
         });
@@ -304,7 +383,7 @@ final class DocumentSaver {
     if (now == FileState.GONE) {
       session.message(Texts.of("window.gone", path.toString()));
     } else if (now == FileState.CHANGED) {
-      boolean mergeable = session.document().modified() && session.document().locked().isEmpty();
+      boolean mergeable = session.document().locked().isEmpty();
       List<OnDisk> possible =
           mergeable
               ? List.of(OnDisk.KEEP, OnDisk.TAKE, OnDisk.MERGE)

@@ -25,6 +25,7 @@ final class RunCommands {
   private final Window owner;
   private final Supplier<Optional<Workbench>> bench;
   private final BiConsumer<Path, Runnable> open;
+  private final Consumer<Path> openNew;
   private final Consumer<String> say;
   private final RunConsole messages;
   private final SceneRunManager runs;
@@ -35,16 +36,19 @@ final class RunCommands {
    * @param bench the views of the open scene; empty for none
    * @param open opens a scene in place of the open one, and runs the second argument when it is
    *     open
+   * @param openNew opens a scene in a window of its own
    * @param say shows a message in the status bar
    */
   RunCommands(
       Window owner,
       Supplier<Optional<Workbench>> bench,
       BiConsumer<Path, Runnable> open,
+      Consumer<Path> openNew,
       Consumer<String> say) {
     this.owner = owner;
     this.bench = bench;
     this.open = open;
+    this.openNew = openNew;
     this.say = say;
     messages = new RunConsole(owner);
     runs = new SceneRunManager(messages::add, say);
@@ -98,20 +102,13 @@ final class RunCommands {
         "openInline", Texts.of("run.inline"), InlineFileResolver::holds, element -> openInline());
   }
 
-  /** Opens the file of the selected Inline in an enricher of its own. */
+  /** Opens the file of the selected Inline in a window of its own. */
   void openInlineInWindow() {
     bench
         .get()
         .map(Workbench::session)
         .flatMap(this::target)
-        .ifPresent(
-            file -> {
-              try {
-                ProcessLauncher.enrich(file);
-              } catch (IOException e) {
-                say.accept(Texts.of("run.failed", String.valueOf(e.getMessage())));
-              }
-            });
+        .ifPresent(openNew);
   }
 
   /** Opens the study window, in a process of its own. */

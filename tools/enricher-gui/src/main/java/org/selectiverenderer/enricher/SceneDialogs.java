@@ -12,6 +12,7 @@ import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.enricher.ratings.RatingsDialog;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.enricher.versions.BatchVersionsDialog;
 import org.selectiverenderer.enricher.versions.VersionsDialog;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.ElementTree;
@@ -57,6 +58,18 @@ final class SceneDialogs {
         .flatMap(EnricherSession::selection)
         .flatMap(SceneDialogs::object)
         .ifPresentOrElse(this::versions, () -> say.accept(Texts.of("window.chooseobject")));
+  }
+
+  /** Opens the dialog that makes versions of many objects. */
+  void manyVersions() {
+    bench
+        .get()
+        .ifPresent(
+            open -> {
+              open.commit();
+              new BatchVersionsDialog(owner, open.session()).setVisible(true);
+              open.lookAtFilesAgain();
+            });
   }
 
   /** Opens the versions dialog for an object. */

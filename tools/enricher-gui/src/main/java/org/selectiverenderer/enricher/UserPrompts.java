@@ -41,6 +41,9 @@ interface UserPrompts {
    */
   boolean convert(String sentence);
 
+  /** Asks whether to take the saved text in place of the changed one. */
+  boolean revert(String sentence);
+
   /** Asks whether to overwrite a file. */
   boolean overwrite(String sentence);
 

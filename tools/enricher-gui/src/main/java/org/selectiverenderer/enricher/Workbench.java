@@ -15,10 +15,15 @@ import javax.swing.KeyStroke;
 import org.selectiverenderer.authoring.file.CrashRecovery;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.browser.viewer.Pose;
+import org.selectiverenderer.enricher.menu.StructureCommands;
+import org.selectiverenderer.enricher.tree.NodeDrop;
+import org.selectiverenderer.authoring.structure.ChildPosition;
+import org.selectiverenderer.enricher.text.MnemonicText;
 import org.selectiverenderer.enricher.area.AreaCommands;
 import org.selectiverenderer.enricher.area.GridSetting;
 import org.selectiverenderer.enricher.area.NameDialog;
 import org.selectiverenderer.enricher.area.NamePrompt;
+import org.selectiverenderer.enricher.component.CollapsibleSplit;
 import org.selectiverenderer.enricher.cost.BudgetFileLocator;
 import org.selectiverenderer.enricher.cost.CostPanel;
 import org.selectiverenderer.enricher.form.FormPanel;
@@ -50,6 +55,12 @@ import org.selectiverenderer.x3d.url.UrlResolver;
 final class Workbench {
   private static final Set<String> FORMS = Set.of("Switch", "ProximitySensor");
 
+  /** Height in pixels of the polygons and limits below the table of schemas. */
+  private static final int COSTS = 300;
+
+  /** Height in pixels of the views in which both have room. */
+  private static final int BOTH = 780;
+
   private final EnricherSession session;
   private final EnricherSettings settings;
   private final Autosave autosave;
@@ -61,6 +72,7 @@ final class Workbench {
   private final OverviewPanel overview;
   private final CostPanel cost;
   private final JSplitPane schemas;
+  private final CollapsibleSplit schemasAndCosts;
   private final AreaCommands areas;
   private final PlanPanel plan;
   private final HelpPanel help;
@@ -72,6 +84,8 @@ final class Workbench {
   private final JSplitPane all;
   private final FormDividerController column;
   private final NodeMenu menu;
+  private final StructureCommands structure;
+  private final FocusedKeys focused;
   private final List<Runnable> disposals = new ArrayList<>();
 
   /**
@@ -89,7 +103,9 @@ final class Workbench {
     this.session = session;
     this.settings = settings;
     menu = new NodeMenu(session);
-    pictures = new VersionImageRenderer(asScene(session));
+    structure =
+        new StructureCommands(session, Toolkit.getDefaultToolkit().getSystemClipboard());
+    pictures = new VersionImageRenderer(() -> asScene(session));
     autosave = new Autosave(session, recovery);
     BudgetFileLocator budgets =
         new BudgetFileLocator(
@@ -113,7 +129,13 @@ final class Workbench {
     preview = new PreviewPanel(session);
     overview = new OverviewPanel(session);
     cost = new CostPanel(session, budgets, problems::checkAgain);
-    schemas = split(JSplitPane.VERTICAL_SPLIT, overview, cost, 0.6, "polygons");
+    schemas = split(JSplitPane.VERTICAL_SPLIT, overview, cost, 1, "polygons");
+    schemasAndCosts =
+        new CollapsibleSplit(
+            schemas,
+            Texts.of("cost.name"),
+            Texts.of("cost.fold"),
+            open -> settings.put("costs", open));
     GridSetting grid = new GridSetting(settings);
     NamePrompt names = new NameDialog(() -> tabs);
     areas = new AreaCommands(session, preview.probe(), names);
@@ -122,7 +144,7 @@ final class Workbench {
         Texts.of("area.add.short"), Texts.of("area.add.tip"), areas::addAroundSelection);
     plan = new PlanPanel(session, areas, names, grid);
     addTab("Preview", Texts.of("window.tab.preview"), preview);
-    addTab("Schemas", Texts.of("window.tab.schemas"), schemas);
+    addTab("Schemas", Texts.of("window.tab.schemas"), schemasAndCosts);
     addTab("Source", Texts.of("window.tab.source"), source.component());
     addTab("Plan", Texts.of("area.plan"), plan);
     addTab("Help", Texts.of("window.tab.help"), help);
@@ -130,7 +152,10 @@ final class Workbench {
     column = new FormDividerController(right, session);
     left = split(JSplitPane.HORIZONTAL_SPLIT, tree.component(), right, 0, "tree");
     all = split(JSplitPane.VERTICAL_SPLIT, left, problems, 1, "problems");
+    focused = new FocusedKeys(all, List.of(tree.component(), preview, plan));
     addMenus(makeVersions);
+    addTreeKeys();
+    disposals.add(focused::dispose);
     disposals.add(autosave::dispose);
     disposals.add(problems::dispose);
     disposals.add(tree::dispose);
@@ -173,7 +198,14 @@ final class Workbench {
 
   private void addMenus(Consumer<DocumentElement> makeVersions) {
     MetadataClipboard metadata = new MetadataClipboard(session);
-    menu.add(NodeEditCommands.of(session, Toolkit.getDefaultToolkit().getSystemClipboard()));
+    menu.add(NodeEditCommands.of(session, structure));
+    menu.add(
+        new NodeCommand(
+            "duplicateNode",
+            Texts.of("node.duplicate"),
+            "ctrl D",
+            element -> structure.removable(),
+            element -> nodes(StructureCommands::duplicate)));
     menu.add(areas.commands(this::commit));
     menu.add(
         List.of(
@@ -199,6 +231,56 @@ final class Workbench {
     menu.attach(tree.tree());
     preview.onMenu(menu::show);
     source.onMenu(menu::fill);
+  }
+
+  private void addTreeKeys() {
+    key("ctrl X", "node.cut", StructureCommands::cut);
+    key("ctrl C", "node.copy", StructureCommands::copy);
+    key("ctrl V", "node.paste", StructureCommands::paste);
+    key("DELETE", "node.delete", StructureCommands::delete);
+    key("ctrl D", "node.duplicate", StructureCommands::duplicate);
+    key("alt UP", "node.up", each -> each.step(false));
+    key("alt DOWN", "node.down", each -> each.step(true));
+    tree.onKey("F2", MnemonicText.of(Texts.of("area.rename.node")).words(), this::renameNode);
+    tree.onDrop(
+        new NodeDrop() {
+          @Override
+          public Optional<String> complaint(
+              List<DocumentElement> nodes, ChildPosition position, boolean copy) {
+            return structure.complaint(nodes, position, copy);
+          }
+
+          @Override
+          public void drop(List<DocumentElement> nodes, ChildPosition position, boolean copy) {
+            commit();
+            structure.drop(nodes, position, copy);
+          }
+        });
+  }
+
+  private void key(String key, String text, Consumer<StructureCommands> work) {
+    tree.onKey(key, MnemonicText.of(Texts.of(text)).words(), () -> nodes(work));
+  }
+
+  private void renameNode() {
+    commit();
+    areas.rename();
+  }
+
+  /** Does something with the selected nodes. */
+  void nodes(Consumer<StructureCommands> work) {
+    commit();
+    work.accept(structure);
+  }
+
+  /** Does what a key does where the focus is, in a text for example, else acts on the nodes. */
+  void edit(String key, Consumer<StructureCommands> work) {
+    KeyStroke stroke = KeyStroke.getKeyStroke(key);
+    if (focused.elsewhere(stroke)) {
+      session.message(Texts.of("node.elsewhere"));
+    } else if (!focused.act(stroke)) {
+      nodes(work);
+    }
   }
 
   /**
@@ -252,7 +334,9 @@ final class Workbench {
     left.setDividerLocation(settings.number("split.tree", Math.min(230, width / 4)));
     int rest = width - left.getDividerLocation() - left.getDividerSize();
     column.layOut(rest, settings.number("split.form", Math.min(375, rest / 2)));
-    schemas.setDividerLocation(settings.number("split.cost", Math.max(100, height / 2 - 60)));
+    int views = height - settings.number("split.problems", Math.min(130, height / 4));
+    schemas.setDividerLocation(settings.number("split.cost", Math.max(100, views - COSTS)));
+    schemasAndCosts.open(settings.flag("costs", views >= BOTH));
     all.setDividerLocation(
         Math.max(120, height - settings.number("split.problems", Math.min(130, height / 4))));
   }
@@ -306,6 +390,12 @@ final class Workbench {
   void lookAtFilesAgain() {
     preview.reload();
     cost.lookAtFilesAgain();
+  }
+
+  /** Reads the scene and its files again, as it may read from other folders and hosts now. */
+  void accessChanged() {
+    lookAtFilesAgain();
+    problems.checkAgain();
   }
 
   /** The viewer's pose in the preview; empty while there is none. */

@@ -46,6 +46,11 @@ class CrashRecoveryPromptTest {
     }
 
     @Override
+    public boolean revert(String sentence) {
+      throw new AssertionError(sentence);
+    }
+
+    @Override
     public boolean overwrite(String sentence) {
       throw new AssertionError(sentence);
     }

@@ -26,6 +26,30 @@ class DocumentSaverConflictsTest extends DocumentSaverFixture {
   }
 
   @Test
+  void anOutsideEditIsAskedAboutBeforeTheChangesAreShown() throws Exception {
+    type();
+    theirs();
+    assertThat(save(true)).isFalse();
+    assertThat(answers.asked).containsExactly("changed [KEEP, OVERWRITE, MERGE]");
+    answers.asked.clear();
+    answers.onDisk = UserPrompts.OnDisk.OVERWRITE;
+    assertThat(save(true)).isTrue();
+    assertThat(answers.asked).containsExactly("changed [KEEP, OVERWRITE, MERGE]", "review");
+    assertThat(onDisk()).contains("mine").doesNotContain("theirs");
+  }
+
+  @Test
+  void aFileThatWasMergedIsShownAndSaved() throws Exception {
+    type();
+    theirs();
+    answers.onDisk = UserPrompts.OnDisk.MERGE;
+    assertThat(save(true)).isTrue();
+    assertThat(answers.asked)
+        .containsExactly("changed [KEEP, OVERWRITE, MERGE]", "conflicts 0", "review");
+    assertThat(onDisk()).contains("mine").contains("theirs");
+  }
+
+  @Test
   void aChangeOnTheDiskIsAskedAboutOnce() throws Exception {
     saving.lookAtDisk(() -> done++);
     result();
@@ -34,7 +58,7 @@ class DocumentSaverConflictsTest extends DocumentSaverFixture {
     result();
     saving.lookAtDisk(() -> done++);
     result();
-    assertThat(answers.asked).containsExactly("changed [KEEP, TAKE]");
+    assertThat(answers.asked).containsExactly("changed [KEEP, TAKE, MERGE]");
   }
 
   /** Another program has added a comment behind the scene. */
@@ -96,8 +120,8 @@ class DocumentSaverConflictsTest extends DocumentSaverFixture {
             new Edit("Make", List.of()),
             List.of(new UndoableFileWrite(file, new byte[] {'a'}, false)));
     Files.writeString(file, "theirs");
-    EnricherWindow.UndoController steps =
-        new EnricherWindow.UndoController(session.document().history(), answers);
+    UndoController steps =
+        new UndoController(session.document().history(), answers);
     answers.agree = false;
     assertThat(steps.go(true)).isFalse();
     assertThat(file).hasContent("theirs");
@@ -108,6 +132,28 @@ class DocumentSaverConflictsTest extends DocumentSaverFixture {
     assertThat(steps.go(false)).isTrue();
     assertThat(file).hasContent("a");
     assertThat(answers.asked).containsExactly("overwrite", "overwrite");
+  }
+
+  @Test
+  void revertingTakesTheSavedTextAsAStepThatCanBeUndone() throws Exception {
+    String saved = onDisk();
+    type();
+    saving.revert(() -> done++);
+    result();
+    assertThat(answers.asked).containsExactly("revert");
+    assertThat(session.document().text().toString()).isEqualTo(saved);
+    assertThat(session.document().modified()).isFalse();
+    session.document().history().undo();
+    assertThat(session.document().text().toString()).startsWith("<!-- mine -->");
+    assertThat(done).as("reloaded").isZero();
+  }
+
+  @Test
+  void anAuthorWhoDoesNotRevertKeepsTheChanges() {
+    type();
+    answers.agree = false;
+    saving.revert(() -> done++);
+    assertThat(session.document().text().toString()).startsWith("<!-- mine -->");
   }
 
   @Test

@@ -57,6 +57,12 @@ abstract class DocumentSaverFixture {
     }
 
     @Override
+    public boolean revert(String sentence) {
+      asked.add("revert");
+      return agree;
+    }
+
+    @Override
     public boolean overwrite(String sentence) {
       asked.add("overwrite");
       return agree;
@@ -125,7 +131,7 @@ abstract class DocumentSaverFixture {
             "<X3D version='4.0'>\n<Scene>\n" + TestSessions.object("Cup") + "</Scene>\n</X3D>\n");
     session = TestSessions.open(path, new TaskExecutor(results::add));
     answers = new Answers();
-    saving = new DocumentSaver(session, answers);
+    saving = new DocumentSaver(session, answers, other -> false);
   }
 
   /** Hands over one result of the background, as the event dispatch thread would. */

@@ -3,6 +3,7 @@ package org.selectiverenderer.enricher;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Point;
+import java.awt.Rectangle;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.Transferable;
 import java.io.File;
@@ -163,6 +164,18 @@ class RestartPersistenceTest {
     Point at = GuiRobot.onEdt(() -> window.frame().getLocation());
     assertThat(window.frame().getGraphicsConfiguration().getBounds())
         .satisfies(screen -> assertThat(screen.contains(at)).isTrue());
+  }
+
+  @Test
+  void aWindowThatIsLargerThanTheScreenIsMadeToFit() throws IOException {
+    Path settings = Files.createDirectories(folder.resolve("settings"));
+    Files.writeString(
+        settings.resolve("enricher.properties"),
+        "theme=light\nwindow.x=200\nwindow.y=50\nwindow.width=5000\nwindow.height=4000\n");
+    start(Optional.empty());
+    Rectangle screen =
+        GuiRobot.onEdt(() -> window.frame().getGraphicsConfiguration().getBounds());
+    assertThat(screen.contains(GuiRobot.onEdt(() -> window.frame().getBounds()))).isTrue();
   }
 
   /** Files as a desktop hands them over. */

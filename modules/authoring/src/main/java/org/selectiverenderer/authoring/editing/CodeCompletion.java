@@ -216,7 +216,7 @@ public final class CodeCompletion {
 
   /** Returns the DEF names of elements of a type; all names for an empty type. */
   private List<CompletionProposal> names(String element) {
-    return DefNameScanner.of(text).entrySet().stream()
+    return DefNameScanner.of(text, caret).entrySet().stream()
         .filter(each -> element.isEmpty() || each.getValue().equals(element))
         .map(each -> CompletionProposal.of(each.getKey(), each.getValue()))
         .toList();
@@ -228,7 +228,7 @@ public final class CodeCompletion {
       return names("");
     }
     String node = place.given().getOrDefault(from ? "fromNode" : "toNode", "");
-    String type = DefNameScanner.of(text).getOrDefault(node, "");
+    String type = DefNameScanner.of(text, caret).getOrDefault(node, "");
     return catalogue.find(type).stream()
         .flatMap(of -> of.fields().stream())
         .filter(field -> from ? field.access().sendsEvents() : field.access().acceptsEvents())

@@ -13,6 +13,7 @@ import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.authoring.UniqueNameGenerator;
 import org.selectiverenderer.authoring.nodes.NodeEdits;
 import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.ElementScope;
 import org.selectiverenderer.x3d.source.ElementTree;
 import org.selectiverenderer.x3d.source.SourceAttribute;
 import org.selectiverenderer.x3d.source.TextEdit;
@@ -55,9 +56,9 @@ public final class ElementEdits {
    * @throws EditRejectedException if the text is not a well-formed element
    */
   public Edit paste(DocumentElement where, String text, String name) {
-    List<String> lines = lines(renamed(text.strip()));
     boolean into = KEPT.contains(where.name());
     DocumentElement scene = where.name().equals("X3D") ? tree().scene().orElse(where) : where;
+    List<String> lines = lines(renamed(text.strip(), where));
     TextEdit change =
         into
             ? document.layout().insertLast(scene, lines)
@@ -65,7 +66,7 @@ public final class ElementEdits {
     return new Edit(name, List.of(change));
   }
 
-  private String renamed(String text) {
+  private String renamed(String text, DocumentElement where) {
     SceneDocument pasted;
     try {
       pasted = SceneDocument.of("clipboard", text.getBytes(StandardCharsets.UTF_8));
@@ -80,13 +81,14 @@ public final class ElementEdits {
                     new EditRejectedException(
                         "The clipboard contains no well-formed element"
                             + pasted.fault().map(fault -> ": " + fault.message()).orElse("")));
-    UniqueNameGenerator free = new UniqueNameGenerator(tree());
+    UniqueNameGenerator free = new UniqueNameGenerator(tree(), where);
     Map<String, String> names = new HashMap<>();
-    tree.root()
-        .visit(each -> each.def().ifPresent(def -> names.computeIfAbsent(def, free::unused)));
+    ElementScope.visitWithin(
+        tree.root(),
+        each -> each.def().ifPresent(def -> names.computeIfAbsent(def, free::unused)));
     List<TextEdit> changes = new ArrayList<>();
-    tree.root()
-        .visit(
+    ElementScope.visitWithin(
+        tree.root(),
             each -> {
               for (SourceAttribute written : pasted.tag(each).attributes()) {
                 String now = names.get(written.value());

@@ -104,7 +104,7 @@ public final class FieldEdits {
                       .formatted(document.location(by.start()).line()));
     }
     try {
-      nodes.check(name);
+      nodes.check(name, element);
       return Optional.empty();
     } catch (EditRejectedException e) {
       return Optional.of(String.valueOf(e.getMessage()));
@@ -112,7 +112,7 @@ public final class FieldEdits {
   }
 
   private Optional<String> wrongUse(DocumentElement element, String name) {
-    Optional<DocumentElement> of = document.tree().flatMap(tree -> tree.named(name));
+    Optional<DocumentElement> of = document.tree().flatMap(tree -> tree.named(name, element));
     if (of.isEmpty()) {
       return Optional.of("No node has this name.");
     }

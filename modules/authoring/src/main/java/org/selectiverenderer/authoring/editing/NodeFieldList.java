@@ -132,7 +132,7 @@ public final class NodeFieldList {
     if (document.text().length() > SEARCHED) {
       return List.of();
     }
-    return DefNameScanner.of(document.text()).entrySet().stream()
+    return DefNameScanner.of(document.text(), element.start()).entrySet().stream()
         .filter(each -> each.getValue().equals(element.name()))
         .map(each -> each.getKey())
         .toList();

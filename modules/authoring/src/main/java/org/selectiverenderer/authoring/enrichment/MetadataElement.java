@@ -29,7 +29,7 @@ final class MetadataElement implements MetadataNode {
     this.meant =
         written
             .use()
-            .flatMap(use -> document.tree().flatMap(tree -> tree.named(use)))
+            .flatMap(use -> document.tree().flatMap(tree -> tree.named(use, written)))
             .filter(MetadataElement::isMetadata)
             .orElse(written);
   }

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Predicate;
 import java.util.stream.Stream;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.EditRejectedException;
@@ -15,6 +16,7 @@ import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.authoring.SourceFormatter;
 import org.selectiverenderer.authoring.UniqueNameGenerator;
 import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.ElementScope;
 import org.selectiverenderer.x3d.source.ElementTree;
 import org.selectiverenderer.x3d.source.SourceAttribute;
 import org.selectiverenderer.x3d.source.TextEdit;
@@ -62,17 +64,31 @@ public final class NodeEdits {
     }
   }
 
-  /** Returns an unused DEF name derived from the wanted one. */
+  /** Returns a DEF name for the scene that is derived from the wanted one and unused there. */
   public String free(String wanted) {
-    return new UniqueNameGenerator(tree()).free(wanted);
+    return free(wanted, tree().root());
+  }
+
+  /** Returns a DEF name that is derived from the wanted one and unused in the scope of a node. */
+  public String free(String wanted, DocumentElement at) {
+    return new UniqueNameGenerator(tree(), at).free(wanted);
   }
 
   /**
-   * Checks that a name is valid and unused.
+   * Checks that a name is valid and unused in the scene.
    *
    * @throws EditRejectedException if the name is invalid, or another node has it
    */
   public void check(String name) {
+    check(name, tree().root());
+  }
+
+  /**
+   * Checks that a name is valid and unused in the scope of a node.
+   *
+   * @throws EditRejectedException if the name is invalid, or another node has it
+   */
+  public void check(String name, DocumentElement at) {
     if (!UniqueNameGenerator.allowed(name)) {
       throw new EditRejectedException(
           "'%s' is not a valid DEF name; use a letter first and no spaces or quotes, such as %s"
@@ -80,14 +96,12 @@ public final class NodeEdits {
                   name,
                   UniqueNameGenerator.identifier(name.isBlank() ? "Area" : "N" + name.strip())));
     }
-    ElementTree tree = tree();
-    if (tree.named(name).isPresent()) {
+    Optional<DocumentElement> other = tree().named(name, at);
+    if (other.isPresent()) {
       throw new EditRejectedException(
           "%s is the name of the %s in line %d already; choose another one"
               .formatted(
-                  name,
-                  tree.named(name).get().name(),
-                  document.location(tree.named(name).get().start()).line()));
+                  name, other.get().name(), document.location(other.get().start()).line()));
     }
   }
 
@@ -101,7 +115,7 @@ public final class NodeEdits {
     if (name.equals(from)) {
       return new Edit("Rename " + from, List.of());
     }
-    check(name);
+    check(name, node);
     node.use()
         .ifPresent(
             other -> {
@@ -143,23 +157,25 @@ public final class NodeEdits {
    * @param more changes to be made in the copy only; offsets are those of the original
    */
   public TextEdit copied(DocumentElement node, String name, List<TextEdit> more) {
-    check(name);
+    check(name, node);
     removableOnly(node);
     SourceFormatter layout = document.layout();
     if (node.use().isPresent()) {
       throw new EditRejectedException(
           "this is a USE of %s; copy the original".formatted(node.use().get()));
     }
-    UniqueNameGenerator free = new UniqueNameGenerator(tree());
+    UniqueNameGenerator free = new UniqueNameGenerator(tree(), node);
     free.unused(name);
     Map<String, String> renamed = new HashMap<>();
     node.def().ifPresent(def -> renamed.put(def, name));
-    node.visit(each -> each.def().ifPresent(def -> renamed.computeIfAbsent(def, free::unused)));
+    ElementScope.visitWithin(
+        node, each -> each.def().ifPresent(def -> renamed.computeIfAbsent(def, free::unused)));
     List<TextEdit> changes = new ArrayList<>(more);
     if (node.def().isEmpty()) {
       changes.add(layout.attribute(node, "DEF", name));
     }
-    node.visit(
+    ElementScope.visitWithin(
+        node,
         each -> {
           for (String attribute : List.of("DEF", "USE", "fromNode", "toNode")) {
             each.tag()
@@ -206,12 +222,67 @@ public final class NodeEdits {
    * @throws EditRejectedException if it is referenced by USE, or is mandatory
    */
   public List<TextEdit> removal(DocumentElement node) {
-    tree();
     removableOnly(node);
+    withoutInstances(node);
     SourceFormatter layout = document.layout();
     List<TextEdit> changes = new ArrayList<>(released(node));
     changes.add(layout.remove(node));
     return changes;
+  }
+
+  /** Refuses to remove a prototype that would leave instances without one. */
+  private void withoutInstances(DocumentElement node) {
+    ElementTree tree = tree();
+    for (DocumentElement instance : tree.instances()) {
+      Optional<DocumentElement> declaration =
+          node.contains(instance)
+              ? Optional.empty()
+              : instance.text("name").flatMap(name -> tree.prototype(name.strip(), instance));
+      if (declaration.filter(node::contains).isPresent()) {
+        throw new EditRejectedException(
+            "the prototype %s has an instance in line %d; delete it first"
+                .formatted(
+                    declaration.get().text("name").orElse(""),
+                    document.location(instance.start()).line()));
+      }
+    }
+  }
+
+  /**
+   * Returns the changes that remove several nodes and the references to them.
+   *
+   * @param nodes nodes none of which contains another
+   * @throws EditRejectedException if one is mandatory, or referenced by USE from outside of them
+   */
+  public List<TextEdit> removal(List<DocumentElement> nodes) {
+    tree();
+    nodes.forEach(NodeEdits::removableOnly);
+    SourceFormatter layout = document.layout();
+    List<TextEdit> changes = new ArrayList<>();
+    references(nodes).forEach(each -> changes.add(layout.remove(each)));
+    nodes.forEach(each -> changes.add(layout.remove(each)));
+    return changes;
+  }
+
+  /**
+   * Returns the ROUTE, IMPORT and EXPORT statements outside of nodes that name one of them or their
+   * descendants.
+   *
+   * @throws EditRejectedException if a node is referenced by USE from outside of them
+   */
+  public Set<DocumentElement> references(List<DocumentElement> nodes) {
+    Predicate<DocumentElement> outside =
+        each -> nodes.stream().noneMatch(node -> node.contains(each));
+    Set<DocumentElement> found = new LinkedHashSet<>();
+    for (DocumentElement node : nodes) {
+      NodeReferences references = NodeReferences.into(node);
+      references.uses().stream().filter(outside).findFirst().ifPresent(this::usedElsewhere);
+      Stream.of(references.routes(), references.exports(), references.imports())
+          .flatMap(List::stream)
+          .filter(outside)
+          .forEach(found::add);
+    }
+    return found;
   }
 
   /**
@@ -232,17 +303,18 @@ public final class NodeEdits {
   }
 
   private List<TextEdit> released(NodeReferences references) {
-    if (!references.uses().isEmpty()) {
-      DocumentElement use = references.uses().get(0);
-      throw new EditRejectedException(
-          "%s is used elsewhere (USE in line %d), and this reference would break; delete it first"
-              .formatted(use.use().orElse(""), document.location(use.start()).line()));
-    }
+    references.uses().stream().findFirst().ifPresent(this::usedElsewhere);
     SourceFormatter layout = document.layout();
     Set<DocumentElement> gone = new LinkedHashSet<>(references.routes());
     gone.addAll(references.exports());
     gone.addAll(references.imports());
     return gone.stream().map(layout::remove).toList();
+  }
+
+  private void usedElsewhere(DocumentElement use) {
+    throw new EditRejectedException(
+        "%s is used elsewhere (USE in line %d), and this reference would break; delete it first"
+            .formatted(use.use().orElse(""), document.location(use.start()).line()));
   }
 
   /** Returns the outermost enclosing group that contains only the node, or the node itself. */

@@ -4,12 +4,11 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
-import java.util.function.Consumer;
 import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.ElementScope;
 
 /**
- * The references to a node by its DEF name, within the scope of the name: the scene or a
- * prototype's body (X3D 4.0, 4.4.4.4).
+ * The references to a node by its DEF name, within the {@link ElementScope} of the name.
  *
  * @param uses USE references to it
  * @param routes ROUTEs from it or to it
@@ -21,8 +20,6 @@ record NodeReferences(
     List<DocumentElement> routes,
     List<DocumentElement> exports,
     List<DocumentElement> imports) {
-  private static final String BODY = "ProtoBody";
-
   NodeReferences {
     uses = List.copyOf(uses);
     routes = List.copyOf(routes);
@@ -32,27 +29,27 @@ record NodeReferences(
 
   /** Finds the references to a node; none for a node without a name. */
   static NodeReferences to(DocumentElement node) {
-    return find(scope(node), node.def().map(Set::of).orElse(Set.of()), each -> true);
+    return find(node, node.def().map(Set::of).orElse(Set.of()), each -> true);
   }
 
   /** Finds the references from outside a node to it or to its descendants. */
   static NodeReferences into(DocumentElement node) {
     Set<String> names = new HashSet<>();
-    node.visit(each -> each.def().ifPresent(names::add));
-    return find(scope(node), names, each -> !node.contains(each));
+    ElementScope.visitWithin(node, each -> each.def().ifPresent(names::add));
+    return find(node, names, each -> !node.contains(each));
   }
 
   private interface Wanted {
     boolean test(DocumentElement element);
   }
 
-  private static NodeReferences find(DocumentElement scope, Set<String> names, Wanted wanted) {
+  private static NodeReferences find(DocumentElement node, Set<String> names, Wanted wanted) {
     List<DocumentElement> uses = new ArrayList<>();
     List<DocumentElement> routes = new ArrayList<>();
     List<DocumentElement> exports = new ArrayList<>();
     List<DocumentElement> imports = new ArrayList<>();
-    visit(
-        scope,
+    ElementScope.visit(
+        node,
         each -> {
           if (!wanted.test(each)) {
             return;
@@ -84,23 +81,5 @@ record NodeReferences(
 
   private static boolean says(DocumentElement element, String attribute, Set<String> names) {
     return element.text(attribute).filter(names::contains).isPresent();
-  }
-
-  /** Returns the element that is the scope of a node's name. */
-  private static DocumentElement scope(DocumentElement node) {
-    DocumentElement at = node;
-    while (!at.name().equals(BODY) && at.parent().isPresent()) {
-      at = at.parent().get();
-    }
-    return at;
-  }
-
-  private static void visit(DocumentElement in, Consumer<DocumentElement> visitor) {
-    for (DocumentElement child : in.children()) {
-      visitor.accept(child);
-      if (!child.name().equals(BODY)) {
-        visit(child, visitor);
-      }
-    }
   }
 }

@@ -2,8 +2,8 @@
  * Edits that apply to every node of a document: rename, copy, remove. Each is one undo step and
  * leaves no dangling references.
  *
- * <p>The scope of a DEF name is its scene or the body of its prototype (X3D 4.0, 4.4.4.4); {@code
- * NodeReferences} lists the references to it in this scope: USE, ROUTE, EXPORT, IMPORT. {@link
+ * <p>The scope of a DEF name is its scene or the declaration of its prototype ({@link
+ * org.selectiverenderer.x3d.source.ElementScope}); {@code NodeReferences} lists the references to it in this scope: USE, ROUTE, EXPORT, IMPORT. {@link
  * org.selectiverenderer.authoring.nodes.NodeEdits} creates the edits.
  *
  * <p>In: a document, an element, names. Out: edits, not yet performed. Uses {@code authoring},

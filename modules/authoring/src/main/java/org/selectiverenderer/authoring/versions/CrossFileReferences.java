@@ -6,6 +6,7 @@ import java.util.Set;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.ElementScope;
 
 /**
  * Finds references by name that would break if an object were moved to a file of its own, because
@@ -43,13 +44,11 @@ final class CrossFileReferences {
   boolean free(String def, List<DocumentElement> elements) {
     Set<String> names = new HashSet<>();
     for (DocumentElement element : elements) {
-      element.visit(inner -> inner.def().ifPresent(names::add));
+      ElementScope.visitWithin(element, inner -> inner.def().ifPresent(names::add));
     }
     boolean[] free = {true};
-    scene
-        .elements()
-        .root()
-        .visit(
+    ElementScope.visit(
+        elements.isEmpty() ? scene.elements().root() : elements.get(0),
             other -> {
               boolean inside = elements.stream().anyMatch(element -> element.contains(other));
               String tie = inside ? inside(other) : outside(other, def, names);

@@ -9,6 +9,7 @@ import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.ElementScope;
 
 /** Finds the elements of an object by its DEF name. */
 final class ObjectFinder {
@@ -38,6 +39,12 @@ final class ObjectFinder {
       if (choices.size() == 1) {
         return object(choices.get(0), name);
       }
+      Optional<DocumentElement> inside = inPrototype(def);
+      if (inside.isPresent()) {
+        return refuse(
+            inside.get().location(),
+            "the object '" + def + "' is part of a prototype, where it cannot be replaced");
+      }
       return refuse(
           SourceLocation.of(scene.file().source()),
           "there is no node with DEF '" + def + "' in the scene");
@@ -48,12 +55,26 @@ final class ObjectFinder {
           "DEF '" + def + "' is the name of several nodes; give each its own name");
     }
     DocumentElement element = named.get(0);
-    if (scene.node(element) == null) {
-      return refuse(
-          element.location(),
-          "the object '" + def + "' is part of a prototype, where it cannot be replaced");
-    }
     return object(element, name);
+  }
+
+  private Optional<DocumentElement> inPrototype(String def) {
+    List<DocumentElement> found = new ArrayList<>();
+    scene
+        .elements()
+        .root()
+        .visit(
+            element -> {
+              if (element.def().filter(def::equals).isPresent()) {
+                found.add(element);
+              }
+            });
+    return found.stream().findFirst();
+  }
+
+  /** Finds the object of an element that need not have a name yet. */
+  Optional<ObjectElements> at(DocumentElement element, String def) {
+    return object(element, name(def));
   }
 
   private Optional<ObjectElements> object(DocumentElement element, String name) {
@@ -146,20 +167,18 @@ final class ObjectFinder {
 
   private List<DocumentElement> named(String def) {
     List<DocumentElement> found = new ArrayList<>();
-    scene
-        .elements()
-        .root()
-        .visit(
-            element -> {
-              if (element.def().filter(def::equals).isPresent()) {
-                found.add(element);
-              }
-            });
+    ElementScope.visit(
+        scene.elements().root(),
+        element -> {
+          if (element.def().filter(def::equals).isPresent()) {
+            found.add(element);
+          }
+        });
     return found;
   }
 
   /** Returns the object's own name: TrashCan for Transform_TrashCan and for Switch_TrashCan. */
-  private static String name(String def) {
+  static String name(String def) {
     for (String prefix : PREFIXES) {
       if (def.startsWith(prefix) && def.length() > prefix.length()) {
         return def.substring(prefix.length());

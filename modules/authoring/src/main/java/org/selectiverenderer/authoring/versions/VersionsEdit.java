@@ -122,6 +122,11 @@ public final class VersionsEdit {
       return new Request(scene, access, object, goals, output, inlineFolder, numbers, name);
     }
 
+    /** Returns the request for another object, of which no version is kept. */
+    Request of(String other, List<SimplificationTarget> wanted) {
+      return new Request(scene, access, other, wanted, output, inlineFolder, Set.of(), "");
+    }
+
     /** Returns the request with another base name of files. */
     public Request named(String other) {
       return new Request(scene, access, object, goals, output, inlineFolder, kept, other);
@@ -142,10 +147,7 @@ public final class VersionsEdit {
       NodeCatalogue catalogue,
       ProblemCollector problems)
       throws IOException {
-    Path folder = VersionFileNames.folder(request.scene());
-    X3dReader plain = new X3dReader(catalogue);
-    UrlResolver root = new UrlResolver(folder, request.access());
-    X3dReader reader = plain.with(new PrototypeLibraryLoader(plain, root), BaseUrl.folder(folder));
+    X3dReader reader = reader(request, catalogue);
     ElementNodeMapping scene = ElementNodeMapping.of(snapshot, reader, problems);
     Optional<ObjectElements> site = new ObjectFinder(scene, problems).find(request.object());
     if (site.isEmpty()) {
@@ -153,6 +155,23 @@ public final class VersionsEdit {
     }
     ModelReader models = new ModelReader(catalogue, request.access());
     return new VersionsPlanner(request, scene, site.get(), models, reader, problems).plan();
+  }
+
+  private static X3dReader reader(Request request, NodeCatalogue catalogue) {
+    Path folder = VersionFileNames.folder(request.scene());
+    X3dReader plain = new X3dReader(catalogue);
+    UrlResolver root = new UrlResolver(folder, request.access());
+    return plain.with(new PrototypeLibraryLoader(plain, root), BaseUrl.folder(folder));
+  }
+
+  /** Reads the scene of a request with the libraries of its prototypes. */
+  static ElementNodeMapping scene(
+      DocumentSnapshot snapshot,
+      Request request,
+      NodeCatalogue catalogue,
+      ProblemCollector problems)
+      throws IOException {
+    return ElementNodeMapping.of(snapshot, reader(request, catalogue), problems);
   }
 
   /**
@@ -180,6 +199,11 @@ public final class VersionsEdit {
   public boolean isEmpty() {
     return edit.isEmpty()
         && files.stream().allMatch(file -> file.state() == PlannedFile.State.UNCHANGED);
+  }
+
+  /** Returns the change of the scene's text. */
+  Edit edit() {
+    return edit;
   }
 
   /** Returns the DEF name of the object. */
@@ -215,7 +239,19 @@ public final class VersionsEdit {
    * @throws IOException if a file cannot be written; nothing has changed then
    */
   public void apply(SceneDocument document) throws IOException {
-    if (document.revision() != snapshot.revision()) {
+    apply(document, snapshot.revision(), edit, files, object);
+  }
+
+  /**
+   * Writes files and edits a document as one step.
+   *
+   * @param revision the revision of the document that was planned on
+   * @param object name of an object, for the message
+   */
+  static void apply(
+      SceneDocument document, long revision, Edit edit, List<PlannedFile> files, String object)
+      throws IOException {
+    if (document.revision() != revision) {
       throw new EditRejectedException(
           ("the scene has changed since the versions of '%s' were computed; compute "
                   + "them again")
@@ -241,7 +277,8 @@ public final class VersionsEdit {
     return write(all);
   }
 
-  private static List<Path> write(List<PlannedFile> files) throws IOException {
+  /** Writes those of the files that change, all or none. */
+  static List<Path> write(List<PlannedFile> files) throws IOException {
     FileTransaction writing = new FileTransaction();
     for (PlannedFile file : files) {
       if (file.state() != PlannedFile.State.UNCHANGED) {

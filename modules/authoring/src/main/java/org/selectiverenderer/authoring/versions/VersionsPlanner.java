@@ -344,7 +344,8 @@ final class VersionsPlanner {
         .getBytes(StandardCharsets.UTF_8);
   }
 
-  private static PlannedFile planned(Path file, byte[] text, boolean byHand) throws IOException {
+  /** Compares a planned file to the existing one; packs the text of an {@code .x3dz} file. */
+  static PlannedFile planned(Path file, byte[] text, boolean byHand) throws IOException {
     boolean packed = file.toString().toLowerCase(Locale.ROOT).endsWith(".x3dz");
     byte[] content = packed && !Gzip.compressed(text) ? Gzip.packed(text) : text;
     if (!Files.isRegularFile(file)) {

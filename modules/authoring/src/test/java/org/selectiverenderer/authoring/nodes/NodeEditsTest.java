@@ -78,7 +78,9 @@ class NodeEditsTest {
             <Group DEF='B'/>
             """);
     NodeEdits inner = new NodeEdits(with.document);
-    with.perform(inner.rename(with.document.tree().orElseThrow().named("A").orElseThrow(), "C"));
+    DocumentElement body =
+        with.document.tree().orElseThrow().prototype("P", with.document.tree().orElseThrow().named("B").orElseThrow()).orElseThrow();
+    with.perform(inner.rename(body.children().get(0).children().get(0), "C"));
     assertThat(with.nodes()).contains("DEF='C'/><Group USE='C'/>");
   }
 

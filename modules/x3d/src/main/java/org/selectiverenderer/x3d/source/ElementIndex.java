@@ -5,17 +5,41 @@ import java.util.Collections;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 
-/** An index of the elements by DEF name, and of those of the node types that are edited. */
+/** An index of the elements by DEF name in each scope, and of those of the node types that are edited. */
 final class ElementIndex {
-  private final Map<String, DocumentElement> given = new HashMap<>();
-  private final Map<String, Integer> uses = new HashMap<>();
+  private final Names root = new Names();
+
+  /** The names of prototypes' declarations; empty in most scenes. */
+  private final Map<DocumentElement, Names> prototypes = new IdentityHashMap<>();
+
   private final Map<String, Kind> kinds =
-      Map.of("Switch", new Kind(), "ProximitySensor", new Kind());
+      Map.of(
+          "Switch",
+          new Kind(),
+          "ProximitySensor",
+          new Kind(),
+          "ProtoDeclare",
+          new Kind(),
+          "ExternProtoDeclare",
+          new Kind(),
+          "ProtoInstance",
+          new Kind());
+
+  /** The names of one scope, and how often each is used. */
+  private static final class Names {
+    private final Map<String, DocumentElement> given = new HashMap<>();
+    private final Map<String, Integer> uses = new HashMap<>();
+
+    boolean isEmpty() {
+      return given.isEmpty() && uses.isEmpty();
+    }
+  }
 
   /** The nodes of one type, sorted in document order on request. */
   private static final class Kind {
@@ -60,8 +84,17 @@ final class ElementIndex {
 
   /** Removes the names of the element itself, but not of its descendants. */
   void removeOne(DocumentElement element) {
-    element.def().ifPresent(def -> given.remove(def, element));
-    element.use().ifPresent(use -> uses.computeIfPresent(use, (key, n) -> n == 1 ? null : n - 1));
+    if (named(element)) {
+      DocumentElement scope = ElementScope.of(element);
+      Names names = names(scope);
+      element.def().ifPresent(def -> names.given.remove(def, element));
+      element
+          .use()
+          .ifPresent(use -> names.uses.computeIfPresent(use, (key, n) -> n == 1 ? null : n - 1));
+      if (names.isEmpty()) {
+        prototypes.remove(scope);
+      }
+    }
     Kind kind = kinds.get(element.name());
     if (kind != null) {
       kind.remove(element);
@@ -69,20 +102,47 @@ final class ElementIndex {
   }
 
   void addOne(DocumentElement element) {
-    element.def().ifPresent(def -> given.putIfAbsent(def, element));
-    element.use().ifPresent(use -> uses.merge(use, 1, Integer::sum));
+    if (named(element)) {
+      Names names = names(ElementScope.of(element));
+      element.def().ifPresent(def -> names.given.putIfAbsent(def, element));
+      element.use().ifPresent(use -> names.uses.merge(use, 1, Integer::sum));
+    }
     Kind kind = kinds.get(element.name());
     if (kind != null) {
       kind.add(element);
     }
   }
 
-  Optional<DocumentElement> find(String def) {
-    return Optional.ofNullable(given.get(def));
+  private static boolean named(DocumentElement element) {
+    return element.def().isPresent() || element.use().isPresent();
   }
 
-  boolean used(String def) {
-    return uses.containsKey(def);
+  private Names names(DocumentElement scope) {
+    return scope.parent().isEmpty()
+        ? root
+        : prototypes.computeIfAbsent(scope, prototype -> new Names());
+  }
+
+  /** Returns the node of a name in a scope of {@link ElementScope}. */
+  Optional<DocumentElement> find(String def, DocumentElement scope) {
+    return Optional.ofNullable(known(scope).given.get(def));
+  }
+
+  boolean used(String def, DocumentElement scope) {
+    return known(scope).uses.containsKey(def);
+  }
+
+  private Names known(DocumentElement scope) {
+    return scope.parent().isEmpty() ? root : prototypes.getOrDefault(scope, new Names());
+  }
+
+  /** Returns whether a name is given or used in any scope. */
+  boolean anywhere(String name) {
+    return occurs(root, name) || prototypes.values().stream().anyMatch(names -> occurs(names, name));
+  }
+
+  private static boolean occurs(Names names, String name) {
+    return names.given.containsKey(name) || names.uses.containsKey(name);
   }
 
   /**

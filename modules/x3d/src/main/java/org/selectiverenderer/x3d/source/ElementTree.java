@@ -1,10 +1,12 @@
 package org.selectiverenderer.x3d.source;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /** The tree of the elements of a well-formed text, which is updated incrementally by edits. */
 public final class ElementTree {
@@ -51,14 +53,32 @@ public final class ElementTree {
     return root.children().stream().filter(child -> child.name().equals("Scene")).findFirst();
   }
 
-  /** Returns the element with a DEF name; the first one if the name is wrongly repeated. */
+  /**
+   * Returns the element with a DEF name in the scene, outside of the declarations of prototypes;
+   * the first one if the name is wrongly repeated.
+   */
   public Optional<DocumentElement> named(String def) {
-    return names.find(def);
+    return names.find(def, root);
   }
 
-  /** Returns whether any element has a name as USE. */
+  /** Returns the element that a DEF name means at an element, in the {@link ElementScope}. */
+  public Optional<DocumentElement> named(String def, DocumentElement at) {
+    return names.find(def, ElementScope.of(at));
+  }
+
+  /** Returns whether any element in the scene, outside of prototypes, has a name as USE. */
   public boolean used(String def) {
-    return names.used(def);
+    return names.used(def, root);
+  }
+
+  /** Returns whether any element of the {@link ElementScope} of an element has a name as USE. */
+  public boolean used(String def, DocumentElement at) {
+    return names.used(def, ElementScope.of(at));
+  }
+
+  /** Returns whether a name occurs as DEF or USE in any scope. */
+  public boolean occurs(String name) {
+    return names.anywhere(name);
   }
 
   /**
@@ -72,6 +92,47 @@ public final class ElementTree {
   /** Returns all ProximitySensors without USE, as {@link #switches} does. */
   public List<DocumentElement> sensors() {
     return names.ofType("ProximitySensor");
+  }
+
+  /** Returns all ProtoInstances without USE, as {@link #switches} does. */
+  public List<DocumentElement> instances() {
+    return names.ofType("ProtoInstance");
+  }
+
+  /**
+   * Returns the ProtoDeclare or ExternProtoDeclare that a prototype's name means at an element: the
+   * last one before it in its scope, else in the scopes around (X3D 4.0, 4.4.4.3).
+   */
+  public Optional<DocumentElement> prototype(String name, DocumentElement at) {
+    DocumentElement scope = ElementScope.of(at);
+    while (true) {
+      Optional<DocumentElement> found = prototype(name, scope, at);
+      if (found.isPresent() || scope.parent().isEmpty()) {
+        return found;
+      }
+      scope = ElementScope.of(scope);
+    }
+  }
+
+  private Optional<DocumentElement> prototype(
+      String name, DocumentElement scope, DocumentElement at) {
+    return Stream.of("ProtoDeclare", "ExternProtoDeclare")
+        .flatMap(kind -> last(names.ofType(kind), name, scope, at).stream())
+        .max(Comparator.comparingInt(DocumentElement::start));
+  }
+
+  private static Optional<DocumentElement> last(
+      List<DocumentElement> declarations, String name, DocumentElement scope, DocumentElement at) {
+    for (int i = declarations.size() - 1; i >= 0; i--) {
+      DocumentElement declaration = declarations.get(i);
+      if (declaration.start() < at.start()
+          && !declaration.contains(at)
+          && ElementScope.of(declaration) == scope
+          && declaration.text("name").map(String::strip).filter(name::equals).isPresent()) {
+        return Optional.of(declaration);
+      }
+    }
+    return Optional.empty();
   }
 
   /** Returns the innermost element at an offset; empty outside the root. */

@@ -62,10 +62,18 @@ public final class NodeCommands {
         : Optional.empty();
   }
 
-  /** Why a node cannot have this name; empty if it can. */
+  /** Why a node of the scene cannot have this name; empty if it can. */
   public Optional<String> complaint(String name) {
+    return complaint(() -> nodes.check(name));
+  }
+
+  private Optional<String> complaint(DocumentElement node, String name) {
+    return complaint(() -> nodes.check(name, node));
+  }
+
+  private static Optional<String> complaint(Runnable check) {
     try {
-      nodes.check(name);
+      check.run();
       return Optional.empty();
     } catch (EditRejectedException e) {
       return Optional.of(String.valueOf(e.getMessage()));
@@ -102,12 +110,12 @@ public final class NodeCommands {
   /** Asks for another name of a node. */
   public void rename(DocumentElement node, NamePrompt question) {
     String before = node.def().orElse("");
-    String proposal = before.isEmpty() ? free(node.name()) : before;
+    String proposal = before.isEmpty() ? nodes.free(node.name(), node) : before;
     question
         .ask(
             Texts.of("area.rename.title", node.def().orElse(node.name())),
             proposal,
-            name -> name.equals(before) ? Optional.empty() : complaint(name))
+            name -> name.equals(before) ? Optional.empty() : complaint(node, name))
         .ifPresent(name -> perform(() -> nodes.rename(node, name)));
   }
 
@@ -120,7 +128,7 @@ public final class NodeCommands {
     if (name.strip().equals(node.def().orElse(""))) {
       return Optional.empty();
     }
-    Optional<String> why = complaint(name.strip());
+    Optional<String> why = complaint(node, name.strip());
     if (why.isEmpty()) {
       perform(() -> nodes.rename(node, name));
     }
@@ -132,13 +140,19 @@ public final class NodeCommands {
    * so that it is seen.
    */
   public void copy(DocumentElement node, Object origin) {
-    String name = free(node.def().orElse(node.name()));
+    String name = nodes.free(node.def().orElse(node.name()), node);
     Optional<AreaInstance> area = area(node);
     if (area.isPresent()) {
       Vector3d aside = new Vector3d(area.get().box().size().x() * BESIDE, 0, 0);
       perform(() -> areas.copy(area.get(), name, aside), name, origin);
     } else {
-      perform(() -> nodes.copy(node, name), name, origin);
+      if (perform(() -> nodes.copy(node, name))) {
+        session
+            .document()
+            .tree()
+            .flatMap(tree -> tree.named(name, node))
+            .ifPresent(copy -> session.select(copy, origin));
+      }
     }
   }
 

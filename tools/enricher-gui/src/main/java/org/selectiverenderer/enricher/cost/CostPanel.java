@@ -297,6 +297,7 @@ public final class CostPanel extends JPanel {
     following = false;
     fixed.setText(
         shares.map(CostPanel::rest).orElse(chosen.isPresent() ? Texts.of("cost.noshares") : " "));
+    fixed.setToolTipText(fixed.getText().isBlank() ? null : fixed.getText());
     follow();
   }
 

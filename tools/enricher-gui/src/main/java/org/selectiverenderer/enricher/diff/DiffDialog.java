@@ -5,6 +5,7 @@ import java.awt.Window;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
@@ -99,31 +100,50 @@ public final class DiffDialog extends JDialog {
 
   private BackgroundTask compare(EnricherSession session) {
     Path file = session.file().path();
+    Optional<String> common = session.file().common();
     DocumentSnapshot snapshot = session.document().snapshot();
     return session
         .tasks()
         .run(
             Texts.of("diff.task", String.valueOf(file.getFileName())),
-            () -> diff(file, snapshot),
+            () -> Changes.of(file, common, snapshot),
             this::show,
             failure ->
                 summary.setText(Texts.of("diff.unread", String.valueOf(failure.getMessage()))));
   }
 
-  /** Compares the document with its file; a missing file counts as empty. */
-  private static DiffLines diff(Path file, DocumentSnapshot snapshot) throws IOException {
-    String name = String.valueOf(file.getFileName());
-    String before =
-        Files.exists(file)
-            ? SceneDocument.of(name, InputFileReader.bytes(file)).text().toString()
-            : "";
-    return DiffLines.of(
-        UnifiedDiff.of(name, Texts.of("diff.edited", name), before, snapshot.text()));
+  /**
+   * The author's changes of a file.
+   *
+   * @param outside whether another program has changed the file too, since document and file last
+   *     had the same text; the changes are those to that text then, as what the other program added
+   *     is no deletion of the author's
+   */
+  record Changes(DiffLines lines, boolean outside) {
+    /**
+     * Compares a document with its file; a missing file counts as empty.
+     *
+     * @param common the last text that file and document had in common; empty for none
+     */
+    static Changes of(Path file, Optional<String> common, DocumentSnapshot document)
+        throws IOException {
+      String name = String.valueOf(file.getFileName());
+      boolean there = Files.exists(file);
+      String now =
+          there ? SceneDocument.of(name, InputFileReader.bytes(file)).text().toString() : "";
+      boolean outside = there && common.isPresent() && !common.get().equals(now);
+      String before = outside ? common.get() : now;
+      return new Changes(
+          DiffLines.of(
+              UnifiedDiff.of(name, Texts.of("diff.edited", name), before, document.text())),
+          outside);
+    }
   }
 
-  private void show(DiffLines lines) {
+  private void show(Changes changes) {
+    DiffLines lines = changes.lines();
     view.show(lines);
-    summary.setText(
+    String counts =
         lines.lines().isEmpty()
             ? Texts.of("diff.nothing")
             : Texts.of(
@@ -132,7 +152,8 @@ public final class DiffDialog extends JDialog {
                 DecimalFormatter.grouped(lines.changes().size()),
                 lines.added(),
                 DecimalFormatter.grouped(lines.added()),
-                DecimalFormatter.grouped(lines.removed())));
+                DecimalFormatter.grouped(lines.removed()));
+    summary.setText(changes.outside() ? counts + " " + Texts.of("diff.outside") : counts);
     enableButtons(!lines.changes().isEmpty());
     view.requestFocusInWindow();
   }

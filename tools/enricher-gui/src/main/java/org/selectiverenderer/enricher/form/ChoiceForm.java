@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.form;
 
+import java.awt.FontMetrics;
 import java.util.List;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
@@ -53,7 +54,7 @@ final class ChoiceForm {
     JComboBox<String> degree = new JComboBox<>(new String[] {DegreeFormat.none(), "low", "high"});
     degree.setEditable(true);
     JTextField typed = (JTextField) degree.getEditor().getEditorComponent();
-    typed.setColumns(4); // fits the longest degree
+    typed.setColumns(columns(typed));
     name(degree, Texts.of("form.degree", number), HelpTopic.DEGREE);
     name(typed, Texts.of("form.degree", number), HelpTopic.DEGREE);
     typed.setName("Typed degree of choice " + number);
@@ -166,6 +167,13 @@ final class ChoiceForm {
             node.whichChoice() == choice.index() ? "form.choice.start" : "form.choice",
             String.valueOf(choice.index())));
     fields.forEach(FieldBinding::follow);
+  }
+
+  /** Columns of a field for degrees: it fits the longest number, and the word for none. */
+  private static int columns(JTextField field) {
+    FontMetrics metrics = field.getFontMetrics(field.getFont());
+    int word = metrics.stringWidth(DegreeFormat.none());
+    return Math.max(4, 1 + (int) Math.ceil((double) word / metrics.charWidth('m')));
   }
 
   void commit() {

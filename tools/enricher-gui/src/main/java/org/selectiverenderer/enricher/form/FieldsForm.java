@@ -81,7 +81,7 @@ final class FieldsForm implements Form {
       made.add(row);
     }
     if (fields.isEmpty()) {
-      rows.add(LabelFactory.sentences(Texts.of("fields.none")), "span, wmin 0");
+      rows.add(LabelFactory.sentences(Texts.of("fields.none")), "span, pushx, growx, wmin 0");
     }
     shown = made;
     rows.revalidate();

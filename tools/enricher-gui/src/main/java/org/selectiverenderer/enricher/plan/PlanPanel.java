@@ -3,7 +3,7 @@ package org.selectiverenderer.enricher.plan;
 import java.awt.Component;
 import java.awt.event.ActionEvent;
 import java.util.List;
-import java.util.Optional;
+import java.util.OptionalDouble;
 import javax.swing.AbstractAction;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
@@ -29,6 +29,7 @@ import org.selectiverenderer.enricher.area.NamePrompt;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
 import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
  * The floor plan with its tool bar, in which areas are drawn, moved, resized, named, copied and
@@ -52,7 +53,8 @@ public final class PlanPanel extends JPanel {
   private final JSpinner cut = new JSpinner(new SpinnerNumberModel(0.0, null, null, 0.1));
   private final JLabel hint = new JLabel(Texts.of("area.plan.hint"));
   private final Timer later = new Timer(PAUSE, event -> refresh());
-  private transient Optional<Double> height = Optional.empty();
+  private transient OptionalDouble height = OptionalDouble.empty();
+  private transient List<DocumentElement> hidden = List.of();
   private transient List<AreaInstance> areas = List.of();
   private transient long read = -1;
   private boolean filling;
@@ -109,7 +111,7 @@ public final class PlanPanel extends JPanel {
     cut.addChangeListener(
         event -> {
           if (!filling) {
-            height = Optional.of(((Number) cut.getValue()).doubleValue());
+            height = OptionalDouble.of(((Number) cut.getValue()).doubleValue());
             refresh();
           }
         });
@@ -140,6 +142,7 @@ public final class PlanPanel extends JPanel {
     fit.addActionListener(event -> view.fit());
     bar.add(fit);
     JPanel foot = new JPanel(new MigLayout("insets 2 6 2 6", "[grow,fill]"));
+    hint.setToolTipText(hint.getText());
     foot.add(hint, "wmin 0");
     add(bar, "wmin 0");
     add(view, "wmin 0, hmin 0");
@@ -232,7 +235,7 @@ public final class PlanPanel extends JPanel {
   /** Requests a new plan image of what the preview has loaded. */
   private void refresh() {
     if (isShowing()) {
-      commands.probe().plan(height, found -> found.ifPresentOrElse(this::show, later::restart));
+      commands.probe().plan(height, hidden, found -> found.ifPresentOrElse(this::show, later::restart));
     }
   }
 

@@ -29,7 +29,7 @@ final class PreviewController implements AutoCloseable {
   private int width;
   private final VersionOverride versions = new VersionOverride();
   private int height;
-  private List<SourceAnchor> selection = List.of();
+  private List<SelectedNode> selection = List.of();
   private List<String> schemas = List.of();
   private boolean changed;
 
@@ -129,7 +129,7 @@ final class PreviewController implements AutoCloseable {
   /** Frames the selected node. */
   void frameSelected() {
     if (scene != null && !moving()) {
-      eye.frame(scene, selection);
+      eye.frame(scene, selection.stream().map(SelectedNode::anchors).toList());
     }
   }
 
@@ -175,14 +175,15 @@ final class PreviewController implements AutoCloseable {
   /** An element that was clicked on, in the text of a revision. */
   record Picked(SourceAnchor anchor, long revision) {}
 
-  /**
-   * Sets the selection of the document.
-   *
-   * @param anchors of the element and those around it, the nearest first
-   */
-  void select(List<SourceAnchor> anchors) {
-    changed |= !anchors.equals(selection);
-    selection = anchors;
+  /** Sets the selected nodes of the document, in the order of their selection. */
+  void select(List<SelectedNode> nodes) {
+    changed |= !nodes.equals(selection);
+    selection = nodes;
+  }
+
+  /** The anchors of the node selected last and of those around it, the nearest first. */
+  private List<SourceAnchor> last() {
+    return selection.isEmpty() ? List.of() : selection.get(selection.size() - 1).anchors();
   }
 
   /** The scene; for queries on this thread. */
@@ -209,7 +210,7 @@ final class PreviewController implements AutoCloseable {
    */
   void version(int steps) {
     if (scene != null && !moving()) {
-      versions.step(scene, selection, steps);
+      versions.step(scene, last(), steps);
     }
   }
 

@@ -55,7 +55,7 @@ public final class PreviewPanel extends JPanel {
     this.session = session;
     anchors = new SourceAnchorResolver(session.document());
     thread = new PreviewThread(new Pictures());
-    probe = new PreviewSceneQueries(thread, anchors::of);
+    probe = new PreviewSceneQueries(thread, anchors);
     bar = new PreviewToolBar(thread, view, () -> session.enrichment().schemas());
     AreaHandles handles = new AreaHandles(view, session, () -> grid.get(), this::showBox);
     bar.onBoxes(handles::shown);
@@ -88,7 +88,7 @@ public final class PreviewPanel extends JPanel {
         new PreviewUpdater(
             session.document(),
             () -> session.file().path(),
-            session.access(),
+            session::access,
             thread,
             new Loading());
     feed.now();
@@ -150,7 +150,7 @@ public final class PreviewPanel extends JPanel {
   }
 
   private void tellSelection() {
-    List<SourceAnchor> selected = session.selection().map(anchors::of).orElse(List.of());
+    List<SelectedNode> selected = anchors.nodes(session.selectedElements());
     thread.ask(stage -> stage.select(selected));
   }
 

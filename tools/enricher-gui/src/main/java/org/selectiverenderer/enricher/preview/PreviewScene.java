@@ -3,6 +3,7 @@ package org.selectiverenderer.enricher.preview;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.Supplier;
 import org.joml.Vector3d;
@@ -48,14 +49,17 @@ final class PreviewScene implements AutoCloseable {
   private double time;
   private long counted = -1;
   private long revision;
-  private final double startHeight;
+  private final OptionalDouble startHeight;
 
   PreviewScene(LoadedPreview loaded) {
     this.loaded = loaded;
     revision = loaded.revision();
     world = loaded.world();
     world.step(0, (viewer, now, dt) -> {}); // This puts the viewer at the start viewpoint.
-    startHeight = world.viewer().position().y();
+    startHeight =
+        world.bindables().bound("X3DViewpointNode").isPresent()
+            ? OptionalDouble.of(world.viewer().position().y())
+            : OptionalDouble.empty();
     nodes = new PreviewNodeIndex(world);
     areas = new SensorBoxOverlay(world, nodes);
     asIf = new SchemaSimulator(nodes.switches(), world.cascade());
@@ -213,8 +217,8 @@ final class PreviewScene implements AutoCloseable {
     return rays.cast(from, direction, Double.POSITIVE_INFINITY);
   }
 
-  /** The eye height, world Y, at the start viewpoint. */
-  double startHeight() {
+  /** The eye height, world Y, at the start viewpoint; empty if the scene has none. */
+  OptionalDouble startHeight() {
     return startHeight;
   }
 

@@ -91,6 +91,11 @@ record ProblemEntry(
     return other.compareTo(severity) < 0 ? new ProblemEntry(other, message, place, fix) : this;
   }
 
+  /** Returns the entry with a fix. */
+  ProblemEntry with(Optional<ElementFinding.Fix> found) {
+    return new ProblemEntry(severity, message, place, found);
+  }
+
   /** The validator's rule, {@code SR103}; empty where no rule is named. */
   Optional<String> rule() {
     Matcher named = RULE.matcher(message);

@@ -1,6 +1,7 @@
 package org.selectiverenderer.enricher.settings;
 
 import java.util.Locale;
+import org.selectiverenderer.enricher.text.ToolkitTexts;
 
 /** The language of the user interface. */
 public enum Language {
@@ -40,10 +41,14 @@ public enum Language {
     settings.put(KEY, tag);
   }
 
-  /** Sets the display locale; called before the first component is created. */
+  /**
+   * Sets the display locale, which Swing's own dialogs follow, too; called before the first
+   * component is created.
+   */
   public void apply() {
     if (this != SYSTEM) {
       Locale.setDefault(Locale.Category.DISPLAY, Locale.forLanguageTag(tag));
     }
+    ToolkitTexts.install();
   }
 }

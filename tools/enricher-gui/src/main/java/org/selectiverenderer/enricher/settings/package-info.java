@@ -3,8 +3,8 @@
  * the recovery copies of unsaved changes.
  *
  * <p>In and out: files in the folder of the user's settings. Uses {@code enricher.session}, {@code
- * enricher.task}, {@code authoring}, {@code authoring.file}, {@code x3d.url} and {@code
- * base.files}.
+ * enricher.task}, {@code enricher.text}, {@code authoring}, {@code authoring.file}, {@code x3d.url}
+ * and {@code base.files}.
  */
 @NullMarked
 package org.selectiverenderer.enricher.settings;

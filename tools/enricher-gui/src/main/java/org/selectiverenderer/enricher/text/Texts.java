@@ -3,6 +3,7 @@ package org.selectiverenderer.enricher.text;
 import java.text.MessageFormat;
 import java.util.Locale;
 import java.util.ResourceBundle;
+import java.util.Set;
 import org.selectiverenderer.swing.PlainText;
 
 /**
@@ -28,10 +29,17 @@ public final class Texts {
   public static String of(String name, Object... arguments) {
     int dot = name.indexOf('.');
     Locale locale = Locale.getDefault(Locale.Category.DISPLAY);
-    ResourceBundle bundle =
-        ResourceBundle.getBundle(
-            Texts.class.getPackageName() + "." + name.substring(0, dot), locale, WITHOUT_DEFAULT);
-    return PlainText.of(
-        new MessageFormat(bundle.getString(name.substring(dot + 1)), locale).format(arguments));
+    String text = bundle(name.substring(0, dot), locale).getString(name.substring(dot + 1));
+    return PlainText.of(new MessageFormat(text, locale).format(arguments));
+  }
+
+  /** The keys of all texts in a bundle. */
+  static Set<String> keys(String bundle) {
+    return bundle(bundle, Locale.ROOT).keySet();
+  }
+
+  private static ResourceBundle bundle(String name, Locale locale) {
+    return ResourceBundle.getBundle(
+        Texts.class.getPackageName() + "." + name, locale, WITHOUT_DEFAULT);
   }
 }

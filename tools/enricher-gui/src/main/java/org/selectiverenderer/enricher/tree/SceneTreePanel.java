@@ -1,16 +1,19 @@
 package org.selectiverenderer.enricher.tree;
 
+import java.awt.event.ActionEvent;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
+import javax.swing.AbstractAction;
 import javax.swing.JComboBox;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.JTree;
+import javax.swing.KeyStroke;
 import javax.swing.Timer;
 import javax.swing.ToolTipManager;
 import javax.swing.tree.TreePath;
@@ -34,7 +37,7 @@ public final class SceneTreePanel {
 
   private final EnricherSession session;
   private final SceneTreeModel model;
-  private final JTree tree;
+  private final SceneTree tree;
   private final JTextField search = new JTextField();
   private final JComboBox<String> extent =
       new JComboBox<>(new String[] {Texts.of("nodes.extent.some"), Texts.of("nodes.extent.all")});
@@ -51,14 +54,14 @@ public final class SceneTreePanel {
   public SceneTreePanel(EnricherSession session, Predicate<DocumentElement> faulty) {
     this.session = session;
     model = new SceneTreeModel(session.document());
-    tree = new JTree(model);
+    tree = new SceneTree(model, session);
     tree.setCellRenderer(new NodeTreeCellRenderer(session.enrichment(), faulty));
     tree.setLargeModel(true);
     rowHeight();
     tree.addPropertyChangeListener("font", event -> rowHeight());
     tree.setRootVisible(false);
     tree.setShowsRootHandles(true);
-    tree.getSelectionModel().setSelectionMode(TreeSelectionModel.SINGLE_TREE_SELECTION);
+    tree.getSelectionModel().setSelectionMode(TreeSelectionModel.DISCONTIGUOUS_TREE_SELECTION);
     tree.getAccessibleContext().setAccessibleName(Texts.of("nodes.tree"));
     tree.addTreeSelectionListener(event -> chosen());
     ToolTipManager.sharedInstance().registerComponent(tree);
@@ -183,7 +186,7 @@ public final class SceneTreePanel {
     if (!model.shows(element)) {
       extent.setSelectedIndex(WHOLE);
     }
-    follow(Optional.of(element), session);
+    show(List.of(element));
   }
 
   private void extentChosen() {
@@ -193,7 +196,7 @@ public final class SceneTreePanel {
 
   private void shown() {
     expandTop();
-    follow(session.selection(), session);
+    show(session.selectedElements());
   }
 
   private void quietly(Runnable change) {
@@ -220,23 +223,70 @@ public final class SceneTreePanel {
   }
 
   private void chosen() {
-    if (!following
-        && tree.getLastSelectedPathComponent() instanceof DocumentElement element
-        && element.attached()) {
-      session.select(element, this);
+    if (following) {
+      return;
+    }
+    TreePath[] paths = tree.getSelectionPaths();
+    List<DocumentElement> chosen = new ArrayList<>();
+    for (TreePath path : paths == null ? new TreePath[0] : paths) {
+      if (path.getLastPathComponent() instanceof DocumentElement element && element.attached()) {
+        chosen.add(element);
+      }
+    }
+    TreePath lead = tree.getLeadSelectionPath();
+    if (lead != null
+        && lead.getLastPathComponent() instanceof DocumentElement last
+        && chosen.remove(last)) {
+      chosen.add(last); // whose form is shown
+    }
+    if (!chosen.isEmpty()) {
+      session.selectAll(chosen, this);
     }
   }
 
   private void follow(Optional<DocumentElement> element, Object origin) {
-    if (origin == this) {
-      return;
+    if (origin != this) {
+      show(session.selectedElements());
     }
+  }
+
+  /** Shows elements as selected, and scrolls to the last one. */
+  private void show(List<DocumentElement> elements) {
     quietly(
         () -> {
-          Optional<TreePath> path = element.flatMap(model::path);
-          tree.setSelectionPath(path.orElse(null));
-          path.ifPresent(tree::scrollPathToVisible);
+          List<TreePath> paths =
+              elements.stream().flatMap(each -> model.path(each).stream()).distinct().toList();
+          tree.setSelectionPaths(paths.toArray(new TreePath[0]));
+          if (!paths.isEmpty()) {
+            tree.scrollPathToVisible(paths.get(paths.size() - 1));
+          }
         });
+  }
+
+  /** Sets what moves the nodes that are dragged in the tree. */
+  public void onDrop(NodeDrop drop) {
+    tree.onDrop(drop);
+  }
+
+  /**
+   * Sets what a key does while the tree has the focus.
+   *
+   * @param key as {@link KeyStroke#getKeyStroke(String)} reads it
+   * @param name what it does, for the list of keys
+   */
+  public void onKey(String key, String name, Runnable work) {
+    tree.getInputMap().put(KeyStroke.getKeyStroke(key), name);
+    tree.getActionMap()
+        .put(
+            name,
+            new AbstractAction(name) {
+              private static final long serialVersionUID = 1L;
+
+              @Override
+              public void actionPerformed(ActionEvent event) {
+                work.run();
+              }
+            });
   }
 
   private void changed(org.selectiverenderer.authoring.DocumentListener.Change change) {

@@ -2,10 +2,18 @@ package org.selectiverenderer.enricher.component;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Component;
+import java.awt.Container;
 import java.io.File;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
+import javax.swing.AbstractButton;
+import javax.swing.JLabel;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.ResourceLock;
+import org.junit.jupiter.api.parallel.Resources;
+import org.selectiverenderer.enricher.text.ToolkitTexts;
 import org.selectiverenderer.testing.RequiresDisplay;
 import org.selectiverenderer.testing.robot.GuiRobot;
 
@@ -30,6 +38,42 @@ class NamedFileChooserTest {
           assertThat(approved).isEqualTo(1);
           return assertThat(chooser.chosen()).hasFileName("room.x3d");
         });
+  }
+
+  @Test
+  @ResourceLock(Resources.LOCALE)
+  void inGreekTheChooserIsGreek() {
+    Locale before = Locale.getDefault(Locale.Category.DISPLAY);
+    try {
+      ToolkitTexts.install();
+      Locale.setDefault(Locale.Category.DISPLAY, Locale.forLanguageTag("el"));
+      List<String> texts =
+          GuiRobot.onEdt(
+              () -> {
+                List<String> shown = new ArrayList<>();
+                collect(chooser(), shown);
+                return shown;
+              });
+      assertThat(texts)
+          .contains("\u0386\u03bd\u03bf\u03b9\u03b3\u03bc\u03b1")
+          .noneMatch(text -> text.matches("(?s).*\\b(Open|Cancel|Files?|Folder|Look|List).*"));
+    } finally {
+      Locale.setDefault(Locale.Category.DISPLAY, before);
+    }
+  }
+
+  private static void collect(Container in, List<String> texts) {
+    for (Component each : in.getComponents()) {
+      if (each instanceof JLabel label) {
+        texts.add(String.valueOf(label.getText()));
+      } else if (each instanceof AbstractButton button) {
+        texts.add(button.getText() + " " + button.getToolTipText());
+        texts.add(String.valueOf(button.getText()));
+      }
+      if (each instanceof Container more) {
+        collect(more, texts);
+      }
+    }
   }
 
   private NamedFileChooser chooser() {

@@ -11,16 +11,20 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.swing.JMenuItem;
 import javax.swing.JPopupMenu;
+import org.joml.Vector3dc;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.enricher.area.AreaCommands;
 import org.selectiverenderer.enricher.area.AsyncSceneQueries;
 import org.selectiverenderer.enricher.area.FloorPlanImage;
 import org.selectiverenderer.enricher.area.NamePrompt;
+import org.selectiverenderer.enricher.area.ObjectBox;
+import org.selectiverenderer.enricher.area.SurfacePoint;
 import org.selectiverenderer.enricher.robot.TestSessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.geometry.BoundingBox;
@@ -170,8 +174,35 @@ class NodeMenuTest {
     }
 
     @Override
-    public void plan(Optional<Double> cut, Consumer<Optional<FloorPlanImage>> answer) {
+    public void plan(
+        OptionalDouble cut,
+        List<DocumentElement> hidden,
+        Consumer<Optional<FloorPlanImage>> answer) {
       answer.accept(Optional.empty());
+    }
+
+    @Override
+    public void boxes(List<DocumentElement> nodes, Consumer<List<ObjectBox>> answer) {
+      answer.accept(List.of());
+    }
+
+    @Override
+    public void below(
+        Vector3dc from, List<DocumentElement> hidden, Consumer<Optional<SurfacePoint>> answer) {
+      answer.accept(Optional.empty());
+    }
+
+    @Override
+    public void within(
+        BoundingBox footprint,
+        List<DocumentElement> hidden,
+        Consumer<List<DocumentElement>> answer) {
+      answer.accept(List.of());
+    }
+
+    @Override
+    public void support(List<ObjectBox> boxes, Consumer<List<OptionalDouble>> answer) {
+      answer.accept(boxes.stream().map(box -> OptionalDouble.of(0)).toList());
     }
   }
 

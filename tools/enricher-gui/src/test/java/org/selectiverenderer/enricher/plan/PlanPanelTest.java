@@ -11,9 +11,11 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
+import org.joml.Vector3dc;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.authoring.area.AreaLocator;
@@ -23,6 +25,8 @@ import org.selectiverenderer.enricher.area.AsyncSceneQueries;
 import org.selectiverenderer.enricher.area.FloorPlanImage;
 import org.selectiverenderer.enricher.area.GridSetting;
 import org.selectiverenderer.enricher.area.NamePrompt;
+import org.selectiverenderer.enricher.area.ObjectBox;
+import org.selectiverenderer.enricher.area.SurfacePoint;
 import org.selectiverenderer.enricher.robot.TestSessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.settings.EnricherSettings;
@@ -56,10 +60,37 @@ class PlanPanelTest {
     }
 
     @Override
-    public void plan(Optional<Double> cut, Consumer<Optional<FloorPlanImage>> answer) {
+    public void plan(
+        OptionalDouble cut,
+        List<DocumentElement> hidden,
+        Consumer<Optional<FloorPlanImage>> answer) {
       BufferedImage image = new BufferedImage(8, 8, BufferedImage.TYPE_INT_ARGB);
       float[] walls = {-4, -4, -4, 4, 4, -4, 4, 4};
       answer.accept(Optional.of(new FloorPlanImage(ROOM, image, walls, 1)));
+    }
+
+    @Override
+    public void boxes(List<DocumentElement> nodes, Consumer<List<ObjectBox>> answer) {
+      answer.accept(List.of());
+    }
+
+    @Override
+    public void below(
+        Vector3dc from, List<DocumentElement> hidden, Consumer<Optional<SurfacePoint>> answer) {
+      answer.accept(Optional.empty());
+    }
+
+    @Override
+    public void within(
+        BoundingBox footprint,
+        List<DocumentElement> hidden,
+        Consumer<List<DocumentElement>> answer) {
+      answer.accept(List.of());
+    }
+
+    @Override
+    public void support(List<ObjectBox> boxes, Consumer<List<OptionalDouble>> answer) {
+      answer.accept(boxes.stream().map(box -> OptionalDouble.of(0)).toList());
     }
   }
 
@@ -72,7 +103,7 @@ class PlanPanelTest {
 
   private void open(String nodes) throws Exception {
     openWithoutPlan(nodes);
-    EventThread.edt(() -> new Room().plan(Optional.empty(), plan -> view.show(plan.orElseThrow())));
+    EventThread.edt(() -> new Room().plan(OptionalDouble.empty(), List.of(), plan -> view.show(plan.orElseThrow())));
   }
 
   private void openWithoutPlan(String nodes) throws Exception {
@@ -149,7 +180,7 @@ class PlanPanelTest {
           drag(-1, -1, 1, 1);
           assertThat(view.drawing()).isEmpty();
           mouse(MouseEvent.MOUSE_RELEASED, 1, 1);
-          new Room().plan(Optional.empty(), plan -> view.show(plan.orElseThrow()));
+          new Room().plan(OptionalDouble.empty(), List.of(), plan -> view.show(plan.orElseThrow()));
           assertThat(view.getAccessibleContext().getAccessibleDescription()).isEmpty();
         });
     assertThat(whileAsked).isEmpty();

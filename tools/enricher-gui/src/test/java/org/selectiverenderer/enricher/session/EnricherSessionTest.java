@@ -44,6 +44,22 @@ class EnricherSessionTest {
         .containsExactly(Optional.of("Switch_Cup"), Optional.empty(), Optional.of("Switch_Cup"));
   }
 
+  @Test
+  void aNodeIsFoundAgainInTheScopeOfItsName() throws IOException {
+    EnricherSession session =
+        TestSessions.with(
+            folder,
+            "<ProtoDeclare name='P'><ProtoBody><Group DEF='A'/><Group DEF='B'/></ProtoBody>"
+                + "</ProtoDeclare><Group DEF='A'/>");
+    String text = session.document().text().toString();
+    for (int start : List.of(text.indexOf("<Group"), text.lastIndexOf("<Group"))) {
+      session.select(session.document().tree().orElseThrow().at(start).orElseThrow(), this);
+      session.document().type(0, 0, "<");
+      session.document().history().undo();
+      assertThat(session.selection().orElseThrow().start()).isEqualTo(start);
+    }
+  }
+
   private static DocumentElement named(EnricherSession session, String def) {
     return session.document().tree().orElseThrow().named(def).orElseThrow();
   }

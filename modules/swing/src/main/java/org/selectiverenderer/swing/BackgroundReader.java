@@ -1,4 +1,4 @@
-package org.selectiverenderer.app.studies.window;
+package org.selectiverenderer.swing;
 
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutorService;
@@ -7,15 +7,25 @@ import java.util.concurrent.RejectedExecutionException;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 
-/** Reads files on the thread {@code study-reader}, and hands over what was read to Swing. */
-final class BackgroundReader implements AutoCloseable {
-  private final ExecutorService thread =
-      Executors.newSingleThreadExecutor(
-          work -> {
-            Thread reader = new Thread(work, "study-reader");
-            reader.setDaemon(true);
-            return reader;
-          });
+/** Reads files on a thread of a window, and hands over what was read to Swing. */
+public final class BackgroundReader implements AutoCloseable {
+  private final ExecutorService thread;
+  private final String closing;
+
+  /**
+   * @param name of the thread
+   * @param closing the sentence for work that comes after the end
+   */
+  public BackgroundReader(String name, String closing) {
+    this.closing = closing;
+    thread =
+        Executors.newSingleThreadExecutor(
+            work -> {
+              Thread reader = new Thread(work, name);
+              reader.setDaemon(true);
+              return reader;
+            });
+  }
 
   /**
    * Does work, one after another.
@@ -23,7 +33,7 @@ final class BackgroundReader implements AutoCloseable {
    * @param then receives what it returns, on Swing's event thread
    * @param failed receives the sentence of its exception, on that thread
    */
-  <T> void read(Callable<T> work, Consumer<T> then, Consumer<String> failed) {
+  public <T> void read(Callable<T> work, Consumer<T> then, Consumer<String> failed) {
     try {
       thread.execute(
           () -> {
@@ -36,7 +46,7 @@ final class BackgroundReader implements AutoCloseable {
             }
           });
     } catch (RejectedExecutionException e) {
-      failed.accept(StudyTexts.of("closing"));
+      failed.accept(closing);
     }
   }
 

@@ -1,9 +1,9 @@
-package org.selectiverenderer.app.studies;
+package org.selectiverenderer.app.process;
 
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
-import java.nio.charset.Charset;
+import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.IntConsumer;
@@ -17,6 +17,9 @@ public final class CommandProcess {
   /** The main class, by name, as the commands depend on the window and not the other way round. */
   private static final String MAIN = "org.selectiverenderer.cli.Main";
 
+  /** The system property in which the launcher names the picture that it shows at once. */
+  private static final String SPLASH = "selective-renderer.splash";
+
   /** Longest line that is handed on, in characters. */
   private static final int MOST = 2_000;
 
@@ -29,27 +32,35 @@ public final class CommandProcess {
   /**
    * Starts a command.
    *
-   * @param lines receives each line of its output, on a thread {@code study-command}
+   * @param lines receives each line of its output, on a thread {@code command-output}
    * @param ended receives its exit status when it has ended, on that thread
    * @throws IOException if it cannot be started
    */
   public static CommandProcess start(
       ProgramCommand command, Consumer<String> lines, IntConsumer ended) throws IOException {
     ProcessBuilder builder =
-        new ProcessBuilder(ChildProcessCommand.of(MAIN, List.of(), command.words()))
+        new ProcessBuilder(ChildProcessCommand.of(MAIN, flags(command), command.words()))
             .redirectErrorStream(true);
     Process process = builder.start();
     process.getOutputStream().close(); // Nobody types; a question is answered by no answer.
-    Thread hearing = new Thread(() -> hear(process, lines, ended), "study-command");
+    Thread hearing = new Thread(() -> hear(process, lines, ended), "command-output");
     hearing.setDaemon(true);
     hearing.start();
     return new CommandProcess(process);
   }
 
+  /** Returns the flag that shows the program's splash at once, for a command with a Swing window. */
+  private static List<String> flags(ProgramCommand command) {
+    String splash = System.getProperty(SPLASH, "");
+    return command.opensSwingWindow() && !splash.isEmpty()
+        ? List.of("-splash:" + splash)
+        : List.of();
+  }
+
   private static void hear(Process process, Consumer<String> lines, IntConsumer ended) {
     try (BufferedReader output =
         new BufferedReader(
-            new InputStreamReader(process.getInputStream(), Charset.defaultCharset()))) {
+            new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8))) {
       for (String line = output.readLine(); line != null; line = output.readLine()) {
         lines.accept(line.length() <= MOST ? line : line.substring(0, MOST) + " \u2026");
       }

@@ -1,22 +1,43 @@
-package org.selectiverenderer.authoring.switches;
+package org.selectiverenderer.authoring.nodes;
+
+import org.selectiverenderer.authoring.SceneDocument;
+import org.selectiverenderer.authoring.SourceFormatter;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
  * Changes the indentation of an element's lines. Only lines that begin with a tag or a comment
  * change, so that attribute values and scripts keep every character.
  */
-final class Reindenter {
+public final class Reindenter {
   private static final String PROGRAM = "<![CDATA[";
 
   private Reindenter() {}
 
   /** Indents all lines but the first. */
-  static String deeper(String element, String step) {
+  public static String deeper(String element, String step) {
     return moved(element, step, true);
   }
 
   /** Unindents all lines but the first, if they are indented. */
-  static String shallower(String element, String step) {
+  public static String shallower(String element, String step) {
     return moved(element, step, false);
+  }
+
+  /**
+   * Returns the text of a node with an element around it, in the style of the document.
+   *
+   * @param open the start tag of the new element
+   * @param close its end tag
+   */
+  public static String wrapped(
+      SceneDocument document, DocumentElement node, String open, String close) {
+    SourceFormatter layout = document.layout();
+    if (!layout.onItsOwnLine(node)) {
+      return open + document.text(node) + close;
+    }
+    String outer = layout.endOfLine(node) + layout.indentation(node);
+    String step = layout.step(node);
+    return open + outer + step + deeper(document.text(node), step) + outer + close;
   }
 
   private static String moved(String element, String step, boolean in) {

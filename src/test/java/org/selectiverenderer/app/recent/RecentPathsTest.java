@@ -1,4 +1,4 @@
-package org.selectiverenderer.app.studies;
+package org.selectiverenderer.app.recent;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -8,12 +8,12 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-class RecentStudiesTest {
+class RecentPathsTest {
   @TempDir Path folder;
 
   @Test
   void theLatestStudyIsTheFirstAndEachIsThereOnce() throws IOException {
-    RecentStudies recent = new RecentStudies(folder.resolve("settings"));
+    RecentPaths recent = RecentPaths.studies(folder.resolve("settings"));
     assertThat(recent.list()).isEmpty();
     Path one = folder.resolve("one/study.json");
     Path two = folder.resolve("two words/μελέτη.json");
@@ -22,17 +22,17 @@ class RecentStudiesTest {
     recent.add(folder.resolve("x/../one/study.json"));
     assertThat(recent.list()).containsExactly(one, two);
     recent.remove(one);
-    assertThat(new RecentStudies(folder.resolve("settings")).list()).containsExactly(two);
+    assertThat(RecentPaths.studies(folder.resolve("settings")).list()).containsExactly(two);
   }
 
   @Test
   void tenAreKept() throws IOException {
-    RecentStudies recent = new RecentStudies(folder);
+    RecentPaths recent = RecentPaths.studies(folder);
     for (int i = 0; i < 14; i++) {
       recent.add(folder.resolve("study" + i));
     }
     assertThat(recent.list())
-        .hasSize(RecentStudies.MOST)
+        .hasSize(RecentPaths.MOST)
         .first()
         .isEqualTo(folder.resolve("study13"));
   }
@@ -40,6 +40,6 @@ class RecentStudiesTest {
   @Test
   void aDamagedListIsAnEmptyOne() throws IOException {
     Files.write(folder.resolve("studies"), new byte[] {(byte) 0xff, 0, 10});
-    assertThat(new RecentStudies(folder).list()).isEmpty();
+    assertThat(RecentPaths.studies(folder).list()).isEmpty();
   }
 }

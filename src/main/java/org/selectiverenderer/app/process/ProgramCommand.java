@@ -1,4 +1,4 @@
-package org.selectiverenderer.app.studies;
+package org.selectiverenderer.app.process;
 
 import java.util.List;
 import java.util.Optional;
@@ -12,6 +12,16 @@ import org.selectiverenderer.command.ProgramInvocation;
 public record ProgramCommand(List<String> words) {
   public ProgramCommand {
     words = List.copyOf(words);
+  }
+
+  /** Returns whether the command opens the enricher or the study window, which are Swing's. */
+  boolean opensSwingWindow() {
+    List<String> others = words.subList(Math.min(1, words.size()), words.size());
+    return switch (words.isEmpty() ? "" : words.get(0)) {
+      case "enrich" -> others.stream().allMatch(word -> !word.startsWith("-"));
+      case "experiment" -> others.isEmpty() || others.get(0).equals("--study");
+      default -> false;
+    };
   }
 
   /**

@@ -1,0 +1,3 @@
+/** Tests of repairs of geometry. */
+@org.jspecify.annotations.NullMarked
+package org.selectiverenderer.authoring.geometry;

@@ -1,0 +1,292 @@
+package org.selectiverenderer.enricher.menu;
+
+import java.awt.datatransfer.Clipboard;
+import java.awt.datatransfer.DataFlavor;
+import java.awt.datatransfer.StringSelection;
+import java.awt.datatransfer.UnsupportedFlavorException;
+import java.io.IOException;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import java.util.function.Supplier;
+import org.joml.Vector3d;
+import org.selectiverenderer.authoring.Edit;
+import org.selectiverenderer.authoring.EditRejectedException;
+import org.selectiverenderer.authoring.SceneDocument;
+import org.selectiverenderer.authoring.nodes.NodeEdits;
+import org.selectiverenderer.authoring.structure.ChildPosition;
+import org.selectiverenderer.authoring.structure.NodePalette;
+import org.selectiverenderer.authoring.structure.NodeTemplate;
+import org.selectiverenderer.authoring.structure.StructureChange;
+import org.selectiverenderer.authoring.structure.StructureEdits;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.x3d.source.DocumentElement;
+
+/**
+ * The commands that change which nodes a scene has and where: cut, copy, paste, delete, duplicate,
+ * move and insert. They act on all selected elements, each is one undo step, and what they put into
+ * the scene is selected afterwards; a refused edit is reported in the status bar.
+ */
+public final class StructureCommands {
+  /** How far beside a node whose size is unknown its duplicate is put, in metres. */
+  private static final double ASIDE = 0.5;
+
+  private final EnricherSession session;
+  private final Clipboard clipboard;
+  private NodeSizes sizes = (nodes, answer) -> answer.accept(node -> Optional.empty());
+
+  public StructureCommands(EnricherSession session, Clipboard clipboard) {
+    this.session = session;
+    this.clipboard = clipboard;
+  }
+
+  /** Answers how large nodes are. */
+  @FunctionalInterface
+  public interface NodeSizes {
+    /**
+     * Answers the extent of nodes along the X axis of their parents in metres, later, on the event
+     * dispatch thread.
+     */
+    void of(
+        List<DocumentElement> nodes,
+        Consumer<Function<DocumentElement, Optional<Double>>> answer);
+  }
+
+  /** Sets what knows how large nodes are. */
+  public void sizes(NodeSizes known) {
+    sizes = known;
+  }
+
+  private SceneDocument document() {
+    return session.document();
+  }
+
+  private StructureEdits edits() {
+    return new StructureEdits(document(), session.catalogue());
+  }
+
+  private List<DocumentElement> selected() {
+    return StructureEdits.outermost(session.selectedElements());
+  }
+
+  /** Whether nodes are selected that may be removed. */
+  public boolean removable() {
+    return !selected().isEmpty()
+        && document().locked().isEmpty()
+        && selected().stream().allMatch(NodeEdits::removable);
+  }
+
+  /** Whether there is a selection to copy. */
+  public boolean copyable() {
+    return !selected().isEmpty();
+  }
+
+  /** Puts the source of the selected nodes on the clipboard. */
+  public void copy() {
+    List<DocumentElement> nodes = selected();
+    if (nodes.isEmpty()) {
+      session.message(Texts.of("node.none"));
+    } else if (put(edits().text(nodes))) {
+      session.message(Texts.of("node.copied", shown(nodes)));
+    }
+  }
+
+  private boolean put(String text) {
+    try {
+      clipboard.setContents(new StringSelection(text), null);
+      return true;
+    } catch (IllegalStateException e) {
+      session.message(Texts.of("node.clipboardBusy"));
+      return false;
+    }
+  }
+
+  /** Puts the source of the selected nodes on the clipboard and removes them. */
+  public void cut() {
+    List<DocumentElement> nodes = selected();
+    if (nodes.isEmpty()) {
+      session.message(Texts.of("node.none"));
+      return;
+    }
+    String text = edits().text(nodes);
+    remove(nodes, () -> put(text), "Cut", "node.cutDone");
+  }
+
+  /** Removes the selected nodes. */
+  public void delete() {
+    List<DocumentElement> nodes = selected();
+    if (nodes.isEmpty()) {
+      session.message(Texts.of("node.none"));
+      return;
+    }
+    remove(nodes, () -> true, "Delete", "node.deleteDone");
+  }
+
+  private interface Before {
+    boolean done();
+  }
+
+  private void remove(List<DocumentElement> nodes, Before before, String verb, String told) {
+    session.attempt(
+        () -> {
+          int routes = new NodeEdits(document()).references(nodes).size();
+          Edit edit =
+              verb.equals("Delete") && nodes.size() == 1
+                  ? new NodeEdits(document()).remove(nodes.get(0))
+                  : edits().remove(nodes, verb);
+          String done = Texts.of(told, shown(nodes));
+          Optional<DocumentElement> next = neighbour(nodes);
+          if (!before.done()) {
+            return;
+          }
+          document().perform(edit);
+          session.select(next.filter(DocumentElement::attached).orElse(null), document());
+          session.message(
+              routes == 0
+                  ? done
+                  : done + " " + Texts.of("node.routes", DecimalFormatter.grouped(routes), routes));
+        });
+  }
+
+  /** Returns what is selected once nodes are gone: the next node, the one before, the parent. */
+  private static Optional<DocumentElement> neighbour(List<DocumentElement> nodes) {
+    DocumentElement last = nodes.get(nodes.size() - 1);
+    return last.parent()
+        .map(
+            parent -> {
+              List<DocumentElement> all = parent.children();
+              int at = all.indexOf(last);
+              for (int i = at + 1; i < all.size(); i++) {
+                if (!nodes.contains(all.get(i)) && !all.get(i).name().equals("ROUTE")) {
+                  return all.get(i);
+                }
+              }
+              for (int i = at - 1; i >= 0; i--) {
+                if (!nodes.contains(all.get(i))) {
+                  return all.get(i);
+                }
+              }
+              return parent;
+            });
+  }
+
+  /** Pastes the clipboard's text into the selected node, or beside it. */
+  public void paste() {
+    try {
+      String text = String.valueOf(clipboard.getData(DataFlavor.stringFlavor));
+      perform(() -> edits().paste(session.selection(), text), "node.pasted");
+    } catch (UnsupportedFlavorException | IOException e) {
+      session.message(Texts.of("node.noText"));
+    } catch (IllegalStateException e) {
+      session.message(Texts.of("node.clipboardBusy"));
+    }
+  }
+
+  /** Makes a change, selects what it has put into the scene and says so. */
+  private boolean perform(Supplier<StructureChange> making, String told) {
+    return session.attempt(
+        () -> {
+          StructureChange change = making.get();
+          if (change.edit().isEmpty()) {
+            return;
+          }
+          document().perform(change.edit());
+          List<DocumentElement> added = change.elements(document());
+          session.selectAll(added, document());
+          session.message(
+              added.isEmpty()
+                  ? ""
+                  : Texts.of(
+                      told,
+                      shown(added),
+                      added.get(0).parent().map(DocumentElement::toString).orElse("")));
+        });
+  }
+
+  private static String shown(List<DocumentElement> nodes) {
+    return nodes.size() == 1
+        ? nodes.get(0).toString()
+        : Texts.of("node.several", DecimalFormatter.grouped(nodes.size()));
+  }
+
+  /** Puts a copy of each selected node beside it. */
+  public void duplicate() {
+    List<DocumentElement> nodes = selected();
+    if (nodes.isEmpty()) {
+      session.message(Texts.of("node.none"));
+      return;
+    }
+    sizes.of(
+        nodes,
+        size -> {
+          if (nodes.stream().allMatch(DocumentElement::attached)) {
+            perform(
+                () ->
+                    edits()
+                        .duplicate(
+                            nodes,
+                            node ->
+                                new Vector3d(
+                                    size.apply(node)
+                                        .filter(width -> width > 0)
+                                        .orElse(ASIDE),
+                                    0,
+                                    0)),
+                "node.duplicated");
+          }
+        });
+  }
+
+  /** Moves the selected nodes one place up or down among their siblings. */
+  public void step(boolean down) {
+    List<DocumentElement> nodes = selected();
+    if (nodes.isEmpty()) {
+      session.message(Texts.of("node.none"));
+    } else {
+      perform(() -> edits().step(nodes, down), "node.moved");
+    }
+  }
+
+  /** Returns why nodes cannot be moved or copied to a position; empty if they can. */
+  public Optional<String> complaint(
+      List<DocumentElement> nodes, ChildPosition position, boolean copy) {
+    try {
+      document().locked().ifPresent(StructureCommands::refuse);
+      change(nodes, position, copy);
+      return Optional.empty();
+    } catch (EditRejectedException e) {
+      return Optional.of(String.valueOf(e.getMessage()));
+    }
+  }
+
+  private static void refuse(String why) {
+    throw new EditRejectedException(why);
+  }
+
+  /** Moves or copies nodes to a position. */
+  public void drop(List<DocumentElement> nodes, ChildPosition position, boolean copy) {
+    perform(() -> change(nodes, position, copy), copy ? "node.pasted" : "node.moved");
+  }
+
+  private StructureChange change(
+      List<DocumentElement> nodes, ChildPosition position, boolean copy) {
+    return copy ? edits().copy(nodes, position) : edits().move(nodes, position);
+  }
+
+  /** Returns what can be inserted. */
+  public NodePalette palette() {
+    return new NodePalette(document(), session.catalogue());
+  }
+
+  /**
+   * Inserts a template at the selection.
+   *
+   * @return whether it was inserted
+   */
+  public boolean insert(NodeTemplate template) {
+    return perform(() -> palette().insert(session.selection(), template), "node.inserted");
+  }
+}
