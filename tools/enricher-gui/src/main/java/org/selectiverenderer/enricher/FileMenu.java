@@ -12,22 +12,16 @@ final class FileMenu {
   private final EnricherWindow window;
   private final JMenu menu = new JMenu(command("menu.file", "", () -> {}));
   private final JMenu recent = new JMenu(command("menu.recent", "", () -> {}));
+  private final MenuAction back;
   private final JCheckBoxMenuItem review =
       new JCheckBoxMenuItem(command("menu.review", "", () -> {}));
-
-  private final RunCommands inlined;
-  private final MenuAction back;
 
   /** The commands that need an open scene. */
   private final List<MenuAction> ofScene;
 
-  /**
-   * @param inlined opens the files that the scene inlines
-   */
-  FileMenu(EnricherWindow window, RunCommands inlined, EnricherSettings settings) {
+  FileMenu(EnricherWindow window, RunCommands runs, EnricherSettings settings) {
     this.window = window;
-    this.inlined = inlined;
-    back = command("run.backnone", "alt LEFT", inlined::back);
+    back = new MenuAction(Texts.of("run.backnone"), "alt LEFT", runs::back);
     MenuAction save = command("menu.save", "ctrl S", window.saves()::save);
     MenuAction saveAs = command("menu.saveas", "ctrl shift S", window.saves()::saveAs);
     MenuAction changes = command("menu.changes", "ctrl D", window.saves()::showChanges);
@@ -36,19 +30,22 @@ final class FileMenu {
         command(
             "window.revert.command", "", () -> window.saves().revert(window.opening()::reload));
     MenuAction allow = command("access.command", "", window.files()::allow);
-    ofScene = List.of(save, saveAs, changes, merge, revert, allow);
+    MenuAction pack = command("package.command", "", window.files()::packageScene);
+    MenuAction imports = command("import.command", "ctrl shift E", window.imports()::choose);
+    ofScene = List.of(save, saveAs, pack, imports, changes, merge, revert, allow);
     menu.add(command("create.command", "ctrl N", window.files()::newScene));
     menu.add(command("menu.open", "ctrl O", window.opening()::chooseAndOpen));
     menu.add(command("window.opennew", "ctrl shift O", window.files()::openInNewWindow));
     recent.addMenuListener(new MenuOpeningListener(this::listRecent));
     menu.add(recent);
-    menu.add(command("run.inline", "ctrl I", inlined::openInline));
-    menu.add(command("run.inlinewindow", "ctrl shift I", inlined::openInlineInWindow));
+    menu.add(command("run.inline", "ctrl I", runs::openInline));
+    menu.add(command("run.inlinewindow", "ctrl shift I", runs::openInlineInWindow));
     menu.add(back);
     menu.add(command("menu.kept", "", window.opening()::askAboutKept));
     menu.addSeparator();
     menu.add(save);
     menu.add(saveAs);
+    menu.add(pack);
     menu.add(changes);
     review.setSelected(settings.flag("review", true));
     review.addActionListener(event -> settings.put("review", review.isSelected()));
@@ -56,6 +53,7 @@ final class FileMenu {
     menu.add(merge);
     menu.add(revert);
     menu.addSeparator();
+    menu.add(imports);
     menu.add(allow);
     menu.addSeparator();
     menu.add(command("menu.close", "ctrl Q", window::close));
@@ -82,6 +80,16 @@ final class FileMenu {
     return menu;
   }
 
+  /**
+   * Names the scene that Back goes to.
+   *
+   * @param from empty for none
+   */
+  void back(String from) {
+    back.rename(from.isEmpty() ? Texts.of("run.backnone") : Texts.of("run.back", from));
+    back.setEnabled(!from.isEmpty());
+  }
+
   /** Whether changes are shown before they are saved. */
   boolean reviews() {
     return review.isSelected();
@@ -91,8 +99,5 @@ final class FileMenu {
   void refresh() {
     boolean open = window.session().isPresent();
     ofScene.forEach(command -> command.setEnabled(open));
-    String from = inlined.from().map(file -> String.valueOf(file.getFileName())).orElse("");
-    back.rename(from.isEmpty() ? Texts.of("run.backnone") : Texts.of("run.back", from));
-    back.setEnabled(!from.isEmpty());
   }
 }

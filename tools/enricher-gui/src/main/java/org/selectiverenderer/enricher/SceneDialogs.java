@@ -9,7 +9,9 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
+import org.selectiverenderer.enricher.images.ImagesDialog;
 import org.selectiverenderer.enricher.ratings.RatingsDialog;
+import org.selectiverenderer.enricher.routes.RoutesDialog;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.enricher.versions.BatchVersionsDialog;
@@ -58,6 +60,28 @@ final class SceneDialogs {
         .flatMap(EnricherSession::selection)
         .flatMap(SceneDialogs::object)
         .ifPresentOrElse(this::versions, () -> say.accept(Texts.of("window.chooseobject")));
+  }
+
+  /** Opens the dialog of the images that the scene names. */
+  void images() {
+    bench
+        .get()
+        .ifPresent(
+            open -> {
+              open.commit();
+              new ImagesDialog(owner, open.session()).setVisible(true);
+            });
+  }
+
+  /** Opens the dialog of the scene's ROUTEs. */
+  void routes() {
+    bench
+        .get()
+        .ifPresent(
+            open -> {
+              open.commit();
+              new RoutesDialog(owner, open.session(), () -> open.showTab(2)).setVisible(true);
+            });
   }
 
   /** Opens the dialog that makes versions of many objects. */

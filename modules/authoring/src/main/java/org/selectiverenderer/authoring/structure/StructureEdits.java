@@ -132,9 +132,9 @@ public final class StructureEdits {
         .orElseThrow(() -> new EditRejectedException(nowhere(elements, target)));
   }
 
-  /** Returns a node's text without names and white space, by which a node knows its copy. */
+  /** Returns a node's text by which it knows its copies: without numbers of names, white space. */
   private static String bare(String text) {
-    return text.replaceAll("\\b(DEF|USE)\\s*=\\s*('[^']*'|\"[^\"]*\")|\\s+", "");
+    return text.replaceAll("_[1-9][0-9]*(?=['\"])|\\s+", "");
   }
 
   /** Returns the first element that no free field of a parent takes; empty if all fit. */

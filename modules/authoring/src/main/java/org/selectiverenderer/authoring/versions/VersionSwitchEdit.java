@@ -65,6 +65,7 @@ final class VersionSwitchEdit {
       changes.add(shared.replace(lines));
     }
     whole.elements().stream().skip(1).map(layout::remove).forEach(changes::add);
+    changes.addAll(new SharedNodes(scene, whole.elements()).changes(choice));
     return changes;
   }
 

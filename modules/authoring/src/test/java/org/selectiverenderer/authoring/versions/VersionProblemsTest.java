@@ -21,11 +21,6 @@ class VersionProblemsTest extends VaseScene {
       quoteCharacter = '"',
       value = {
         "Nobody | <Shape DEF='A'><Box/></Shape> | no node with DEF 'Nobody'",
-        "A | <Shape DEF='A'><Box/></Shape><Shape USE='A'/> | 'A' is used here (USE)",
-        "A | <Group DEF='A'><Shape DEF='B'><Box/></Shape></Group><Shape USE='B'/> | "
-            + "'B' is used here (USE)",
-        "A | <Group DEF='A'><Shape><Box/></Shape></Group><Group USE='A'/> | 'A' is "
-            + "used here (USE)",
         "A | <Shape DEF='A'><Box/></Shape><Shape DEF='A'><Box/></Shape> | of several nodes",
         "A | <Shape DEF='A'><Box/></Shape><TouchSensor DEF='T'/><ROUTE fromNode='T' "
             + "fromField='isOver' toNode='A' toField='visible'/> | ROUTE here refers to 'A'",

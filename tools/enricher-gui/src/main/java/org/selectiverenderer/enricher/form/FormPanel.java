@@ -1,6 +1,7 @@
 package org.selectiverenderer.enricher.form;
 
 import java.awt.Rectangle;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -107,7 +108,7 @@ public final class FormPanel extends JPanel {
     body.add(title, "wmin 0");
     body.add(place, "wmin 0");
     if (element != null) {
-      Form made = CompositeForm.of(form(element), new FieldsForm(session, element, allFields));
+      Form made = CompositeForm.of(parts(element));
       form = made;
       body.add(made.component(), "wmin 0");
     } else {
@@ -139,6 +140,19 @@ public final class FormPanel extends JPanel {
                     Integer.toString(fault.location().line()),
                     fault.message()))
         .orElse(Texts.of("form.choose"));
+  }
+
+  /** Returns the parts of an element's form: what can be done, a picture, its fields. */
+  private List<Form> parts(DocumentElement of) {
+    List<Form> parts = new ArrayList<>();
+    parts.add(form(of));
+    if (MaterialForm.shows(of)) {
+      parts.add(new MaterialForm(session, of));
+    } else if (TextureForm.shows(of)) {
+      parts.add(new TextureForm(session, of));
+    }
+    parts.add(new FieldsForm(session, of, allFields));
+    return parts;
   }
 
   private Form form(DocumentElement of) {
@@ -192,12 +206,12 @@ public final class FormPanel extends JPanel {
 
   /** A form composed of other forms of one node, one below the other. */
   private record CompositeForm(JComponent component, List<Form> forms) implements Form {
-    static CompositeForm of(Form... forms) {
+    static CompositeForm of(List<Form> forms) {
       JPanel panel = new JPanel(new MigLayout("insets 0, gap 0, wrap 1", "[grow,fill]"));
       for (Form form : forms) {
         panel.add(form.component(), "wmin 0");
       }
-      return new CompositeForm(panel, List.of(forms));
+      return new CompositeForm(panel, List.copyOf(forms));
     }
 
     @Override

@@ -2,9 +2,11 @@ package org.selectiverenderer.enricher.preview;
 
 import java.util.List;
 import java.util.Optional;
+import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.apparatus.MouseButtonMapping;
 import org.selectiverenderer.browser.camera.Camera;
+import org.selectiverenderer.browser.collision.RayCaster;
 import org.selectiverenderer.browser.navigation.KeyboardMouseControls;
 import org.selectiverenderer.browser.navigation.NavigationCommand;
 import org.selectiverenderer.browser.viewer.Pose;
@@ -145,11 +147,24 @@ final class PreviewController implements AutoCloseable {
     }
   }
 
+  /** Returns the nearest hit of the ray through a pixel. */
+  Optional<RayCaster.Hit> cast(int x, int y) {
+    return scene == null ? Optional.empty() : eye.cast(scene, x, y);
+  }
+
   /** Tells the walked scene which pixel the pointer is over. */
   void point(int x, int y) {
     if (scene != null) {
       eye.point(scene, x, y);
     }
+  }
+
+  /** Returns what is under a pixel, in scene coordinates; empty where nothing is. */
+  Optional<Vector3d> hit(int x, int y) {
+    PreviewScene of = scene;
+    return of == null
+        ? Optional.empty()
+        : eye.cast(of, x, y).map(found -> new Vector3d(found.point()));
   }
 
   /** The viewer's pose; empty while there is no scene. */

@@ -16,6 +16,7 @@ import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.swing.JMenuItem;
 import javax.swing.JPopupMenu;
+import javax.swing.KeyStroke;
 import org.joml.Vector3dc;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -39,7 +40,7 @@ class NodeMenuTest {
   private void open() throws IOException {
     session = TestSessions.with(folder, "<Group DEF='A'/>\n<Group DEF='B'/>\n");
     menu = new NodeMenu(session);
-    menu.add(NodeEditCommands.of(session, new Clipboard("test")));
+    menu.add(NodeEditCommands.of(session, new StructureCommands(session, new Clipboard("test"))));
   }
 
   private DocumentElement named(String def) {
@@ -80,16 +81,16 @@ class NodeMenuTest {
     choose("A", "cutNode");
     assertThat(text()).doesNotContain("'A'");
     choose("B", "pasteNode");
-    assertThat(text()).contains("<Group DEF='B'/>\n<Group DEF='A'/>\n");
+    assertThat(text()).contains("<Group DEF='B'>\n  <Group DEF='A'/>\n</Group>\n");
     choose("A", "copyNode");
     choose("A", "pasteNode");
-    assertThat(text()).contains("<Group DEF='A'/>\n<Group DEF='A_2'/>\n");
-    choose("B", "commentNode");
-    assertThat(text()).contains("<!-- <Group DEF='B'/> -->");
-    choose("A", "deleteNode");
-    assertThat(text()).doesNotContain("DEF='A'/>");
+    assertThat(text()).contains("  <Group DEF='A'/>\n  <Group DEF='A_2'/>\n");
+    choose("A", "commentNode");
+    assertThat(text()).contains("<!-- <Group DEF='A'/> -->");
+    choose("A_2", "deleteNode");
+    assertThat(text()).doesNotContain("DEF='A_2'/>");
     assertThat(get(() -> session.document().history().names()))
-        .isEqualTo(List.of("Cut Group A", "Paste", "Paste", "Comment Group B", "Delete A"));
+        .isEqualTo(List.of("Cut A", "Paste A", "Paste A", "Comment Group A", "Delete A_2"));
     for (int i = 0; i < 5; i++) {
       edt(() -> session.document().history().undo());
     }
@@ -120,11 +121,11 @@ class NodeMenuTest {
     String before = text();
     choose("A", "makeSwitch");
     assertThat(text()).contains("<Switch DEF='Switch_A' whichChoice='0'>");
-    choose("B", "duplicateNode");
-    assertThat(text()).contains("<Group DEF='B'/>\n<Group DEF='B_2'/>");
+    assertThat(get(() -> item("renameNode").getAccelerator()))
+        .isEqualTo(KeyStroke.getKeyStroke("F2"));
     choose("B", "deleteNode");
     assertThat(text()).doesNotContain("DEF='B'/>");
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 2; i++) {
       edt(() -> session.document().history().undo());
     }
     assertThat(text()).isEqualTo(before);
