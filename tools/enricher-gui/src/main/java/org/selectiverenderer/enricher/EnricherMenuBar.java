@@ -14,6 +14,7 @@ import javax.swing.KeyStroke;
 import org.selectiverenderer.authoring.UndoHistory;
 import org.selectiverenderer.enricher.area.AreaCommands;
 import org.selectiverenderer.enricher.area.GridSetting;
+import org.selectiverenderer.enricher.insert.InsertCommands;
 import org.selectiverenderer.enricher.menu.StructureCommands;
 import org.selectiverenderer.enricher.settings.EnricherSettings;
 import org.selectiverenderer.enricher.settings.Language;
@@ -46,6 +47,7 @@ final class EnricherMenuBar {
     redo = command("menu.redo", "ctrl shift Z", window::redo);
     bar.add(file.menu());
     bar.add(edit());
+    bar.add(insert());
     bar.add(scene());
     bar.add(run());
     bar.add(view());
@@ -77,6 +79,20 @@ final class EnricherMenuBar {
     menu.add(command("menu.previous", "shift F8", with(Workbench::previousProblem)));
     menu.add(command("menu.fix", "alt ENTER", with(Workbench::fixProblem)));
     source(menu);
+    return menu;
+  }
+
+  private JMenu insert() {
+    JMenu menu = menu("insert.menu");
+    menu.add(command("insert.node", "ctrl shift N", with(Workbench::insertNode)));
+    menu.addSeparator();
+    for (String template : InsertCommands.TEMPLATES) {
+      if (template.isEmpty()) {
+        menu.addSeparator();
+      } else {
+        menu.add(command("insert." + template, "", with(bench -> bench.insert(template))));
+      }
+    }
     return menu;
   }
 

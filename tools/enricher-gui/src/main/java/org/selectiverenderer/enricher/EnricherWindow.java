@@ -1,8 +1,10 @@
 package org.selectiverenderer.enricher;
 
 import java.awt.BorderLayout;
+import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.EventQueue;
+import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
@@ -55,6 +57,7 @@ final class EnricherWindow {
   private final RunCommands runs;
   private final SaveCommands saves;
   private final FileCommands files;
+  private final ImportCommands imports;
   private final EnricherMenuBar menus;
   private final Runnable removeTypingFilter;
 
@@ -119,6 +122,7 @@ final class EnricherWindow {
     dialogs = new SceneDialogs(frame, this::bench, status::say);
     runs = new RunCommands(frame, this::bench, opening::open, windows::openNew, status::say);
     files = new FileCommands(this, questions);
+    imports = new ImportCommands(this, questions);
     menus = new EnricherMenuBar(this, dialogs, runs, settings);
     frame.setJMenuBar(menus.bar());
     menus.moreKeys(frame.getRootPane());
@@ -174,6 +178,11 @@ final class EnricherWindow {
   /** The commands of the File menu that make and read scenes. */
   FileCommands files() {
     return files;
+  }
+
+  /** The commands that make models part of the scene. */
+  ImportCommands imports() {
+    return imports;
   }
 
   /** The windows of this process. */
@@ -298,16 +307,16 @@ final class EnricherWindow {
   }
 
   /**
-   * Imports a dropped .csv file as ratings and opens any other file as a scene, after the drop has
-   * ended.
+   * Imports a dropped .csv file as ratings and a file on the preview, the plan or the tree as part
+   * of the scene, and opens any other file as a scene; after the drop has ended.
    */
-  private void dropped(Path file) {
+  private void dropped(Path file, Component over, Point at) {
     boolean table = file.toString().toLowerCase(Locale.ROOT).endsWith(".csv");
     EventQueue.invokeLater(
         () -> {
           if (table && bench != null) {
             dialogs.ratings(Optional.of(file));
-          } else {
+          } else if (!imports.dropped(file, over, at)) {
             open(file);
           }
         });

@@ -30,7 +30,9 @@ final class FileMenu {
         command(
             "window.revert.command", "", () -> window.saves().revert(window.opening()::reload));
     MenuAction allow = command("access.command", "", window.files()::allow);
-    ofScene = List.of(save, saveAs, changes, merge, revert, allow);
+    MenuAction pack = command("package.command", "", window.files()::packageScene);
+    MenuAction imports = command("import.command", "ctrl shift E", window.imports()::choose);
+    ofScene = List.of(save, saveAs, pack, imports, changes, merge, revert, allow);
     menu.add(command("create.command", "ctrl N", window.files()::newScene));
     menu.add(command("menu.open", "ctrl O", window.opening()::chooseAndOpen));
     menu.add(command("window.opennew", "ctrl shift O", window.files()::openInNewWindow));
@@ -43,6 +45,7 @@ final class FileMenu {
     menu.addSeparator();
     menu.add(save);
     menu.add(saveAs);
+    menu.add(pack);
     menu.add(changes);
     review.setSelected(settings.flag("review", true));
     review.addActionListener(event -> settings.put("review", review.isSelected()));
@@ -50,6 +53,7 @@ final class FileMenu {
     menu.add(merge);
     menu.add(revert);
     menu.addSeparator();
+    menu.add(imports);
     menu.add(allow);
     menu.addSeparator();
     menu.add(command("menu.close", "ctrl Q", window::close));

@@ -307,4 +307,27 @@ class StructureEditsTest {
         edits().paste(Optional.of(named("A")), paint).edit());
     assertThat(text()).contains("<Appearance DEF='A'>" + paint + "</Appearance>");
   }
+
+  @Test
+  void theMetadataOfACopiedAreaIsCalledAfterTheCopy() {
+    document =
+        open(
+            """
+            <X3D><Scene>
+              <ProximitySensor DEF='Desk' size='2 3 2'>
+                <MetadataSet DEF='MetadataSet_DeskDefinition' name='Desk'>
+                  <MetadataString DEF='enterTimeSchemaDefinitionDesk' name='enterTimeSchema' value='"A"'/>
+                </MetadataSet>
+              </ProximitySensor>
+            </Scene></X3D>
+            """);
+    perform(edits().duplicate(List.of(named("Desk")), node -> new Vector3d(2, 0, 0)));
+    assertThat(text())
+        .contains(
+            """
+              <ProximitySensor DEF='Desk_2' size='2 3 2' center='2 0 0'>
+                <MetadataSet DEF='MetadataSet_Desk_2Definition' name='Desk_2'>
+                  <MetadataString DEF='enterTimeSchemaDefinitionDesk_2' name='enterTimeSchema' value='"A"'/>
+            """);
+  }
 }

@@ -36,28 +36,30 @@ public final class StructureCommands {
 
   private final EnricherSession session;
   private final Clipboard clipboard;
-  private NodeSizes sizes = (nodes, answer) -> answer.accept(node -> Optional.empty());
+  private Shifts shifts = (nodes, answer) -> answer.accept(node -> Optional.empty());
 
   public StructureCommands(EnricherSession session, Clipboard clipboard) {
     this.session = session;
     this.clipboard = clipboard;
   }
 
-  /** Answers how large nodes are. */
+  /** Answers how far beside nodes their duplicates lie. */
   @FunctionalInterface
-  public interface NodeSizes {
+  public interface Shifts {
     /**
-     * Answers the extent of nodes along the X axis of their parents in metres, later, on the event
-     * dispatch thread.
+     * Answers the way from each node to its duplicate, in the coordinates of its parent; empty
+     * where the node's size is unknown.
+     *
+     * @param answer is called later, on the event dispatch thread
      */
     void of(
         List<DocumentElement> nodes,
-        Consumer<Function<DocumentElement, Optional<Double>>> answer);
+        Consumer<Function<DocumentElement, Optional<Vector3d>>> answer);
   }
 
-  /** Sets what knows how large nodes are. */
-  public void sizes(NodeSizes known) {
-    sizes = known;
+  /** Sets what knows how far beside nodes their duplicates lie. */
+  public void shifts(Shifts known) {
+    shifts = known;
   }
 
   private SceneDocument document() {
@@ -224,22 +226,16 @@ public final class StructureCommands {
       session.message(Texts.of("node.none"));
       return;
     }
-    sizes.of(
+    shifts.of(
         nodes,
-        size -> {
+        known -> {
           if (nodes.stream().allMatch(DocumentElement::attached)) {
             perform(
                 () ->
                     edits()
                         .duplicate(
                             nodes,
-                            node ->
-                                new Vector3d(
-                                    size.apply(node)
-                                        .filter(width -> width > 0)
-                                        .orElse(ASIDE),
-                                    0,
-                                    0)),
+                            node -> known.apply(node).orElseGet(() -> new Vector3d(ASIDE, 0, 0))),
                 "node.duplicated");
           }
         });
@@ -279,6 +275,11 @@ public final class StructureCommands {
   private StructureChange change(
       List<DocumentElement> nodes, ChildPosition position, boolean copy) {
     return copy ? edits().copy(nodes, position) : edits().move(nodes, position);
+  }
+
+  /** Returns a valid name that no node of the document has, made from the wanted one. */
+  public String free(String wanted) {
+    return new NodeEdits(document()).free(wanted);
   }
 
   /** Returns what can be inserted. */

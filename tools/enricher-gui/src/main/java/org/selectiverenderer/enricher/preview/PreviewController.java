@@ -2,6 +2,7 @@ package org.selectiverenderer.enricher.preview;
 
 import java.util.List;
 import java.util.Optional;
+import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.apparatus.MouseButtonMapping;
 import org.selectiverenderer.browser.camera.Camera;
@@ -190,6 +191,14 @@ final class PreviewController implements AutoCloseable {
     if (scene != null) {
       eye.point(scene, x, y);
     }
+  }
+
+  /** Returns what is under a pixel, in scene coordinates; empty where nothing is. */
+  Optional<Vector3d> hit(int x, int y) {
+    PreviewScene of = scene;
+    return of == null
+        ? Optional.empty()
+        : eye.cast(of, x, y).map(found -> new Vector3d(found.point()));
   }
 
   /** The viewer's pose; empty while there is no scene. */

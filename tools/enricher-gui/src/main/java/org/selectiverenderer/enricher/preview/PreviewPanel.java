@@ -13,6 +13,8 @@ import java.util.function.Supplier;
 import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
 import net.miginfocom.swing.MigLayout;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.authoring.area.AreaBox;
 import org.selectiverenderer.authoring.area.AreaInstance;
@@ -183,6 +185,23 @@ public final class PreviewPanel extends JPanel {
     return probe;
   }
 
+  /** Answers what is under a point of a component, in scene coordinates; empty where nothing is. */
+  public void place(Component over, Point at, Consumer<Optional<Vector3d>> answer) {
+    Point inside = SwingUtilities.convertPoint(over, at, view);
+    new PlacementQueries(thread).under(view.toPixels(inside.x), view.toPixels(inside.y), answer);
+  }
+
+  /** Answers a place on the floor before the viewer; empty while there is no picture. */
+  public void placeAhead(Consumer<Optional<Vector3d>> answer) {
+    new PlacementQueries(thread).ahead(answer);
+  }
+
+  /** Answers the floor or surface below a point; the point itself where there is none. */
+  public void onFloor(Vector3dc point, Consumer<Vector3d> answer) {
+    new PlacementQueries(thread)
+        .below(point, found -> answer.accept(found.orElseGet(() -> new Vector3d(point))));
+  }
+
   /** Sets the grid that the handles of areas snap to. */
   public void grid(Supplier<SnapGrid> setting) {
     grid = setting;
@@ -248,6 +267,11 @@ public final class PreviewPanel extends JPanel {
   /** The component that shows the picture. */
   PreviewCanvas view() {
     return view;
+  }
+
+  /** The words about what is measured. */
+  String measured() {
+    return measure.words();
   }
 
   /** The text of the status line. */

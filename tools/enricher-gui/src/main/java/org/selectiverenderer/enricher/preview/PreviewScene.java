@@ -296,9 +296,11 @@ final class PreviewScene implements AutoCloseable {
     return areas.bounds(node).or(() -> VisibleBoundsCalculator.of(nodes.shapes(node)));
   }
 
-  /** The bounding box of all shown shapes, or of all shapes if none is shown. */
+  /** The bounding box of all shown shapes but sky domes and endless grounds. */
   Optional<BoundingBox> bounds() {
-    return VisibleBoundsCalculator.of(world.instances().shapes());
+    return PlanShapes.of(world.instances().shapes(), Set.of())
+        .extent()
+        .or(() -> VisibleBoundsCalculator.of(world.instances().shapes()));
   }
 
   /** The viewer's pose. */
