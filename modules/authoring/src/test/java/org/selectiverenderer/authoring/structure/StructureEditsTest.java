@@ -361,6 +361,21 @@ class StructureEditsTest {
     assertThat(text()).contains("<Group DEF='Two'/><Group DEF='G_2'/></Switch>");
   }
 
+  @Test
+  void aPrototypeIsCutOnlyTogetherWithItsInstances() {
+    document =
+        open(
+            """
+            <X3D><Scene><ProtoDeclare name='P'><ProtoBody><Group/></ProtoBody></ProtoDeclare>
+            <ProtoInstance name='P' DEF='I'/><Group DEF='G'/></Scene></X3D>
+            """);
+    DocumentElement declaration = scene().children().get(0);
+    assertThatThrownBy(() -> edits().remove(List.of(declaration, named("G")), "Cut"))
+        .hasMessageContaining("the prototype P has an instance in line 2");
+    document.perform(edits().remove(List.of(declaration, named("I")), "Cut"));
+    assertThat(scene().children()).hasToString("[Group G]");
+  }
+
   private interface StructureMove {
     Edit edit();
   }
