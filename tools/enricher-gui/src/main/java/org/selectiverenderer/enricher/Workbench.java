@@ -151,7 +151,7 @@ final class Workbench {
     placement = new PlacementCommands(session, preview.probe());
     preview.addAction(
         Texts.of("area.add.short"), Texts.of("area.add.tip"), areas::addAroundSelection);
-    plan = new PlanPanel(session, areas, names, grid);
+    plan = new PlanPanel(session, areas, names, grid, handles);
     addTab("Preview", Texts.of("window.tab.preview"), preview);
     addTab("Schemas", Texts.of("window.tab.schemas"), schemasAndCosts);
     addTab("Source", Texts.of("window.tab.source"), source.component());
@@ -220,7 +220,7 @@ final class Workbench {
     menu.add(
         new NodeCommand(
             "insertNode",
-            Texts.of("insert.node"),
+            Texts.of("insert.here"),
             "INSERT",
             element -> session.document().locked().isEmpty(),
             element -> insertNode()));
@@ -260,7 +260,7 @@ final class Workbench {
     key("ctrl D", "node.duplicate", StructureCommands::duplicate);
     key("alt UP", "node.up", each -> each.step(false));
     key("alt DOWN", "node.down", each -> each.step(true));
-    tree.onKey("INSERT", MnemonicText.of(Texts.of("insert.node")).words(), this::insertNode);
+    tree.onKey("INSERT", MnemonicText.of(Texts.of("insert.here")).words(), this::insertNode);
     tree.onKey("F2", MnemonicText.of(Texts.of("area.rename.node")).words(), this::renameNode);
     tree.onDrop(
         new NodeDrop() {
@@ -297,12 +297,14 @@ final class Workbench {
   void insert(String template) {
     commit();
     insert.insert(template, all);
+    session.selection().ifPresent(tree::reveal);
   }
 
   /** Asks for a node to be inserted at the selection. */
   void insertNode() {
     commit();
     insert.choose(all);
+    session.selection().ifPresent(tree::reveal);
   }
 
   /** Does what a key does where the focus is, in a text for example, else acts on the nodes. */

@@ -30,11 +30,13 @@ public final class StructureEdits {
   private final SceneDocument document;
   private final Containment containment;
   private final NodeCatalogue catalogue;
+  private final ChoiceGuard choices;
 
   public StructureEdits(SceneDocument document, NodeCatalogue catalogue) {
     this.document = document;
     this.catalogue = catalogue;
     this.containment = new Containment(catalogue);
+    this.choices = new ChoiceGuard(document, catalogue);
   }
 
   /** Returns the rules by which elements contain others. */
@@ -76,6 +78,7 @@ public final class StructureEdits {
   public Edit remove(List<DocumentElement> elements, String verb) {
     tree();
     List<DocumentElement> all = outermost(elements);
+    all.forEach(choices::taken);
     return new Edit(verb + " " + called(all), new NodeEdits(document).removal(all));
   }
 
@@ -202,6 +205,7 @@ public final class StructureEdits {
       if (!NodeEdits.removable(each)) {
         throw new EditRejectedException("Every scene needs its element " + each + "; it stays");
       }
+      choices.taken(each);
       if (each.contains(parent)) {
         throw new EditRejectedException(each + " cannot be moved into itself");
       }
@@ -338,6 +342,7 @@ public final class StructureEdits {
 
   private TextEdit insertion(
       ChildPosition position, Set<DocumentElement> leaving, List<String> lines) {
+    choices.given(position);
     SourceFormatter layout = document.layout();
     List<DocumentElement> children = position.parent().children();
     for (int i = position.index() - 1; i >= 0; i--) {
@@ -381,6 +386,7 @@ public final class StructureEdits {
         throw new EditRejectedException("A file has only one " + each.name());
       }
       DocumentElement parent = each.parent().orElseThrow();
+      choices.given(ChildPosition.after(each));
       Pieces pieces = new Pieces(document, List.of(each));
       place(pieces, List.of(each), parent, Set.of());
       UniqueNameGenerator names =

@@ -11,7 +11,8 @@
  * within what is pasted follow.
  *
  * <p>In: a document, its elements, text. Out: edits, not yet performed, each one undo step. Uses
- * {@code authoring}, {@code authoring.nodes}, {@code x3d} and {@code base.problem}. For the thread
+ * {@code authoring}, {@code authoring.enrichment}, {@code authoring.nodes}, {@code schema}, {@code x3d}, {@code base.decimal} and
+ * {@code base.problem}. For the thread
  * that owns the document.
  */
 @NullMarked

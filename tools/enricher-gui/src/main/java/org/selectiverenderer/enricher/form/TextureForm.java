@@ -96,7 +96,7 @@ final class TextureForm implements Form {
                 String.valueOf(image.height()),
                 ByteFormat.of(image.bytes()),
                 ByteFormat.of(image.cardBytes()))
-            : image.state());
+            : image.fault());
     facts.setToolTipText(facts.getText());
     panel.revalidate();
   }

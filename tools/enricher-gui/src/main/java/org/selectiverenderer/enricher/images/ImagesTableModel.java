@@ -76,7 +76,7 @@ final class ImagesTableModel extends RowTableModel<ImagesTableModel.Row> {
       case BYTES -> image.bytes() == 0 ? "" : ByteFormat.of(image.bytes());
       case CARD -> image.width() == 0 ? "" : ByteFormat.of(image.cardBytes());
       case USES -> row.uses().size();
-      default -> image.state();
+      default -> image.fault();
     };
   }
 

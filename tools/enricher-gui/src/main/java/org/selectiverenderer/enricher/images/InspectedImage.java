@@ -24,7 +24,7 @@ import org.selectiverenderer.x3d.url.UrlResolver;
  * @param width in pixels; 0 if not known
  * @param height in pixels; 0 if not known
  * @param bytes size of the file; 0 if there is none
- * @param fault what is wrong, as a sentence; empty if it can be read
+ * @param fault a clause that says what is wrong; empty if it can be read
  */
 public record InspectedImage(
     Optional<BufferedImage> thumbnail, int width, int height, long bytes, String fault) {
@@ -44,11 +44,6 @@ public record InspectedImage(
   /** Returns whether there is no file to read. */
   public boolean missing() {
     return !readable() && bytes == 0;
-  }
-
-  /** Returns a phrase that says what is wrong; empty if nothing is. */
-  public String state() {
-    return missing() ? Texts.of("images.missing", fault) : fault;
   }
 
   /** Returns whether it can be read. */
@@ -75,7 +70,7 @@ public record InspectedImage(
         first = refused.reason();
       }
     }
-    return failed(0, first.isEmpty() ? Texts.of("images.nourl") : first);
+    return failed(0, first.isEmpty() ? Texts.of("images.nourl") : Texts.of("images.missing", first));
   }
 
   private static InspectedImage failed(long bytes, String why) {

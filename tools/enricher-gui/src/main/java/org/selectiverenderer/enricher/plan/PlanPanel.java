@@ -25,14 +25,17 @@ import org.joml.Vector3d;
 import org.selectiverenderer.authoring.DocumentListener;
 import org.selectiverenderer.authoring.area.AreaInstance;
 import org.selectiverenderer.authoring.area.AreaLocator;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.enricher.area.AreaCommands;
 import org.selectiverenderer.enricher.area.FloorPlanImage;
 import org.selectiverenderer.enricher.area.GridSetting;
 import org.selectiverenderer.enricher.area.NamePrompt;
+import org.selectiverenderer.enricher.placement.HandleBar;
+import org.selectiverenderer.enricher.placement.HandleSettings;
+import org.selectiverenderer.enricher.placement.SelectionPath;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
 import org.selectiverenderer.enricher.text.Texts;
-import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
  * The floor plan with its tool bar, in which areas are drawn, moved, resized, named, copied and
@@ -49,7 +52,9 @@ public final class PlanPanel extends JPanel {
   private final transient GridSetting grid;
   private final transient PlanMouseController hands;
   private final transient PlanMenu menu;
-  private final transient SelectionListener onSelection = (element, origin) -> repaint();
+  private final transient PlanObjects objects;
+  private final SelectionPath path;
+  private final transient SelectionListener onSelection = (element, origin) -> selected();
   private final transient DocumentListener onChange = change -> changed();
   private final FloorPlanCanvas view;
   private final JComboBox<String> step = new JComboBox<>();
@@ -57,7 +62,6 @@ public final class PlanPanel extends JPanel {
   private final JLabel hint = new JLabel(Texts.of("area.plan.hint"));
   private final Timer later = new Timer(PAUSE, event -> refresh());
   private transient OptionalDouble height = OptionalDouble.empty();
-  private transient List<DocumentElement> hidden = List.of();
   private transient List<AreaInstance> areas = List.of();
   private transient long read = -1;
   private boolean filling;
@@ -65,16 +69,23 @@ public final class PlanPanel extends JPanel {
   /**
    * @param commands creates and edits areas
    * @param question asks for names
+   * @param handles what the handles of objects do
    */
   public PlanPanel(
-      EnricherSession session, AreaCommands commands, NamePrompt question, GridSetting grid) {
-    super(new MigLayout("insets 0, gap 0, wrap 1", "[grow,fill]", "[][grow,fill][]"));
+      EnricherSession session,
+      AreaCommands commands,
+      NamePrompt question,
+      GridSetting grid,
+      HandleSettings handles) {
+    super(new MigLayout("insets 0, gap 0, wrap 1", "[grow,fill]", "[][][grow,fill][]"));
     this.session = session;
     this.commands = commands;
     this.grid = grid;
     view = new FloorPlanCanvas(this::areas, session::selection);
-    menu = new PlanMenu(view, commands, question);
-    hands = new PlanMouseController(view, session, commands, grid, menu);
+    objects = new PlanObjects(view, session, commands.probe(), grid, handles);
+    menu = new PlanMenu(view, commands, question, objects, this::refresh);
+    hands = new PlanMouseController(view, session, commands, grid, menu, objects);
+    path = new SelectionPath(session);
     later.setRepeats(false);
     layOut();
     keys();
@@ -144,10 +155,17 @@ public final class PlanPanel extends JPanel {
     fit.setToolTipText(Texts.of("area.plan.fit.tip"));
     fit.addActionListener(event -> view.fit());
     bar.add(fit);
+    JButton fitSelection = new JButton(Texts.of("placement.plan.fitselection"));
+    fitSelection.setToolTipText(Texts.of("placement.plan.fitselection.tip"));
+    fitSelection.addActionListener(event -> fitSelection());
+    bar.add(fitSelection);
+    bar.addSeparator();
+    new HandleBar(objects.settings()).buttons().forEach(bar::add);
     JPanel foot = new JPanel(new MigLayout("insets 2 6 2 6", "[grow,fill]"));
     hint.setToolTipText(hint.getText());
     foot.add(hint, "wmin 0");
     add(bar, "wmin 0");
+    add(path, "wmin 0");
     add(view, "wmin 0, hmin 0");
     add(foot);
     getAccessibleContext().setAccessibleName(Texts.of("area.plan"));
@@ -168,6 +186,13 @@ public final class PlanPanel extends JPanel {
 
   private void keys() {
     key("HOME", view::fit);
+    key("F", this::fitSelection);
+    key("H", menu::hide);
+    key("shift H", menu::showAll);
+    key("M", () -> objects.settings().use(HandleSettings.Mode.MOVE));
+    key("T", () -> objects.settings().use(HandleSettings.Mode.TURN));
+    key("S", () -> objects.settings().use(HandleSettings.Mode.SCALE));
+    key("D", () -> objects.settings().measure(!objects.settings().measuring()));
     key("DELETE", menu::delete);
     key("F2", menu::rename);
     key("ctrl C", menu::copy);
@@ -214,6 +239,10 @@ public final class PlanPanel extends JPanel {
 
   private void nudge(int x, int z) {
     double by = grid.step().step() > 0 ? grid.step().step() : 0.01;
+    if (view.selected().isEmpty()) {
+      objects.commands().nudge(new Vector3d(x * by, 0, z * by));
+      return;
+    }
     view.selected()
         .ifPresent(
             area ->
@@ -240,6 +269,11 @@ public final class PlanPanel extends JPanel {
     return areas;
   }
 
+  private void selected() {
+    repaint();
+    objects.follow();
+  }
+
   private void changed() {
     view.repaint();
     if (isShowing()) {
@@ -250,7 +284,7 @@ public final class PlanPanel extends JPanel {
   /** Requests a new plan image of what the preview has loaded. */
   private void refresh() {
     if (isShowing()) {
-      commands.probe().plan(height, hidden, found -> found.ifPresentOrElse(this::show, later::restart));
+      commands.probe().plan(height, objects.hidden(), found -> found.ifPresentOrElse(this::show, later::restart));
     }
   }
 
@@ -259,10 +293,34 @@ public final class PlanPanel extends JPanel {
     cut.setValue(Math.round(plan.cut() * 100) / 100.0);
     filling = false;
     view.show(plan);
+    objects.follow();
+    say();
+  }
+
+  /** Shows how many objects are hidden, or what the mouse does. */
+  private void say() {
+    int hidden = objects.hidden().size();
+    hint.setText(
+        hidden == 0
+            ? Texts.of("area.plan.hint")
+            : Texts.of("placement.plan.hidden", DecimalFormatter.grouped(hidden)));
+  }
+
+  private void fitSelection() {
+    view.selected()
+        .map(FloorPlanCanvas::bounds)
+        .or(objects::selectedBounds)
+        .ifPresentOrElse(view::fit, view::fit);
+  }
+
+  /** The objects of the plan. */
+  PlanObjects objects() {
+    return objects;
   }
 
   /** Stops following the session. */
   public void dispose() {
+    path.dispose();
     later.stop();
     session.removeSelectionListener(onSelection);
     session.document().removeListener(onChange);

@@ -193,6 +193,16 @@ final class PreviewScene implements AutoCloseable {
     }
   }
 
+  /** Where the animation stands; empty for a scene without one. */
+  Optional<AnimationPhase> animation() {
+    return AnimationPhase.of(world, time);
+  }
+
+  /** Lets time pass; the next look or step shows it. */
+  void pass(double seconds) {
+    time += seconds;
+  }
+
   /** Updates the scene for a pose without passing time. */
   void look(Pose pose) {
     world.step(time, (viewer, now, dt) -> pose.applyTo(viewer));
@@ -286,9 +296,11 @@ final class PreviewScene implements AutoCloseable {
     return areas.bounds(node).or(() -> VisibleBoundsCalculator.of(nodes.shapes(node)));
   }
 
-  /** The bounding box of all shown shapes, or of all shapes if none is shown. */
+  /** The bounding box of all shown shapes but sky domes and endless grounds. */
   Optional<BoundingBox> bounds() {
-    return VisibleBoundsCalculator.of(world.instances().shapes());
+    return PlanShapes.of(world.instances().shapes(), Set.of())
+        .extent()
+        .or(() -> VisibleBoundsCalculator.of(world.instances().shapes()));
   }
 
   /** The viewer's pose. */

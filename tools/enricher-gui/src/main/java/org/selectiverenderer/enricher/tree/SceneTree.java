@@ -199,8 +199,8 @@ final class SceneTree extends JTree {
     if (now == null) {
       return;
     }
-    Color line = UIManager.getColor(refused ? "Component.error.focusedBorderColor" : "Component.focusColor");
-    g.setColor(line == null ? getForeground() : line);
+    Color wrong = refused ? UIManager.getColor("Component.error.focusedBorderColor") : null;
+    g.setColor(wrong == null ? getForeground() : wrong);
     Rectangle mark = now.mark();
     if (now.into()) {
       g.drawRect(mark.x - 1, mark.y, mark.width + 1, mark.height - 1);

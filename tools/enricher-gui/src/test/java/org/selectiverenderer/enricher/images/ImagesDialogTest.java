@@ -54,7 +54,7 @@ class ImagesDialogTest {
     JTable table = GuiRobot.named(dialog, "Images of the scene", JTable.class);
     hands.await("the images", () -> table.getRowCount() == 3);
     assertThat(cell(table, 0, ImagesTableModel.FILE)).isEqualTo("old/stone.png");
-    assertThat(cell(table, 0, ImagesTableModel.STATE)).startsWith("missing: ");
+    assertThat(cell(table, 0, ImagesTableModel.STATE)).isEqualTo("the file is missing");
     assertThat(cell(table, 1, ImagesTableModel.STATE)).contains("no image of a known format");
     assertThat(cell(table, 2, ImagesTableModel.PIXELS)).isEqualTo("300 \u00d7 200");
     assertThat(cell(table, 2, ImagesTableModel.CARD)).isEqualTo("320 KB");
