@@ -54,16 +54,18 @@ public final class PreviewPanel extends JPanel {
   private final PreviewCanvas view = new PreviewCanvas();
   private final PreviewStatusBar foot = new PreviewStatusBar();
   private final PreviewToolBar bar;
+  private final AnimationBar animation;
   private transient Supplier<SnapGrid> grid = () -> SnapGrid.NONE;
   private transient Consumer<PreviewFrame> onFrame = frame -> {};
   private boolean disposed;
 
   public PreviewPanel(EnricherSession session) {
-    super(new MigLayout("insets 0, gap 0, wrap 1", "[grow,fill]", "[][][grow,fill][]"));
+    super(new MigLayout("insets 0, gap 0, wrap 1, hidemode 3", "[grow,fill]", "[][][grow,fill][][]"));
     this.session = session;
     anchors = new SourceAnchorResolver(session.document());
     thread = new PreviewThread(new Pictures());
     probe = new PreviewSceneQueries(thread, anchors);
+    animation = new AnimationBar(thread);
     bar = new PreviewToolBar(thread, view, () -> session.enrichment().schemas());
     AreaHandles handles = new AreaHandles(view, session, () -> grid.get(), this::showBox);
     bar.onBoxes(handles::shown);
@@ -80,6 +82,7 @@ public final class PreviewPanel extends JPanel {
     add(bar, "wmin 0"); // a long button text must not push the picture out
     add(path, "wmin 0");
     add(view, "wmin 0, hmin 0");
+    add(animation, "wmin 0");
     add(foot);
     getAccessibleContext().setAccessibleName(Texts.of("preview.panel"));
     keys = new PreviewKeyBindings(view);
@@ -153,6 +156,7 @@ public final class PreviewPanel extends JPanel {
     if (frame != null && !disposed) {
       view.show(frame);
       bar.walked(frame.walking());
+      animation.follow(thread.animation(), frame.walking());
       foot.layersLeftOut(frame.otherLayers());
       onFrame.accept(frame);
     }

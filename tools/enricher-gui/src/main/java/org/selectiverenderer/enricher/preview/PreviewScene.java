@@ -193,6 +193,16 @@ final class PreviewScene implements AutoCloseable {
     }
   }
 
+  /** Where the animation stands; empty for a scene without one. */
+  Optional<AnimationPhase> animation() {
+    return AnimationPhase.of(world, time);
+  }
+
+  /** Lets time pass; the next look or step shows it. */
+  void pass(double seconds) {
+    time += seconds;
+  }
+
   /** Updates the scene for a pose without passing time. */
   void look(Pose pose) {
     world.step(time, (viewer, now, dt) -> pose.applyTo(viewer));
