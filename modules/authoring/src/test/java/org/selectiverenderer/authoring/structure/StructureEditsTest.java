@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.authoring.Edit;
@@ -261,7 +262,7 @@ class StructureEditsTest {
 
   @Test
   void duplicatesLieBesideTheirOriginalsUnderTheNextFreeNames() {
-    DuplicateShift half = node -> new Vector3d(0.5, 0, 0);
+    Function<DocumentElement, Vector3d> half = node -> new Vector3d(0.5, 0, 0);
     assertThat(perform(edits().duplicate(List.of(named("Chair")), half)))
         .containsExactly("Transform Chair_2");
     assertThat(perform(edits().duplicate(List.of(named("Chair_2")), half)))
@@ -300,7 +301,7 @@ class StructureEditsTest {
             <ProtoInstance name='Unknown' DEF='U'/></Scene></X3D>
             """);
     String paint = "<ProtoInstance name='Paint' containerField='material'/>";
-    assertThat(edits().containment().accepts(named("G"), named("U"))).isTrue();
+    assertThat(new Containment(catalogue).accepts(named("G"), named("U"))).isTrue();
     assertThatThrownBy(() -> edits().paste(Optional.of(named("G")), "<ProtoInstance name='X'/><Box/>"))
         .hasMessageContaining("Box");
     paste("G", "<Shape/>");
@@ -358,6 +359,21 @@ class StructureEditsTest {
     assertThat(text()).isEqualTo(before);
     perform(edits().copy(List.of(named("G")), ChildPosition.last(named("Switch_Cup"))));
     assertThat(text()).contains("<Group DEF='Two'/><Group DEF='G_2'/></Switch>");
+  }
+
+  @Test
+  void aPrototypeIsCutOnlyTogetherWithItsInstances() {
+    document =
+        open(
+            """
+            <X3D><Scene><ProtoDeclare name='P'><ProtoBody><Group/></ProtoBody></ProtoDeclare>
+            <ProtoInstance name='P' DEF='I'/><Group DEF='G'/></Scene></X3D>
+            """);
+    DocumentElement declaration = scene().children().get(0);
+    assertThatThrownBy(() -> edits().remove(List.of(declaration, named("G")), "Cut"))
+        .hasMessageContaining("the prototype P has an instance in line 2");
+    document.perform(edits().remove(List.of(declaration, named("I")), "Cut"));
+    assertThat(scene().children()).hasToString("[Group G]");
   }
 
   private interface StructureMove {
