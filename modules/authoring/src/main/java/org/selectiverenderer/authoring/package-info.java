@@ -31,6 +31,7 @@
  * <p>Within: {@code nodes} (edits that apply to every node: rename, copy, remove), {@code hand}
  * (editing of the text itself: search, comments, pasting, completion, fields), {@code enrichment}
  * (the schema metadata of a document), {@code area} (its areas in scene coordinates), {@code
+ * placement} (moving, turning, scaling, aligning and grouping), {@code
  * structure} (cutting, pasting, moving and inserting nodes by the standard's containment), {@code
  * switches} (Switches made of nodes, and their choices), {@code ratings} (expectancy ratings to
  * metadata), {@code versions} (the polygon count process as an edit), {@code file} (saving,

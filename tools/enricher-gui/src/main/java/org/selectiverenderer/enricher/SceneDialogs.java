@@ -135,7 +135,7 @@ final class SceneDialogs {
 
   /**
    * The object that versions can be made of: the nearest Switch around an element, else the element
-   * itself if it has a DEF name.
+   * itself if it has a DEF name or is drawn by itself.
    */
   static Optional<DocumentElement> object(DocumentElement element) {
     for (DocumentElement at = element; at != null; at = at.parent().orElse(null)) {
@@ -143,6 +143,8 @@ final class SceneDialogs {
         return Optional.of(at);
       }
     }
-    return element.def().map(def -> element);
+    return element.def().isPresent() || VersionsDialog.takes(element)
+        ? Optional.of(element)
+        : Optional.empty();
   }
 }

@@ -43,7 +43,7 @@ final class SharedNodes {
   }
 
   /** Returns the elements outside of the object that use nodes in it, in document order. */
-  List<DocumentElement> uses() {
+  private List<DocumentElement> uses() {
     List<DocumentElement> found = new ArrayList<>();
     if (!given.isEmpty()) {
       ElementScope.visit(
@@ -59,7 +59,7 @@ final class SharedNodes {
   }
 
   /** Returns whether an element takes over the object as a whole, so that a Switch may stand there. */
-  boolean isWhole(DocumentElement use) {
+  private boolean isWhole(DocumentElement use) {
     DocumentElement node = given.get(use.use().orElse(""));
     boolean child =
         use.parent().filter(parent -> !parent.name().equals("fieldValue")).isPresent()
@@ -70,13 +70,13 @@ final class SharedNodes {
   /**
    * Returns the changes that leave the scene its nodes; for one use.
    *
-   * @param choice DEF name of the Switch that replaces the object
+   * @param choice DEF name of the Switch that replaces the object; empty for one without
    */
   List<TextEdit> changes(String choice) {
     List<TextEdit> changes = new ArrayList<>();
     for (DocumentElement use : uses()) {
       String name = use.use().orElseThrow();
-      if (isWhole(use)) {
+      if (!choice.isEmpty() && isWhole(use)) {
         String tag =
             "<Switch" + SourceFormatter.written("USE", choice, layout.quote(use)) + "/>";
         changes.add(new TextEdit(use.start(), use.end(), tag));

@@ -17,6 +17,7 @@ import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.models.ModelReader;
 import org.selectiverenderer.models.simplify.SimplificationTarget;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.read.PrototypeLibraryLoader;
 import org.selectiverenderer.x3d.read.X3dReader;
 import org.selectiverenderer.x3d.url.BaseUrl;
@@ -213,6 +214,19 @@ public final class VersionsEdit {
                 new VersionFileNames(scene, there, folder, request.inlineFolder(), "")
                     .of(there.inlines().size(), 1))
         .orElse(List.of());
+  }
+
+  /**
+   * Returns a name for an object without a DEF, made from what its file says of it: a comment, the
+   * name of its prototype, of its files or materials.
+   *
+   * @throws EditRejectedException if the text is not well-formed
+   */
+  public static String proposedName(SceneDocument document, DocumentElement element) {
+    return document
+        .tree()
+        .map(tree -> new ObjectNamer(document.text(), tree).name(element))
+        .orElseThrow(() -> new EditRejectedException("The text is not well formed"));
   }
 
   /** Returns whether nothing would change. */

@@ -196,7 +196,7 @@ class BatchVersionsEditTest {
         .contains("Lamp_2_v2.x3d\"'")
         .contains("<Transform translation='0 -0.05 0'>");
     try (Stream<Path> files = Files.list(folder.resolve("inlineNodes"))) {
-      assertThat(files).hasSize(10);
+      assertThat(files).hasSize(12);
     }
     document.history().undo();
     assertThat(document.text().toString()).isEqualTo(SCENE);

@@ -49,6 +49,9 @@ final class PlanObjects {
 
   private @Nullable Rectangle2D rectangle;
 
+  /** Whether the rectangle adds to the selection. */
+  private boolean adding;
+
   PlanObjects(
       FloorPlanCanvas view,
       EnricherSession session,
@@ -102,6 +105,11 @@ final class PlanObjects {
   /** The nodes that the plan leaves out. */
   List<DocumentElement> hidden() {
     return hidden;
+  }
+
+  /** Whether any node is selected. */
+  boolean any() {
+    return !session.selectedElements().isEmpty();
   }
 
   /** Hides the selected nodes in the plan. */
@@ -164,6 +172,7 @@ final class PlanObjects {
     }
     if (event.isShiftDown() || event.isControlDown()) {
       band = new double[] {event.getX(), event.getY()};
+      adding = event.isControlDown();
       return true;
     }
     Optional<PlanHandle> handle = handle(event.getX(), event.getY());
@@ -311,6 +320,7 @@ final class PlanObjects {
   }
 
   private void select(Rectangle2D area) {
+    boolean add = adding;
     PlanTransform scale = view.scale();
     BoundingBox footprint =
         new BoundingBox(
@@ -324,7 +334,8 @@ final class PlanObjects {
         footprint,
         hidden,
         found -> {
-          List<DocumentElement> all = new ArrayList<>(session.selectedElements());
+          List<DocumentElement> all =
+              new ArrayList<>(add ? session.selectedElements() : List.of());
           all.removeAll(found);
           all.addAll(found);
           session.selectAll(all, view);

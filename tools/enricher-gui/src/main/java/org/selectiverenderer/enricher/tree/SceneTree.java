@@ -68,7 +68,8 @@ final class SceneTree extends JTree {
           int row = getRowForLocation(event.getX(), event.getY());
           boolean plain = !event.isControlDown() && !event.isShiftDown() && !event.isMetaDown();
           if (plain && isRowSelected(row) && getSelectionCount() > 1) {
-            collapsing = true; // only the release selects this row alone, so that all can be dragged
+            // Only the release selects this row alone, so that all can be dragged.
+            collapsing = true;
             requestFocusInWindow();
             return;
           }
