@@ -21,6 +21,7 @@ final class CommandCatalogue {
    */
   private static final List<String> ORDER =
       List.of(
+          "start",
           "run",
           "simulate",
           "validate",

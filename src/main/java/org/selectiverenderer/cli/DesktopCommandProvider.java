@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import org.selectiverenderer.app.start.window.StartWindowApp;
 import org.selectiverenderer.app.studies.window.StudyWindowApp;
 import org.selectiverenderer.base.files.SettingsFolder;
 import org.selectiverenderer.cli.author.ConvertCommand;
@@ -15,6 +16,7 @@ import org.selectiverenderer.cli.author.VersionsCommand;
 import org.selectiverenderer.cli.bundle.BundleFilesCommand;
 import org.selectiverenderer.cli.experiment.ExperimentCommand;
 import org.selectiverenderer.cli.start.ExamplesCommand;
+import org.selectiverenderer.cli.start.StartCommand;
 import org.selectiverenderer.cli.view.DoctorCommand;
 import org.selectiverenderer.cli.view.RunCommand;
 import org.selectiverenderer.cli.view.SaiCommand;
@@ -35,6 +37,7 @@ public final class DesktopCommandProvider implements CommandProvider {
   @Override
   public List<String> names() {
     return List.of(
+        "start",
         "examples",
         "run",
         "simulate",
@@ -55,6 +58,7 @@ public final class DesktopCommandProvider implements CommandProvider {
   public CliCommand create(String name, CommandContext context) {
     Console console = context.console();
     return switch (name) {
+      case "start" -> new StartCommand(console, DesktopCommandProvider::start);
       case "examples" -> new ExamplesCommand(console);
       case "run" -> new RunCommand(console);
       case "simulate" -> new SimulateCommand(console);
@@ -72,6 +76,16 @@ public final class DesktopCommandProvider implements CommandProvider {
           new BundleFilesCommand(console, context.model(), WindowIcon::image);
       default -> throw new IllegalArgumentException("no command " + name);
     };
+  }
+
+  private static ExitStatus start() throws IOException {
+    LibraryProperties.swingFirst();
+    try {
+      StartWindowApp.run(SettingsFolder.ofUser());
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+    return ExitStatus.DONE;
   }
 
   private static ExitStatus studies(Optional<Path> study) throws IOException {

@@ -39,6 +39,15 @@ public final class RecentPaths {
     return new RecentPaths(settings.resolve("scenes"));
   }
 
+  /**
+   * Returns the list of the folders into which the examples were copied.
+   *
+   * @param settings folder of the user's settings; created with the first folder
+   */
+  public static RecentPaths exampleFolders(Path settings) {
+    return new RecentPaths(settings.resolve("example-folders"));
+  }
+
   /** Returns the files; none where the list cannot be read, which is no harm. */
   public List<Path> list() {
     List<Path> paths = new ArrayList<>();

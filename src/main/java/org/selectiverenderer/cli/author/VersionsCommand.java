@@ -10,10 +10,13 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.authoring.DocumentSnapshot;
 import org.selectiverenderer.authoring.file.DocumentFile;
 import org.selectiverenderer.authoring.file.XmlConversion;
+import org.selectiverenderer.authoring.versions.BatchVersionsEdit;
 import org.selectiverenderer.authoring.versions.ChangePreview;
 import org.selectiverenderer.authoring.versions.ObjectVersion;
 import org.selectiverenderer.authoring.versions.PlannedFile;
 import org.selectiverenderer.authoring.versions.SceneNotEditableException;
+import org.selectiverenderer.authoring.versions.VersionCandidate;
+import org.selectiverenderer.authoring.versions.VersionCandidateFinder;
 import org.selectiverenderer.authoring.versions.VersionsEdit;
 import org.selectiverenderer.base.decimal.Pluralizer;
 import org.selectiverenderer.base.problem.ProblemCollector;
@@ -36,14 +39,16 @@ import picocli.CommandLine.Option;
 @Command(
     name = "versions",
     description = {
-      "Makes versions of an object and puts a Switch in its place.",
+      "Makes versions of an object, or of all, and puts Switches in their place.",
       "The original becomes version 1; each number asked for makes one more. The "
           + "rest of the scene stays as it is, byte for byte. A second run makes new "
           + "versions from version 1."
     },
     footer = {
       "  ./selective-renderer versions docs/examples/music-room.x3d --object Vase \\",
-      "      --vert-percent 10 --dry-run"
+      "      --vert-percent 10 --dry-run",
+      "  ./selective-renderer versions docs/examples/music-room.x3d --all \\",
+      "      --max-error 0.02 --dry-run"
     })
 public final class VersionsCommand extends CliCommand {
   /**
@@ -54,6 +59,22 @@ public final class VersionsCommand extends CliCommand {
 
   private static final int TAIL = 4;
   private static final int WIDTH = 160;
+
+  /** The exclusive options that say which objects get versions. */
+  static final class ObjectOptions {
+    @Option(
+        names = "--object",
+        paramLabel = "DEF",
+        description = "object, or the Transform or Group around it, by its DEF")
+    private String object = "";
+
+    @Option(
+        names = "--all",
+        description =
+            "all whole pieces worth it: no walls, floors, shared nodes and objects that have "
+                + "versions; the unnamed get names")
+    private boolean all;
+  }
 
   /** The exclusive options for the goals of the reduction. */
   static final class GoalOptions {
@@ -71,7 +92,18 @@ public final class VersionsCommand extends CliCommand {
         description = "numbers of polygons to keep, one per version")
     private List<Integer> polygons = List.of();
 
+    @Option(
+        names = "--max-error",
+        split = ",",
+        paramLabel = "E",
+        description =
+            "largest deviations from the original, as shares of its size, one per version: 0.01")
+    private List<Double> errors = List.of();
+
     List<SimplificationTarget> goals() {
+      if (!errors.isEmpty()) {
+        return errors.stream().map(ReductionGoalOptions::error).toList();
+      }
       return polygons.isEmpty()
           ? vertPercent.stream().map(ReductionGoalOptions::percent).toList()
           : polygons.stream().map(ReductionGoalOptions::polygons).toList();
@@ -80,12 +112,16 @@ public final class VersionsCommand extends CliCommand {
 
   @Mixin private SceneArgument scene = new SceneArgument();
 
+  @ArgGroup(exclusive = true, multiplicity = "1")
+  private ObjectOptions objects = new ObjectOptions();
+
   @Option(
-      names = "--object",
-      required = true,
-      paramLabel = "DEF",
-      description = "object, or the Transform or Group around it, by its DEF")
-  private String object = "";
+      names = "--above",
+      defaultValue = "" + VersionCandidateFinder.FEW,
+      paramLabel = "POLYGONS",
+      description =
+          "with --all: only objects with at least so many polygons (default: ${DEFAULT-VALUE})")
+  private int above = VersionCandidateFinder.FEW;
 
   @ArgGroup(exclusive = true, multiplicity = "1")
   private GoalOptions options = new GoalOptions();
@@ -119,7 +155,7 @@ public final class VersionsCommand extends CliCommand {
     OutputFile.check("--output", output, ".x3d", ".x3dz");
     VersionsEdit.Request request =
         new VersionsEdit.Request(
-                scene.file(), object, goals, output == null ? scene.file() : output, inlineFolder)
+                scene.file(), objects.object, goals, output == null ? scene.file() : output, inlineFolder)
             .allowing(access.access());
     NodeCatalogue catalogue = NodeCatalogue.load();
     Optional<DocumentFile> file =
@@ -129,6 +165,9 @@ public final class VersionsCommand extends CliCommand {
       return ExitStatus.PROBLEMS;
     }
     DocumentSnapshot document = file.get().document().snapshot();
+    if (objects.all) {
+      return all(document, request, goals, catalogue, problems);
+    }
     Optional<VersionsEdit> plan;
     try {
       plan = VersionsEdit.plan(document, request, catalogue, problems);
@@ -143,21 +182,81 @@ public final class VersionsCommand extends CliCommand {
       new CommandFileCheck().writes("--output", output).check(request.access().named());
       UndeletedFilesWarning.tell(plan.get().write(), console());
     }
-    print(plan.get());
+    print(plan.get().object(), plan.get().versions());
+    print(plan.get().files(), plan.get().scene(), plan.get().changes());
     return plan.get().versions().stream().allMatch(ObjectVersion::met)
         ? ExitStatus.of(problems)
         : ExitStatus.PROBLEMS;
   }
 
-  private void print(VersionsEdit plan) {
-    int original = plan.versions().get(0).polygons();
-    for (ObjectVersion version : plan.versions()) {
+  /** Makes versions of all objects that are worth it. */
+  private ExitStatus all(
+      DocumentSnapshot document,
+      VersionsEdit.Request request,
+      List<SimplificationTarget> goals,
+      NodeCatalogue catalogue,
+      ProblemCollector problems)
+      throws IOException {
+    BatchVersionsEdit plan;
+    try {
+      List<BatchVersionsEdit.Item> items =
+          VersionCandidateFinder.find(
+                  document, request, List.of(), catalogue, (share, name) -> {})
+              .stream()
+              .peek(this::explain)
+              .filter(object -> object.proposed(above))
+              .map(object -> new BatchVersionsEdit.Item(object, goals))
+              .toList();
+      plan =
+          BatchVersionsEdit.plan(
+              document, request, items, catalogue, (share, name) -> {}, problems);
+    } catch (SceneNotEditableException e) {
+      console().message(e.getMessage());
+      return ExitStatus.PROBLEMS;
+    }
+    if (plan.isEmpty()) {
+      console().message(scene.file() + ": no object gets versions");
+      return ExitStatus.PROBLEMS;
+    }
+    if (!dryRun.asked()) {
+      new CommandFileCheck().writes("--output", output).check(request.access().named());
+      UndeletedFilesWarning.tell(plan.write(), console());
+    }
+    plan.objects().forEach(object -> print(object.name(), object.versions()));
+    print(plan.files(), plan.scene(), ChangePreview.of(plan.edit(), document.text()));
+    return plan.objects().stream()
+            .allMatch(object -> object.versions().stream().allMatch(ObjectVersion::met))
+        ? ExitStatus.of(problems)
+        : ExitStatus.PROBLEMS;
+  }
+
+  /** Tells why an object with enough polygons gets no versions. */
+  private void explain(VersionCandidate object) {
+    if (object.polygons() < above || object.proposed(above)) {
+      return;
+    }
+    String why =
+        switch (object.remark()) {
+          case NONE, FEW -> "has few polygons";
+          case FLAT -> "is flat and large, as a wall or a floor";
+          case AROUND -> "surrounds the scene";
+          case SHARED -> "is drawn elsewhere too (USE)";
+          case VERSIONS -> "has versions";
+          case IMPOSSIBLE -> object.obstacle();
+        };
+    console().line("skipped  %s (%s): %s".formatted(
+        object.name(), ReductionGoalOptions.polygonText(object.polygons()), why));
+  }
+
+  private void print(String object, List<ObjectVersion> versions) {
+    int original = versions.get(0).polygons();
+    for (ObjectVersion version : versions) {
       console()
           .out()
           .printf(
               Locale.ROOT,
               "%s_v%d  %8d vertices  %8d polygons  %5.1f %%  error %.3f %%%n",
-              plan.object(),
+              object,
               version.number(),
               version.vertices(),
               version.polygons(),
@@ -175,10 +274,13 @@ public final class VersionsCommand extends CliCommand {
                             + (version.polygons() == 1 ? " comes" : " come")));
       }
     }
-    plan.files().forEach(this::print);
-    print(plan.scene());
+  }
+
+  private void print(List<PlannedFile> files, PlannedFile changed, List<ChangePreview> changes) {
+    files.forEach(this::print);
+    print(changed);
     if (dryRun.asked()) {
-      plan.changes().forEach(this::print);
+      changes.forEach(this::print);
     }
   }
 

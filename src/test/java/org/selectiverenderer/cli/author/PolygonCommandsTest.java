@@ -49,6 +49,36 @@ class PolygonCommandsTest {
   }
 
   @Test
+  void versionsOfAllNameTheUnnamedAndSayWhatIsSkipped() throws IOException {
+    String text =
+        """
+        <X3D version='3.3'><Scene>
+          <!-- vase -->
+          <Transform><Shape><Sphere/></Shape></Transform>
+          <Transform DEF='Pot'><Shape DEF='Round'><Sphere/></Shape></Transform>
+          <Transform translation='3 0 0'><Shape USE='Round'/></Transform>
+          <Shape><Box size='9 1 9'/></Shape>
+        </Scene></X3D>
+        """;
+    Files.writeString(scene, text);
+    assertThat(run("versions", scene.toString(), "--all", "--vert-percent", "20,5")).isZero();
+    assertThat(out)
+        .contains("Vase_v3")
+        .contains("Pot_v3")
+        .contains("skipped  Round_2")
+        .contains("is drawn elsewhere too (USE)")
+        .doesNotContain("Box");
+    assertThat(Files.readString(scene))
+        .contains("<Transform DEF='Vase'><Switch DEF='Switch_Vase' whichChoice='0'>")
+        .contains("<Transform DEF='Pot'><Switch DEF='Switch_Pot' whichChoice='0'>");
+    assertThat(folder.resolve("inlineNodes/Vase_v3.x3d")).exists();
+    assertThat(run("versions", scene.toString(), "--all", "--vert-percent", "20")).isEqualTo(1);
+    assertThat(out).contains("skipped  Vase").contains("has versions");
+    assertThat(err).contains("no object gets versions");
+    assertThat(run("versions", scene.toString(), "--vert-percent", "20")).isEqualTo(2);
+  }
+
+  @Test
   void simplifyReportsJson() throws IOException {
     Path output = folder.resolve("ball_v2.x3d");
 

@@ -111,12 +111,7 @@ public final class SourceFormatter {
     if (into.children().isEmpty()) {
       return insertInto(into, into.tagEnd(), lines);
     }
-    DocumentElement first = into.children().get(0);
-    if (!onItsOwnLine(first)) {
-      return TextEdit.insert(first.start(), String.join("", stripped(lines)));
-    }
-    String separator = endOfLine(first) + indentation(first);
-    return TextEdit.insert(first.start(), String.join(separator, lines) + separator);
+    return insertBefore(into.children().get(0), lines);
   }
 
   /** Inserts an element after all children of another element. */
@@ -125,6 +120,15 @@ public final class SourceFormatter {
     return children.isEmpty()
         ? insertInto(into, into.tagEnd(), lines)
         : insertAfter(children.get(children.size() - 1), lines);
+  }
+
+  /** Inserts an element before another one. */
+  public TextEdit insertBefore(DocumentElement element, List<String> lines) {
+    if (!onItsOwnLine(element)) {
+      return TextEdit.insert(element.start(), String.join("", stripped(lines)));
+    }
+    String separator = endOfLine(element) + indentation(element);
+    return TextEdit.insert(element.start(), String.join(separator, lines) + separator);
   }
 
   /** Inserts an element after another one. */

@@ -3,12 +3,17 @@ package org.selectiverenderer.authoring;
 import java.util.HashSet;
 import java.util.Set;
 import java.util.function.Predicate;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.ElementScope;
 import org.selectiverenderer.x3d.source.ElementTree;
 
 /** Generates DEF names that no other node of a scope has, for one edit. */
 public final class UniqueNameGenerator {
+  /** A name that ends with a number; longer numbers are no counts. */
+  private static final Pattern NUMBERED = Pattern.compile("(.+)_([1-9][0-9]{0,5})");
+
   private final Predicate<String> taken;
   private final Set<String> given = new HashSet<>();
 
@@ -27,11 +32,18 @@ public final class UniqueNameGenerator {
     return unused(identifier(wanted));
   }
 
-  /** Returns the name itself, with a number appended if it is taken. */
-  public String unused(String base) {
-    String name = base;
-    for (int i = 2; taken.test(name) || given.contains(name); i++) {
-      name = base + "_" + i;
+  /**
+   * Returns the name itself; if it is taken, its base with the next free number, so that the copy
+   * of {@code Chair_2} is {@code Chair_3}.
+   */
+  public String unused(String wanted) {
+    String name = wanted;
+    Matcher numbered = NUMBERED.matcher(wanted);
+    boolean counted = numbered.matches();
+    String base = counted ? numbered.group(1) : wanted;
+    int next = counted ? Integer.parseInt(numbered.group(2)) + 1 : 2;
+    while (taken.test(name) || given.contains(name)) {
+      name = base + "_" + next++;
     }
     given.add(name);
     return name;

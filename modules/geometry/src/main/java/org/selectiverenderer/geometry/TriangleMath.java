@@ -6,6 +6,9 @@ package org.selectiverenderer.geometry;
  * every machine; nothing is allocated.
  */
 public final class TriangleMath {
+  /** Points of a face count as collinear below this sine of their angle. */
+  private static final double STRAIGHT = 1e-7;
+
   private TriangleMath() {}
 
   /** Computes the cross product u x v into {@code out}. */
@@ -74,6 +77,28 @@ public final class TriangleMath {
     out[0] = x;
     out[1] = y;
     out[2] = z;
+  }
+
+  /**
+   * Returns whether a face has an area: its points do not coincide or lie on a line. The area by
+   * Newell's method is compared with the square of the longest distance from the first point.
+   *
+   * @param p points, x, y, z each
+   * @param points indices of points; the face has those of {@code from} to {@code to}
+   */
+  public static boolean hasArea(float[] p, int[] points, int from, int to) {
+    int origin = 3 * points[from];
+    double longest = 0;
+    for (int i = from + 1; i < to; i++) {
+      int at = 3 * points[i];
+      double x = (double) p[at] - p[origin];
+      double y = (double) p[at + 1] - p[origin + 1];
+      double z = (double) p[at + 2] - p[origin + 2];
+      longest = Math.max(longest, x * x + y * y + z * z);
+    }
+    double[] normal = new double[3];
+    newell(p, points, from, to, normal);
+    return !Double.isFinite(longest) || length(normal) > STRAIGHT * longest;
   }
 
   /** Returns the length of a vector. */

@@ -1,15 +1,18 @@
 package org.selectiverenderer.enricher;
 
+import java.awt.EventQueue;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.authoring.file.CrashRecovery;
 import org.selectiverenderer.authoring.file.DocumentFile;
 import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.enricher.task.BackgroundTask;
 import org.selectiverenderer.enricher.task.TaskExecutor;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
@@ -25,6 +28,7 @@ final class DocumentOpener {
    * @param bench the views of the open document; empty for none
    * @param saves asks about unsaved changes before the open document is replaced
    * @param adopt shows the document that was read
+   * @param elsewhere brings another window to the front that has a file; false if none has it
    * @param announce shows what is being read; an empty text when reading has ended
    * @param say shows a message in the status bar
    */
@@ -32,6 +36,7 @@ final class DocumentOpener {
       Supplier<Optional<Workbench>> bench,
       SaveCommands saves,
       Consumer<DocumentFile> adopt,
+      Predicate<Path> elsewhere,
       Consumer<String> announce,
       Consumer<String> say) {}
 
@@ -97,14 +102,29 @@ final class DocumentOpener {
    * @param opened runs when the scene is open
    */
   void open(Path path, Runnable opened) {
+    if (place.elsewhere().test(path)) {
+      place.say().accept(Texts.of("window.elsewhere", String.valueOf(path.getFileName())));
+      return;
+    }
     awaited = new Awaited(path, opened);
     place
         .saves()
         .leaving(
             () -> {
               place.announce().accept(Texts.of("window.opening", path.getFileName()) + "\u2026");
-              conversion.open(path, () -> read(path), () -> place.announce().accept(""));
+              conversion.open(path, () -> read(path), this::nothing);
             });
+  }
+
+  /** Opens a scene in place of the open one, about whose changes the author has been asked. */
+  void openUnasked(Path path) {
+    awaited = new Awaited(path, () -> {});
+    read(path);
+  }
+
+  /** Returns whether a file is being read, to be shown. */
+  boolean reading(Path absolute) {
+    return awaited != null && awaited.path().toAbsolutePath().normalize().equals(absolute);
   }
 
   /** Runs what waits for this document, which is open now. */
@@ -139,7 +159,8 @@ final class DocumentOpener {
     place.announce().accept(name + "\u2026");
     Optional<Workbench> before = place.bench().get();
     long agreed = revision(before);
-    tasks.run(
+    BackgroundTask task =
+        tasks.run(
         name,
         opening,
         file -> {
@@ -153,9 +174,15 @@ final class DocumentOpener {
           }
         },
         failed -> {
-          place.announce().accept("");
+          nothing();
           questions.tell(String.valueOf(failed.getMessage()));
         });
+    task.onCancel(() -> EventQueue.invokeLater(this::nothing));
+  }
+
+  private void nothing() {
+    awaited = null;
+    place.announce().accept("");
   }
 
   private static long revision(Optional<Workbench> bench) {

@@ -9,6 +9,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Queue;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import org.selectiverenderer.authoring.DocumentSnapshot;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.file.BrokenRelativeUrls;
@@ -35,12 +36,17 @@ import org.selectiverenderer.x3d.source.TextEdit;
 final class DocumentSaver {
   private final EnricherSession session;
   private final UserPrompts questions;
+  private final Predicate<Path> elsewhere;
   private final Queue<Runnable> waiting = new ArrayDeque<>();
   private boolean writing;
   private FileState known = FileState.SAME;
 
-  DocumentSaver(EnricherSession session, UserPrompts questions) {
+  /**
+   * @param elsewhere brings another window to the front that has a file; false if none has it
+   */
+  DocumentSaver(EnricherSession session, UserPrompts questions, Predicate<Path> elsewhere) {
     this.session = session;
+    this.elsewhere = elsewhere;
     this.questions = questions;
   }
 
@@ -127,16 +133,34 @@ final class DocumentSaver {
     questions
         .fileToSave(now)
         .map(other -> SceneFileExtension.added(other, now))
+        .filter(other -> !taken(other.toAbsolutePath()))
         .filter(other -> free(now, other.toAbsolutePath()))
-        .filter(other -> complete(now, other.toAbsolutePath()))
         .filter(this::faultAccepted)
-        .ifPresent(
-            other ->
-                write(
-                    other.toAbsolutePath().equals(now)
-                        ? session.file().writing()
-                        : session.file().writing(other),
-                    saved));
+        .ifPresent(other -> saveAs(now, other, saved));
+  }
+
+  private void saveAs(Path now, Path other, Runnable saved) {
+    Runnable writes =
+        () ->
+            write(
+                other.toAbsolutePath().equals(now)
+                    ? session.file().writing()
+                    : session.file().writing(other),
+                saved);
+    switch (leftBehind(now, other.toAbsolutePath())) {
+      case CANCEL -> {}
+      case LEAVE -> writes.run();
+      case TAKE -> new PackageCommands(questions).takeAlong(session, other, writes);
+    }
+  }
+
+  /** Returns whether another window has the file, which is then said. */
+  private boolean taken(Path other) {
+    boolean taken = elsewhere.test(other);
+    if (taken) {
+      session.message(Texts.of("window.taken", String.valueOf(other.getFileName())));
+    }
+    return taken;
   }
 
   /** Returns whether the file may be written: it is new, or the author agrees to overwrite it. */
@@ -148,14 +172,14 @@ final class DocumentSaver {
   }
 
   /**
-   * Returns whether the scene finds its relative urls from the other folder, or else whether the
-   * author accepts that it does not.
+   * Returns what becomes of the files that the scene would not find from the other folder;
+   * nothing has to be done where it finds them.
    */
-  private boolean complete(Path now, Path other) {
+  private UserPrompts.LeftBehind leftBehind(Path now, Path other) {
     List<String> left =
         BrokenRelativeUrls.in(session.document(), now.getParent(), other.getParent());
     if (left.isEmpty()) {
-      return true;
+      return UserPrompts.LeftBehind.LEAVE;
     }
 
     return questions.leaveBehind(
@@ -261,6 +285,27 @@ final class DocumentSaver {
    * would then be saved as the same bytes, else by reloading.
    */
   private void takeDisk(Runnable reload) {
+    takeDisk(Texts.of("merge.step.take"), reload);
+  }
+
+  /**
+   * Takes the saved text in place of the document's, after the author has agreed.
+   *
+   * @param reload opens the file again, where the text cannot be taken as a step
+   */
+  void revert(Runnable reload) {
+    Path path = session.file().path();
+    if (writing) {
+      waiting.add(() -> revert(reload));
+    } else if (!Files.isRegularFile(path)) {
+      questions.tell(Texts.of("window.nosaved", path.toString()));
+    } else if (questions.revert(
+        Texts.of("window.revert", String.valueOf(path.getFileName())))) {
+      takeDisk(Texts.of("window.revert.step"), reload);
+    }
+  }
+
+  private void takeDisk(String step, Runnable reload) {
     withDisk(
         copy -> {
           DocumentSnapshot now = session.document().snapshot();
@@ -271,9 +316,9 @@ final class DocumentSaver {
           ThreeWayMerge all = ThreeWayMerge.of(Optional.of(now.text()), now.text(), copy.text());
           Edit edit =
               all.text(List.of()).equals(copy.text())
-                  ? all.edit(Texts.of("merge.step.take"), List.of())
+                  ? all.edit(step, List.of())
                   : new Edit(
-                      Texts.of("merge.step.take"),
+                      step,
                       List.of(new TextEdit(0, now.text().length(), copy.text())));
           take(copy, edit);
         });

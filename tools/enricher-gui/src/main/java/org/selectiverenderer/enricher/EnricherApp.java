@@ -13,12 +13,12 @@ import java.util.concurrent.CountDownLatch;
 import java.util.function.Consumer;
 import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 
-/** Runs the enricher: opens its window and waits until the author closes it. */
+/** Runs the enricher: opens its first window and waits until the author has closed all. */
 public final class EnricherApp {
   private EnricherApp() {}
 
   /**
-   * Opens the window and waits until it is closed.
+   * Opens a window and waits until it and those that it has opened are closed.
    *
    * @param scene to open; empty for none
    * @param access folders and hosts that scenes may read from, in addition to those of the settings
@@ -36,8 +36,9 @@ public final class EnricherApp {
     CountDownLatch closed = new CountDownLatch(1);
     EventQueue.invokeLater(
         () -> {
-          EnricherWindow window = new EnricherWindow(settings, access, closed::countDown);
-          DesktopHandlers.hear(window::open);
+          EnricherWindows windows = new EnricherWindows(settings, access, closed::countDown);
+          EnricherWindow window = new EnricherWindow(windows);
+          DesktopHandlers.hear(windows::receive);
           window.show();
           window.begin(scene);
         });

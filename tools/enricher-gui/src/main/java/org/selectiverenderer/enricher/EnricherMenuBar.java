@@ -1,24 +1,21 @@
 package org.selectiverenderer.enricher;
 
 import java.awt.event.KeyEvent;
-import java.nio.file.Path;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.ButtonGroup;
-import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JComponent;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JRadioButtonMenuItem;
 import javax.swing.JRootPane;
 import javax.swing.KeyStroke;
-import javax.swing.event.MenuEvent;
-import javax.swing.event.MenuListener;
 import org.selectiverenderer.authoring.UndoHistory;
 import org.selectiverenderer.enricher.area.AreaCommands;
 import org.selectiverenderer.enricher.area.GridSetting;
+import org.selectiverenderer.enricher.insert.InsertCommands;
+import org.selectiverenderer.enricher.menu.StructureCommands;
 import org.selectiverenderer.enricher.settings.EnricherSettings;
 import org.selectiverenderer.enricher.settings.Language;
 import org.selectiverenderer.enricher.settings.Theme;
@@ -32,16 +29,9 @@ final class EnricherMenuBar {
   private final EnricherWindow window;
   private final SceneDialogs dialogs;
   private final RunCommands runs;
-  private final MenuAction back;
   private final EnricherSettings settings;
   private final JMenuBar bar = new JMenuBar();
-  private final JMenu recent = menu("menu.recent");
-  private final JCheckBoxMenuItem review =
-      new JCheckBoxMenuItem(command("menu.review", "", () -> {}));
-  private final MenuAction save;
-  private final MenuAction saveAs;
-  private final MenuAction changes;
-  private final MenuAction merge;
+  private final FileMenu file;
   private final UndoStepNames steps = new UndoStepNames();
   private final MenuAction undo;
   private final MenuAction redo;
@@ -49,47 +39,35 @@ final class EnricherMenuBar {
   EnricherMenuBar(
       EnricherWindow window, SceneDialogs dialogs, RunCommands runs, EnricherSettings settings) {
     this.runs = runs;
-    back = new MenuAction(Texts.of("run.backnone"), "alt LEFT", runs::back);
     this.window = window;
     this.dialogs = dialogs;
     this.settings = settings;
-    save = command("menu.save", "ctrl S", window.saves()::save);
-    saveAs = command("menu.saveas", "ctrl shift S", window.saves()::saveAs);
-    merge = command("merge.command", "ctrl shift D", window.saves()::merge);
-    changes = command("menu.changes", "ctrl D", window.saves()::showChanges);
+    file = new FileMenu(window, runs, settings);
     undo = command("menu.undo", "ctrl Z", window::undo);
     redo = command("menu.redo", "ctrl shift Z", window::redo);
-    bar.add(file());
+    bar.add(file.menu());
     bar.add(edit());
+    bar.add(insert());
     bar.add(scene());
     bar.add(run());
     bar.add(view());
     bar.add(help());
   }
 
-  private JMenu file() {
-    JMenu menu = menu("menu.file");
-    menu.add(command("menu.open", "ctrl O", window.opening()::chooseAndOpen));
-    recent.addMenuListener(new Opening(this::listRecent));
-    menu.add(recent);
-    menu.add(command("menu.kept", "", window.opening()::askAboutKept));
-    menu.addSeparator();
-    menu.add(save);
-    menu.add(saveAs);
-    menu.add(changes);
-    review.setSelected(settings.flag("review", true));
-    review.addActionListener(event -> settings.put("review", review.isSelected()));
-    menu.add(review);
-    menu.add(merge);
-    menu.addSeparator();
-    menu.add(command("menu.close", "ctrl Q", window::close));
-    return menu;
-  }
-
   private JMenu edit() {
     JMenu menu = menu("menu.edit");
     menu.add(undo);
     menu.add(redo);
+    menu.addSeparator();
+    menu.add(nodes("cut", "ctrl X", StructureCommands::cut));
+    menu.add(nodes("copy", "ctrl C", StructureCommands::copy));
+    menu.add(nodes("paste", "ctrl V", StructureCommands::paste));
+    menu.add(nodes("delete", "DELETE", StructureCommands::delete));
+    menu.add(
+        command(
+            "node.duplicate",
+            "",
+            with(bench -> bench.nodes(StructureCommands::duplicate))));
     menu.addSeparator();
     menu.add(
         new MenuAction(Texts.of("overview.copy"), "ctrl alt C", with(Workbench::copyMetadata)));
@@ -102,6 +80,24 @@ final class EnricherMenuBar {
     menu.add(command("menu.fix", "alt ENTER", with(Workbench::fixProblem)));
     source(menu);
     return menu;
+  }
+
+  private JMenu insert() {
+    JMenu menu = menu("insert.menu");
+    menu.add(command("insert.node", "ctrl shift N", with(Workbench::insertNode)));
+    menu.addSeparator();
+    for (String template : InsertCommands.TEMPLATES) {
+      if (template.isEmpty()) {
+        menu.addSeparator();
+      } else {
+        menu.add(command("insert." + template, "", with(bench -> bench.insert(template))));
+      }
+    }
+    return menu;
+  }
+
+  private MenuAction nodes(String text, String key, Consumer<StructureCommands> work) {
+    return command("node." + text, key, with(bench -> bench.edit(key, work)));
   }
 
   /** Adds the commands of the source view, which bring it into view. */
@@ -124,6 +120,9 @@ final class EnricherMenuBar {
     JMenu menu = menu("menu.scene");
     menu.add(command("menu.ratings", "ctrl R", () -> dialogs.ratings(Optional.empty())));
     menu.add(command("menu.versions", "ctrl M", dialogs::versions));
+    menu.add(command("menu.versions.many", "", dialogs::manyVersions));
+    menu.add(command("menu.images", "", dialogs::images));
+    menu.add(command("menu.routes", "", dialogs::routes));
     areas(menu);
     return menu;
   }
@@ -134,11 +133,6 @@ final class EnricherMenuBar {
     menu.add(new MenuAction(Texts.of("run.runas"), "shift F5", runs::runAs));
     menu.add(new MenuAction(Texts.of("run.shown"), "", runs::showMessages));
     menu.addSeparator();
-    menu.add(new MenuAction(Texts.of("run.inline"), "ctrl I", runs::openInline));
-    menu.add(
-        new MenuAction(Texts.of("run.inlinewindow"), "ctrl shift I", runs::openInlineInWindow));
-    menu.add(back);
-    menu.addSeparator();
     menu.add(new MenuAction(Texts.of("run.studies"), "", runs::openStudies));
     return menu;
   }
@@ -148,11 +142,10 @@ final class EnricherMenuBar {
     menu.addSeparator();
     menu.add(area("add", "ctrl shift A", AreaCommands::addAroundSelection));
     menu.add(area("switch", "ctrl shift W", AreaCommands::makeSwitch));
-    menu.add(area("rename.node", "", AreaCommands::rename));
-    menu.add(area("copy.node", "", AreaCommands::copy));
-    menu.add(area("delete.node", "", AreaCommands::delete));
+    menu.add(area("rename.node", "F2", AreaCommands::rename));
+    menu.add(ArrangeMenu.of(window));
     JMenu grid = menu("area.grid");
-    grid.addMenuListener(new Opening(() -> listGrid(grid)));
+    grid.addMenuListener(new MenuOpeningListener(() -> listGrid(grid)));
     menu.add(grid);
   }
 
@@ -252,43 +245,13 @@ final class EnricherMenuBar {
     return () -> window.bench().ifPresent(work);
   }
 
-  private record Opening(Runnable work) implements MenuListener {
-    @Override
-    public void menuSelected(MenuEvent e) {
-      work.run();
-    }
-
-    @Override
-    public void menuDeselected(MenuEvent e) {
-      // stays as it is
-    }
-
-    @Override
-    public void menuCanceled(MenuEvent e) {
-      // stays as it is
-    }
-  }
-
-  private void listRecent() {
-    recent.removeAll();
-    List<Path> files = window.recent().list();
-    for (Path file : files) {
-      recent.add(
-          new MenuAction(
-              file.getFileName() + "  (" + file.getParent() + ")", "", () -> window.open(file)));
-    }
-    if (files.isEmpty()) {
-      recent.add(Texts.of("menu.none")).setEnabled(false);
-    }
-  }
-
   JMenuBar bar() {
     return bar;
   }
 
   /** Whether changes are shown before they are saved. */
   boolean reviews() {
-    return review.isSelected();
+    return file.reviews();
   }
 
   /**
@@ -296,15 +259,10 @@ final class EnricherMenuBar {
    * on.
    */
   void refresh() {
-    boolean open = window.session().isPresent();
     Optional<UndoHistory> history = window.session().map(session -> session.document().history());
-    save.setEnabled(open);
-    saveAs.setEnabled(open);
-    changes.setEnabled(open);
+    file.refresh();
     String from = runs.from().map(file -> String.valueOf(file.getFileName())).orElse("");
-    back.rename(from.isEmpty() ? Texts.of("run.backnone") : Texts.of("run.back", from));
-    back.setEnabled(!from.isEmpty());
-    merge.setEnabled(open);
+    file.back(from);
     name(undo, "menu.undo", history.flatMap(UndoHistory::undoName).map(steps::shown));
     name(redo, "menu.redo", history.flatMap(UndoHistory::redoName).map(steps::shown));
   }

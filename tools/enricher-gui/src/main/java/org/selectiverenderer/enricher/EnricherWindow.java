@@ -1,8 +1,10 @@
 package org.selectiverenderer.enricher;
 
 import java.awt.BorderLayout;
+import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.EventQueue;
+import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
@@ -12,7 +14,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
-import java.util.stream.Collectors;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -20,19 +21,14 @@ import javax.swing.SwingConstants;
 import javax.swing.WindowConstants;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.authoring.DocumentListener;
-import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.authoring.UndoHistory;
 import org.selectiverenderer.authoring.file.CrashRecovery;
 import org.selectiverenderer.authoring.file.DocumentFile;
-import org.selectiverenderer.base.decimal.DecimalFormatter;
-import org.selectiverenderer.base.trust.TrustStore;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.settings.EnricherSettings;
-import org.selectiverenderer.enricher.settings.FontZoom;
-import org.selectiverenderer.enricher.settings.Language;
 import org.selectiverenderer.enricher.settings.RecentFiles;
 import org.selectiverenderer.enricher.settings.SettingsTrust;
-import org.selectiverenderer.enricher.settings.Theme;
+import org.selectiverenderer.enricher.task.BackgroundTask;
 import org.selectiverenderer.enricher.task.TaskExecutor;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
@@ -47,7 +43,7 @@ final class EnricherWindow {
   private final CrashRecovery recovery;
   private final RecentFiles recent;
   private final WindowBoundsStore place;
-  private final Runnable closed;
+  private final EnricherWindows windows;
   private final NodeCatalogue catalogue = NodeCatalogue.load();
   private final TaskExecutor tasks = new TaskExecutor(EventQueue::invokeLater);
   private final JFrame frame = new JFrame(NAME);
@@ -61,53 +57,77 @@ final class EnricherWindow {
   private final SceneDialogs dialogs;
   private final RunCommands runs;
   private final SaveCommands saves;
+  private final FileCommands files;
+  private final ImportCommands imports;
   private final EnricherMenuBar menus;
+  private final Runnable removeTypingFilter;
 
-  /** Refreshes title and menus after the edit, when its step is in the undo history. */
-  private final DocumentListener titles = change -> EventQueue.invokeLater(this::refresh);
+  /**
+   * Refreshes title and menus after the edit, when its step is in the undo history. What was said
+   * of an action before is no longer so; the edit's own message comes after it.
+   */
+  private final DocumentListener titles =
+      change -> {
+        status.say("");
+        EventQueue.invokeLater(this::refresh);
+      };
 
   private @Nullable Workbench bench;
 
   /**
+   * Creates the only window of its own.
+   *
    * @param folder of the user's settings
    * @param closed runs when the window is closed
    */
-  public EnricherWindow(Path folder, Runnable closed) {
-    this(folder, ContentAccessPolicy.none(), closed);
+  EnricherWindow(Path folder, Runnable closed) {
+    this(new EnricherWindows(folder, ContentAccessPolicy.none(), closed));
   }
 
   /**
-   * @param folder of the user's settings
-   * @param access folders and hosts that scenes may read from, in addition to those of the settings
-   * @param closed runs when the window is closed
+   * Creates one of several windows.
+   *
+   * @param windows the windows of this process, which share settings and recovery copies
    */
-  public EnricherWindow(Path folder, ContentAccessPolicy access, Runnable closed) {
-    this(AppearanceSettings.remembered(folder, access), folder, closed);
-  }
-
-  private EnricherWindow(AppearanceSettings look, Path folder, Runnable closed) {
-    this.look = look;
+  EnricherWindow(EnricherWindows windows) {
+    this.windows = windows;
+    this.look = windows.look();
     this.settings = look.settings();
-    this.recovery = new CrashRecovery(folder.resolve("recovery"));
+    this.recovery = windows.recovery();
     this.recent = new RecentFiles(settings);
     this.place = new WindowBoundsStore(settings);
-    this.closed = closed;
-    this.trust = new SettingsTrust(new TrustStore(folder), this::askForTrust);
+    this.trust = new SettingsTrust(windows.trust(), this::askForTrust);
     status.say(look.complaint());
     questions = new DialogUserPrompts(frame);
-    saves = new SaveCommands(questions, this::reviews, status::say, this::refresh, recent);
+    saves =
+        new SaveCommands(
+            questions,
+            path -> windows.showOther(path, this),
+            this::reviews,
+            status::say,
+            this::refresh,
+            settings);
     opening =
         new DocumentOpener(
-            new DocumentOpener.Place(this::bench, saves, this::adopt, this::announce, status::say),
+            new DocumentOpener.Place(
+                this::bench,
+                saves,
+                this::adopt,
+                path -> windows.showOther(path, this),
+                this::announce,
+                status::say),
             catalogue,
             tasks,
             questions,
             recovery);
     dialogs = new SceneDialogs(frame, this::bench, status::say);
-    runs = new RunCommands(frame, this::bench, opening::open, status::say);
+    runs = new RunCommands(frame, this::bench, opening::open, windows::openNew, status::say);
+    files = new FileCommands(this, questions);
+    imports = new ImportCommands(this, questions);
     menus = new EnricherMenuBar(this, dialogs, runs, settings);
     frame.setJMenuBar(menus.bar());
     menus.moreKeys(frame.getRootPane());
+    removeTypingFilter = AcceleratorTypingFilter.install(menus.bar());
     frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
     frame.addWindowListener(
         new WindowAdapter() {
@@ -129,6 +149,7 @@ final class EnricherWindow {
     Rectangle screen = frame.getGraphicsConfiguration().getBounds();
     frame.setMinimumSize(new Dimension(Math.min(640, screen.width), Math.min(420, screen.height)));
     place.restore(frame);
+    windows.add(this);
     refresh();
   }
 
@@ -155,6 +176,28 @@ final class EnricherWindow {
     return saves;
   }
 
+  /** The commands of the File menu that make and read scenes. */
+  FileCommands files() {
+    return files;
+  }
+
+  /** The commands that make models part of the scene. */
+  ImportCommands imports() {
+    return imports;
+  }
+
+  /** The windows of this process. */
+  EnricherWindows windows() {
+    return windows;
+  }
+
+  /** Whether the window shows a file, or is about to. */
+  boolean has(Path file) {
+    Path asked = file.toAbsolutePath().normalize();
+    return session().filter(open -> open.file().path().toAbsolutePath().normalize().equals(asked)).isPresent()
+        || opening.reading(asked);
+  }
+
   RecentFiles recent() {
     return recent;
   }
@@ -176,6 +219,18 @@ final class EnricherWindow {
   /** Opens a scene in place of the open one, which the author may save first. */
   public void open(Path path) {
     opening.open(path, () -> {});
+  }
+
+  /** Opens a scene in place of the open one, about whose changes the author has been asked. */
+  void openUnasked(Path path) {
+    opening.openUnasked(path);
+  }
+
+  /** Cancels what runs in the background; returns whether there was anything. */
+  boolean cancelTasks() {
+    List<BackgroundTask> running = tasks.running();
+    running.forEach(BackgroundTask::cancel);
+    return !running.isEmpty();
   }
 
   /** The part that opens scenes. */
@@ -201,7 +256,7 @@ final class EnricherWindow {
   private void adopt(DocumentFile file) {
     letGo(true);
     EnricherSession session =
-        new EnricherSession(file, catalogue, look.access(), tasks, status::say);
+        new EnricherSession(file, catalogue, files.access(file.path()), tasks, status::say);
     Workbench opened =
         new Workbench(session, settings, recovery, status::count, dialogs::versions, trust);
     opened.onElsewhere(opening::openElsewhere);
@@ -209,6 +264,7 @@ final class EnricherWindow {
     bench = opened;
     saves.begin(opened);
     session.document().addListener(titles);
+    session.addSelectionListener((element, origin) -> status.say(""));
     content.removeAll();
     content.add(opened.component(), BorderLayout.CENTER);
     FileDropHandler.install(opened.component(), this::dropped);
@@ -259,16 +315,16 @@ final class EnricherWindow {
   }
 
   /**
-   * Imports a dropped .csv file as ratings and opens any other file as a scene, after the drop has
-   * ended.
+   * Imports a dropped .csv file as ratings and a file on the preview, the plan or the tree as part
+   * of the scene, and opens any other file as a scene; after the drop has ended.
    */
-  private void dropped(Path file) {
+  private void dropped(Path file, Component over, Point at) {
     boolean table = file.toString().toLowerCase(Locale.ROOT).endsWith(".csv");
     EventQueue.invokeLater(
         () -> {
           if (table && bench != null) {
             dialogs.ratings(Optional.of(file));
-          } else {
+          } else if (!imports.dropped(file, over, at)) {
             open(file);
           }
         });
@@ -307,11 +363,12 @@ final class EnricherWindow {
    */
   void dispose() {
     letGo(false);
+    removeTypingFilter.run();
     runs.dispose();
     status.dispose();
     tasks.close();
     frame.dispose();
-    closed.run();
+    windows.remove(this);
   }
 
   private boolean reviews() {
@@ -330,103 +387,5 @@ final class EnricherWindow {
             .orElse(NAME);
     frame.setTitle(title);
     menus.refresh();
-  }
-
-  /**
-   * Undoes and redoes steps. Files of a step that another program has changed meanwhile are
-   * replaced only if the author agrees. Has no widgets.
-   */
-  record UndoController(UndoHistory history, UserPrompts questions) {
-    /**
-     * @param back true to undo, false to redo
-     * @return whether anything was done
-     */
-    boolean go(boolean back) {
-      try {
-        List<Path> changed = history.changedMeanwhile(back);
-        boolean over = !changed.isEmpty();
-        if (over && !questions.overwrite(sentence(changed))) {
-          return false;
-        }
-        return back ? history.undo(over) : history.redo(over);
-      } catch (EditRejectedException e) {
-        questions.tell(String.valueOf(e.getMessage()));
-        return false;
-      }
-    }
-
-    private static String sentence(List<Path> changed) {
-      return Texts.of(
-          "keep.step.changed",
-          changed.stream()
-              .map(path -> String.valueOf(path.getFileName()))
-              .collect(Collectors.joining(", ")));
-    }
-  }
-
-  /**
-   * Applies theme, text size and language of the user's settings to the window. For the event
-   * dispatch thread.
-   *
-   * @param access folders and hosts that scenes may read from
-   * @param complaint why the settings could not be read; empty if they were
-   */
-  record AppearanceSettings(
-      EnricherSettings settings, ContentAccessPolicy access, String complaint) {
-
-    /**
-     * Reads the settings and applies them, as the theme must be set before the first component is
-     * made.
-     *
-     * @param folder of the user's settings
-     * @param given folders and hosts that scenes may read from, in addition to those of the
-     *     settings
-     */
-    static AppearanceSettings remembered(Path folder, ContentAccessPolicy given) {
-      EnricherSettings settings = new EnricherSettings(folder);
-      String complaint = "";
-      ContentAccessPolicy access = given;
-      try {
-        settings.load();
-        access = settings.access().and(given);
-      } catch (IOException | IllegalArgumentException e) {
-        complaint = String.valueOf(e.getMessage());
-      }
-      Language.of(settings).apply();
-      Theme.of(settings.word("theme", "")).apply();
-      FontZoom zoom = new FontZoom(settings);
-      if (zoom.percent() != FontZoom.USUAL) {
-        zoom.apply();
-      }
-      return new AppearanceSettings(settings, access, complaint);
-    }
-
-    void use(Theme theme) {
-      settings.put("theme", theme.name());
-      theme.apply();
-      new FontZoom(settings).apply();
-    }
-
-    /**
-     * Makes all text larger or smaller.
-     *
-     * @param steps above 0 for larger, below 0 for smaller, 0 for the system's size
-     * @return a message for the status bar
-     */
-    String zoom(int steps) {
-      FontZoom zoom = new FontZoom(settings);
-      int percent = steps == 0 ? zoom.reset() : zoom.change(steps);
-      return Texts.of("window.zoom", DecimalFormatter.grouped(percent));
-    }
-
-    /**
-     * Remembers the language for the next start.
-     *
-     * @return a message for the status bar
-     */
-    String use(Language language) {
-      language.choose(settings);
-      return Texts.of("window.language", language.title());
-    }
   }
 }

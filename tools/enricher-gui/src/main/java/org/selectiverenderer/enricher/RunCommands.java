@@ -20,14 +20,12 @@ import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/**
- * The commands of the Run menu: runs the open scene, and opens the files that it inlines and goes
- * back.
- */
+/** The commands that run the open scene, and that open the files that it inlines and go back. */
 final class RunCommands {
   private final Window owner;
   private final Supplier<Optional<Workbench>> bench;
   private final BiConsumer<Path, Runnable> open;
+  private final Consumer<Path> openNew;
   private final Consumer<String> say;
   private final RunConsole messages;
   private final SceneRunManager runs;
@@ -38,16 +36,19 @@ final class RunCommands {
    * @param bench the views of the open scene; empty for none
    * @param open opens a scene in place of the open one, and runs the second argument when it is
    *     open
+   * @param openNew opens a scene in a window of its own
    * @param say shows a message in the status bar
    */
   RunCommands(
       Window owner,
       Supplier<Optional<Workbench>> bench,
       BiConsumer<Path, Runnable> open,
+      Consumer<Path> openNew,
       Consumer<String> say) {
     this.owner = owner;
     this.bench = bench;
     this.open = open;
+    this.openNew = openNew;
     this.say = say;
     messages = new RunConsole(owner);
     runs = new SceneRunManager(messages::add, say);
@@ -101,20 +102,13 @@ final class RunCommands {
         "openInline", Texts.of("run.inline"), InlineFileResolver::holds, element -> openInline());
   }
 
-  /** Opens the file of the selected Inline in an enricher of its own. */
+  /** Opens the file of the selected Inline in a window of its own. */
   void openInlineInWindow() {
     bench
         .get()
         .map(Workbench::session)
         .flatMap(this::target)
-        .ifPresent(
-            file -> {
-              try {
-                ProcessLauncher.enrich(file);
-              } catch (IOException e) {
-                say.accept(Texts.of("run.failed", String.valueOf(e.getMessage())));
-              }
-            });
+        .ifPresent(openNew);
   }
 
   /** Opens the study window, in a process of its own. */

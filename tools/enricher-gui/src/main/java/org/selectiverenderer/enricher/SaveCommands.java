@@ -3,7 +3,10 @@ package org.selectiverenderer.enricher;
 import java.nio.file.Path;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.enricher.settings.AllowedPlaces;
+import org.selectiverenderer.enricher.settings.EnricherSettings;
 import org.selectiverenderer.enricher.settings.RecentFiles;
 import org.selectiverenderer.enricher.text.Texts;
 
@@ -16,7 +19,8 @@ final class SaveCommands {
   private final BooleanSupplier reviews;
   private final Consumer<String> say;
   private final Runnable refresh;
-  private final RecentFiles recent;
+  private final EnricherSettings settings;
+  private final Predicate<Path> elsewhere;
 
   /** The open document and what saves it. */
   private record Open(Workbench bench, DocumentSaver saving) {}
@@ -24,25 +28,28 @@ final class SaveCommands {
   private @Nullable Open open;
 
   /**
+   * @param elsewhere brings another window to the front that has a file; false if none has it
    * @param reviews whether the author looks at the changes before they are saved
    * @param refresh updates title and menus of the window
    */
   SaveCommands(
       UserPrompts questions,
+      Predicate<Path> elsewhere,
       BooleanSupplier reviews,
       Consumer<String> say,
       Runnable refresh,
-      RecentFiles recent) {
+      EnricherSettings settings) {
     this.questions = questions;
     this.reviews = reviews;
     this.say = say;
     this.refresh = refresh;
-    this.recent = recent;
+    this.elsewhere = elsewhere;
+    this.settings = settings;
   }
 
   /** Starts with a document that has been opened. */
   void begin(Workbench bench) {
-    open = new Open(bench, new DocumentSaver(bench.session(), questions));
+    open = new Open(bench, new DocumentSaver(bench.session(), questions, elsewhere));
   }
 
   /** Ends with the document, which has been closed. */
@@ -92,7 +99,9 @@ final class SaveCommands {
           .saveAs(
               () -> {
                 forget(saved.bench(), before);
-                recent.add(saved.bench().session().file().path());
+                Path now = saved.bench().session().file().path();
+                AllowedPlaces.of(settings, before).keep(settings, now);
+                new RecentFiles(settings).add(now);
                 refresh.run();
               });
     }
@@ -113,6 +122,15 @@ final class SaveCommands {
       save(true);
     } else {
       say.accept(Texts.of("window.unchanged"));
+    }
+  }
+
+  /** Takes the text of the file in place of the document, as one step that can be undone. */
+  void revert(Consumer<Path> reload) {
+    if (open != null) {
+      open.bench().commit();
+      Path path = open.bench().session().file().path();
+      open.saving().revert(() -> reload.accept(path));
     }
   }
 

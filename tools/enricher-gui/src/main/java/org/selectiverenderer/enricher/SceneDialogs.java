@@ -2,14 +2,22 @@ package org.selectiverenderer.enricher;
 
 import java.awt.Window;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
+import org.selectiverenderer.enricher.images.ImagesDialog;
 import org.selectiverenderer.enricher.ratings.RatingsDialog;
+import org.selectiverenderer.enricher.routes.RoutesDialog;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.enricher.versions.BatchVersionsDialog;
 import org.selectiverenderer.enricher.versions.VersionsDialog;
 import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.ElementTree;
 
 /** The dialogs that edit the open scene. What is being typed is committed before they open. */
 final class SceneDialogs {
@@ -54,14 +62,75 @@ final class SceneDialogs {
         .ifPresentOrElse(this::versions, () -> say.accept(Texts.of("window.chooseobject")));
   }
 
+  /** Opens the dialog of the images that the scene names. */
+  void images() {
+    bench
+        .get()
+        .ifPresent(
+            open -> {
+              open.commit();
+              new ImagesDialog(owner, open.session()).setVisible(true);
+            });
+  }
+
+  /** Opens the dialog of the scene's ROUTEs. */
+  void routes() {
+    bench
+        .get()
+        .ifPresent(
+            open -> {
+              open.commit();
+              new RoutesDialog(owner, open.session(), () -> open.showTab(2)).setVisible(true);
+            });
+  }
+
+  /** Opens the dialog that makes versions of many objects. */
+  void manyVersions() {
+    bench
+        .get()
+        .ifPresent(
+            open -> {
+              open.commit();
+              new BatchVersionsDialog(owner, open.session()).setVisible(true);
+              open.lookAtFilesAgain();
+            });
+  }
+
   /** Opens the versions dialog for an object. */
   void versions(DocumentElement object) {
     Optional<Workbench> open = bench.get();
     open.ifPresent(Workbench::commit);
     if (open.isPresent() && object.attached()) {
-      new VersionsDialog(owner, open.get().session(), object).setVisible(true);
+      EnricherSession session = open.get().session();
+      Set<String> before = names(session);
+      int made = new VersionsDialog(owner, session, object).made();
       open.get().lookAtFilesAgain();
+      if (made > 0) {
+        switches(session).stream()
+            .filter(each -> each == object || !before.contains(each.def().orElse("")))
+            .findFirst()
+            .ifPresent(
+                each -> {
+                  session.select(each, this);
+                  say.accept(
+                      Texts.of(
+                          "versions.made",
+                          each.toString(),
+                          made,
+                          DecimalFormatter.grouped(made)));
+                });
+      }
     }
+  }
+
+  private static List<DocumentElement> switches(EnricherSession session) {
+    return session.document().tree().map(ElementTree::switches).orElse(List.of());
+  }
+
+  private static Set<String> names(EnricherSession session) {
+    return switches(session).stream()
+        .flatMap(each -> each.def().stream())
+        .collect(Collectors.toSet());
   }
 
   /**

@@ -15,6 +15,12 @@ import javax.swing.KeyStroke;
 import org.selectiverenderer.authoring.file.CrashRecovery;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.browser.viewer.Pose;
+import org.selectiverenderer.enricher.menu.StructureCommands;
+import org.selectiverenderer.enricher.insert.InsertCommands;
+import org.selectiverenderer.enricher.area.DuplicateShifts;
+import org.selectiverenderer.enricher.tree.NodeDrop;
+import org.selectiverenderer.authoring.structure.ChildPosition;
+import org.selectiverenderer.enricher.text.MnemonicText;
 import org.selectiverenderer.enricher.area.AreaCommands;
 import org.selectiverenderer.enricher.area.GridSetting;
 import org.selectiverenderer.enricher.area.NameDialog;
@@ -29,6 +35,8 @@ import org.selectiverenderer.enricher.menu.NodeEditCommands;
 import org.selectiverenderer.enricher.menu.NodeMenu;
 import org.selectiverenderer.enricher.overview.MetadataClipboard;
 import org.selectiverenderer.enricher.overview.OverviewPanel;
+import org.selectiverenderer.enricher.placement.HandleSettings;
+import org.selectiverenderer.enricher.placement.PlacementCommands;
 import org.selectiverenderer.enricher.plan.PlanPanel;
 import org.selectiverenderer.enricher.preview.PreviewPanel;
 import org.selectiverenderer.enricher.preview.VersionImageRenderer;
@@ -70,6 +78,7 @@ final class Workbench {
   private final JSplitPane schemas;
   private final CollapsibleSplit schemasAndCosts;
   private final AreaCommands areas;
+  private final PlacementCommands placement;
   private final PlanPanel plan;
   private final HelpPanel help;
   private final ProblemsPanel problems;
@@ -80,6 +89,9 @@ final class Workbench {
   private final JSplitPane all;
   private final FormDividerController column;
   private final NodeMenu menu;
+  private final StructureCommands structure;
+  private final FocusedKeys focused;
+  private final InsertCommands insert;
   private final List<Runnable> disposals = new ArrayList<>();
 
   /**
@@ -97,7 +109,9 @@ final class Workbench {
     this.session = session;
     this.settings = settings;
     menu = new NodeMenu(session);
-    pictures = new VersionImageRenderer(asScene(session));
+    structure =
+        new StructureCommands(session, Toolkit.getDefaultToolkit().getSystemClipboard());
+    pictures = new VersionImageRenderer(() -> asScene(session));
     autosave = new Autosave(session, recovery);
     BudgetFileLocator budgets =
         new BudgetFileLocator(
@@ -132,9 +146,12 @@ final class Workbench {
     NamePrompt names = new NameDialog(() -> tabs);
     areas = new AreaCommands(session, preview.probe(), names);
     preview.grid(grid::step);
+    HandleSettings handles = new HandleSettings();
+    preview.handles(handles);
+    placement = new PlacementCommands(session, preview.probe());
     preview.addAction(
         Texts.of("area.add.short"), Texts.of("area.add.tip"), areas::addAroundSelection);
-    plan = new PlanPanel(session, areas, names, grid);
+    plan = new PlanPanel(session, areas, names, grid, handles);
     addTab("Preview", Texts.of("window.tab.preview"), preview);
     addTab("Schemas", Texts.of("window.tab.schemas"), schemasAndCosts);
     addTab("Source", Texts.of("window.tab.source"), source.component());
@@ -144,7 +161,12 @@ final class Workbench {
     column = new FormDividerController(right, session);
     left = split(JSplitPane.HORIZONTAL_SPLIT, tree.component(), right, 0, "tree");
     all = split(JSplitPane.VERTICAL_SPLIT, left, problems, 1, "problems");
+    focused = new FocusedKeys(all, List.of(tree.component(), preview, plan));
     addMenus(makeVersions);
+    addTreeKeys();
+    structure.shifts(new DuplicateShifts(preview.probe()));
+    insert = new InsertCommands(session, structure, this::here);
+    disposals.add(focused::dispose);
     disposals.add(autosave::dispose);
     disposals.add(problems::dispose);
     disposals.add(tree::dispose);
@@ -187,8 +209,23 @@ final class Workbench {
 
   private void addMenus(Consumer<DocumentElement> makeVersions) {
     MetadataClipboard metadata = new MetadataClipboard(session);
-    menu.add(NodeEditCommands.of(session, Toolkit.getDefaultToolkit().getSystemClipboard()));
+    menu.add(NodeEditCommands.of(session, structure));
+    menu.add(
+        new NodeCommand(
+            "duplicateNode",
+            Texts.of("node.duplicate"),
+            "ctrl D",
+            element -> structure.removable(),
+            element -> nodes(StructureCommands::duplicate)));
+    menu.add(
+        new NodeCommand(
+            "insertNode",
+            Texts.of("insert.here"),
+            "INSERT",
+            element -> session.document().locked().isEmpty(),
+            element -> insertNode()));
     menu.add(areas.commands(this::commit));
+    menu.add(placement.commands());
     menu.add(
         List.of(
             new NodeCommand(
@@ -213,6 +250,71 @@ final class Workbench {
     menu.attach(tree.tree());
     preview.onMenu(menu::show);
     source.onMenu(menu::fill);
+  }
+
+  private void addTreeKeys() {
+    key("ctrl X", "node.cut", StructureCommands::cut);
+    key("ctrl C", "node.copy", StructureCommands::copy);
+    key("ctrl V", "node.paste", StructureCommands::paste);
+    key("DELETE", "node.delete", StructureCommands::delete);
+    key("ctrl D", "node.duplicate", StructureCommands::duplicate);
+    key("alt UP", "node.up", each -> each.step(false));
+    key("alt DOWN", "node.down", each -> each.step(true));
+    tree.onKey("INSERT", MnemonicText.of(Texts.of("insert.here")).words(), this::insertNode);
+    tree.onKey("F2", MnemonicText.of(Texts.of("area.rename.node")).words(), this::renameNode);
+    tree.onDrop(
+        new NodeDrop() {
+          @Override
+          public Optional<String> complaint(
+              List<DocumentElement> nodes, ChildPosition position, boolean copy) {
+            return structure.complaint(nodes, position, copy);
+          }
+
+          @Override
+          public void drop(List<DocumentElement> nodes, ChildPosition position, boolean copy) {
+            commit();
+            structure.drop(nodes, position, copy);
+          }
+        });
+  }
+
+  private void key(String key, String text, Consumer<StructureCommands> work) {
+    tree.onKey(key, MnemonicText.of(Texts.of(text)).words(), () -> nodes(work));
+  }
+
+  private void renameNode() {
+    commit();
+    areas.rename();
+  }
+
+  /** Does something with the selected nodes. */
+  void nodes(Consumer<StructureCommands> work) {
+    commit();
+    work.accept(structure);
+  }
+
+  /** Inserts a template at the selection. */
+  void insert(String template) {
+    commit();
+    insert.insert(template, all);
+    session.selection().ifPresent(tree::reveal);
+  }
+
+  /** Asks for a node to be inserted at the selection. */
+  void insertNode() {
+    commit();
+    insert.choose(all);
+    session.selection().ifPresent(tree::reveal);
+  }
+
+  /** Does what a key does where the focus is, in a text for example, else acts on the nodes. */
+  void edit(String key, Consumer<StructureCommands> work) {
+    KeyStroke stroke = KeyStroke.getKeyStroke(key);
+    if (focused.elsewhere(stroke)) {
+      session.message(Texts.of("node.elsewhere"));
+    } else if (!focused.act(stroke)) {
+      nodes(work);
+    }
   }
 
   /**
@@ -313,15 +415,31 @@ final class Workbench {
     }
   }
 
+  /** Finds the places onto which models are dropped. */
+  ModelDropTarget drops() {
+    return new ModelDropTarget(preview, plan, tree.component());
+  }
+
   /** The commands for areas, Switches and nodes. */
   AreaCommands areas() {
     return areas;
+  }
+
+  /** The commands that place selected nodes. */
+  PlacementCommands placement() {
+    return placement;
   }
 
   /** Reads the version files again, which may have changed although the document has not. */
   void lookAtFilesAgain() {
     preview.reload();
     cost.lookAtFilesAgain();
+  }
+
+  /** Reads the scene and its files again, as it may read from other folders and hosts now. */
+  void accessChanged() {
+    lookAtFilesAgain();
+    problems.checkAgain();
   }
 
   /** The viewer's pose in the preview; empty while there is none. */

@@ -120,8 +120,8 @@ class DocumentSaverConflictsTest extends DocumentSaverFixture {
             new Edit("Make", List.of()),
             List.of(new UndoableFileWrite(file, new byte[] {'a'}, false)));
     Files.writeString(file, "theirs");
-    EnricherWindow.UndoController steps =
-        new EnricherWindow.UndoController(session.document().history(), answers);
+    UndoController steps =
+        new UndoController(session.document().history(), answers);
     answers.agree = false;
     assertThat(steps.go(true)).isFalse();
     assertThat(file).hasContent("theirs");
@@ -132,6 +132,28 @@ class DocumentSaverConflictsTest extends DocumentSaverFixture {
     assertThat(steps.go(false)).isTrue();
     assertThat(file).hasContent("a");
     assertThat(answers.asked).containsExactly("overwrite", "overwrite");
+  }
+
+  @Test
+  void revertingTakesTheSavedTextAsAStepThatCanBeUndone() throws Exception {
+    String saved = onDisk();
+    type();
+    saving.revert(() -> done++);
+    result();
+    assertThat(answers.asked).containsExactly("revert");
+    assertThat(session.document().text().toString()).isEqualTo(saved);
+    assertThat(session.document().modified()).isFalse();
+    session.document().history().undo();
+    assertThat(session.document().text().toString()).startsWith("<!-- mine -->");
+    assertThat(done).as("reloaded").isZero();
+  }
+
+  @Test
+  void anAuthorWhoDoesNotRevertKeepsTheChanges() {
+    type();
+    answers.agree = false;
+    saving.revert(() -> done++);
+    assertThat(session.document().text().toString()).startsWith("<!-- mine -->");
   }
 
   @Test

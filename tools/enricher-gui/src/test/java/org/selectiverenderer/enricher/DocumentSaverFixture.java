@@ -37,6 +37,7 @@ abstract class DocumentSaverFixture {
     final List<String> asked = new ArrayList<>();
     Unsaved unsaved = Unsaved.CANCEL;
     boolean agree = true;
+    boolean take;
     OnDisk onDisk = OnDisk.KEEP;
     Path target = Path.of("other.x3d");
 
@@ -54,6 +55,12 @@ abstract class DocumentSaverFixture {
     @Override
     public boolean convert(String sentence) {
       throw new AssertionError(sentence);
+    }
+
+    @Override
+    public boolean revert(String sentence) {
+      asked.add("revert");
+      return agree;
     }
 
     @Override
@@ -79,9 +86,26 @@ abstract class DocumentSaverFixture {
     }
 
     @Override
-    public boolean leaveBehind(String sentence) {
+    public LeftBehind leaveBehind(String sentence) {
       asked.add(sentence);
-      return agree;
+      return agree ? LeftBehind.LEAVE : take ? LeftBehind.TAKE : LeftBehind.CANCEL;
+    }
+
+    @Override
+    public boolean without(String sentence, List<String> lines) {
+      asked.add("without " + lines.size());
+      return true;
+    }
+
+    @Override
+    public boolean replace(String sentence, List<String> lines) {
+      asked.add("replace " + lines.size());
+      return true;
+    }
+
+    @Override
+    public Optional<Path> modelToImport(Path scene) {
+      return Optional.empty();
     }
 
     @Override
@@ -125,7 +149,7 @@ abstract class DocumentSaverFixture {
             "<X3D version='4.0'>\n<Scene>\n" + TestSessions.object("Cup") + "</Scene>\n</X3D>\n");
     session = TestSessions.open(path, new TaskExecutor(results::add));
     answers = new Answers();
-    saving = new DocumentSaver(session, answers);
+    saving = new DocumentSaver(session, answers, other -> false);
   }
 
   /** Hands over one result of the background, as the event dispatch thread would. */

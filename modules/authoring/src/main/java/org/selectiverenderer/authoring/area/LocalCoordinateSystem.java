@@ -83,7 +83,7 @@ public record LocalCoordinateSystem(
   }
 
   /** Returns the numbers of an attribute, or default values if there are none that can be read. */
-  static float[] numbers(
+  public static float[] numbers(
       DocumentElement element, String attribute, FieldType type, float... otherwise) {
     Object value =
         element

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Predicate;
 import java.util.stream.Stream;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.EditRejectedException;
@@ -222,22 +223,22 @@ public final class NodeEdits {
    */
   public List<TextEdit> removal(DocumentElement node) {
     removableOnly(node);
-    withoutInstances(node);
+    withoutInstances(List.of(node));
     SourceFormatter layout = document.layout();
     List<TextEdit> changes = new ArrayList<>(released(node));
     changes.add(layout.remove(node));
     return changes;
   }
 
-  /** Refuses to remove a prototype that would leave instances without one. */
-  private void withoutInstances(DocumentElement node) {
+  /** Refuses to remove prototypes that would leave instances without one. */
+  private void withoutInstances(List<DocumentElement> nodes) {
     ElementTree tree = tree();
     for (DocumentElement instance : tree.instances()) {
       Optional<DocumentElement> declaration =
-          node.contains(instance)
+          inside(nodes, instance)
               ? Optional.empty()
               : instance.text("name").flatMap(name -> tree.prototype(name.strip(), instance));
-      if (declaration.filter(node::contains).isPresent()) {
+      if (declaration.filter(found -> inside(nodes, found)).isPresent()) {
         throw new EditRejectedException(
             "the prototype %s has an instance in line %d; delete it first"
                 .formatted(
@@ -245,6 +246,43 @@ public final class NodeEdits {
                     document.location(instance.start()).line()));
       }
     }
+  }
+
+  /**
+   * Returns the changes that remove several nodes and the references to them.
+   *
+   * @param nodes nodes none of which contains another
+   * @throws EditRejectedException if one is mandatory, or referenced by USE from outside of them
+   */
+  public List<TextEdit> removal(List<DocumentElement> nodes) {
+    tree();
+    nodes.forEach(NodeEdits::removableOnly);
+    withoutInstances(nodes);
+    SourceFormatter layout = document.layout();
+    List<TextEdit> changes = new ArrayList<>();
+    references(nodes).forEach(each -> changes.add(layout.remove(each)));
+    nodes.forEach(each -> changes.add(layout.remove(each)));
+    return changes;
+  }
+
+  /**
+   * Returns the ROUTE, IMPORT and EXPORT statements outside of nodes that name one of them or their
+   * descendants.
+   *
+   * @throws EditRejectedException if a node is referenced by USE from outside of them
+   */
+  public Set<DocumentElement> references(List<DocumentElement> nodes) {
+    Predicate<DocumentElement> outside = each -> !inside(nodes, each);
+    Set<DocumentElement> found = new LinkedHashSet<>();
+    for (DocumentElement node : nodes) {
+      NodeReferences references = NodeReferences.into(node);
+      references.uses().stream().filter(outside).findFirst().ifPresent(this::usedElsewhere);
+      Stream.of(references.routes(), references.exports(), references.imports())
+          .flatMap(List::stream)
+          .filter(outside)
+          .forEach(found::add);
+    }
+    return found;
   }
 
   /**
@@ -265,17 +303,22 @@ public final class NodeEdits {
   }
 
   private List<TextEdit> released(NodeReferences references) {
-    if (!references.uses().isEmpty()) {
-      DocumentElement use = references.uses().get(0);
-      throw new EditRejectedException(
-          "%s is used elsewhere (USE in line %d), and this reference would break; delete it first"
-              .formatted(use.use().orElse(""), document.location(use.start()).line()));
-    }
+    references.uses().stream().findFirst().ifPresent(this::usedElsewhere);
     SourceFormatter layout = document.layout();
     Set<DocumentElement> gone = new LinkedHashSet<>(references.routes());
     gone.addAll(references.exports());
     gone.addAll(references.imports());
     return gone.stream().map(layout::remove).toList();
+  }
+
+  private static boolean inside(List<DocumentElement> nodes, DocumentElement element) {
+    return nodes.stream().anyMatch(node -> node.contains(element));
+  }
+
+  private void usedElsewhere(DocumentElement use) {
+    throw new EditRejectedException(
+        "%s is used elsewhere (USE in line %d), and this reference would break; delete it first"
+            .formatted(use.use().orElse(""), document.location(use.start()).line()));
   }
 
   /** Returns the outermost enclosing group that contains only the node, or the node itself. */

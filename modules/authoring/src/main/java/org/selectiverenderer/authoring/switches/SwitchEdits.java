@@ -13,6 +13,7 @@ import org.selectiverenderer.authoring.enrichment.EnrichedSwitch.ChoiceNode;
 import org.selectiverenderer.authoring.enrichment.EnrichmentEdits;
 import org.selectiverenderer.authoring.enrichment.EnrichmentEdits.SwitchMetadata;
 import org.selectiverenderer.authoring.nodes.NodeEdits;
+import org.selectiverenderer.authoring.nodes.Reindenter;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.TextEdit;
@@ -47,15 +48,7 @@ public final class SwitchEdits {
             + SourceFormatter.written("DEF", name, quote)
             + SourceFormatter.written("whichChoice", "0", quote)
             + ">";
-    String text;
-    if (layout.onItsOwnLine(node)) {
-      String outer = layout.endOfLine(node) + layout.indentation(node);
-      String step = layout.step(node);
-      text =
-          open + outer + step + Reindenter.deeper(document.text(node), step) + outer + "</Switch>";
-    } else {
-      text = open + document.text(node) + "</Switch>";
-    }
+    String text = Reindenter.wrapped(document, node, open, "</Switch>");
     return new Edit(
         "Make the Switch " + name, List.of(new TextEdit(node.start(), node.end(), text)));
   }

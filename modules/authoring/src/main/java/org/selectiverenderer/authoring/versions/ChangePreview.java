@@ -12,7 +12,7 @@ import org.selectiverenderer.x3d.source.TextEdit;
  */
 public record ChangePreview(int line, String before, String after) {
   /** Returns the changes of an edit of a text. */
-  static List<ChangePreview> of(Edit edit, String text) {
+  public static List<ChangePreview> of(Edit edit, String text) {
     LineIndex lines = new LineIndex(text);
     return edit.changes().stream().map(change -> of(change, text, lines)).toList();
   }

@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.selectiverenderer.authoring.SourceFormatter;
-import org.selectiverenderer.authoring.switches.Reindenter;
+import org.selectiverenderer.authoring.nodes.Reindenter;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.ElementScope;
 import org.selectiverenderer.x3d.source.SourceAttribute;

@@ -45,6 +45,15 @@ public record VersionCandidate(
     return remark == Remark.NONE;
   }
 
+  /**
+   * Returns whether the object is proposed where the author says what few polygons are.
+   *
+   * @param fewest the fewest polygons of an object that is worth versions
+   */
+  public boolean proposed(int fewest) {
+    return (remark == Remark.NONE || remark == Remark.FEW) && polygons >= fewest;
+  }
+
   /** Returns whether versions can be made. */
   public boolean possible() {
     return remark != Remark.IMPOSSIBLE;

@@ -263,14 +263,11 @@ public final class VersionCandidateFinder {
   }
 
   private Remark remark(MeasuredElement each, BoundingBox box) {
-    if (each.polygons() < FEW) {
-      return Remark.FEW;
-    }
     if (shares(each)) {
       return Remark.SHARED;
     }
     if (all.size() == 1) {
-      return Remark.NONE; // the object is the scene
+      return few(each); // the object is the scene
     }
     double least = Math.min(box.width(), Math.min(box.height(), box.depth()));
     if (box.extent() >= WIDE * extent.extent() && least <= FLAT * box.extent()) {
@@ -282,6 +279,10 @@ public final class VersionCandidateFinder {
             && box.depth() >= AROUND * extent.depth();
     return around && found.size() + shapes > 1 && each.shapes() < shapes
         ? Remark.AROUND
-        : Remark.NONE;
+        : few(each);
+  }
+
+  private static Remark few(MeasuredElement each) {
+    return each.polygons() < FEW ? Remark.FEW : Remark.NONE;
   }
 }

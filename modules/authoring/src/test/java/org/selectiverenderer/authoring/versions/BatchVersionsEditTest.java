@@ -2,6 +2,7 @@ package org.selectiverenderer.authoring.versions;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.tuple;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -102,7 +103,7 @@ class BatchVersionsEditTest {
             .collect(Collectors.toMap(VersionCandidate::name, VersionCandidate::remark));
     assertThat(remarks)
         .containsOnly(
-            Map.entry("Floor", Remark.FEW),
+            Map.entry("Floor", Remark.FLAT),
             Map.entry("Brick_Wall", Remark.FLAT),
             Map.entry("Office_chair", Remark.NONE),
             Map.entry("Leather2", Remark.NONE),
@@ -111,6 +112,36 @@ class BatchVersionsEditTest {
             Map.entry("Transform_Lamp", Remark.NONE),
             Map.entry("Shared", Remark.NONE),
             Map.entry("Ball_2", Remark.SHARED));
+  }
+
+  @Test
+  void aGroupWithSwitchesIsARoomAndItsPiecesAreProposed() throws IOException {
+    DocumentFile file =
+        open(
+            """
+            <X3D version='3.3'><Scene>
+              <Group DEF='Room'>
+                <Transform DEF='Vase'><Shape><Sphere radius='.1'/></Shape></Transform>
+                <Transform DEF='Bowl'>
+                  <Switch DEF='Switch_Bowl' whichChoice='0'>
+                    <Inline url='"Bowl_v1.x3d"'/>
+                  </Switch>
+                </Transform>
+              </Group>
+              <Transform DEF='Tree' translation='5 0 0'>
+                <Shape><Sphere/></Shape><Shape><Cylinder/></Shape>
+              </Transform>
+            </Scene></X3D>
+            """);
+    Files.writeString(
+        folder.resolve("Bowl_v1.x3d"),
+        "<X3D version='3.3'><Scene><Shape><Sphere/></Shape></Scene></X3D>");
+    assertThat(candidates(file))
+        .extracting(VersionCandidate::name, VersionCandidate::remark)
+        .containsExactly(
+            tuple("Vase", Remark.NONE),
+            tuple("Bowl", Remark.VERSIONS),
+            tuple("Tree", Remark.NONE));
   }
 
   @Test

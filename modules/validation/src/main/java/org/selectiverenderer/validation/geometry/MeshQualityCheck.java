@@ -8,9 +8,6 @@ import org.selectiverenderer.x3d.read.ParsedNode;
 
 /** Finds degenerate faces (without area) and non-manifold edges (of more than two faces). */
 final class MeshQualityCheck implements GeometryNodeCheck {
-  /** Points of a face count as collinear below this sine of their angle. */
-  private static final double STRAIGHT = 1e-7;
-
   @Override
   public void check(ParsedNode node, GeometryFindingCollector findings) {
     NodeView coordinates = VertexDataAccessor.in(node, "coord");
@@ -76,7 +73,7 @@ final class MeshQualityCheck implements GeometryNodeCheck {
       if (to == from || !known(from, to)) {
         return;
       }
-      if (to - from < 3 || !hasArea(from, to)) {
+      if (to - from < 3 || !TriangleMath.hasArea(points, indices, from, to)) {
         firstFlat = flat++ == 0 ? faces : firstFlat;
       } else {
         for (int i = from; i < to; i++) {
@@ -99,26 +96,6 @@ final class MeshQualityCheck implements GeometryNodeCheck {
       if (a != b) {
         edges[edgeCount++] = (long) Math.min(a, b) << 32 | Math.max(a, b);
       }
-    }
-
-    /**
-     * Computes the area by Newell's method and compares it with the longest distance from the first
-     * point.
-     */
-    private boolean hasArea(int from, int to) {
-      int origin = 3 * indices[from];
-      double longest = 0;
-      for (int i = from + 1; i < to; i++) {
-        int at = 3 * indices[i];
-        double x = (double) points[at] - points[origin];
-        double y = (double) points[at + 1] - points[origin + 1];
-        double z = (double) points[at + 2] - points[origin + 2];
-        longest = Math.max(longest, x * x + y * y + z * z);
-      }
-      double[] normal = new double[3];
-      TriangleMath.newell(points, indices, from, to, normal);
-      double area = TriangleMath.length(normal);
-      return !Double.isFinite(longest) || area > STRAIGHT * longest;
     }
 
     private void crowded(ParsedNode node, String field, GeometryFindingCollector findings) {

@@ -96,11 +96,6 @@ public final class AreaCommands {
     withNamed(node -> nodes.rename(node, question));
   }
 
-  /** Duplicates the selected node. */
-  public void copy() {
-    withNamed(node -> nodes.copy(node, this));
-  }
-
   private void withNamed(Consumer<DocumentElement> work) {
     withSelected(
         node -> {
@@ -110,11 +105,6 @@ public final class AreaCommands {
             session.message(Texts.of("area.noname", node));
           }
         });
-  }
-
-  /** Deletes the selected node. */
-  public void delete() {
-    withSelected(nodes::delete);
   }
 
   /**
@@ -127,17 +117,22 @@ public final class AreaCommands {
     Predicate<DocumentElement> named = free.and(nodes::named);
     Predicate<DocumentElement> wrapped = free.and(nodes.switches()::wraps);
     return List.of(
-        command("renameNode", "rename.node", named, before, this::rename),
-        command("duplicateNode", "copy.node", named, before, this::copy),
-        command("makeSwitch", "switch", wrapped, before, this::makeSwitch),
-        command("addArea", "add", free, before, this::addAroundSelection));
+        command("renameNode", "rename.node", "F2", named, before, this::rename),
+        command("makeSwitch", "switch", "ctrl shift W", wrapped, before, this::makeSwitch),
+        command("addArea", "add", "ctrl shift A", free, before, this::addAroundSelection));
   }
 
   private static NodeCommand command(
-      String id, String text, Predicate<DocumentElement> fits, Runnable before, Runnable work) {
+      String id,
+      String text,
+      String key,
+      Predicate<DocumentElement> fits,
+      Runnable before,
+      Runnable work) {
     return new NodeCommand(
         id,
         Texts.of("area." + text),
+        key,
         fits,
         element -> {
           before.run();

@@ -44,6 +44,13 @@ public final class ComparisonPainter {
     return shown.filter(other -> other.mode() == CompareMode.BESIDE).isPresent() ? width / 2 : 0;
   }
 
+  /** Where the part of the component begins that shows the preview's own picture. */
+  public int ownEdge(Optional<ReferenceImage> shown, int width) {
+    return shown.filter(other -> other.mode() == CompareMode.WIPE).isPresent()
+        ? (int) Math.round(line * width)
+        : offset(shown, width);
+  }
+
   /**
    * Paints both pictures, the line and their titles.
    *
@@ -60,7 +67,7 @@ public final class ComparisonPainter {
       int height) {
     AffineTransform fit = AffineTransform.getScaleInstance(1 / scale, 1 / scale);
     boolean beside = other.mode() == CompareMode.BESIDE;
-    int border = beside ? width / 2 : (int) Math.round(line * width);
+    int border = ownEdge(Optional.of(other), width);
     if (beside) {
       g.drawImage(other.image(), fit, null);
       AffineTransform moved = AffineTransform.getTranslateInstance(border, 0);

@@ -3,6 +3,7 @@ package org.selectiverenderer.enricher.help;
 import java.util.List;
 import java.util.Optional;
 import org.selectiverenderer.base.markup.MarkupEscaper;
+import org.selectiverenderer.enricher.text.AccessHint;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.validation.Rule;
 
@@ -20,6 +21,7 @@ final class HelpPageBuilder {
         <h2>%s</h2>
         <p><b>%s</b></p>
         <p>%s</p>
+        <p>%s</p>
         <h3>%s</h3><pre>%s</pre>
         <h3>%s</h3><pre>%s</pre>
         <p>%s</p>
@@ -27,8 +29,11 @@ final class HelpPageBuilder {
         """
         .formatted(
             rule.id(),
-            MarkupEscaper.text(rule.summary().isEmpty() ? rule.template() : rule.summary()),
+            MarkupEscaper.text(
+                AccessHint.inWindow(rule.summary().isEmpty() ? rule.template() : rule.summary())),
             MarkupEscaper.text(rule.explanation()),
+            MarkupEscaper.text(
+                rule.explanation().contains("--allow") ? AccessHint.ofDialog() : ""),
             Texts.of("problems.rule.bad"),
             MarkupEscaper.text(rule.bad()),
             Texts.of("problems.rule.good"),

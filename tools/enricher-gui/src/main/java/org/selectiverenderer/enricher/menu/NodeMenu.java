@@ -59,6 +59,9 @@ public final class NodeMenu {
         JMenuItem item = new JMenuItem(title.words(), title.letter());
         item.setName(command.id());
         item.setEnabled(command.fits().test(selected.get()));
+        if (!command.key().isEmpty()) {
+          item.setAccelerator(KeyStroke.getKeyStroke(command.key()));
+        }
         item.addActionListener(event -> command.work().accept(selected.get()));
         menu.add(item);
       }
@@ -97,7 +100,9 @@ public final class NodeMenu {
           private void maybeShow(MouseEvent event) {
             int row = tree.getRowForLocation(event.getX(), event.getY());
             if (event.isPopupTrigger() && row >= 0 && tree.isEnabled()) {
-              tree.setSelectionRow(row);
+              if (!tree.isRowSelected(row)) {
+                tree.setSelectionRow(row);
+              }
               show(tree, event.getPoint());
             }
           }

@@ -4,11 +4,12 @@ import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import java.util.Collection;
 import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
 import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 import org.selectiverenderer.browser.instance.ShapeInstance;
 import org.selectiverenderer.browser.instance.SurfaceMaterial;
-import org.selectiverenderer.browser.instance.VisibleBoundsCalculator;
 import org.selectiverenderer.enricher.area.FloorPlanImage;
 import org.selectiverenderer.geometry.BoundingBox;
 import org.selectiverenderer.geometry.mesh.Mesh;
@@ -51,18 +52,29 @@ final class FloorPlanRenderer {
   }
 
   /**
-   * @param cut height of the cut in metres, world Y
+   * Draws the plan of a scene.
+   *
+   * @param cut height of the cut in metres, world Y; empty for one between floor and ceiling
+   * @param hidden shapes that are left out
    * @return empty if nothing visible covers any ground
    */
-  static Optional<FloorPlanImage> of(Collection<ShapeInstance> shapes, double cut) {
-    Optional<BoundingBox> extent =
-        VisibleBoundsCalculator.of(shapes).filter(all -> all.width() > 0 && all.depth() > 0);
-    return extent.map(all -> new FloorPlanRenderer(all, cut).draw(shapes));
+  static Optional<FloorPlanImage> of(
+      PreviewScene scene, OptionalDouble cut, Set<ShapeInstance> hidden) {
+    PlanShapes shapes = PlanShapes.of(scene.world().instances().shapes(), hidden);
+    return shapes
+        .extent()
+        .map(
+            all ->
+                new FloorPlanRenderer(
+                        all,
+                        cut.orElseGet(
+                            () -> new StoreyFinder(shapes.drawn()).cut(scene.startHeight())))
+                    .draw(shapes.drawn()));
   }
 
   private FloorPlanImage draw(Collection<ShapeInstance> shapes) {
     for (ShapeInstance shape : shapes) {
-      if (shape.shown() && shape.bounds()[1] <= cut) {
+      if (shape.bounds()[1] <= cut) {
         shape.mesh().ifPresent(mesh -> draw(mesh, shape));
       }
     }

@@ -6,6 +6,7 @@ import org.joml.Vector3d;
 import org.selectiverenderer.browser.PointingDeviceState;
 import org.selectiverenderer.browser.collision.RayCaster;
 import org.selectiverenderer.browser.viewer.Pose;
+import org.selectiverenderer.geometry.BoundingBox;
 
 /**
  * Controls the preview's camera and casts rays through pixels of its picture. Confined to the
@@ -62,9 +63,13 @@ final class PreviewCameraController {
     orbit.place(pose, distance);
   }
 
-  /** Frames an element, or the whole scene where the element shows nothing. */
-  void frame(PreviewScene scene, List<SourceAnchor> element) {
-    scene.nodes().find(element).flatMap(scene::bounds).or(scene::bounds).ifPresent(orbit::frame);
+  /** Frames elements, or the whole scene where they show nothing. */
+  void frame(PreviewScene scene, List<List<SourceAnchor>> elements) {
+    elements.stream()
+        .flatMap(each -> scene.nodes().find(each).flatMap(scene::bounds).stream())
+        .reduce(BoundingBox::union)
+        .or(scene::bounds)
+        .ifPresent(orbit::frame);
   }
 
   /** Returns the nearest hit of the ray through a pixel. */

@@ -39,7 +39,7 @@ final class PreviewCanvas extends AccessibleCanvas {
 
   private transient @Nullable PreviewFrame frame;
   private transient List<Shown> shown = List.of();
-  private transient BiConsumer<Graphics2D, PreviewFrame> overlay = (graphics, picture) -> {};
+  private final transient List<BiConsumer<Graphics2D, PreviewFrame>> overlays = new ArrayList<>();
   private final transient ComparisonPainter comparison = new ComparisonPainter();
 
   PreviewCanvas() {
@@ -52,9 +52,9 @@ final class PreviewCanvas extends AccessibleCanvas {
     repaint();
   }
 
-  /** Sets what is painted over every picture. */
+  /** Adds what is painted over every picture. */
   void overlay(BiConsumer<Graphics2D, PreviewFrame> painter) {
-    overlay = painter;
+    overlays.add(painter);
   }
 
   Optional<PreviewFrame> frame() {
@@ -77,6 +77,11 @@ final class PreviewCanvas extends AccessibleCanvas {
     return ComparisonPainter.offset(frame().flatMap(PreviewFrame::compared), getWidth());
   }
 
+  /** Where the preview's own picture begins to be seen, of which labels and lines of text tell. */
+  private int ownEdge() {
+    return comparison.ownEdge(frame().flatMap(PreviewFrame::compared), getWidth());
+  }
+
   /** The painter of comparisons. */
   ComparisonPainter comparison() {
     return comparison;
@@ -96,7 +101,7 @@ final class PreviewCanvas extends AccessibleCanvas {
   /** The label at a position. */
   Optional<PreviewFrame.Label> labelAt(int x, int y) {
     return shown.stream()
-        .filter(label -> label.place().contains(x, y))
+        .filter(label -> x >= ownEdge() && label.place().contains(x, y))
         .map(Shown::label)
         .findFirst();
   }
@@ -137,7 +142,7 @@ final class PreviewCanvas extends AccessibleCanvas {
         .ifPresent(
             count ->
                 text.append("  (")
-                    .append(Texts.of("counts.polygons", count, DecimalFormatter.grouped(count)))
+                    .append(Texts.of("counts.inarea", count, DecimalFormatter.grouped(count)))
                     .append(')'));
     return text.toString();
   }
@@ -164,9 +169,14 @@ final class PreviewCanvas extends AccessibleCanvas {
       }
       g2.setRenderingHint(
           RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-      paintLabels(g2, frame, scale);
-      paintLines(g2, lines(frame));
-      overlay.accept(g2, frame);
+      Graphics2D own = (Graphics2D) g2.create();
+      own.clipRect(ownEdge(), 0, getWidth(), getHeight());
+      paintLabels(own, frame, scale);
+      paintLines(own, lines(frame));
+      own.dispose();
+      for (BiConsumer<Graphics2D, PreviewFrame> overlay : overlays) {
+        overlay.accept(g2, frame);
+      }
     }
     if (isFocusOwner()) {
       Color focus = UIManager.getColor("Component.focusColor");
@@ -190,7 +200,8 @@ final class PreviewCanvas extends AccessibleCanvas {
       Rectangle place =
           new Rectangle(
               Math.max(
-                  0, Math.min(getWidth() - width, (int) (label.x() / scale) + moved - width / 2)),
+                  moved,
+                  Math.min(getWidth() - width, (int) (label.x() / scale) + moved - width / 2)),
               (int) (label.y() / scale) - height,
               width,
               height);
@@ -217,12 +228,13 @@ final class PreviewCanvas extends AccessibleCanvas {
     int width = lines.stream().mapToInt(metrics::stringWidth).max().orElse(0) + 2 * PAD;
     int height = lines.size() * metrics.getHeight() + PAD;
     int top = getHeight() - height - PAD;
+    int left = ownEdge() + PAD;
     g.setColor(PAPER);
-    g.fillRoundRect(PAD, top, width, height, PAD, PAD);
+    g.fillRoundRect(left, top, width, height, PAD, PAD);
     g.setColor(Color.WHITE);
     for (int i = 0; i < lines.size(); i++) {
       g.drawString(
-          lines.get(i), 2 * PAD, top + PAD / 2 + metrics.getAscent() + i * metrics.getHeight());
+          lines.get(i), left + PAD, top + PAD / 2 + metrics.getAscent() + i * metrics.getHeight());
     }
   }
 }

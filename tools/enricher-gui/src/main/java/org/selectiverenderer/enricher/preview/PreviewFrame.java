@@ -4,6 +4,7 @@ import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Optional;
 import org.selectiverenderer.browser.camera.Camera;
+import org.selectiverenderer.enricher.area.ObjectBox;
 import org.selectiverenderer.enricher.compare.ReferenceImage;
 import org.selectiverenderer.schema.SensorSchemas;
 
@@ -23,6 +24,7 @@ import org.selectiverenderer.schema.SensorSchemas;
  * @param revision the document's revision that is shown
  * @param drawnBy the OpenGL renderer and version
  * @param compared the reference image, if the author compares
+ * @param boxes of the selected nodes that show something, in the order of the selection
  * @param version a sentence about the object whose version the author has chosen
  */
 record PreviewFrame(
@@ -39,6 +41,7 @@ record PreviewFrame(
     long revision,
     String drawnBy,
     Optional<ReferenceImage> compared,
+    List<ObjectBox> boxes,
     Optional<String> version) {
 
   /** Returns the same picture with other labels and another revision. */
@@ -57,6 +60,7 @@ record PreviewFrame(
         newRevision,
         drawnBy,
         compared,
+        boxes,
         version);
   }
 

@@ -137,6 +137,11 @@ final class PreviewNodeIndex {
     return Optional.empty();
   }
 
+  /** Returns the node of an anchor itself, if it has an instance in the scene. */
+  Optional<Node> findItself(SourceAnchor anchor) {
+    return find(List.of(anchor));
+  }
+
   /** Returns the shape instances in a node, shown or not. */
   Set<ShapeInstance> shapes(Node node) {
     Set<ShapeInstance> shapes = new HashSet<>();
@@ -145,7 +150,8 @@ final class PreviewNodeIndex {
     return shapes;
   }
 
-  private static void gather(Instance instance, Set<ShapeInstance> shapes) {
+  /** Adds the shapes of an instance, shown or not. */
+  static void gather(Instance instance, Set<ShapeInstance> shapes) {
     if (instance instanceof ShapeInstance shape) {
       shapes.add(shape);
     } else if (instance instanceof GroupInstance group) {

@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.preview;
 
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -46,8 +47,8 @@ final class PreviewRenderer {
   }
 
   /** Returns the labels of the areas for a camera. */
-  List<PreviewFrame.Label> labels(PreviewScene of, List<SourceAnchor> selection, Camera seenBy) {
-    Optional<Node> selected = of.nodes().find(selection);
+  List<PreviewFrame.Label> labels(PreviewScene of, List<SelectedNode> selection, Camera seenBy) {
+    Optional<Node> selected = last(of, selection);
     return sensorsShown ? of.areas().labels(seenBy, selected.orElse(null), of::sees) : List.of();
   }
 
@@ -59,13 +60,17 @@ final class PreviewRenderer {
    */
   PreviewFrame draw(
       PreviewScene shown,
-      List<SourceAnchor> selection,
+      List<SelectedNode> selection,
       boolean comparing,
       int width,
       int height,
       int samples) {
-    Optional<Node> selected = shown.nodes().find(selection);
-    Set<ShapeInstance> outlined = selected.map(shown::shapes).orElse(Set.of());
+    Optional<Node> selected = last(shown, selection);
+    ObjectQueries queries = new ObjectQueries(shown);
+    Set<ShapeInstance> outlined = new HashSet<>(selected.map(shown::shapes).orElse(Set.of()));
+    if (selection.size() > 1) {
+      outlined.addAll(queries.shapes(selection));
+    }
     PreviewImage picture =
         view.draw(
             shown.world(),
@@ -95,7 +100,15 @@ final class PreviewRenderer {
         comparing && compare != CompareMode.OFF
             ? Optional.of(inDetail(shown, width, height, samples))
             : Optional.empty(),
+        selection.stream().flatMap(each -> queries.box(each).stream()).toList(),
         VersionOverride.words(shown));
+  }
+
+  /** Returns the node selected last, or the nearest one around it that is in the scene. */
+  private static Optional<Node> last(PreviewScene of, List<SelectedNode> selection) {
+    return selection.isEmpty()
+        ? Optional.empty()
+        : of.nodes().find(selection.get(selection.size() - 1).anchors());
   }
 
   private ReferenceImage inDetail(PreviewScene shown, int width, int height, int samples) {

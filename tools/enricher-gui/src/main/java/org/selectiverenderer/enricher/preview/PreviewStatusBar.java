@@ -5,6 +5,7 @@ import javax.swing.JPanel;
 import javax.swing.JProgressBar;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
+import org.selectiverenderer.enricher.text.AccessHint;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.swing.PlainText;
 
@@ -47,8 +48,9 @@ final class PreviewStatusBar extends JPanel {
   /** Shows why the picture is not of the newest state of the document. */
   void stale(String sentence) {
     progress.setVisible(false);
-    message.setText(sentence);
-    message.setToolTipText(PlainText.of(sentence));
+    String said = AccessHint.inWindow(sentence);
+    message.setText(said);
+    message.setToolTipText(PlainText.of(said));
   }
 
   /** Shows how many layers are left out, unless another message is shown. */

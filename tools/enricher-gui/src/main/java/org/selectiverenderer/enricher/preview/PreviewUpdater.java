@@ -55,7 +55,7 @@ final class PreviewUpdater implements AutoCloseable {
 
   private final SceneDocument document;
   private final Supplier<Path> file;
-  private final ContentAccessPolicy access;
+  private final Supplier<ContentAccessPolicy> access;
   private final Target target;
   private final Listener listener;
   private final DocumentListener onChange = change -> later();
@@ -75,13 +75,13 @@ final class PreviewUpdater implements AutoCloseable {
 
   /**
    * @param file the document's file, whose folder is the base of relative urls
-   * @param access folders and hosts that the scene may read from
+   * @param access folders and hosts that the scene may read from; asked on the loader's thread
    * @param target receives each state
    */
   PreviewUpdater(
       SceneDocument document,
       Supplier<Path> file,
-      ContentAccessPolicy access,
+      Supplier<ContentAccessPolicy> access,
       Target target,
       Listener listener) {
     this.document = document;
@@ -111,7 +111,9 @@ final class PreviewUpdater implements AutoCloseable {
     long mine = wanted.incrementAndGet();
     if (document.fault().isPresent()) {
       var fault = document.fault().get();
-      listener.stale(Texts.of("preview.fault", String.valueOf(fault.location().line())));
+      int line = fault.location().line();
+      listener.stale(
+          Texts.of("preview.fault", line, Integer.toString(line), fault.message()));
       return;
     }
     DocumentSnapshot snapshot = document.snapshot();
@@ -136,7 +138,7 @@ final class PreviewUpdater implements AutoCloseable {
     }
     tell(mine, listener::loading);
     try {
-      LoadedPreview loaded = LoadedPreview.of(snapshot, folder, access);
+      LoadedPreview loaded = LoadedPreview.of(snapshot, folder, access.get());
       if (gave(mine, new Given(snapshot, folder))) {
         target.show(loaded);
         tell(mine, listener::loaded);

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.selectiverenderer.authoring.SceneDocument;
+import org.selectiverenderer.authoring.placement.Placement;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
@@ -38,6 +39,37 @@ final class SourceAnchorResolver {
       at = around.parent();
     }
     return anchors;
+  }
+
+  /** Returns an element as the running scene finds it. */
+  SelectedNode node(DocumentElement element) {
+    return new SelectedNode(element, of(element), Placement.transforms(element), use(element));
+  }
+
+  /** Returns the elements as the running scene finds them; those that are gone are left out. */
+  List<SelectedNode> nodes(List<DocumentElement> elements) {
+    return elements.stream().filter(DocumentElement::attached).map(this::node).toList();
+  }
+
+  /** Returns how many elements before one are the same node: its DEF and its USEs. */
+  private int use(DocumentElement element) {
+    Optional<String> name = element.use();
+    if (name.isEmpty() || document.tree().isEmpty()) {
+      return 0;
+    }
+    int[] before = {0};
+    document
+        .tree()
+        .get()
+        .root()
+        .visit(
+            each -> {
+              if (each.start() < element.start()
+                  && (each.use().equals(name) || each.def().equals(name))) {
+                before[0]++;
+              }
+            });
+    return before[0];
   }
 
   /**

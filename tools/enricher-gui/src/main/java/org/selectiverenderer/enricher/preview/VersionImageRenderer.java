@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.browser.instance.Background;
@@ -67,7 +68,7 @@ public final class VersionImageRenderer implements AutoCloseable {
           return size() > KEPT;
         }
       };
-  private final ContentAccessPolicy access;
+  private final Supplier<ContentAccessPolicy> access;
   private final OrbitCamera orbit = new OrbitCamera();
   private @Nullable Thread thread;
   private @Nullable LoadedPreview last;
@@ -77,13 +78,13 @@ public final class VersionImageRenderer implements AutoCloseable {
 
   /** Renders scenes that may read no other than their own files. */
   public VersionImageRenderer() {
-    this(ContentAccessPolicy.none());
+    this(ContentAccessPolicy::none);
   }
 
   /**
    * @param access folders and hosts that scenes may read from
    */
-  public VersionImageRenderer(ContentAccessPolicy access) {
+  public VersionImageRenderer(Supplier<ContentAccessPolicy> access) {
     this.access = access;
   }
 
@@ -191,7 +192,7 @@ public final class VersionImageRenderer implements AutoCloseable {
   private LoadedPreview load(VersionSource source, Object state) throws IOException {
     if (last == null || !source.equals(lastSource) || !state.equals(lastState)) {
       forget();
-      last = LoadedPreview.of(source.name(), source.bytes(), source.folder(), access, 0);
+      last = LoadedPreview.of(source.name(), source.bytes(), source.folder(), access.get(), 0);
       lastSource = source;
       lastState = state;
     }

@@ -9,11 +9,15 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.selectiverenderer.authoring.ElementFinding;
 import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.authoring.enrichment.DocumentEnrichment;
+import org.selectiverenderer.authoring.geometry.GeometryRepair;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.enricher.problems.ProblemEntry.Place;
+import org.selectiverenderer.enricher.text.AccessHint;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.DocumentError;
 
@@ -53,7 +57,30 @@ final class ProblemsModel {
   private ProblemEntry entry(Problem problem) {
     boolean here = problem.location().file().equals(document.name());
     Place place = here ? place(problem) : new Place.Elsewhere(problem.location());
-    return new ProblemEntry(problem.severity(), problem.message(), place, Optional.empty());
+    ProblemEntry found =
+        new ProblemEntry(
+            problem.severity(), AccessHint.inWindow(problem.message()), place, Optional.empty());
+    return here ? found.with(repair(found)) : found;
+  }
+
+  /** Returns the repair of faulty geometry. */
+  private Optional<ElementFinding.Fix> repair(ProblemEntry entry) {
+    return entry
+        .element()
+        .flatMap(
+            element ->
+                entry
+                    .rule()
+                    .flatMap(rule -> GeometryRepair.of(rule, element))
+                    .map(
+                        kind ->
+                            new ElementFinding.Fix(
+                                Texts.of(
+                                    switch (kind) {
+                                      case NORMALIZE -> "problems.normalize";
+                                      case REMOVE_EMPTY_FACES -> "problems.emptyfaces";
+                                    }),
+                                () -> new GeometryRepair(document).edit(kind, element))));
   }
 
   private Place place(Problem problem) {
@@ -174,7 +201,10 @@ final class ProblemsModel {
     return all;
   }
 
-  ProblemCounts counts() {
-    return ProblemCounts.of(all, unenriched, enrichable);
+  /**
+   * @param checking whether the checks of the present text have not ended
+   */
+  ProblemCounts counts(boolean checking) {
+    return ProblemCounts.of(checking, all, unenriched, enrichable);
   }
 }

@@ -25,6 +25,7 @@ import javax.swing.ListSelectionModel;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.authoring.DocumentCheck;
 import org.selectiverenderer.authoring.ElementFinding;
+import org.selectiverenderer.authoring.editing.FindingSuppression;
 import org.selectiverenderer.base.problem.Problem.Severity;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.enricher.session.EnricherSession;
@@ -47,7 +48,9 @@ public final class ProblemsPanel extends JPanel {
   private final ProblemsTableModel rows;
   private final JTable table;
   private final JButton fix = Mnemonics.button("problems.fix");
+  private final JButton ignore = Mnemonics.button("problems.ignore");
   private final JLabel checking = new JLabel(" ");
+  private boolean busy;
 
   /** Shows how many objects and areas are not enriched yet. */
   private final JLabel left = new JLabel(" ");
@@ -55,6 +58,8 @@ public final class ProblemsPanel extends JPanel {
   private final Map<Severity, JToggleButton> filters = new EnumMap<>(Severity.class);
   private final transient Action goTo = action(Texts.of("problems.goto"), this::visit);
   private final transient Action mend = action(Texts.of("problems.fixes"), this::fix);
+  private final transient Action accept =
+      action(Mnemonics.without(Texts.of("problems.ignore")), this::ignore);
   private transient Consumer<ProblemCounts> onCounts = counts -> {};
   private transient Consumer<SourceLocation> onElsewhere = place -> {};
   private transient Consumer<Optional<String>> onExplain = rule -> {};
@@ -69,7 +74,7 @@ public final class ProblemsPanel extends JPanel {
     model = new ProblemsModel(session.document(), session.enrichment());
     rows = new ProblemsTableModel(session.document());
     table = new ProblemsTable(rows);
-    JPanel bar = new JPanel(new MigLayout("insets 2 6 2 6", "[][][][]push[][]"));
+    JPanel bar = new JPanel(new MigLayout("insets 2 6 2 6", "[][][][]push[][][]"));
     for (Severity severity : Severity.values()) {
       bar.add(filter(severity));
     }
@@ -84,6 +89,10 @@ public final class ProblemsPanel extends JPanel {
     fix.setEnabled(false);
     fix.addActionListener(mend);
     bar.add(fix);
+    ignore.setEnabled(false);
+    ignore.setToolTipText(Texts.of("problems.ignoretip"));
+    ignore.addActionListener(event -> ignore());
+    bar.add(ignore);
     JScrollPane scroll = new JScrollPane(table);
     scroll
         .getVerticalScrollBar()
@@ -99,7 +108,7 @@ public final class ProblemsPanel extends JPanel {
             model,
             checks,
             this::refreshed,
-            busy -> checking.setText(busy ? Texts.of("problems.checking") : " "));
+            this::checking);
     feed.begin();
   }
 
@@ -129,6 +138,7 @@ public final class ProblemsPanel extends JPanel {
     JPopupMenu menu = new JPopupMenu(Texts.of("problems.problem"));
     menu.add(goTo);
     menu.add(mend);
+    menu.add(accept);
     menu.add(copy);
     menu.add(explain);
     table.setComponentPopupMenu(menu);
@@ -175,7 +185,7 @@ public final class ProblemsPanel extends JPanel {
   /** Sets the listener of the counts, which is called now and whenever they may have changed. */
   public void onCounts(Consumer<ProblemCounts> listener) {
     onCounts = listener;
-    listener.accept(model.counts());
+    listener.accept(model.counts(busy));
   }
 
   /** Sets what shows the offset of a problem in the text, after its element is selected. */
@@ -211,6 +221,12 @@ public final class ProblemsPanel extends JPanel {
     fix.setText(found.map(ElementFinding.Fix::name).orElse(Texts.of("problems.fixes")));
     fix.setEnabled(found.isPresent());
     mend.setEnabled(found.isPresent());
+    boolean ignorable =
+        chosenEntry()
+            .filter(entry -> entry.rule().isPresent() && entry.element().isPresent())
+            .isPresent();
+    ignore.setEnabled(ignorable);
+    accept.setEnabled(ignorable);
     goTo.setEnabled(
         chosenEntry()
             .filter(entry -> entry.offset().isPresent() || entry.otherFile().isPresent())
@@ -246,6 +262,27 @@ public final class ProblemsPanel extends JPanel {
         .ifPresent(found -> session.attempt(() -> session.perform(found.edit().get())));
   }
 
+  /** Suppresses the rule of the selected problem for its element, in the scene itself. */
+  private void ignore() {
+    chosenEntry()
+        .ifPresent(
+            entry ->
+                entry
+                    .element()
+                    .filter(DocumentElement::attached)
+                    .ifPresent(
+                        element ->
+                            entry
+                                .rule()
+                                .ifPresent(
+                                    rule ->
+                                        session.attempt(
+                                            () ->
+                                                session.perform(
+                                                    new FindingSuppression(session.document())
+                                                        .suppress(rule, element))))));
+  }
+
   /** Goes to the next problem; after the last to the first. */
   public void next() {
     step(+1);
@@ -279,6 +316,12 @@ public final class ProblemsPanel extends JPanel {
                         null));
   }
 
+  private void checking(boolean now) {
+    busy = now;
+    checking.setText(now ? Texts.of("problems.checking") : " ");
+    onCounts.accept(model.counts(now));
+  }
+
   private void refreshed() {
     Optional<ProblemEntry> before = chosenEntry();
     rows.entries(model.entries());
@@ -288,7 +331,7 @@ public final class ProblemsPanel extends JPanel {
         break;
       }
     }
-    ProblemCounts counts = model.counts();
+    ProblemCounts counts = model.counts(busy);
     filters.forEach(
         (severity, button) -> {
           button.setText(counts.words(severity));

@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import org.selectiverenderer.authoring.MFStringParser;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.AccessHint;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.url.UrlResolver;
@@ -40,7 +41,7 @@ public final class InlineFileResolver {
         return new Answer(found.content().file(), "");
       }
       if (target instanceof UrlResolver.Target.Refused refused) {
-        reason = url + " " + refused.reason();
+        reason = AccessHint.inWindow(url + " " + refused.reason());
       }
     }
     return new Answer(Optional.empty(), reason);

@@ -28,13 +28,13 @@ import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 public final class EnricherSession {
   private final DocumentFile file;
   private final NodeCatalogue catalogue;
-  private final ContentAccessPolicy access;
   private final TaskExecutor tasks;
   private final Consumer<String> messages;
   private final DocumentEnrichment enrichment;
   private final EnrichmentEdits edits;
   private final List<SelectionListener> listeners = new CopyOnWriteArrayList<>();
   private final DocumentListener following = this::follow;
+  private volatile ContentAccessPolicy access;
   private List<DocumentElement> selected = List.of();
   private List<DocumentElement> lost = List.of();
 
@@ -85,9 +85,14 @@ public final class EnricherSession {
     return edits;
   }
 
-  /** The folders and hosts that the scene may read from. */
+  /** The folders and hosts that the scene may read from; may be called on any thread. */
   public ContentAccessPolicy access() {
     return access;
+  }
+
+  /** Sets the folders and hosts that the scene may read from, from the next time that it is read. */
+  public void allow(ContentAccessPolicy now) {
+    access = now;
   }
 
   public TaskExecutor tasks() {

@@ -1,16 +1,21 @@
 package org.selectiverenderer.enricher.tree;
 
+import java.awt.event.ActionEvent;
+import java.awt.Rectangle;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
+import javax.swing.AbstractAction;
 import javax.swing.JComboBox;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.JTree;
+import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import javax.swing.ToolTipManager;
 import javax.swing.tree.TreePath;
@@ -34,7 +39,7 @@ public final class SceneTreePanel {
 
   private final EnricherSession session;
   private final SceneTreeModel model;
-  private final JTree tree;
+  private final SceneTree tree;
   private final JTextField search = new JTextField();
   private final JComboBox<String> extent =
       new JComboBox<>(new String[] {Texts.of("nodes.extent.some"), Texts.of("nodes.extent.all")});
@@ -45,20 +50,23 @@ public final class SceneTreePanel {
   private final org.selectiverenderer.authoring.DocumentListener changing = this::changed;
   private boolean following;
 
+  /** Of the text whose elements the rows are. */
+  private long revision;
+
   /**
    * @param faulty tests whether an element has a problem
    */
   public SceneTreePanel(EnricherSession session, Predicate<DocumentElement> faulty) {
     this.session = session;
     model = new SceneTreeModel(session.document());
-    tree = new JTree(model);
+    tree = new SceneTree(model, session);
     tree.setCellRenderer(new NodeTreeCellRenderer(session.enrichment(), faulty));
     tree.setLargeModel(true);
     rowHeight();
     tree.addPropertyChangeListener("font", event -> rowHeight());
     tree.setRootVisible(false);
     tree.setShowsRootHandles(true);
-    tree.getSelectionModel().setSelectionMode(TreeSelectionModel.SINGLE_TREE_SELECTION);
+    tree.getSelectionModel().setSelectionMode(TreeSelectionModel.DISCONTIGUOUS_TREE_SELECTION);
     tree.getAccessibleContext().setAccessibleName(Texts.of("nodes.tree"));
     tree.addTreeSelectionListener(event -> chosen());
     ToolTipManager.sharedInstance().registerComponent(tree);
@@ -69,6 +77,10 @@ public final class SceneTreePanel {
     pause.setRepeats(false);
     search.getDocument().addDocumentListener(new TextChangeListener(pause::restart));
     search.addActionListener(event -> nextHit());
+    if (nothingEnrichable()) {
+      model.showNodesOnly(false);
+      extent.setSelectedIndex(WHOLE);
+    }
     extent.getAccessibleContext().setAccessibleName(Texts.of("nodes.extent"));
     extent.addActionListener(event -> extentChosen());
     panel.add(search, "growx, wmin 0, wrap");
@@ -93,9 +105,19 @@ public final class SceneTreePanel {
         .setAccessibleName(Texts.of("nodes.scroll"));
     panel.add(scroll, "grow, wmin 0, hmin 0, wrap");
     panel.add(waiting, "growx, wmin 0"); // below the tree, which thus does not move
+    revision = session.document().revision();
     session.addSelectionListener(selecting);
     session.document().addListener(changing);
     expandTop();
+  }
+
+  /** Whether the scene has no Switch and no sensor yet, of which the tree would show nothing. */
+  private boolean nothingEnrichable() {
+    return session
+        .document()
+        .tree()
+        .filter(tree -> tree.switches().isEmpty() && tree.sensors().isEmpty())
+        .isPresent();
   }
 
   /** Sets the fixed row height, which a large model needs, from the font. */
@@ -170,7 +192,7 @@ public final class SceneTreePanel {
     if (!model.shows(element)) {
       extent.setSelectedIndex(WHOLE);
     }
-    follow(Optional.of(element), session);
+    show(List.of(element));
   }
 
   private void extentChosen() {
@@ -180,7 +202,7 @@ public final class SceneTreePanel {
 
   private void shown() {
     expandTop();
-    follow(session.selection(), session);
+    show(session.selectedElements());
   }
 
   private void quietly(Runnable change) {
@@ -207,27 +229,92 @@ public final class SceneTreePanel {
   }
 
   private void chosen() {
-    if (!following
-        && tree.getLastSelectedPathComponent() instanceof DocumentElement element
-        && element.attached()) {
-      session.select(element, this);
+    if (following) {
+      return;
+    }
+    TreePath[] paths = tree.getSelectionPaths();
+    List<DocumentElement> chosen = new ArrayList<>();
+    for (TreePath path : paths == null ? new TreePath[0] : paths) {
+      if (path.getLastPathComponent() instanceof DocumentElement element && element.attached()) {
+        chosen.add(element);
+      }
+    }
+    TreePath lead = tree.getLeadSelectionPath();
+    if (lead != null
+        && lead.getLastPathComponent() instanceof DocumentElement last
+        && chosen.remove(last)) {
+      chosen.add(last); // whose form is shown
+    }
+    if (!chosen.isEmpty()) {
+      session.selectAll(chosen, this);
     }
   }
 
   private void follow(Optional<DocumentElement> element, Object origin) {
-    if (origin == this) {
-      return;
+    // While an edit is told to the others, the rows are still those before it.
+    if (origin != this && session.document().revision() == revision) {
+      show(session.selectedElements());
     }
+  }
+
+  /** Shows elements as selected, and scrolls to the last one. */
+  private void show(List<DocumentElement> elements) {
     quietly(
         () -> {
-          Optional<TreePath> path = element.flatMap(model::path);
-          tree.setSelectionPath(path.orElse(null));
-          path.ifPresent(tree::scrollPathToVisible);
+          List<TreePath> paths =
+              elements.stream().flatMap(each -> model.path(each).stream()).distinct().toList();
+          tree.setSelectionPaths(paths.toArray(new TreePath[0]));
+          if (!paths.isEmpty()) {
+            scrollTo(paths.get(paths.size() - 1));
+          }
         });
+  }
+
+  /** Sets what moves the nodes that are dragged in the tree. */
+  public void onDrop(NodeDrop drop) {
+    tree.onDrop(drop);
+  }
+
+  /**
+   * Sets what a key does while the tree has the focus.
+   *
+   * @param key as {@link KeyStroke#getKeyStroke(String)} reads it
+   * @param name what it does, for the list of keys
+   */
+  public void onKey(String key, String name, Runnable work) {
+    tree.getInputMap().put(KeyStroke.getKeyStroke(key), name);
+    tree.getActionMap()
+        .put(
+            name,
+            new AbstractAction(name) {
+              private static final long serialVersionUID = 1L;
+
+              @Override
+              public void actionPerformed(ActionEvent event) {
+                work.run();
+              }
+            });
+  }
+
+  /** Scrolls to a row, sideways too: of deep nodes a tree would show the first letter only. */
+  private void scrollTo(TreePath path) {
+    tree.scrollPathToVisible(path);
+    sideways(path);
+    // Once more: a scroll bar that comes up for it takes the last row's place.
+    SwingUtilities.invokeLater(() -> sideways(path));
+  }
+
+  private void sideways(TreePath path) {
+    Rectangle row = tree.getPathBounds(path);
+    if (row != null) {
+      row.width = Math.min(row.width, tree.getVisibleRect().width);
+      tree.scrollRectToVisible(row);
+    }
   }
 
   private void changed(org.selectiverenderer.authoring.DocumentListener.Change change) {
     showWaiting();
+    revision = change.revision();
     if (session.document().tree().isEmpty()) {
       tree.repaint(); // keeps the last elements, greyed
       return;
@@ -261,7 +348,11 @@ public final class SceneTreePanel {
         .ifPresent(
             fault ->
                 waiting.setText(
-                    Texts.of("node.treeWaits", Integer.toString(fault.location().line()))));
+                    Texts.of(
+                        "node.treeWaits",
+                        fault.location().line(),
+                        Integer.toString(fault.location().line()),
+                        fault.message())));
   }
 
   /** Stops following the session. */

@@ -58,6 +58,7 @@ public final class VersionsDialog extends JDialog {
   private final JButton fewer = Mnemonics.button("versions.remove");
   private final JButton apply = Mnemonics.button("versions.apply");
   private final org.selectiverenderer.authoring.DocumentListener changes;
+  private int made;
 
   /** Whether the dialog can make versions of an element, with or without a DEF name. */
   public static boolean takes(DocumentElement element) {
@@ -230,6 +231,12 @@ public final class VersionsDialog extends JDialog {
     summary.setText(message);
   }
 
+  /** Shows the dialog, waits, and returns how many versions the object has been given. */
+  public int made() {
+    setVisible(true);
+    return made;
+  }
+
   private void apply() {
     Optional<VersionsEdit> edit = model.result().flatMap(ComputedVersions::edit);
     if (edit.isEmpty() || !model.applicable()) {
@@ -241,6 +248,7 @@ public final class VersionsDialog extends JDialog {
     session.document().removeListener(changes);
     try {
       edit.get().apply(session.document());
+      made = edit.get().versions().size();
       dispose();
     } catch (EditRejectedException | IOException e) {
       session.document().addListener(changes);

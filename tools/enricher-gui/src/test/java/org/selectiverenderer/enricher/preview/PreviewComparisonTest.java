@@ -9,11 +9,15 @@ import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.selectiverenderer.enricher.EventThread;
 import org.selectiverenderer.enricher.compare.CompareMode;
 import org.selectiverenderer.enricher.compare.ReferenceImage;
+import org.selectiverenderer.schema.SensorSchemas;
 import org.selectiverenderer.testing.ShowsWindows;
 
 /** All polygons against the scene as it is shown, and versions in place. */
@@ -134,6 +138,48 @@ class PreviewComparisonTest {
       assertThat(one.image().getWidth())
           .isEqualTo(EventThread.get(() -> window.panel.view().getWidth()));
     }
+  }
+
+  @ParameterizedTest
+  @EnumSource(names = {"BESIDE", "WIPE"})
+  void whatIsSaidOfThePreviewIsNotWrittenOverTheOtherPicture(CompareMode mode) throws Exception {
+    try (PreviewWindowDriver window = open()) {
+      EventThread.edt(() -> window.panel.compare(mode));
+      PreviewFrame shown = window.await(each -> each.compared().isPresent());
+      PreviewFrame.Label label =
+          new PreviewFrame.Label(
+              2,
+              60,
+              "A name of an area that is long",
+              new SensorSchemas(List.of(), List.of()),
+              Optional.empty(),
+              true,
+              false,
+              new SourceAnchor(Optional.empty(), 1, 1));
+      int other =
+          EventThread.get(
+              () -> {
+                PreviewCanvas canvas = window.panel.view();
+                canvas.show(shown.with(List.of(label), shown.revision()));
+                int half = canvas.getWidth() / 2 - 2;
+                BufferedImage image =
+                    new BufferedImage(
+                        canvas.getWidth(), canvas.getHeight(), BufferedImage.TYPE_INT_RGB);
+                canvas.paint(image.getGraphics());
+                return changed(image, shown.compared().orElseThrow().image(), half);
+              });
+      assertThat(other).as("pixels over the other picture, below its title").isZero();
+    }
+  }
+
+  private static int changed(BufferedImage painted, BufferedImage other, int width) {
+    int changed = 0;
+    for (int y = 40; y < painted.getHeight(); y++) {
+      for (int x = 3; x < width - 12; x++) { // between the focus frame and the line's handle
+        changed += (painted.getRGB(x, y) & 0xffffff) == (other.getRGB(x, y) & 0xffffff) ? 0 : 1;
+      }
+    }
+    return changed;
   }
 
   @Test

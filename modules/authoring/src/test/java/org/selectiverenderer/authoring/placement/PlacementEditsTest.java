@@ -1,0 +1,312 @@
+package org.selectiverenderer.authoring.placement;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.Random;
+import org.joml.Matrix4d;
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+import org.selectiverenderer.authoring.EditRejectedException;
+import org.selectiverenderer.authoring.area.LocalCoordinateSystem;
+import org.selectiverenderer.authoring.enrichment.EnrichmentScenes;
+import org.selectiverenderer.geometry.BoundingBox;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.source.DocumentElement;
+
+class PlacementEditsTest {
+  private static final NodeCatalogue CATALOGUE = NodeCatalogue.load();
+
+  private static DocumentElement named(EnrichmentScenes scene, String def) {
+    return scene.document.tree().orElseThrow().named(def).orElseThrow();
+  }
+
+  private static Placement placement(EnrichmentScenes scene, String def) {
+    return Placement.of(scene.document, CATALOGUE, named(scene, def)).orElseThrow();
+  }
+
+  private static void place(EnrichmentScenes scene, Placement placed) {
+    scene.perform(new PlacementEdits(scene.document).place(List.of(placed), "Move"));
+  }
+
+  /** Where a point of a node is in the scene. */
+  private static Vector3d at(EnrichmentScenes scene, String def, double x, double y, double z) {
+    Matrix4d world =
+        new Matrix4d(LocalCoordinateSystem.of(named(scene, def)).orElseThrow().world());
+    return world.transformPosition(new Vector3d(x, y, z));
+  }
+
+  private static void near(Vector3d is, Vector3d wanted) {
+    assertThat(is.distance(wanted)).as("%s, not %s", is, wanted).isCloseTo(0, within(2e-3));
+  }
+
+  @Test
+  void onlyTheNumbersThatChangeAreWritten() {
+    EnrichmentScenes scene =
+        EnrichmentScenes.with(
+            "  <Transform DEF='T'   translation='1.50 2e0 3' rotation = '0 1 0 .5'><Shape"
+                + " DEF='S'/></Transform> <!-- a chair -->\n");
+    Placement of = placement(scene, "T");
+    place(scene, of.with(of.pose().movedBy(new Vector3d(0.1 + 1e-9, 0, -0.25))));
+    assertThat(scene.nodes())
+        .isEqualTo(
+            "  <Transform DEF='T'   translation='1.6 2 2.75' rotation = '0 1 0 .5'><Shape"
+                + " DEF='S'/></Transform> <!-- a chair -->\n");
+    of = placement(scene, "T");
+    Quaterniond turn = new Quaterniond().rotateY(Math.toRadians(15));
+    place(scene, of.with(of.pose().turned(turn, new Vector3d(1.6, 0, 2.75))));
+    assertThat(scene.nodes()).contains("translation='1.6 2 2.75' rotation = '0 1 0 0.761799'");
+    place(scene, placement(scene, "T"));
+    assertThat(scene.document.history().names()).hasSize(2);
+  }
+
+  @Test
+  void aNodeWithoutATransformGetsOneAndOneThatIsAloneInItsTransformIsMovedByIt() {
+    EnrichmentScenes scene =
+        EnrichmentScenes.with(
+            """
+              <Group>
+                <Shape DEF='S'>
+                  <Box/>
+                </Shape>
+              </Group>
+              <Transform DEF='T' translation='0 0 1'><Inline DEF='I' url='"a.x3d"'/></Transform>
+            """);
+    Placement of = placement(scene, "S");
+    assertThat(of.transform()).isEmpty();
+    place(scene, of.with(of.pose().movedBy(new Vector3d(0.5, 0, 0))));
+    assertThat(scene.nodes())
+        .contains(
+            """
+                <Transform translation='0.5 0 0'>
+                  <Shape DEF='S'>
+                    <Box/>
+                  </Shape>
+                </Transform>
+            """);
+    assertThat(placement(scene, "I").transform()).containsSame(named(scene, "T"));
+    scene.document.history().undo();
+    assertThat(scene.nodes()).contains("    <Shape DEF='S'>\n      <Box/>\n    </Shape>\n");
+  }
+
+  @Test
+  void aTransformThatIsUsedElsewhereStaysAndItsNodeGetsOneOfItsOwn() {
+    EnrichmentScenes scene =
+        EnrichmentScenes.with(
+            "<Transform DEF='T'><Shape DEF='S'/></Transform><Transform USE='T'/>\n");
+    assertThat(placement(scene, "S").transform()).isEmpty();
+    DocumentElement use = scene.document.tree().orElseThrow().scene().orElseThrow().children().get(1);
+    Placement of = Placement.of(scene.document, CATALOGUE, use).orElseThrow();
+    place(scene, of.with(of.pose().movedBy(new Vector3d(0, 0, 2))));
+    assertThat(scene.nodes())
+        .isEqualTo(
+            "<Transform DEF='T'><Shape DEF='S'/></Transform>"
+                + "<Transform translation='0 0 2'><Transform USE='T'/></Transform>\n");
+  }
+
+  @Test
+  void whatDoesNotStandInTheSceneByItselfHasNoPlacement() {
+    EnrichmentScenes scene =
+        EnrichmentScenes.with(
+            """
+            <ProtoDeclare name='P'><ProtoBody><Transform DEF='In'/></ProtoBody></ProtoDeclare>
+            <Transform scale='0 1 1'><Transform DEF='Flat'/></Transform>
+            <Billboard><Transform DEF='Turning'/></Billboard>
+            <Shape><Appearance DEF='A'/></Shape>
+            <Viewpoint DEF='V'/>
+            """);
+    for (String name : List.of("A", "V", "Flat", "Turning")) {
+      assertThat(Placement.of(scene.document, CATALOGUE, named(scene, name))).as(name).isEmpty();
+    }
+    DocumentElement scenes = scene.document.tree().orElseThrow().scene().orElseThrow();
+    DocumentElement body = scenes.children().get(0).children().get(0).children().get(0);
+    assertThat(Placement.of(scene.document, CATALOGUE, body)).isEmpty();
+  }
+
+  @Test
+  void aShiftInTheSceneIsTheSameUnderTurnedAndScaledParents() {
+    EnrichmentScenes scene =
+        EnrichmentScenes.with(
+            """
+            <Transform translation='3 1 0' rotation='1 2 0 0.7' scale='2 0.5 10' scaleOrientation='0 0 1 0.3'>
+              <Transform center='1 0 0' rotation='0 0 0 2' scale='1 1 0.01'>
+                <Transform DEF='T' translation='1 1 1' center='0 2 0' rotation='0 1 0 1'>
+                  <Shape DEF='S'/><Shape/>
+                </Transform>
+              </Transform>
+            </Transform>
+            """);
+    Vector3d before = at(scene, "S", 1, 2, 3);
+    Placement of = placement(scene, "T");
+    Vector3d shift = new Vector3d(0.5, -0.25, 2);
+    Vector3d own = of.parent().invert(new Matrix4d()).transformDirection(new Vector3d(shift));
+    place(scene, of.with(of.pose().movedBy(own)));
+    near(at(scene, "S", 1, 2, 3), before.add(shift));
+    assertThat(scene.nodes()).doesNotContain("NaN");
+  }
+
+  @Test
+  void turningAndScalingKeepTheirFixedPoint() {
+    EnrichmentScenes scene =
+        EnrichmentScenes.with(
+            """
+            <Transform DEF='T' translation='1 1 1' center='0 2 0' rotation='0 1 0 1' scale='1 2 -3'
+                scaleOrientation='1 0 0 0.4'><Shape DEF='S'/><Shape/></Transform>
+            """);
+    Vector3d pivot = at(scene, "S", 0.5, -1, 0.25);
+    Vector3d other = at(scene, "S", 1, 1, 1);
+    Placement of = placement(scene, "T");
+    Quaterniond turn = new Quaterniond().rotateX(0.4).rotateY(2);
+    place(scene, of.with(of.pose().turned(turn, pivot)));
+    near(at(scene, "S", 0.5, -1, 0.25), pivot);
+    near(at(scene, "S", 1, 1, 1), turn.transform(other.sub(pivot)).add(pivot));
+    of = placement(scene, "T");
+    place(scene, of.with(of.pose().scaled(new Vector3d(2, 0.5, 3), new Vector3d(0.5, -1, 0.25))));
+    near(at(scene, "S", 0.5, -1, 0.25), pivot);
+    assertThat(scene.nodes()).contains("scale='2 1 -9'");
+  }
+
+  @Test
+  void everyMatrixWithoutAShadowIsAPose() {
+    Random random = new Random(5);
+    for (int i = 0; i < 200; i++) {
+      double[] m = random.doubles(12, -2, 2).toArray();
+      Matrix4d matrix =
+          new Matrix4d(
+              m[0], m[1], m[2], 0, m[3], m[4], m[5], 0, m[6], m[7], m[8], 0, m[9], m[10], m[11], 1);
+      TransformPose pose = TransformPose.of(matrix, new Vector3d(1, -2, 0.5));
+      assertThat(pose.matrix().equals(matrix, 1e-6)).as("%s", matrix).isTrue();
+    }
+    TransformPose plain =
+        TransformPose.of(new Matrix4d().rotateY(1).scale(1, 2, 3), new Vector3d());
+    assertThat(plain.scale().distance(1, 2, 3)).isCloseTo(0, within(1e-9));
+    assertThat(plain.scaleOrientation().angle()).isCloseTo(0, within(1e-9));
+  }
+
+  @Test
+  void boxesAreAlignedAndDistributed() {
+    List<BoundingBox> boxes =
+        List.of(
+            new BoundingBox(0, 0, 0, 1, 1, 1),
+            new BoundingBox(8, 2, 0, 10, 3, 1),
+            new BoundingBox(2, 1, 0, 3, 5, 1));
+    assertThat(Arrangement.align(boxes, 0, Arrangement.Side.LOWER))
+        .containsExactly(new Vector3d(), new Vector3d(-8, 0, 0), new Vector3d(-2, 0, 0));
+    assertThat(Arrangement.align(boxes, 1, Arrangement.Side.MIDDLE))
+        .containsExactly(new Vector3d(0, 2, 0), new Vector3d(), new Vector3d(0, -0.5, 0));
+    assertThat(Arrangement.align(boxes, 1, Arrangement.Side.UPPER))
+        .containsExactly(new Vector3d(0, 4, 0), new Vector3d(0, 2, 0), new Vector3d());
+    assertThat(Arrangement.distribute(boxes, 0))
+        .containsExactly(new Vector3d(), new Vector3d(), new Vector3d(2, 0, 0));
+  }
+
+  private static GroupEdits groups(EnrichmentScenes scene) {
+    return new GroupEdits(scene.document, CATALOGUE);
+  }
+
+  @Test
+  void siblingsAreGroupedAndUngroupedAgain() {
+    String nodes =
+        """
+          <Shape DEF='A'/>
+          <Viewpoint/>
+          <Group DEF='B'>
+            <Shape USE='A'/>
+          </Group>
+          <Shape DEF='C'/>
+        """;
+    EnrichmentScenes scene = EnrichmentScenes.with(nodes);
+    List<DocumentElement> two = List.of(named(scene, "B"), named(scene, "A"));
+    scene.perform(groups(scene).group(two, "Pair"));
+    assertThat(scene.nodes())
+        .isEqualTo(
+            """
+              <Transform DEF='Pair'>
+                <Shape DEF='A'/>
+                <Group DEF='B'>
+                  <Shape USE='A'/>
+                </Group>
+              </Transform>
+              <Viewpoint/>
+              <Shape DEF='C'/>
+            """);
+    scene.perform(groups(scene).ungroup(named(scene, "Pair")));
+    assertThat(scene.nodes())
+        .isEqualTo(
+            """
+              <Shape DEF='A'/>
+              <Group DEF='B'>
+                <Shape USE='A'/>
+              </Group>
+              <Viewpoint/>
+              <Shape DEF='C'/>
+            """);
+    assertThat(scene.document.history().names()).containsExactly("Group 2 nodes", "Ungroup Pair");
+  }
+
+  @Test
+  void aDefStaysBeforeItsUsesWhenNodesAreGrouped() {
+    EnrichmentScenes scene =
+        EnrichmentScenes.with(
+            "<Shape DEF='A'/><Shape DEF='B'/><Group DEF='C'><Shape USE='B'/></Group>\n");
+    scene.perform(groups(scene).group(List.of(named(scene, "A"), named(scene, "C")), "G"));
+    assertThat(scene.nodes())
+        .isEqualTo(
+            "<Shape DEF='B'/><Transform DEF='G'><Shape DEF='A'/><Group DEF='C'><Shape USE='B'/>"
+                + "</Group></Transform>\n");
+  }
+
+  @Test
+  void ungroupedNodesStayWhereTheyAre() {
+    EnrichmentScenes scene =
+        EnrichmentScenes.with(
+            """
+            <Transform DEF='G' translation='3 1 0' rotation='1 2 0 0.7' scale='2 0.5 1'>
+              <Transform DEF='T' translation='1 1 1' center='0 2 0' rotation='0 1 0 1'>
+                <Shape DEF='S'/>
+              </Transform>
+              <!-- stays -->
+              <Shape DEF='P'/>
+            </Transform>
+            """);
+    Vector3d s = at(scene, "S", 1, 2, 3);
+    Vector3d p = at(scene, "P", 1, 2, 3);
+    scene.perform(groups(scene).ungroup(named(scene, "G")));
+    near(at(scene, "S", 1, 2, 3), s);
+    near(at(scene, "P", 1, 2, 3), p);
+    assertThat(scene.nodes()).contains("\n<!-- stays -->\n").doesNotContain("DEF='G'");
+    assertThat(scene.document.tree().orElseThrow().scene().orElseThrow().children()).hasSize(2);
+  }
+
+  @Test
+  void whatWouldNotStayTheSameIsNotUngrouped() {
+    EnrichmentScenes scene =
+        EnrichmentScenes.with(
+            """
+            <Transform DEF='Used'><Shape/></Transform><Group><Transform USE='Used'/></Group>
+            <Group DEF='Lit'><DirectionalLight/><Shape/></Group>
+            <Group DEF='Touched'><TouchSensor/><Shape/></Group>
+            <Group DEF='Described'><MetadataSet containerField='metadata'/><Shape/></Group>
+            <Group DEF='Hidden' visible='false'><Shape/></Group>
+            <Switch DEF='Choices'><Shape/></Switch>
+            <Transform DEF='Moving'><Shape/></Transform>
+            <ROUTE fromNode='x' fromField='value_changed' toNode='Moving' toField='translation'/>
+            """);
+    for (String name :
+        List.of("Used", "Lit", "Touched", "Described", "Hidden", "Choices", "Moving")) {
+      assertThatThrownBy(() -> groups(scene).ungroup(named(scene, name)))
+          .as(name)
+          .isInstanceOf(EditRejectedException.class)
+          .hasMessageContaining(name);
+    }
+    assertThatThrownBy(
+            () ->
+                groups(scene)
+                    .group(
+                        List.of(named(scene, "Lit"), named(scene, "Lit").children().get(1)), "N"))
+        .hasMessageContaining("another group");
+  }
+}

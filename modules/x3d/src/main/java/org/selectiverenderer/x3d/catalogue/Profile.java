@@ -1,0 +1,71 @@
+package org.selectiverenderer.x3d.catalogue;
+
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+
+/** The profiles of X3D and the components of each (X3D 4.0, annexes A to H). */
+public enum Profile {
+  Core("Core 1"),
+  Interchange(
+      "Core 1, EnvironmentalEffects 1, Geometry3D 2, Grouping 1, Interpolation 2, Lighting 1,"
+          + " Navigation 1, Networking 1, Rendering 3, Shape 1, Texturing 2, Time 1"),
+  CADInterchange(
+      "CADGeometry 2, Core 1, Grouping 1, Lighting 1, Navigation 3, Networking 2, Rendering 4,"
+          + " Shaders 1, Shape 2, Texturing 2"),
+  Interactive(
+      "Core 1, EnvironmentalEffects 1, EnvironmentalSensor 1, EventUtilities 1, Geometry3D 3,"
+          + " Grouping 2, Interpolation 2, KeyDeviceSensor 1, Lighting 2, Navigation 1,"
+          + " Networking 2, PointingDeviceSensor 1, Rendering 3, Shape 1, Texturing 2, Time 1"),
+  MPEG4Interactive(
+      "Core 1, EnvironmentalEffects 1, EnvironmentalSensor 1, Geometry3D 2, Grouping 2,"
+          + " Interpolation 2, Lighting 2, Navigation 1, Networking 2, PointingDeviceSensor 1,"
+          + " Rendering 1, Shape 1, Texturing 1, Time 1"),
+  Immersive(
+      "Core 2, EnvironmentalEffects 2, EnvironmentalSensor 2, EventUtilities 1, Geometry2D 1,"
+          + " Geometry3D 4, Grouping 2, Interpolation 2, KeyDeviceSensor 2, Lighting 2,"
+          + " Navigation 2, Networking 3, PointingDeviceSensor 1, Rendering 3, Scripting 1,"
+          + " Shape 2, Sound 1, Text 1, Texturing 3, Time 1"),
+  MedicalInterchange(
+      "Core 1, EnvironmentalEffects 1, EventUtilities 1, Geometry2D 2, Geometry3D 2, Grouping 3,"
+          + " Interpolation 2, Lighting 1, Navigation 3, Networking 2, Rendering 5, Shape 3,"
+          + " Text 1, Texturing 2, Texturing3D 2, Time 1, VolumeRendering 4"),
+  Full("");
+
+  /** Components that define statements or fields, but no nodes. */
+  public static final Set<String> COMPONENTS_WITHOUT_NODES = Set.of("Core", "Networking", "Annotation");
+
+  private final Map<String, Integer> levels = new HashMap<>();
+
+  Profile(String components) {
+    for (String component : components.split(", ")) {
+      int space = component.indexOf(' ');
+      if (space > 0) {
+        levels.put(component.substring(0, space), Integer.parseInt(component.substring(space + 1)));
+      }
+    }
+  }
+
+  /** Returns the profile of that name. */
+  public static Optional<Profile> of(String name) {
+    return Arrays.stream(values()).filter(profile -> profile.name().equals(name.strip())).findAny();
+  }
+
+  /** Returns the names of all profiles. */
+  public static List<String> names() {
+    return Arrays.stream(values()).map(Profile::name).toList();
+  }
+
+  /** Returns the level at which the profile has a component; 0 for none. */
+  public int level(String component) {
+    return this == Full ? Integer.MAX_VALUE : levels.getOrDefault(component, 0);
+  }
+
+  /** Returns the name of a component in X3D 4.0. */
+  public static String component(String name) {
+    return name.equals("H-Anim") ? "HAnim" : name; // X3D 3 used both names.
+  }
+}

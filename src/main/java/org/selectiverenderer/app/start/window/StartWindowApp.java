@@ -1,0 +1,34 @@
+package org.selectiverenderer.app.start.window;
+
+import java.awt.EventQueue;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.concurrent.CountDownLatch;
+import org.selectiverenderer.enricher.settings.WindowLook;
+import org.selectiverenderer.swing.Screen;
+
+/** Runs the start window: opens it and waits until the user closes it. */
+public final class StartWindowApp {
+  private StartWindowApp() {}
+
+  /**
+   * Opens the window and waits until it is closed.
+   *
+   * @param settings folder of the user's settings
+   * @throws IOException with one line if there is no display
+   * @throws InterruptedException if the waiting thread is interrupted
+   */
+  public static void run(Path settings) throws IOException, InterruptedException {
+    if (!Screen.exists()) {
+      throw new IOException(
+          "the start window needs a display; without a display use the commands that --help lists");
+    }
+    CountDownLatch closed = new CountDownLatch(1);
+    EventQueue.invokeLater(
+        () -> {
+          WindowLook.apply(settings);
+          new StartWindow(settings, closed::countDown).begin();
+        });
+    closed.await();
+  }
+}

@@ -1,0 +1,116 @@
+package org.selectiverenderer.enricher.problems;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import javax.swing.JButton;
+import javax.swing.JFrame;
+import javax.swing.JTable;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.enricher.robot.TestSessions;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.testing.ShowsWindows;
+import org.selectiverenderer.testing.robot.GuiRobot;
+import org.selectiverenderer.validation.SourceFile;
+import org.selectiverenderer.validation.ValidationSettings;
+import org.selectiverenderer.validation.run.RuleCatalogue;
+import org.selectiverenderer.validation.run.Validator;
+
+/** Findings about geometry are repaired or accepted from the list of problems. */
+@ShowsWindows
+class GeometryProblemsTest {
+  private static final String MESH =
+      """
+        <Shape>
+          <IndexedFaceSet coordIndex='0 1 1 -1 0 1 2 -1'>
+            <Coordinate point='0 0 0 1 0 0 0 1 0'/>
+            <Normal vector='0 0 3 0 0 1 0 0 1'/>
+          </IndexedFaceSet>
+        </Shape>
+      """;
+
+  @TempDir Path folder;
+
+  @Test
+  void normalsAreNormalizedAndEmptyFacesAcceptedAndTheValidatorAgrees() throws IOException {
+    TestSessions.theme(false);
+    EnricherSession session = TestSessions.with(folder, MESH);
+    RuleCatalogue rules = RuleCatalogue.standard();
+    ProblemsPanel panel =
+        GuiRobot.onEdt(
+            () ->
+                new ProblemsPanel(
+                    session,
+                    List.of(
+                        new ValidatorCheck(
+                            () -> session.file().path(),
+                            rules,
+                            problems -> Optional.of(ValidationSettings.standard())))));
+    GuiRobot hands = new GuiRobot();
+    JFrame frame =
+        GuiRobot.onEdt(
+            () -> {
+              JFrame made = new JFrame();
+              made.add(panel);
+              made.setSize(1000, 300);
+              return made;
+            });
+    hands.show(frame);
+    JTable table = GuiRobot.named(frame, "Problems of the scene", JTable.class);
+    hands.await("both findings", () -> row(table, "SR203") >= 0 && row(table, "SR205") >= 0);
+
+    GuiRobot.onEdt(
+        () -> {
+          int row = row(table, "SR205");
+          table.setRowSelectionInterval(row, row);
+          return null;
+        });
+    GuiRobot.picture(panel, "problems-geometry", 1);
+    hands.click(GuiRobot.named(frame, "Normalize the normals", JButton.class));
+    hands.await("the repair", () -> row(table, "SR205") < 0);
+    assertThat(session.document().text().toString()).contains("vector='0 0 1 0 0 1 0 0 1'");
+
+    GuiRobot.onEdt(
+        () -> {
+          int row = row(table, "SR203");
+          table.setRowSelectionInterval(row, row);
+          return null;
+        });
+    hands.click(GuiRobot.named(frame, "Ignore This Here", JButton.class));
+    hands.await("the acceptance", () -> row(table, "SR203") < 0);
+    Path scene = session.file().path();
+    assertThat(
+            new Validator(rules, ValidationSettings.standard(), folder)
+                .validate(
+                    List.of(
+                        SourceFile.of(scene, "scene.x3d", session.document().snapshot().bytes())))
+                .findings())
+        .noneMatch(finding -> finding.rule().id().startsWith("SR20"));
+    GuiRobot.onEdt(
+        () -> {
+          session.document().history().undo();
+          return null;
+        });
+    hands.await("the finding again", () -> row(table, "SR203") >= 0);
+    GuiRobot.onEdt(
+        () -> {
+          panel.dispose();
+          frame.dispose();
+          return null;
+        });
+  }
+
+  private static int row(JTable table, String rule) {
+    return IntStream.range(0, table.getRowCount())
+        .filter(
+            row ->
+                String.valueOf(table.getValueAt(row, ProblemsTableModel.MESSAGE)).contains(rule))
+        .findFirst()
+        .orElse(-1);
+  }
+}

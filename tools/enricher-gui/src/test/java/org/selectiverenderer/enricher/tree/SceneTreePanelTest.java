@@ -1,0 +1,57 @@
+package org.selectiverenderer.enricher.tree;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import javax.swing.JFrame;
+import javax.swing.JTree;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.enricher.robot.TestSessions;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.testing.ShowsWindows;
+import org.selectiverenderer.testing.robot.GuiRobot;
+
+@ShowsWindows
+class SceneTreePanelTest {
+  private static final int DEPTH = 40;
+
+  @TempDir Path folder;
+  private final GuiRobot hands = new GuiRobot();
+
+  @Test
+  void ofADeepNodeThatIsSelectedAllLettersAreSeen() throws IOException {
+    String nodes =
+        "<Group>".repeat(DEPTH) + "<Transform DEF='LampOfTheDesk'/>" + "</Group>".repeat(DEPTH);
+    EnricherSession session = TestSessions.with(folder, nodes);
+    SceneTreePanel panel = GuiRobot.onEdt(() -> new SceneTreePanel(session, element -> false));
+    JFrame frame =
+        GuiRobot.onEdt(
+            () -> {
+              JFrame made = new JFrame();
+              made.setContentPane(panel.component());
+              made.setSize(230, 500);
+              return made;
+            });
+    hands.show(frame);
+    try {
+      JTree tree = panel.tree();
+      GuiRobot.onEdt(
+          () -> {
+            var lamp = session.document().tree().orElseThrow().named("LampOfTheDesk");
+            panel.reveal(lamp.orElseThrow());
+            session.select(lamp.orElseThrow(), this);
+            return true;
+          });
+      hands.await(
+          "the row", () -> tree.getVisibleRect().contains(tree.getPathBounds(tree.getSelectionPath())));
+      GuiRobot.picture(frame.getContentPane(), "tree-deep", 1);
+    } finally {
+      GuiRobot.onEdt(
+          () -> {
+            frame.dispose();
+            panel.dispose();
+            return true;
+          });
+    }
+  }
+}

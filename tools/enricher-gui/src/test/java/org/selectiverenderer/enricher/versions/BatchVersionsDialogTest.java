@@ -1,0 +1,126 @@
+package org.selectiverenderer.enricher.versions;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.event.KeyEvent;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.IntStream;
+import javax.swing.JButton;
+import javax.swing.JComboBox;
+import javax.swing.JTable;
+import javax.swing.JTextField;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.enricher.robot.TestSessions;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.testing.ShowsWindows;
+import org.selectiverenderer.testing.robot.GuiRobot;
+import org.selectiverenderer.x3d.source.DocumentElement;
+
+/** Versions of many objects are made by hand: ticks, a goal for all, one step, undone. */
+@ShowsWindows
+class BatchVersionsDialogTest {
+  private static final String OFFICE =
+      """
+        <!-- <html><b>vase</b> -->
+        <Transform><Shape><Sphere radius='.2'/></Shape></Transform>
+        <!-- bowl -->
+        <Transform translation='2 0 0'><Shape><Sphere radius='.3'/></Shape></Transform>
+        <Transform DEF='Shared' translation='4 0 0'><Shape DEF='Ball'><Sphere/></Shape></Transform>
+        <Transform translation='6 0 0'><Shape USE='Ball'/></Transform>
+        <Shape><Box size='9 .1 9'/></Shape>
+      """;
+
+  @TempDir Path folder;
+
+  private final GuiRobot hands = new GuiRobot();
+
+  private BatchVersionsDialog dialog(EnricherSession session) {
+    BatchVersionsDialog dialog =
+        GuiRobot.onEdt(() -> new BatchVersionsDialog(null, session));
+    hands.show(dialog);
+    return dialog;
+  }
+
+  @Test
+  void tickedObjectsGetVersionsAsOneStep() throws IOException {
+    TestSessions.theme(false);
+    EnricherSession session = TestSessions.with(folder, OFFICE);
+    String before = session.document().text().toString();
+    BatchVersionsDialog dialog = dialog(session);
+    JTable table = GuiRobot.named(dialog, "Objects to make versions of", JTable.class);
+    JButton make = GuiRobot.named(dialog, "Make Versions", JButton.class);
+    hands.await("the objects", () -> table.getRowCount() == 4 && make.isEnabled());
+    assertThat(column(table, BatchTableModel.NAME))
+        .containsExactly("Sphere", "Bowl", "Shared", "Ball_2");
+    assertThat(column(table, BatchTableModel.CHOSEN))
+        .containsExactly("true", "true", "true", "false");
+    assertThat(column(table, BatchTableModel.REMARK).get(3)).contains("drawn elsewhere too (USE)");
+    GuiRobot.picture(dialog.getContentPane(), "versions-many", 1);
+
+    JTextField goal = GuiRobot.named(dialog, "Goal of all objects", JTextField.class);
+    JComboBox<?> kind = GuiRobot.named(dialog, "What the goal means", JComboBox.class);
+    GuiRobot.onEdt(
+        () -> {
+          kind.setSelectedItem(BatchGoal.Kind.TOLERANCE);
+          goal.setText("2, 5");
+          table.setValueAt("Vase", 0, BatchTableModel.NAME);
+          table.setValueAt(false, 2, BatchTableModel.CHOSEN);
+          table.setValueAt("no number", 1, BatchTableModel.GOAL);
+          return null;
+        });
+    assertThat(column(table, BatchTableModel.GOAL)).containsOnly("2, 5");
+    hands.click(make);
+    hands.await("the end", () -> !dialog.isShowing());
+    assertThat(session.document().history().names())
+        .containsExactly("Make versions of 2 objects");
+    assertThat(folder.resolve("inlineNodes/Vase_v3.x3d")).exists();
+    assertThat(folder.resolve("inlineNodes/Bowl_v2.x3d")).exists();
+    assertThat(session.enrichment().switches()).hasSize(2);
+    session.document().history().undo();
+    assertThat(session.document().text().toString()).isEqualTo(before);
+    assertThat(folder.resolve("inlineNodes")).doesNotExist();
+  }
+
+  @Test
+  void selectedNodesAreTheTable() throws IOException {
+    TestSessions.theme(false);
+    EnricherSession session = TestSessions.with(folder, OFFICE);
+    List<DocumentElement> nodes =
+        session.document().tree().orElseThrow().scene().orElseThrow().children();
+    int size = nodes.size();
+    GuiRobot.onEdt(
+        () -> {
+          session.selectAll(List.of(nodes.get(size - 1), nodes.get(size - 4)), this);
+          return null;
+        });
+    BatchVersionsDialog dialog = dialog(session);
+    JTable table = GuiRobot.named(dialog, "Objects to make versions of", JTable.class);
+    hands.await("the objects", () -> table.getRowCount() == 2);
+    assertThat(column(table, BatchTableModel.CHOSEN)).containsExactly("true", "true");
+    assertThat(column(table, BatchTableModel.NAME)).containsExactly("Bowl", "Box");
+    hands.press(KeyEvent.VK_ESCAPE);
+    hands.await("the end", () -> !dialog.isShowing());
+    assertThat(session.document().modified()).isFalse();
+  }
+
+  @Test
+  void aGoalIsOneNumberForEachVersion() {
+    assertThat(BatchGoal.read(BatchGoal.Kind.PERCENT, "50, 20;10 5").orElseThrow()).hasSize(4);
+    for (String wrong : List.of("", "x", "0", "-1", "101", "NaN", "1 2 3 4 5 6 7 8 9")) {
+      assertThat(BatchGoal.read(BatchGoal.Kind.TOLERANCE, wrong)).as(wrong).isEmpty();
+    }
+    assertThat(Texts.of("manyversions.count", 1, "1", "3")).isEqualTo("1 object of 3 is ticked");
+  }
+
+  private static List<String> column(JTable table, int column) {
+    return GuiRobot.onEdt(
+        () ->
+            IntStream.range(0, table.getRowCount())
+                .mapToObj(row -> String.valueOf(table.getValueAt(row, column)))
+                .toList());
+  }
+}
