@@ -10,6 +10,7 @@ import java.util.Locale;
 import java.util.Optional;
 import org.selectiverenderer.authoring.MFStringParser;
 import org.selectiverenderer.authoring.file.BrokenRelativeUrls;
+import org.selectiverenderer.authoring.importing.EmbeddedPictures;
 import org.selectiverenderer.base.files.FileTransaction;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.browser.loading.ImageTranscoder;

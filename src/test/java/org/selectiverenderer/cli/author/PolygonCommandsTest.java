@@ -64,12 +64,13 @@ class PolygonCommandsTest {
     assertThat(run("versions", scene.toString(), "--all", "--vert-percent", "20,5")).isZero();
     assertThat(out)
         .contains("Vase_v3")
-        .contains("skipped  Pot")
-        .contains("is used here (USE)")
+        .contains("Pot_v3")
+        .contains("skipped  Round_2")
+        .contains("is drawn elsewhere too (USE)")
         .doesNotContain("Box");
     assertThat(Files.readString(scene))
         .contains("<Transform DEF='Vase'><Switch DEF='Switch_Vase' whichChoice='0'>")
-        .contains("<Transform DEF='Pot'><Shape DEF='Round'><Sphere/></Shape></Transform>");
+        .contains("<Transform DEF='Pot'><Switch DEF='Switch_Pot' whichChoice='0'>");
     assertThat(folder.resolve("inlineNodes/Vase_v3.x3d")).exists();
     assertThat(run("versions", scene.toString(), "--all", "--vert-percent", "20")).isEqualTo(1);
     assertThat(out).contains("skipped  Vase").contains("has versions");

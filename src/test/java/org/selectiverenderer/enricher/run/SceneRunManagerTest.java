@@ -72,7 +72,7 @@ class SceneRunManagerTest {
     EventThread.edt(() -> runs.run(session, RunOptions.USUAL, Optional.of(HERE)));
     assertThat(next(status)).isEqualTo("Run 1: room.x3d, condition selective");
     assertThat(next(messages)).startsWith("[1] ");
-    assertThat(next(status)).isEqualTo("Run 1 has ended");
+    assertThat(next(status)).isEqualTo("Run 1: the walk has ended");
     assertThat(started)
         .containsExactly(
             List.of("run", folder.resolve("room.x3d").toString(), "--condition", "selective"));
@@ -99,7 +99,7 @@ class SceneRunManagerTest {
             });
     EventThread.edt(() -> runs.run(session, new RunOptions("high", true), Optional.of(HERE)));
     next(status);
-    assertThat(next(status)).contains("Run 1 has ended");
+    assertThat(next(status)).startsWith("Run 1: the walk has ended");
     assertThat(seen.get(0))
         .contains("Hall")
         .contains(
@@ -142,6 +142,20 @@ class SceneRunManagerTest {
     EventThread.edt(() -> runs.run(session, RunOptions.USUAL, Optional.empty()));
     assertThat(next(status)).contains("not well formed");
     assertThat(started).isEmpty();
+  }
+
+  @Test
+  void aRunThatEndsInASceneWithProblemsIsNoFailureButOneThatFailsIs() throws Exception {
+    EnricherSession session = session();
+    Path faulty = Files.writeString(folder.resolve("faulty.x3d"), "<X3D><Scene><Nothing/>");
+    SceneRunManager problems = runs(List.of("validate", faulty.toString()));
+    EventThread.edt(() -> problems.run(session, RunOptions.USUAL, Optional.of(HERE)));
+    next(status);
+    assertThat(next(status)).startsWith("Run 1: the walk has ended. The scene has problems");
+    SceneRunManager failure = runs(List.of("no-such-command"));
+    EventThread.edt(() -> failure.run(session, RunOptions.USUAL, Optional.of(HERE)));
+    next(status);
+    assertThat(next(status)).startsWith("Run 1 was broken off (code 2)");
   }
 
   @Test

@@ -24,6 +24,17 @@ public record Edit(String name, List<TextEdit> changes) {
     changes = List.copyOf(sorted);
   }
 
+  /** Returns where a character is after the edit that was at an offset before, if it stays. */
+  public int moved(int offset) {
+    int at = offset;
+    for (TextEdit change : changes) {
+      if (change.to() <= offset) {
+        at += change.text().length() - (change.to() - change.from());
+      }
+    }
+    return at;
+  }
+
   /** Returns whether the edit changes nothing. */
   public boolean isEmpty() {
     return changes.isEmpty();

@@ -1,5 +1,7 @@
 package org.selectiverenderer.models;
 
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -8,7 +10,9 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeView;
+import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.X3dFile;
+import org.selectiverenderer.x3d.url.BaseUrl;
 import org.selectiverenderer.x3d.url.UrlRelativizer;
 import org.selectiverenderer.x3d.write.X3dNodeWriter;
 import org.selectiverenderer.x3d.write.X3dWriter;
@@ -60,7 +64,8 @@ public final class ModelWriter {
   }
 
   /**
-   * Returns the X3D text of nodes copied from another file.
+   * Returns the X3D text of nodes copied from another file, with the ROUTEs among them. Instances of
+   * prototypes are written as the nodes of their bodies.
    *
    * @param folder the folder against which their relative urls are resolved
    * @param scene the file that they come from
@@ -78,12 +83,44 @@ public final class ModelWriter {
         scene.version().isEmpty() ? "3.3" : scene.version());
     head(out, scene.units(), title, description);
     X3dNodeWriter writer = new X3dNodeWriter(out, X3dNodeWriter.Written.GIVEN);
+    RouteCopier routes = new RouteCopier(nodes, scene);
+    routes.name(writer);
     nodes.forEach(node -> writer.append(node, "", urls(folder, target)));
+    routes.beside().forEach(node -> writer.append(node, "", urls(folder, target)));
+    routes.append(out, writer);
     return out.finish();
   }
 
   private static X3dNodeWriter.UrlRule urls(Path folder, Path target) {
-    return (node, url) -> UrlRelativizer.turned(url, folder, target);
+    return (node, url) ->
+        node instanceof ParsedNode parsed
+            ? turned(url, parsed.base(BaseUrl.folder(folder)), target)
+            : UrlRelativizer.turned(url, folder, target);
+  }
+
+  /** Returns a url of a node that may be of a prototype from another folder, or from a host. */
+  private static String turned(String url, BaseUrl base, Path target) {
+    if (base instanceof BaseUrl.Folder folder) {
+      return UrlRelativizer.turned(url, folder.path(), target);
+    }
+    if (base instanceof BaseUrl.FirstOf both) {
+      boolean beside =
+          !(both.first() instanceof BaseUrl.Folder folder) || found(url, folder.path());
+      return turned(url, beside ? both.first() : both.second(), target);
+    }
+    try {
+      return ((BaseUrl.Web) base).uri().resolve(url.strip()).toString();
+    } catch (IllegalArgumentException e) {
+      return url;
+    }
+  }
+
+  private static boolean found(String url, Path folder) {
+    try {
+      return Files.exists(folder.resolve(url.strip().replaceFirst("#.*", "").replace('\\', '/')));
+    } catch (InvalidPathException e) {
+      return false;
+    }
   }
 
   private static void head(

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Dimension;
 import java.awt.Point;
+import javax.swing.JButton;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
 import org.junit.jupiter.api.AfterEach;
@@ -41,5 +42,25 @@ class WindowPackerTest {
           assertThat(frame.getLocation()).isEqualTo(new Point(70, 80));
           return true;
         });
+  }
+
+  @Test
+  void aPackedWindowKeepsTheButtonThatEnterPresses() {
+    JFrame made = GuiRobot.onEdt(() -> new JFrame());
+    JButton button = GuiRobot.onEdt(() -> new JButton("Save"));
+    GuiRobot.onEdt(
+        () -> {
+          made.getContentPane().add(button);
+          made.getRootPane().setDefaultButton(button);
+          WindowPacker.pack(made);
+          return true;
+        });
+    assertThat(GuiRobot.onEdt(made.getRootPane()::getDefaultButton)).isSameAs(button);
+    GuiRobot.onEdt(
+        () -> {
+          made.setVisible(true);
+          return true;
+        });
+    assertThat(GuiRobot.onEdt(made.getRootPane()::getDefaultButton)).isSameAs(button);
   }
 }

@@ -8,8 +8,12 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import javax.swing.JFileChooser;
 import javax.swing.JLabel;
+import javax.swing.JList;
 import javax.swing.JOptionPane;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
 import javax.swing.filechooser.FileNameExtensionFilter;
+import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.authoring.file.ThreeWayMerge;
 import org.selectiverenderer.base.files.FileFinder;
 import org.selectiverenderer.base.markup.MarkupEscaper;
@@ -18,6 +22,7 @@ import org.selectiverenderer.enricher.diff.DiffDialog;
 import org.selectiverenderer.enricher.diff.MergeDialog;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.swing.PlainText;
 import org.selectiverenderer.swing.TrustDialog;
 import org.selectiverenderer.x3d.model.ModelFormat;
 
@@ -114,8 +119,61 @@ final class DialogUserPrompts implements UserPrompts {
   }
 
   @Override
-  public boolean leaveBehind(String sentence) {
-    return choose(sentence, Texts.of("keep.cancel"), Texts.of("window.savethere")) == 1;
+  public LeftBehind leaveBehind(String sentence) {
+    return switch (choose(
+        sentence,
+        Texts.of("package.take"),
+        Texts.of("window.savethere"),
+        Texts.of("keep.cancel"))) {
+      case 0 -> LeftBehind.TAKE;
+      case 1 -> LeftBehind.LEAVE;
+      default -> LeftBehind.CANCEL;
+    };
+  }
+
+  @Override
+  public boolean without(String sentence, List<String> lines) {
+    return listed(sentence, lines, Texts.of("package.without"));
+  }
+
+  @Override
+  public boolean replace(String sentence, List<String> lines) {
+    return listed(sentence, lines, Texts.of("package.replace"));
+  }
+
+  /** Shows a sentence over a list, and asks whether to go on. */
+  private boolean listed(String sentence, List<String> lines, String goOn) {
+    JList<String> list = PlainText.entries(new JList<>(lines.toArray(String[]::new)));
+    list.setVisibleRowCount(Math.min(12, Math.max(3, lines.size())));
+    list.getAccessibleContext().setAccessibleName(sentence);
+    JPanel panel = new JPanel(new MigLayout("insets 0, fill, wrap 1", "[grow,fill]"));
+    JLabel said = new JLabel("<html><body width=480>" + MarkupEscaper.text(sentence));
+    said.getAccessibleContext().setAccessibleName(sentence);
+    panel.add(said);
+    panel.add(new JScrollPane(list), "grow, push, wmax 720");
+    String[] choices = {Texts.of("keep.cancel"), goOn};
+    return JOptionPane.showOptionDialog(
+            owner,
+            panel,
+            Texts.of("window.title"),
+            JOptionPane.DEFAULT_OPTION,
+            JOptionPane.QUESTION_MESSAGE,
+            null,
+            choices,
+            choices[0])
+        == 1;
+  }
+
+  @Override
+  public Optional<Path> modelToImport(Path scene) {
+    NamedFileChooser chooser = new NamedFileChooser();
+    chooser.setDialogTitle(Texts.of("import.title"));
+    chooser.setCurrentDirectory(scene.toAbsolutePath().getParent().toFile());
+    chooser.setFileFilter(
+        new FileNameExtensionFilter(
+            Texts.of("import.models"),
+            Stream.concat(endings(), models()).distinct().toArray(String[]::new)));
+    return chosen(chooser, chooser.showDialog(owner, Texts.of("import.choose")));
   }
 
   @Override

@@ -135,15 +135,23 @@ final class DocumentSaver {
         .map(other -> SceneFileExtension.added(other, now))
         .filter(other -> !taken(other.toAbsolutePath()))
         .filter(other -> free(now, other.toAbsolutePath()))
-        .filter(other -> complete(now, other.toAbsolutePath()))
         .filter(this::faultAccepted)
-        .ifPresent(
-            other ->
-                write(
-                    other.toAbsolutePath().equals(now)
-                        ? session.file().writing()
-                        : session.file().writing(other),
-                    saved));
+        .ifPresent(other -> saveAs(now, other, saved));
+  }
+
+  private void saveAs(Path now, Path other, Runnable saved) {
+    Runnable writes =
+        () ->
+            write(
+                other.toAbsolutePath().equals(now)
+                    ? session.file().writing()
+                    : session.file().writing(other),
+                saved);
+    switch (leftBehind(now, other.toAbsolutePath())) {
+      case CANCEL -> {}
+      case LEAVE -> writes.run();
+      case TAKE -> new PackageCommands(questions).takeAlong(session, other, writes);
+    }
   }
 
   /** Returns whether another window has the file, which is then said. */
@@ -164,14 +172,14 @@ final class DocumentSaver {
   }
 
   /**
-   * Returns whether the scene finds its relative urls from the other folder, or else whether the
-   * author accepts that it does not.
+   * Returns what becomes of the files that the scene would not find from the other folder;
+   * nothing has to be done where it finds them.
    */
-  private boolean complete(Path now, Path other) {
+  private UserPrompts.LeftBehind leftBehind(Path now, Path other) {
     List<String> left =
         BrokenRelativeUrls.in(session.document(), now.getParent(), other.getParent());
     if (left.isEmpty()) {
-      return true;
+      return UserPrompts.LeftBehind.LEAVE;
     }
 
     return questions.leaveBehind(

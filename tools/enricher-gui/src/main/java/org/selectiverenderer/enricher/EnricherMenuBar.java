@@ -14,6 +14,7 @@ import javax.swing.KeyStroke;
 import org.selectiverenderer.authoring.UndoHistory;
 import org.selectiverenderer.enricher.area.AreaCommands;
 import org.selectiverenderer.enricher.area.GridSetting;
+import org.selectiverenderer.enricher.insert.InsertCommands;
 import org.selectiverenderer.enricher.menu.StructureCommands;
 import org.selectiverenderer.enricher.settings.EnricherSettings;
 import org.selectiverenderer.enricher.settings.Language;
@@ -28,7 +29,6 @@ final class EnricherMenuBar {
   private final EnricherWindow window;
   private final SceneDialogs dialogs;
   private final RunCommands runs;
-  private final MenuAction back;
   private final EnricherSettings settings;
   private final JMenuBar bar = new JMenuBar();
   private final FileMenu file;
@@ -39,15 +39,15 @@ final class EnricherMenuBar {
   EnricherMenuBar(
       EnricherWindow window, SceneDialogs dialogs, RunCommands runs, EnricherSettings settings) {
     this.runs = runs;
-    back = new MenuAction(Texts.of("run.backnone"), "alt LEFT", runs::back);
     this.window = window;
     this.dialogs = dialogs;
     this.settings = settings;
-    file = new FileMenu(window, settings);
+    file = new FileMenu(window, runs, settings);
     undo = command("menu.undo", "ctrl Z", window::undo);
     redo = command("menu.redo", "ctrl shift Z", window::redo);
     bar.add(file.menu());
     bar.add(edit());
+    bar.add(insert());
     bar.add(scene());
     bar.add(run());
     bar.add(view());
@@ -82,6 +82,20 @@ final class EnricherMenuBar {
     return menu;
   }
 
+  private JMenu insert() {
+    JMenu menu = menu("insert.menu");
+    menu.add(command("insert.node", "ctrl shift N", with(Workbench::insertNode)));
+    menu.addSeparator();
+    for (String template : InsertCommands.TEMPLATES) {
+      if (template.isEmpty()) {
+        menu.addSeparator();
+      } else {
+        menu.add(command("insert." + template, "", with(bench -> bench.insert(template))));
+      }
+    }
+    return menu;
+  }
+
   private MenuAction nodes(String text, String key, Consumer<StructureCommands> work) {
     return command("node." + text, key, with(bench -> bench.edit(key, work)));
   }
@@ -107,6 +121,8 @@ final class EnricherMenuBar {
     menu.add(command("menu.ratings", "ctrl R", () -> dialogs.ratings(Optional.empty())));
     menu.add(command("menu.versions", "ctrl M", dialogs::versions));
     menu.add(command("menu.versions.many", "", dialogs::manyVersions));
+    menu.add(command("menu.images", "", dialogs::images));
+    menu.add(command("menu.routes", "", dialogs::routes));
     areas(menu);
     return menu;
   }
@@ -116,11 +132,6 @@ final class EnricherMenuBar {
     menu.add(new MenuAction(Texts.of("run.run"), "F5", runs::run));
     menu.add(new MenuAction(Texts.of("run.runas"), "shift F5", runs::runAs));
     menu.add(new MenuAction(Texts.of("run.shown"), "", runs::showMessages));
-    menu.addSeparator();
-    menu.add(new MenuAction(Texts.of("run.inline"), "ctrl I", runs::openInline));
-    menu.add(
-        new MenuAction(Texts.of("run.inlinewindow"), "ctrl shift I", runs::openInlineInWindow));
-    menu.add(back);
     menu.addSeparator();
     menu.add(new MenuAction(Texts.of("run.studies"), "", runs::openStudies));
     return menu;
@@ -132,6 +143,7 @@ final class EnricherMenuBar {
     menu.add(area("add", "ctrl shift A", AreaCommands::addAroundSelection));
     menu.add(area("switch", "ctrl shift W", AreaCommands::makeSwitch));
     menu.add(area("rename.node", "F2", AreaCommands::rename));
+    menu.add(ArrangeMenu.of(window));
     JMenu grid = menu("area.grid");
     grid.addMenuListener(new MenuOpeningListener(() -> listGrid(grid)));
     menu.add(grid);
@@ -250,8 +262,7 @@ final class EnricherMenuBar {
     Optional<UndoHistory> history = window.session().map(session -> session.document().history());
     file.refresh();
     String from = runs.from().map(file -> String.valueOf(file.getFileName())).orElse("");
-    back.rename(from.isEmpty() ? Texts.of("run.backnone") : Texts.of("run.back", from));
-    back.setEnabled(!from.isEmpty());
+    file.back(from);
     name(undo, "menu.undo", history.flatMap(UndoHistory::undoName).map(steps::shown));
     name(redo, "menu.redo", history.flatMap(UndoHistory::redoName).map(steps::shown));
   }

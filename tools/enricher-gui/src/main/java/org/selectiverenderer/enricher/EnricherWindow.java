@@ -1,8 +1,10 @@
 package org.selectiverenderer.enricher;
 
 import java.awt.BorderLayout;
+import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.EventQueue;
+import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
@@ -26,6 +28,7 @@ import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.settings.EnricherSettings;
 import org.selectiverenderer.enricher.settings.RecentFiles;
 import org.selectiverenderer.enricher.settings.SettingsTrust;
+import org.selectiverenderer.enricher.task.BackgroundTask;
 import org.selectiverenderer.enricher.task.TaskExecutor;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
@@ -55,10 +58,19 @@ final class EnricherWindow {
   private final RunCommands runs;
   private final SaveCommands saves;
   private final FileCommands files;
+  private final ImportCommands imports;
   private final EnricherMenuBar menus;
+  private final Runnable removeTypingFilter;
 
-  /** Refreshes title and menus after the edit, when its step is in the undo history. */
-  private final DocumentListener titles = change -> EventQueue.invokeLater(this::refresh);
+  /**
+   * Refreshes title and menus after the edit, when its step is in the undo history. What was said
+   * of an action before is no longer so; the edit's own message comes after it.
+   */
+  private final DocumentListener titles =
+      change -> {
+        status.say("");
+        EventQueue.invokeLater(this::refresh);
+      };
 
   private @Nullable Workbench bench;
 
@@ -111,9 +123,11 @@ final class EnricherWindow {
     dialogs = new SceneDialogs(frame, this::bench, status::say);
     runs = new RunCommands(frame, this::bench, opening::open, windows::openNew, status::say);
     files = new FileCommands(this, questions);
+    imports = new ImportCommands(this, questions);
     menus = new EnricherMenuBar(this, dialogs, runs, settings);
     frame.setJMenuBar(menus.bar());
     menus.moreKeys(frame.getRootPane());
+    removeTypingFilter = AcceleratorTypingFilter.install(menus.bar());
     frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
     frame.addWindowListener(
         new WindowAdapter() {
@@ -167,6 +181,11 @@ final class EnricherWindow {
     return files;
   }
 
+  /** The commands that make models part of the scene. */
+  ImportCommands imports() {
+    return imports;
+  }
+
   /** The windows of this process. */
   EnricherWindows windows() {
     return windows;
@@ -207,6 +226,13 @@ final class EnricherWindow {
     opening.openUnasked(path);
   }
 
+  /** Cancels what runs in the background; returns whether there was anything. */
+  boolean cancelTasks() {
+    List<BackgroundTask> running = tasks.running();
+    running.forEach(BackgroundTask::cancel);
+    return !running.isEmpty();
+  }
+
   /** The part that opens scenes. */
   DocumentOpener opening() {
     return opening;
@@ -238,6 +264,7 @@ final class EnricherWindow {
     bench = opened;
     saves.begin(opened);
     session.document().addListener(titles);
+    session.addSelectionListener((element, origin) -> status.say(""));
     content.removeAll();
     content.add(opened.component(), BorderLayout.CENTER);
     FileDropHandler.install(opened.component(), this::dropped);
@@ -288,16 +315,16 @@ final class EnricherWindow {
   }
 
   /**
-   * Imports a dropped .csv file as ratings and opens any other file as a scene, after the drop has
-   * ended.
+   * Imports a dropped .csv file as ratings and a file on the preview, the plan or the tree as part
+   * of the scene, and opens any other file as a scene; after the drop has ended.
    */
-  private void dropped(Path file) {
+  private void dropped(Path file, Component over, Point at) {
     boolean table = file.toString().toLowerCase(Locale.ROOT).endsWith(".csv");
     EventQueue.invokeLater(
         () -> {
           if (table && bench != null) {
             dialogs.ratings(Optional.of(file));
-          } else {
+          } else if (!imports.dropped(file, over, at)) {
             open(file);
           }
         });
@@ -336,6 +363,7 @@ final class EnricherWindow {
    */
   void dispose() {
     letGo(false);
+    removeTypingFilter.run();
     runs.dispose();
     status.dispose();
     tasks.close();

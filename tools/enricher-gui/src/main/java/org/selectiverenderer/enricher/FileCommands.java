@@ -8,6 +8,7 @@ import java.util.Optional;
 import org.selectiverenderer.base.files.AtomicFileWriter;
 import org.selectiverenderer.base.files.HomeFolder;
 import org.selectiverenderer.enricher.access.AccessDialog;
+import org.selectiverenderer.enricher.importing.PackageDialog;
 import org.selectiverenderer.enricher.newscene.NewSceneDialog;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.settings.AllowedPlaces;
@@ -77,6 +78,20 @@ final class FileCommands {
     questions
         .fileToOpen(window.session().map(open -> open.file().path()))
         .ifPresent(window.windows()::openNew);
+  }
+
+  /** Asks where the open scene is packaged, and packages it with all that it names. */
+  void packageScene() {
+    window
+        .bench()
+        .ifPresent(
+            bench -> {
+              bench.commit();
+              new PackageDialog(window.frame(), bench.session().file().path())
+                  .ask()
+                  .ifPresent(
+                      target -> new PackageCommands(questions).write(bench.session(), target));
+            });
   }
 
   /** Returns what a scene may read: what the author allows it, and what every scene may read. */

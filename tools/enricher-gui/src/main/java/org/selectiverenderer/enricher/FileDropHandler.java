@@ -2,6 +2,7 @@ package org.selectiverenderer.enricher;
 
 import java.awt.Component;
 import java.awt.Container;
+import java.awt.Point;
 import java.awt.datatransfer.Clipboard;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.UnsupportedFlavorException;
@@ -10,7 +11,6 @@ import java.io.File;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.function.Consumer;
 import javax.swing.JComponent;
 import javax.swing.TransferHandler;
 import org.jspecify.annotations.Nullable;
@@ -22,14 +22,20 @@ import org.jspecify.annotations.Nullable;
 final class FileDropHandler extends TransferHandler {
   private static final long serialVersionUID = 1L;
 
-  private final transient Consumer<Path> open;
+  /** Receives a file that is dropped on a component at a point. */
+  @FunctionalInterface
+  interface Receiver {
+    void dropped(Path file, Component over, Point at);
+  }
+
+  private final transient Receiver open;
   private final @Nullable TransferHandler before;
 
-  FileDropHandler(Consumer<Path> open) {
+  FileDropHandler(Receiver open) {
     this(open, null);
   }
 
-  private FileDropHandler(Consumer<Path> open, @Nullable TransferHandler before) {
+  private FileDropHandler(Receiver open, @Nullable TransferHandler before) {
     this.open = open;
     this.before = before;
   }
@@ -38,7 +44,7 @@ final class FileDropHandler extends TransferHandler {
    * Installs a file drop handler on every component in a container that has a transfer handler of
    * its own, which would otherwise reject files.
    */
-  static void install(Container in, Consumer<Path> open) {
+  static void install(Container in, Receiver open) {
     for (Component each : in.getComponents()) {
       if (each instanceof JComponent component
           && component.getTransferHandler() != null
@@ -70,7 +76,8 @@ final class FileDropHandler extends TransferHandler {
       if (dropped instanceof List<?> files
           && !files.isEmpty()
           && files.get(0) instanceof File file) {
-        open.accept(file.toPath());
+        Point at = support.isDrop() ? support.getDropLocation().getDropPoint() : new Point();
+        open.dropped(file.toPath(), support.getComponent(), at);
         return true;
       }
       return false;

@@ -20,10 +20,7 @@ import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/**
- * The commands of the Run menu: runs the open scene, and opens the files that it inlines and goes
- * back.
- */
+/** The commands that run the open scene, and that open the files that it inlines and go back. */
 final class RunCommands {
   private final Window owner;
   private final Supplier<Optional<Workbench>> bench;

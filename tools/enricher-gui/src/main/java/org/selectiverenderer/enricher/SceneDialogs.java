@@ -2,15 +2,22 @@ package org.selectiverenderer.enricher;
 
 import java.awt.Window;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
+import org.selectiverenderer.enricher.images.ImagesDialog;
 import org.selectiverenderer.enricher.ratings.RatingsDialog;
+import org.selectiverenderer.enricher.routes.RoutesDialog;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.enricher.versions.BatchVersionsDialog;
 import org.selectiverenderer.enricher.versions.VersionsDialog;
 import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.ElementTree;
 
 /** The dialogs that edit the open scene. What is being typed is committed before they open. */
 final class SceneDialogs {
@@ -55,6 +62,28 @@ final class SceneDialogs {
         .ifPresentOrElse(this::versions, () -> say.accept(Texts.of("window.chooseobject")));
   }
 
+  /** Opens the dialog of the images that the scene names. */
+  void images() {
+    bench
+        .get()
+        .ifPresent(
+            open -> {
+              open.commit();
+              new ImagesDialog(owner, open.session()).setVisible(true);
+            });
+  }
+
+  /** Opens the dialog of the scene's ROUTEs. */
+  void routes() {
+    bench
+        .get()
+        .ifPresent(
+            open -> {
+              open.commit();
+              new RoutesDialog(owner, open.session(), () -> open.showTab(2)).setVisible(true);
+            });
+  }
+
   /** Opens the dialog that makes versions of many objects. */
   void manyVersions() {
     bench
@@ -72,14 +101,41 @@ final class SceneDialogs {
     Optional<Workbench> open = bench.get();
     open.ifPresent(Workbench::commit);
     if (open.isPresent() && object.attached()) {
-      new VersionsDialog(owner, open.get().session(), object).setVisible(true);
+      EnricherSession session = open.get().session();
+      Set<String> before = names(session);
+      int made = new VersionsDialog(owner, session, object).made();
       open.get().lookAtFilesAgain();
+      if (made > 0) {
+        switches(session).stream()
+            .filter(each -> each == object || !before.contains(each.def().orElse("")))
+            .findFirst()
+            .ifPresent(
+                each -> {
+                  session.select(each, this);
+                  say.accept(
+                      Texts.of(
+                          "versions.made",
+                          each.toString(),
+                          made,
+                          DecimalFormatter.grouped(made)));
+                });
+      }
     }
+  }
+
+  private static List<DocumentElement> switches(EnricherSession session) {
+    return session.document().tree().map(ElementTree::switches).orElse(List.of());
+  }
+
+  private static Set<String> names(EnricherSession session) {
+    return switches(session).stream()
+        .flatMap(each -> each.def().stream())
+        .collect(Collectors.toSet());
   }
 
   /**
    * The object that versions can be made of: the nearest Switch around an element, else the element
-   * itself if it has a DEF name.
+   * itself if it has a DEF name or is drawn by itself.
    */
   static Optional<DocumentElement> object(DocumentElement element) {
     for (DocumentElement at = element; at != null; at = at.parent().orElse(null)) {
@@ -87,6 +143,8 @@ final class SceneDialogs {
         return Optional.of(at);
       }
     }
-    return element.def().map(def -> element);
+    return element.def().isPresent() || VersionsDialog.takes(element)
+        ? Optional.of(element)
+        : Optional.empty();
   }
 }

@@ -70,12 +70,19 @@ interface UserPrompts {
    */
   Optional<List<ThreeWayMerge.Choice>> merge(ThreeWayMerge merge);
 
+  /** What to do where a scene is saved to a folder from which it does not find its files. */
+  enum LeftBehind {
+    CANCEL,
+    /** The files are copied too. */
+    TAKE,
+    /** The scene is saved alone. */
+    LEAVE
+  }
+
   /**
-   * Asks whether to save to a folder from which the scene does not find its files.
-   *
    * @param sentence which files will be missing
    */
-  boolean leaveBehind(String sentence);
+  LeftBehind leaveBehind(String sentence);
 
   /**
    * Asks whether to save a text that is not well-formed XML.
@@ -90,6 +97,23 @@ interface UserPrompts {
    * @param lines what it asks for beyond its own folder
    */
   boolean trust(String sentence, List<String> lines);
+
+  /**
+   * Asks whether to go on without some files.
+   *
+   * @param lines which files, and why
+   */
+  boolean without(String sentence, List<String> lines);
+
+  /**
+   * Asks whether to replace files that have other content.
+   *
+   * @param lines which files
+   */
+  boolean replace(String sentence, List<String> lines);
+
+  /** The model to import; empty if the author cancels. */
+  Optional<Path> modelToImport(Path scene);
 
   Optional<Path> fileToOpen(Optional<Path> near);
 

@@ -16,6 +16,8 @@ import org.selectiverenderer.authoring.file.CrashRecovery;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.browser.viewer.Pose;
 import org.selectiverenderer.enricher.menu.StructureCommands;
+import org.selectiverenderer.enricher.insert.InsertCommands;
+import org.selectiverenderer.enricher.area.DuplicateShifts;
 import org.selectiverenderer.enricher.tree.NodeDrop;
 import org.selectiverenderer.authoring.structure.ChildPosition;
 import org.selectiverenderer.enricher.text.MnemonicText;
@@ -33,6 +35,8 @@ import org.selectiverenderer.enricher.menu.NodeEditCommands;
 import org.selectiverenderer.enricher.menu.NodeMenu;
 import org.selectiverenderer.enricher.overview.MetadataClipboard;
 import org.selectiverenderer.enricher.overview.OverviewPanel;
+import org.selectiverenderer.enricher.placement.HandleSettings;
+import org.selectiverenderer.enricher.placement.PlacementCommands;
 import org.selectiverenderer.enricher.plan.PlanPanel;
 import org.selectiverenderer.enricher.preview.PreviewPanel;
 import org.selectiverenderer.enricher.preview.VersionImageRenderer;
@@ -74,6 +78,7 @@ final class Workbench {
   private final JSplitPane schemas;
   private final CollapsibleSplit schemasAndCosts;
   private final AreaCommands areas;
+  private final PlacementCommands placement;
   private final PlanPanel plan;
   private final HelpPanel help;
   private final ProblemsPanel problems;
@@ -86,6 +91,7 @@ final class Workbench {
   private final NodeMenu menu;
   private final StructureCommands structure;
   private final FocusedKeys focused;
+  private final InsertCommands insert;
   private final List<Runnable> disposals = new ArrayList<>();
 
   /**
@@ -140,9 +146,12 @@ final class Workbench {
     NamePrompt names = new NameDialog(() -> tabs);
     areas = new AreaCommands(session, preview.probe(), names);
     preview.grid(grid::step);
+    HandleSettings handles = new HandleSettings();
+    preview.handles(handles);
+    placement = new PlacementCommands(session, preview.probe());
     preview.addAction(
         Texts.of("area.add.short"), Texts.of("area.add.tip"), areas::addAroundSelection);
-    plan = new PlanPanel(session, areas, names, grid);
+    plan = new PlanPanel(session, areas, names, grid, handles);
     addTab("Preview", Texts.of("window.tab.preview"), preview);
     addTab("Schemas", Texts.of("window.tab.schemas"), schemasAndCosts);
     addTab("Source", Texts.of("window.tab.source"), source.component());
@@ -155,6 +164,8 @@ final class Workbench {
     focused = new FocusedKeys(all, List.of(tree.component(), preview, plan));
     addMenus(makeVersions);
     addTreeKeys();
+    structure.shifts(new DuplicateShifts(preview.probe()));
+    insert = new InsertCommands(session, structure, this::here);
     disposals.add(focused::dispose);
     disposals.add(autosave::dispose);
     disposals.add(problems::dispose);
@@ -206,7 +217,15 @@ final class Workbench {
             "ctrl D",
             element -> structure.removable(),
             element -> nodes(StructureCommands::duplicate)));
+    menu.add(
+        new NodeCommand(
+            "insertNode",
+            Texts.of("insert.here"),
+            "INSERT",
+            element -> session.document().locked().isEmpty(),
+            element -> insertNode()));
     menu.add(areas.commands(this::commit));
+    menu.add(placement.commands());
     menu.add(
         List.of(
             new NodeCommand(
@@ -241,6 +260,7 @@ final class Workbench {
     key("ctrl D", "node.duplicate", StructureCommands::duplicate);
     key("alt UP", "node.up", each -> each.step(false));
     key("alt DOWN", "node.down", each -> each.step(true));
+    tree.onKey("INSERT", MnemonicText.of(Texts.of("insert.here")).words(), this::insertNode);
     tree.onKey("F2", MnemonicText.of(Texts.of("area.rename.node")).words(), this::renameNode);
     tree.onDrop(
         new NodeDrop() {
@@ -271,6 +291,20 @@ final class Workbench {
   void nodes(Consumer<StructureCommands> work) {
     commit();
     work.accept(structure);
+  }
+
+  /** Inserts a template at the selection. */
+  void insert(String template) {
+    commit();
+    insert.insert(template, all);
+    session.selection().ifPresent(tree::reveal);
+  }
+
+  /** Asks for a node to be inserted at the selection. */
+  void insertNode() {
+    commit();
+    insert.choose(all);
+    session.selection().ifPresent(tree::reveal);
   }
 
   /** Does what a key does where the focus is, in a text for example, else acts on the nodes. */
@@ -381,9 +415,19 @@ final class Workbench {
     }
   }
 
+  /** Finds the places onto which models are dropped. */
+  ModelDropTarget drops() {
+    return new ModelDropTarget(preview, plan, tree.component());
+  }
+
   /** The commands for areas, Switches and nodes. */
   AreaCommands areas() {
     return areas;
+  }
+
+  /** The commands that place selected nodes. */
+  PlacementCommands placement() {
+    return placement;
   }
 
   /** Reads the version files again, which may have changed although the document has not. */

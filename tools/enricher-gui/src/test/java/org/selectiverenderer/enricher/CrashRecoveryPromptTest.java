@@ -66,8 +66,23 @@ class CrashRecoveryPromptTest {
     }
 
     @Override
-    public boolean leaveBehind(String sentence) {
+    public LeftBehind leaveBehind(String sentence) {
       throw new AssertionError(sentence);
+    }
+
+    @Override
+    public boolean without(String sentence, List<String> lines) {
+      throw new AssertionError(sentence);
+    }
+
+    @Override
+    public boolean replace(String sentence, List<String> lines) {
+      throw new AssertionError(sentence);
+    }
+
+    @Override
+    public Optional<Path> modelToImport(Path scene) {
+      return Optional.empty();
     }
 
     @Override

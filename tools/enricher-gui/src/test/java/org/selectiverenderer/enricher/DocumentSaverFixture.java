@@ -37,6 +37,7 @@ abstract class DocumentSaverFixture {
     final List<String> asked = new ArrayList<>();
     Unsaved unsaved = Unsaved.CANCEL;
     boolean agree = true;
+    boolean take;
     OnDisk onDisk = OnDisk.KEEP;
     Path target = Path.of("other.x3d");
 
@@ -85,9 +86,26 @@ abstract class DocumentSaverFixture {
     }
 
     @Override
-    public boolean leaveBehind(String sentence) {
+    public LeftBehind leaveBehind(String sentence) {
       asked.add(sentence);
-      return agree;
+      return agree ? LeftBehind.LEAVE : take ? LeftBehind.TAKE : LeftBehind.CANCEL;
+    }
+
+    @Override
+    public boolean without(String sentence, List<String> lines) {
+      asked.add("without " + lines.size());
+      return true;
+    }
+
+    @Override
+    public boolean replace(String sentence, List<String> lines) {
+      asked.add("replace " + lines.size());
+      return true;
+    }
+
+    @Override
+    public Optional<Path> modelToImport(Path scene) {
+      return Optional.empty();
     }
 
     @Override

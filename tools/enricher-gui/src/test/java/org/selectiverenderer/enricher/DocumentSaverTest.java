@@ -11,6 +11,26 @@ import org.junit.jupiter.api.Test;
 /** What is asked before a scene is saved or left, and what is written. */
 class DocumentSaverTest extends DocumentSaverFixture {
   @Test
+  void savingElsewhereTakesTheScenesFilesAlong() throws Exception {
+    Files.writeString(folder.resolve("Cup_v1.x3d"), "<X3D version='4.0'><Scene/></X3D>");
+    Path inlined = Files.createDirectories(folder.resolve("other/inlineNodes"));
+    answers.target = Path.of("other/room.x3d");
+    answers.agree = false;
+    answers.take = true;
+    saving.saveAs(() -> done++);
+    while (!session.tasks().running().isEmpty() || !results.isEmpty()) {
+      result();
+    }
+    assertThat(done).isEqualTo(1);
+    assertThat(folder.resolve("other/room.x3d")).exists();
+    assertThat(folder.resolve("other/Cup_v1.x3d")).exists();
+    assertThat(inlined).isEmptyDirectory();
+    assertThat(answers.asked).contains("without 1"); // Cup_v2.x3d does not exist
+    assertThat(session.file().path()).isEqualTo(folder.resolve("other/room.x3d"));
+    assertThat(session.document().modified()).isFalse();
+  }
+
+  @Test
   void nothingIsAskedWhereNothingHasChanged() throws InterruptedException {
     assertThat(save(true)).isTrue();
     saving.leaving(true, () -> done++);

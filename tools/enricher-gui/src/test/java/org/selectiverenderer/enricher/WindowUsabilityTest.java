@@ -104,6 +104,27 @@ class WindowUsabilityTest {
   }
 
   @Test
+  void anOpeningThatIsCancelledLeavesTheWelcome() throws IOException {
+    show();
+    JLabel welcome =
+        GuiRobot.named(
+            window.frame().getContentPane(),
+            "Drop an X3D scene here, or press Ctrl+O to open one",
+            JLabel.class);
+    Path scene = scene();
+    boolean cancelled =
+        GuiRobot.onEdt(
+            () -> {
+              window.openUnasked(scene);
+              return window.cancelTasks();
+            });
+    assertThat(cancelled).isTrue();
+    hands.await("the welcome", () -> welcome.getText().startsWith("Drop an X3D scene"));
+    assertThat(window.session()).isEmpty();
+    assertThat(window.has(scene)).isFalse();
+  }
+
+  @Test
   void theFormKeepsItsWidthHoweverManyScenesAreOpened() throws IOException {
     show();
     Path scene = scene();
@@ -278,24 +299,35 @@ class WindowUsabilityTest {
               });
       assertThat(english).isEmpty();
       GuiRobot.picture(window.frame().getRootPane(), "window-greek-scene", 1);
-      GuiRobot.onEdt(
-          () -> {
-            for (int i = 0; i < window.frame().getJMenuBar().getMenuCount(); i++) {
-              List<Integer> letters = new ArrayList<>();
-              for (Component item : window.frame().getJMenuBar().getMenu(i).getMenuComponents()) {
-                if (item instanceof AbstractButton button && button.getMnemonic() != 0) {
-                  letters.add(button.getMnemonic());
-                }
-              }
-              assertThat(letters)
-                  .as(window.frame().getJMenuBar().getMenu(i).getText())
-                  .doesNotHaveDuplicates();
-            }
-            return true;
-          });
+      assertLettersAreUnique();
     } finally {
       Locale.setDefault(Locale.Category.DISPLAY, before);
     }
+  }
+
+  @Test
+  void inEnglishTheLettersOfAMenuAreUniqueToo() throws IOException {
+    show();
+    open(scene());
+    assertLettersAreUnique();
+  }
+
+  private void assertLettersAreUnique() {
+    GuiRobot.onEdt(
+        () -> {
+          for (int i = 0; i < window.frame().getJMenuBar().getMenuCount(); i++) {
+            List<Integer> letters = new ArrayList<>();
+            for (Component item : window.frame().getJMenuBar().getMenu(i).getMenuComponents()) {
+              if (item instanceof AbstractButton button && button.getMnemonic() != 0) {
+                letters.add(button.getMnemonic());
+              }
+            }
+            assertThat(letters)
+                .as(window.frame().getJMenuBar().getMenu(i).getText())
+                .doesNotHaveDuplicates();
+          }
+          return true;
+        });
   }
 
   /** The texts of menus, buttons, labels and tabs in a container, and their tooltips. */

@@ -1,6 +1,6 @@
 /**
- * Editing of a scene's text, without a window: search and replace, commenting out, cutting, pasting
- * and deleting elements, code completion, fields of any node.
+ * Editing of a scene's text, without a window: search and replace, commenting out, code completion,
+ * fields of any node.
  *
  * <p>In: a document, positions in it, the node catalogue. Out: ranges, proposals, and {@link
  * org.selectiverenderer.authoring.Edit}s, each one undo step that changes only the bytes it names.

@@ -7,7 +7,10 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.selectiverenderer.authoring.SceneDocument;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.TextEdit;
 
@@ -77,6 +80,27 @@ public record NodeTemplate(String name, String text) {
     } catch (IOException e) {
       throw new IllegalStateException(name + " cannot be read", e);
     }
+  }
+
+  /**
+   * Returns the template at another place: the numbers of a position that an element has are
+   * shifted; without the element it stays as it is.
+   *
+   * @param decimals to which the sums are rounded
+   */
+  public NodeTemplate shifted(String element, String attribute, double[] shift, int decimals) {
+    Matcher position =
+        Pattern.compile("<%s [^>]*\\b%s='([^']*)'".formatted(element, attribute)).matcher(text);
+    String[] old = position.find() ? position.group(1).strip().split("\\s+") : new String[0];
+    if (old.length != shift.length) {
+      return this;
+    }
+    StringBuilder now = new StringBuilder();
+    for (int i = 0; i < old.length; i++) {
+      now.append(i == 0 ? "" : " ")
+          .append(DecimalFormatter.rounded(Double.parseDouble(old[i]) + shift[i], decimals));
+    }
+    return with(element, attribute, now.toString());
   }
 
   private static Optional<DocumentElement> find(DocumentElement in, String element) {

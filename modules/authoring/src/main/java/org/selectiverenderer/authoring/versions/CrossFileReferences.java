@@ -5,6 +5,8 @@ import java.util.List;
 import java.util.Set;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.x3d.catalogue.NodeView;
+import org.selectiverenderer.x3d.read.NodeTraversal;
+import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.ElementScope;
 
@@ -37,11 +39,25 @@ final class CrossFileReferences {
   }
 
   /**
-   * Returns whether the elements can be moved; reports the obstacles.
+   * Returns whether the elements can be moved to other files; reports the obstacles. A USE is none,
+   * since {@link SharedNodes} leaves the scene its nodes.
    *
    * @param def the object's DEF name
    */
   boolean free(String def, List<DocumentElement> elements) {
+    return free(def, elements, true);
+  }
+
+  /**
+   * Returns whether the elements can be removed; reports the obstacles, of which a USE is one.
+   *
+   * @param def the object's DEF name
+   */
+  boolean unused(String def, List<DocumentElement> elements) {
+    return free(def, elements, false);
+  }
+
+  private boolean free(String def, List<DocumentElement> elements, boolean shared) {
     Set<String> names = new HashSet<>();
     for (DocumentElement element : elements) {
       ElementScope.visitWithin(element, inner -> inner.def().ifPresent(names::add));
@@ -51,7 +67,7 @@ final class CrossFileReferences {
         elements.isEmpty() ? scene.elements().root() : elements.get(0),
             other -> {
               boolean inside = elements.stream().anyMatch(element -> element.contains(other));
-              String tie = inside ? inside(other) : outside(other, def, names);
+              String tie = inside ? inside(other) : outside(other, def, names, shared);
               if (!tie.isEmpty()) {
                 problems.error(
                     other.location(),
@@ -65,18 +81,28 @@ final class CrossFileReferences {
 
   /** Warns of nodes that are not geometry and so will be in version 1 only. */
   void warnOfLosses(String def, List<DocumentElement> elements) {
-    for (DocumentElement element : elements) {
-      element.visit(
-          inner -> {
-            NodeView node = inner.use().isPresent() ? null : scene.node(inner);
-            if (node != null && lost(node)) {
-              problems.warning(
-                  inner.location(),
-                  ("the %s is not geometry: only version 1 of the object '%s' keeps it, reduced "
-                          + "versions have the geometry that is visible at the start")
-                      .formatted(node.type().name(), def));
-            }
-          });
+    elements.forEach(element -> warnOfLosses(def, element));
+  }
+
+  private void warnOfLosses(String def, DocumentElement element) {
+    NodeView node = element.use().isPresent() ? null : scene.node(element);
+    if (element.name().equals("ProtoInstance") && node instanceof ParsedNode body) {
+      NodeTraversal.visit(List.of(body), inner -> warnOfLoss(def, inner, element));
+      return; // the nodes given to its fields are among these
+    }
+    if (node != null) {
+      warnOfLoss(def, node, element);
+    }
+    element.children().forEach(child -> warnOfLosses(def, child));
+  }
+
+  private void warnOfLoss(String def, NodeView node, DocumentElement at) {
+    if (lost(node)) {
+      problems.warning(
+          at.location(),
+          ("the %s is not geometry: only version 1 of the object '%s' keeps it, reduced "
+                  + "versions have the geometry that is visible at the start")
+              .formatted(node.type().name(), def));
     }
   }
 
@@ -96,9 +122,10 @@ final class CrossFileReferences {
     };
   }
 
-  private String outside(DocumentElement element, String def, Set<String> names) {
+  private static String outside(
+      DocumentElement element, String def, Set<String> names, boolean shared) {
     String used = element.use().orElse("");
-    if (used.equals(def) || names.contains(used)) {
+    if (!shared && (used.equals(def) || names.contains(used))) {
       return "'" + used + "' is used here (USE)";
     }
     List<String> ends =

@@ -10,6 +10,7 @@ import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.read.ParsedNode;
+import org.selectiverenderer.x3d.read.ParsedProtoInstance;
 import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.read.X3dReader;
 import org.selectiverenderer.x3d.source.DocumentElement;
@@ -28,6 +29,11 @@ final class ElementNodeMapping {
     this.elements = elements;
     this.file = file;
     file.nodes().forEach(this::map);
+    for (ParsedProtoInstance instance : file.instances().all()) {
+      if (instance.within() < 0) {
+        nodes.put(instance.location(), instance.node());
+      }
+    }
   }
 
   /**
@@ -75,7 +81,10 @@ final class ElementNodeMapping {
     return file;
   }
 
-  /** Returns the node of an element; null for statements such as ROUTE. */
+  /**
+   * Returns the node of an element of the scene, for a ProtoInstance the first node of its body;
+   * null for statements such as ROUTE.
+   */
   @Nullable NodeView node(DocumentElement element) {
     return element.use().isPresent()
         ? file.named().get(element.use().get())

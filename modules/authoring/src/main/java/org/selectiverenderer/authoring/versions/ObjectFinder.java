@@ -82,7 +82,8 @@ final class ObjectFinder {
     if (node == null) {
       return refuse(element.location(), "the object '" + name + "' is not a node of the scene");
     }
-    if (node.type().name().equals("Switch")) {
+    boolean instance = element.name().equals("ProtoInstance");
+    if (node.type().name().equals("Switch") && !instance) {
       return versioned(element, name);
     }
     if (!node.type().is("X3DChildNode")) {
@@ -92,6 +93,11 @@ final class ObjectFinder {
           .map(parent -> object(parent, name))
           .orElseGet(
               () -> refuse(element.location(), "'" + name + "' is not an object of the scene"));
+    }
+    if (instance) {
+      return draws(node)
+          ? Optional.of(new ObjectElements.Whole(name, List.of(element)))
+          : faceless(element, name);
     }
     boolean group =
         node.type().is("X3DGroupingNode") && !Set.of("LOD", "CADFace").contains(node.type().name());
@@ -108,11 +114,15 @@ final class ObjectFinder {
       return versioned(visible.get(0), name);
     }
     if (visible.isEmpty()) {
-      return refuse(
-          element.location(),
-          "the object '" + name + "' has no faces, so there is nothing to reduce");
+      return faceless(element, name);
     }
     return Optional.of(new ObjectElements.Whole(name, visible));
+  }
+
+  private Optional<ObjectElements> faceless(DocumentElement element, String name) {
+    return refuse(
+        element.location(),
+        "the object '" + name + "' has no faces, so there is nothing to reduce");
   }
 
   /** Returns whether an element is drawn: a shape, an Inline, or a group with one of them. */
@@ -143,6 +153,11 @@ final class ObjectFinder {
       }
     }
     if (inlines.isEmpty()) {
+      List<DocumentElement> drawn = choice.children().stream().filter(this::drawn).toList();
+      NodeView node = scene.node(choice);
+      if (drawn.size() == 1 && node != null && node.nodes("children").size() == 1) {
+        return Optional.of(new ObjectElements.Whole(name, drawn, Optional.of(choice)));
+      }
       return refuse(
           choice.location(),
           "the object '"

@@ -44,7 +44,7 @@ final class VersionRemovalCheck {
     if (sets.size() > left) {
       return refuse(sets.get(left).location(), "the metadata here describes", left);
     }
-    return new CrossFileReferences(scene, problems).free(site.name(), going);
+    return new CrossFileReferences(scene, problems).unused(site.name(), going);
   }
 
   /** Returns the MetadataSets of the versions: MetadataSet i describes child i (thesis Fig 52). */

@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.Set;
 import org.selectiverenderer.authoring.DocumentSnapshot;
 import org.selectiverenderer.authoring.Edit;
@@ -16,6 +17,7 @@ import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.models.ModelReader;
 import org.selectiverenderer.models.simplify.SimplificationTarget;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.read.PrototypeLibraryLoader;
 import org.selectiverenderer.x3d.read.X3dReader;
 import org.selectiverenderer.x3d.url.BaseUrl;
@@ -70,6 +72,8 @@ public final class VersionsEdit {
    *     ignored
    * @param name the base name of new files; empty for the name of the existing ones, else of the
    *     object
+   * @param start the offset of the object's element, whose name is {@code object} whether or not it
+   *     has a DEF; empty to find the element by its DEF
    */
   public record Request(
       Path scene,
@@ -79,7 +83,8 @@ public final class VersionsEdit {
       Path output,
       String inlineFolder,
       Set<Integer> kept,
-      String name) {
+      String name,
+      OptionalInt start) {
     public Request {
       goals = List.copyOf(goals);
       kept = Set.copyOf(kept);
@@ -93,7 +98,7 @@ public final class VersionsEdit {
         List<SimplificationTarget> goals,
         Path output,
         String inlineFolder) {
-      this(scene, access, object, goals, output, inlineFolder, Set.of(), "");
+      this(scene, access, object, goals, output, inlineFolder, Set.of(), "", OptionalInt.empty());
     }
 
     /** Creates a request for a scene that may load only files in its own folder. */
@@ -114,22 +119,38 @@ public final class VersionsEdit {
 
     /** Returns the request with another permission to load files and URLs. */
     public Request allowing(ContentAccessPolicy more) {
-      return new Request(scene, more, object, goals, output, inlineFolder, kept, name);
+      return new Request(scene, more, object, goals, output, inlineFolder, kept, name, start);
     }
 
     /** Returns the request with versions to keep. */
     public Request keeping(Set<Integer> numbers) {
-      return new Request(scene, access, object, goals, output, inlineFolder, numbers, name);
+      return new Request(scene, access, object, goals, output, inlineFolder, numbers, name, start);
     }
 
     /** Returns the request for another object, of which no version is kept. */
     Request of(String other, List<SimplificationTarget> wanted) {
-      return new Request(scene, access, other, wanted, output, inlineFolder, Set.of(), "");
+      return new Request(scene, access, other, wanted, output, inlineFolder, Set.of(), "", OptionalInt.empty());
     }
 
     /** Returns the request with another base name of files. */
     public Request named(String other) {
-      return new Request(scene, access, object, goals, output, inlineFolder, kept, other);
+      return new Request(scene, access, object, goals, output, inlineFolder, kept, other, start);
+    }
+
+    /** Returns the request for the element at an offset, whose object need not have a DEF name. */
+    public Request at(int offset) {
+      return new Request(
+          scene, access, object, goals, output, inlineFolder, kept, name, OptionalInt.of(offset));
+    }
+
+    /** Finds the object in its scene; empty after a problem has been reported. */
+    Optional<ObjectElements> find(ElementNodeMapping in, ProblemCollector problems) {
+      ObjectFinder finder = new ObjectFinder(in, problems);
+      return start.isPresent()
+          ? in.elements()
+              .at(start.getAsInt())
+              .flatMap(element -> finder.at(element, object))
+          : finder.find(object);
     }
   }
 
@@ -149,7 +170,7 @@ public final class VersionsEdit {
       throws IOException {
     X3dReader reader = reader(request, catalogue);
     ElementNodeMapping scene = ElementNodeMapping.of(snapshot, reader, problems);
-    Optional<ObjectElements> site = new ObjectFinder(scene, problems).find(request.object());
+    Optional<ObjectElements> site = request.find(scene, problems);
     if (site.isEmpty()) {
       return Optional.empty();
     }
@@ -185,7 +206,7 @@ public final class VersionsEdit {
     Path folder = VersionFileNames.folder(request.scene());
     ProblemCollector unheard = new ProblemCollector(); // planning reports what is wrong
     ElementNodeMapping scene = ElementNodeMapping.of(snapshot, new X3dReader(catalogue), unheard);
-    Optional<ObjectElements> site = new ObjectFinder(scene, unheard).find(request.object());
+    Optional<ObjectElements> site = request.find(scene, unheard);
     return site.filter(ObjectElements.Versioned.class::isInstance)
         .map(ObjectElements.Versioned.class::cast)
         .map(
@@ -193,6 +214,19 @@ public final class VersionsEdit {
                 new VersionFileNames(scene, there, folder, request.inlineFolder(), "")
                     .of(there.inlines().size(), 1))
         .orElse(List.of());
+  }
+
+  /**
+   * Returns a name for an object without a DEF, made from what its file says of it: a comment, the
+   * name of its prototype, of its files or materials.
+   *
+   * @throws EditRejectedException if the text is not well-formed
+   */
+  public static String proposedName(SceneDocument document, DocumentElement element) {
+    return document
+        .tree()
+        .map(tree -> new ObjectNamer(document.text(), tree).name(element))
+        .orElseThrow(() -> new EditRejectedException("The text is not well formed"));
   }
 
   /** Returns whether nothing would change. */

@@ -1,3 +1,5 @@
 /** Tests of repairs of geometry. */
-@org.jspecify.annotations.NullMarked
+@NullMarked
 package org.selectiverenderer.authoring.geometry;
+
+import org.jspecify.annotations.NullMarked;

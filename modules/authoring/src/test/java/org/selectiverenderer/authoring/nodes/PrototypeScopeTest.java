@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.EditRejectedException;
@@ -13,7 +14,8 @@ import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.authoring.UniqueNameGenerator;
 import org.selectiverenderer.authoring.editing.CodeCompletion;
 import org.selectiverenderer.authoring.editing.CompletionProposal;
-import org.selectiverenderer.authoring.editing.ElementEdits;
+import org.selectiverenderer.authoring.structure.StructureEdits;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.authoring.editing.FieldEdits;
 import org.selectiverenderer.authoring.editing.NodeField;
 import org.selectiverenderer.authoring.editing.NodeFieldList;
@@ -155,7 +157,9 @@ class PrototypeScopeTest {
     assertThat(new UniqueNameGenerator(tree(), inner()).unused("Lone")).isEqualTo("Lone");
     DocumentElement group = at("<Group DEF='Box'/>");
     document.perform(
-        new ElementEdits(document).paste(group, "<Group DEF='Clock'><Group DEF='Box'/></Group>", ""));
+        new StructureEdits(document, NodeCatalogue.load())
+            .paste(Optional.of(group), "<Group DEF='Clock'><Group DEF='Box'/></Group>")
+            .edit());
     assertThat(document.text()).contains("<Group DEF='Clock'><Group DEF='Box_2'/></Group>");
   }
 

@@ -110,7 +110,7 @@ class BatchVersionsEditTest {
             Map.entry("Sphere", Remark.NONE),
             Map.entry("Group_Lamp", Remark.NONE),
             Map.entry("Transform_Lamp", Remark.NONE),
-            Map.entry("Shared", Remark.IMPOSSIBLE),
+            Map.entry("Shared", Remark.NONE),
             Map.entry("Ball_2", Remark.SHARED));
   }
 
@@ -145,11 +145,14 @@ class BatchVersionsEditTest {
   }
 
   @Test
-  void anObjectThatIsUsedElsewhereTellsWhy() throws IOException {
-    assertThat(candidates(open(SCENE)))
+  void anObjectThatARouteLeadsToTellsWhy() throws IOException {
+    String route =
+        "<TouchSensor DEF='T'/><ROUTE fromNode='T' fromField='isOver' toNode='Ball'"
+            + " toField='visible'/>";
+    assertThat(candidates(open(SCENE.replace("</Scene>", route + "</Scene>"))))
         .filteredOn(object -> object.name().equals("Shared"))
         .singleElement()
-        .satisfies(object -> assertThat(object.obstacle()).contains("'Ball' is used here (USE)"));
+        .satisfies(object -> assertThat(object.obstacle()).contains("the ROUTE here refers to 'Ball'"));
   }
 
   @Test
@@ -184,7 +187,7 @@ class BatchVersionsEditTest {
     assertThat(plan.objects())
         .extracting(BatchVersionsEdit.VersionedObject::name)
         .containsExactlyInAnyOrder(
-            "Office_chair", "Leather2", "Sphere", "Group_Lamp", "Transform_Lamp");
+            "Office_chair", "Leather2", "Sphere", "Group_Lamp", "Transform_Lamp", "Shared");
     assertThat(document.text().toString())
         .contains("<Transform DEF='Office_chair' translation='2 0.5 1'>")
         .contains("<Switch DEF='Switch_Office_chair' whichChoice='0'>")
@@ -193,7 +196,7 @@ class BatchVersionsEditTest {
         .contains("Lamp_2_v2.x3d\"'")
         .contains("<Transform translation='0 -0.05 0'>");
     try (Stream<Path> files = Files.list(folder.resolve("inlineNodes"))) {
-      assertThat(files).hasSize(10);
+      assertThat(files).hasSize(12);
     }
     document.history().undo();
     assertThat(document.text().toString()).isEqualTo(SCENE);
@@ -209,7 +212,7 @@ class BatchVersionsEditTest {
     String written = Files.readString(file.path(), StandardCharsets.UTF_8);
     List<String> lines = new ArrayList<>(List.of(written.split("\r\n", -1)));
     assertThat(lines).noneMatch(line -> line.contains("\n"));
-    assertThat(written).contains("<Transform translation='-3 1 1'><Shape USE='Ball'/></Transform>");
+    assertThat(written).contains("<Transform translation='-3 1 1'><Switch USE='Switch_Shared'/></Transform>");
     assertThat(plan.objects())
         .allSatisfy(
             object ->

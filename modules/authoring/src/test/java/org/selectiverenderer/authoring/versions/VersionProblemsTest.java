@@ -21,18 +21,13 @@ class VersionProblemsTest extends VaseScene {
       quoteCharacter = '"',
       value = {
         "Nobody | <Shape DEF='A'><Box/></Shape> | no node with DEF 'Nobody'",
-        "A | <Shape DEF='A'><Box/></Shape><Shape USE='A'/> | 'A' is used here (USE)",
-        "A | <Group DEF='A'><Shape DEF='B'><Box/></Shape></Group><Shape USE='B'/> | "
-            + "'B' is used here (USE)",
-        "A | <Group DEF='A'><Shape><Box/></Shape></Group><Group USE='A'/> | 'A' is "
-            + "used here (USE)",
         "A | <Shape DEF='A'><Box/></Shape><Shape DEF='A'><Box/></Shape> | of several nodes",
         "A | <Shape DEF='A'><Box/></Shape><TouchSensor DEF='T'/><ROUTE fromNode='T' "
             + "fromField='isOver' toNode='A' toField='visible'/> | ROUTE here refers to 'A'",
         "A | <Shape DEF='A'><Appearance/></Shape> | the object 'A' has no faces",
         "A | <Group DEF='A'><Viewpoint/></Group> | the object 'A' has no faces",
         "A | <Viewpoint DEF='A'/> | the object 'A' has no faces",
-        "A | <Switch DEF='A'><Shape><Box/></Shape></Switch> | has a Switch already",
+        "A | <Switch DEF='A'><Shape><Box/></Shape><Shape><Box/></Shape></Switch> | has a Switch already",
         "A | <Shape DEF='A'><IndexedFaceSet/></Shape> | the object 'A' has no faces",
       })
   void whatCannotBeReplacedIsLeftAsItIs(String object, String content, String message)

@@ -2,6 +2,7 @@ package org.selectiverenderer.x3d.read;
 
 import java.util.List;
 import java.util.Map;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
@@ -10,6 +11,7 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
  *
  * @param number the number of the instance; outer ones precede those in their bodies
  * @param within the number of the instance whose body contains it; -1 for none
+ * @param location the ProtoInstance in the file; for one in a body, that of the body
  * @param node the first node of its body
  * @param others the further top-level nodes of its body
  * @param type the node type of the interface, the same for all instances of a prototype
@@ -20,6 +22,7 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
 public record ParsedProtoInstance(
     int number,
     int within,
+    SourceLocation location,
     ParsedNode node,
     List<ParsedNode> others,
     NodeType type,

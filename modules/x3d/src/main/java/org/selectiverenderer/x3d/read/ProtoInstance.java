@@ -7,6 +7,7 @@ import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.SourceLocation;
 
 /** An instance of a prototype: its field values, and the IS connections of its fields. */
 final class ProtoInstance {
@@ -14,6 +15,7 @@ final class ProtoInstance {
   record Connection(NameScope.Named node, String field) {}
 
   private final ProtoDeclaration declaration;
+  private final SourceLocation location;
   private final int number;
   private final int within;
   private final Map<String, Object> values = new HashMap<>();
@@ -25,11 +27,21 @@ final class ProtoInstance {
    *
    * @param number the number among the instances of the file
    * @param enclosing the instance whose body contains it, if any
+   * @param location the element that stands for it
    */
-  ProtoInstance(ProtoDeclaration declaration, int number, @Nullable ProtoInstance enclosing) {
+  ProtoInstance(
+      ProtoDeclaration declaration,
+      int number,
+      @Nullable ProtoInstance enclosing,
+      SourceLocation location) {
     this.declaration = declaration;
+    this.location = location;
     this.number = number;
     this.within = enclosing == null ? -1 : enclosing.number;
+  }
+
+  SourceLocation location() {
+    return location;
   }
 
   int number() {

@@ -72,7 +72,7 @@ final class ProtoInstanceExpander {
     }
     String containerField = in.attribute("containerField");
     ProtoInstance instance =
-        new ProtoInstance(declaration, reading.interfaces.begin(), scope.instance());
+        new ProtoInstance(declaration, reading.interfaces.begin(), scope.instance(), location);
     List<IsStatementReader.Connection> connections = arguments(in, scope, instance);
     ParsedNode node = expand(instance, givenName != null ? givenName : def, location);
     if (node == null) {

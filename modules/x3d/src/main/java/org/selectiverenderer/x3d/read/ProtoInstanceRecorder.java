@@ -58,6 +58,7 @@ final class ProtoInstanceRecorder {
         new ParsedProtoInstance(
             instance.number(),
             instance.within(),
+            instance.location(),
             first,
             List.copyOf(top.subList(1, top.size())),
             type,

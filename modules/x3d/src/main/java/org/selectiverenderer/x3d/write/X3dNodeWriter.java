@@ -1,10 +1,12 @@
 package org.selectiverenderer.x3d.write;
 
+import java.util.HashSet;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.catalogue.AccessType;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
@@ -36,6 +38,8 @@ public final class X3dNodeWriter {
   private final X3dWriter out;
   private final Written which;
   private final Map<NodeView, String> defined = new IdentityHashMap<>();
+  private final Map<NodeView, String> wanted = new IdentityHashMap<>();
+  private final Set<String> taken = new HashSet<>();
 
   /** Creates a writer of nodes that writes by another writer, to its file. */
   public X3dNodeWriter(X3dWriter out, Written which) {
@@ -48,17 +52,28 @@ public final class X3dNodeWriter {
     return defined.getOrDefault(node, "");
   }
 
+  /** Gives a DEF name to a node without one; to be called before the node is written. */
+  public void called(NodeView node, String name) {
+    wanted.put(node, name);
+  }
+
   /**
    * Records a node as written.
    *
-   * @return its DEF name in the file: its own the first time, empty for further copies
+   * @return its DEF name in the file the first time: its own, or with a number where another node
+   *     has that name; empty for further copies
    */
   public String define(NodeView node) {
-    if (node.name() == null || defined.containsKey(node)) {
+    String name = node.name() == null ? wanted.get(node) : node.name();
+    if (name == null || defined.containsKey(node)) {
       return "";
     }
-    defined.put(node, node.name());
-    return node.name();
+    String free = name;
+    for (int i = 2; !taken.add(free); i++) {
+      free = name + "_" + i;
+    }
+    defined.put(node, free);
+    return free;
   }
 
   /**

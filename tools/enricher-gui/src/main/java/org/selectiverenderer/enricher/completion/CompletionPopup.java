@@ -83,7 +83,8 @@ public final class CompletionPopup<T> {
    * Shows proposals; closes the list where there are none.
    *
    * @param at upper left corner of the popup in the text component
-   * @param chosen whether the first is preselected, so that Enter accepts it
+   * @param chosen whether the first is preselected, so that Enter accepts it; a single one is
+   *     always
    */
   public void show(List<T> found, Point at, boolean chosen) {
     close(); // Its size is new.
@@ -93,7 +94,7 @@ public final class CompletionPopup<T> {
     proposals.clear();
     proposals.addAll(found);
     list.setVisibleRowCount(Math.min(ROWS, found.size()));
-    if (chosen) {
+    if (chosen || found.size() == 1) {
       choose(0);
     } else {
       list.clearSelection();

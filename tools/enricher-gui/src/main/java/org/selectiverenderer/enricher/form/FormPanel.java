@@ -1,6 +1,7 @@
 package org.selectiverenderer.enricher.form;
 
 import java.awt.Rectangle;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -46,6 +47,9 @@ public final class FormPanel extends JPanel {
   /**
    * @param pictures renders the thumbnails of versions; owned and closed by the caller
    */
+  /** What is shown in place of a form; empty while there is one. */
+  private String hinted = "";
+
   public FormPanel(EnricherSession session, VersionImageRenderer pictures) {
     super(new MigLayout("insets 0, wrap 1, hidemode 3, gapy 0", "[grow,fill]", "[grow,fill][]"));
     this.session = session;
@@ -88,6 +92,9 @@ public final class FormPanel extends JPanel {
   }
 
   private void changed() {
+    if (element == null && session.selection().isEmpty() && hint().equals(hinted)) {
+      return; // as it is after most edits of a text in which nothing is selected
+    }
     if (session.selection().orElse(null) != element || form == null || !form.fits()) {
       rebuild();
       return;
@@ -97,6 +104,7 @@ public final class FormPanel extends JPanel {
   }
 
   private void rebuild() {
+    hinted = "";
     if (form != null) {
       Form old = form;
       form = null; // Its controls lose the focus now and must not write any more.
@@ -107,11 +115,12 @@ public final class FormPanel extends JPanel {
     body.add(title, "wmin 0");
     body.add(place, "wmin 0");
     if (element != null) {
-      Form made = CompositeForm.of(form(element), new FieldsForm(session, element, allFields));
+      Form made = CompositeForm.of(parts(element));
       form = made;
       body.add(made.component(), "wmin 0");
     } else {
-      body.add(LabelFactory.sentences(hint()), "wmin 0");
+      hinted = hint();
+      body.add(LabelFactory.sentences(hinted), "wmin 0");
     }
     findings.setVisible(described());
     head();
@@ -133,8 +142,25 @@ public final class FormPanel extends JPanel {
         .fault()
         .map(
             fault ->
-                Texts.of("form.fault", String.valueOf(fault.location().line()), fault.message()))
+                Texts.of(
+                    "form.fault",
+                    fault.location().line(),
+                    Integer.toString(fault.location().line()),
+                    fault.message()))
         .orElse(Texts.of("form.choose"));
+  }
+
+  /** Returns the parts of an element's form: what can be done, a picture, its fields. */
+  private List<Form> parts(DocumentElement of) {
+    List<Form> parts = new ArrayList<>();
+    parts.add(form(of));
+    if (MaterialForm.shows(of)) {
+      parts.add(new MaterialForm(session, of));
+    } else if (TextureForm.shows(of)) {
+      parts.add(new TextureForm(session, of));
+    }
+    parts.add(new FieldsForm(session, of, allFields));
+    return parts;
   }
 
   private Form form(DocumentElement of) {
@@ -188,12 +214,12 @@ public final class FormPanel extends JPanel {
 
   /** A form composed of other forms of one node, one below the other. */
   private record CompositeForm(JComponent component, List<Form> forms) implements Form {
-    static CompositeForm of(Form... forms) {
+    static CompositeForm of(List<Form> forms) {
       JPanel panel = new JPanel(new MigLayout("insets 0, gap 0, wrap 1", "[grow,fill]"));
       for (Form form : forms) {
         panel.add(form.component(), "wmin 0");
       }
-      return new CompositeForm(panel, List.of(forms));
+      return new CompositeForm(panel, List.copyOf(forms));
     }
 
     @Override

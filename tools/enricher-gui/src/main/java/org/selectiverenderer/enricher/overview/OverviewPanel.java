@@ -5,15 +5,14 @@ import java.util.function.Supplier;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
-import javax.swing.JDialog;
 import javax.swing.JLabel;
-import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
+import org.selectiverenderer.enricher.component.InputDialog;
 import org.selectiverenderer.enricher.component.TextChangeListener;
 import org.selectiverenderer.enricher.component.WrapLayout;
 import org.selectiverenderer.enricher.session.EnricherSession;
@@ -107,10 +106,9 @@ public final class OverviewPanel extends JPanel {
 
   private JPanel schemaTools() {
     JPanel tools = lines();
-    SchemaNameDialog naming = new SchemaNameDialog(this);
     tools.add(new JLabel(Texts.of("overview.schema")));
-    tools.add(button("overview.add", () -> addSchema(naming)));
-    tools.add(button("overview.rename", () -> rename(naming)));
+    tools.add(button("overview.add", this::addSchema));
+    tools.add(button("overview.rename", this::rename));
     tools.add(button("overview.remove", this::remove));
     return tools;
   }
@@ -160,33 +158,45 @@ public final class OverviewPanel extends JPanel {
     return button;
   }
 
-  private void addSchema(SchemaNameDialog naming) {
-    naming
-        .ask(Texts.of("overview.add.title"), Texts.of("overview.add.question"), "")
+  private void addSchema() {
+    InputDialog.ask(
+            this,
+            Texts.of("overview.add.title"),
+            Texts.of("overview.add.question"),
+            "",
+            this::addColumn)
         .ifPresent(
-            schema ->
-                attempt(
-                    () -> {
-                      table.keepingSelection(() -> model.addSchema(schema));
-                      int column = model.schemas().indexOf(schema.strip());
-                      table.setColumnSelectionInterval(column, column);
-                      table.scrollRectToVisible(table.getCellRect(0, column, true));
-                      say(Texts.of("overview.added", schema.strip()));
-                    }));
+            schema -> {
+              int column = model.schemas().indexOf(schema);
+              table.setColumnSelectionInterval(column, column);
+              table.scrollRectToVisible(table.getCellRect(0, column, true));
+              say(Texts.of("overview.added", schema));
+            });
   }
 
-  private void rename(SchemaNameDialog naming) {
+  /** Adds the column of a schema; returns why it cannot be added, empty if it is there. */
+  private Optional<String> addColumn(String schema) {
+    try {
+      table.keepingSelection(() -> model.addSchema(schema));
+      return Optional.empty();
+    } catch (EditRejectedException e) {
+      return Optional.of(String.valueOf(e.getMessage()));
+    }
+  }
+
+  private void rename() {
     Optional<String> schema = table.currentSchema();
     if (schema.isEmpty()) {
       say(Texts.of("overview.rename.first"));
       return;
     }
-    naming
-        .ask(
+    InputDialog.ask(
+            this,
             Texts.of("overview.rename.title"),
             Texts.of("overview.rename.question", schema.get()),
-            schema.get())
-        .filter(to -> !to.strip().equals(schema.get()))
+            schema.get(),
+            to -> Optional.empty())
+        .filter(to -> !to.equals(schema.get()))
         .ifPresent(
             to ->
                 attempt(
@@ -296,54 +306,5 @@ public final class OverviewPanel extends JPanel {
   public void dispose() {
     session.document().removeListener(changes);
     session.removeSelectionListener(selection);
-  }
-
-  /** Asks for the name of a schema in a dialog. */
-  private static final class SchemaNameDialog {
-    private final JComponent parent;
-
-    SchemaNameDialog(JComponent parent) {
-      this.parent = parent;
-    }
-
-    /**
-     * Returns the name that the author types.
-     *
-     * @return empty if the author cancels
-     */
-    Optional<String> ask(String title, String question, String proposed) {
-      JTextField field = new JTextField(proposed, 24);
-      field.getAccessibleContext().setAccessibleName(question);
-      field.selectAll();
-      FieldFirst pane = new FieldFirst(question, field);
-      JDialog dialog = pane.createDialog(parent, title);
-      dialog.setVisible(true);
-      dialog.dispose();
-      return Integer.valueOf(JOptionPane.OK_OPTION).equals(pane.getValue())
-          ? Optional.of(field.getText())
-          : Optional.empty();
-    }
-
-    /**
-     * An option pane that focuses its field whenever the dialog gets the focus; a request before
-     * that is lost where a window manager gives the focus later.
-     */
-    @SuppressWarnings("serial") // never written
-    private static final class FieldFirst extends JOptionPane {
-      private static final long serialVersionUID = 1L;
-
-      private final JTextField field;
-
-      FieldFirst(String question, JTextField field) {
-        super(new Object[] {question, field}, PLAIN_MESSAGE, OK_CANCEL_OPTION);
-        this.field = field;
-      }
-
-      @Override
-      public void selectInitialValue() {
-        super.selectInitialValue(); // OK stays what Enter presses
-        field.requestFocusInWindow();
-      }
-    }
   }
 }

@@ -1,7 +1,9 @@
 package org.selectiverenderer.enricher.plan;
 
+import java.awt.AlphaComposite;
 import java.awt.BasicStroke;
 import java.awt.Color;
+import java.awt.Composite;
 import java.awt.Dimension;
 import java.awt.FontMetrics;
 import java.awt.Graphics;
@@ -14,6 +16,7 @@ import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.UIManager;
 import org.joml.Vector3dc;
@@ -32,9 +35,21 @@ import org.selectiverenderer.x3d.source.DocumentElement;
  */
 final class FloorPlanCanvas extends AccessibleCanvas {
   private static final long serialVersionUID = 1L;
-  private static final Color PAPER = new Color(0xf4f2ee);
-  private static final Color WALL = new Color(0x303030);
-  private static final Color GRID = new Color(0, 0, 0, 24);
+  /** The colours of the plan itself in a theme. */
+  private record Colours(Color paper, Color wall, Color grid, float image) {
+    static final Colours LIGHT =
+        new Colours(new Color(0xf4f2ee), new Color(0x303030), new Color(0, 0, 0, 24), 1);
+    static final Colours DARK =
+        new Colours(new Color(0x26282b), new Color(0xe8e6e0), new Color(255, 255, 255, 22), 0.55f);
+
+    static Colours now() {
+      Color ground = UIManager.getColor("Panel.background");
+      boolean dark =
+          ground != null && ground.getRed() + ground.getGreen() + ground.getBlue() < 3 * 128;
+      return dark ? DARK : LIGHT;
+    }
+  }
+
   private static final Color AREA = new Color(0x1a6fd0);
   private static final Color SELECTED = new Color(0xd86f00);
   private static final int GRIP = 4;
@@ -44,6 +59,7 @@ final class FloorPlanCanvas extends AccessibleCanvas {
 
   private final transient Supplier<List<AreaInstance>> areas;
   private final transient Supplier<Optional<DocumentElement>> selection;
+  private transient Consumer<Graphics2D> overlay = graphics -> {};
   private transient @Nullable FloorPlanImage picture;
   private transient @Nullable PlanTransform scale;
 
@@ -90,6 +106,20 @@ final class FloorPlanCanvas extends AccessibleCanvas {
   void grid(double step) {
     grid = step;
     repaint();
+  }
+
+  /** Sets what is painted over the plan. */
+  void overlay(Consumer<Graphics2D> painter) {
+    overlay = painter;
+  }
+
+  /** Shows a part of the scene. */
+  void fit(BoundingBox part) {
+    scale(
+        PlanTransform.fitting(
+            part.grown(0.25 * Math.max(0.5, part.extent())),
+            Math.max(1, getWidth()),
+            Math.max(1, getHeight())));
   }
 
   void fit() {
@@ -172,7 +202,8 @@ final class FloorPlanCanvas extends AccessibleCanvas {
   @Override
   protected void paintComponent(Graphics graphics) {
     Graphics2D g = (Graphics2D) graphics.create();
-    g.setColor(PAPER);
+    Colours colours = Colours.now();
+    g.setColor(colours.paper());
     g.fillRect(0, 0, getWidth(), getHeight());
     PlanTransform at = scale();
     g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
@@ -180,8 +211,8 @@ final class FloorPlanCanvas extends AccessibleCanvas {
         RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
     g.setRenderingHint(
         RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
-    picture().ifPresent(plan -> paint(g, at, plan));
-    paintGrid(g, at);
+    picture().ifPresent(plan -> paint(g, at, plan, colours));
+    paintGrid(g, at, colours.grid());
     areas.get().stream().filter(area -> !selected(area)).forEach(area -> paint(g, at, area));
     selected().ifPresent(area -> paint(g, at, area));
     BoundingBox now = drawn;
@@ -191,8 +222,12 @@ final class FloorPlanCanvas extends AccessibleCanvas {
       label(g, at.rectangle(now), says(name, now.width(), now.depth()), SELECTED);
     }
     if (picture == null) {
-      g.setColor(Color.DARK_GRAY);
+      g.setColor(colours.wall());
       g.drawString(Texts.of("area.plan.empty"), 16, 24);
+    }
+    overlay.accept(g);
+    if (picture != null) {
+      ScaleBar.of(at.scale()).paint(g, getHeight(), colours.wall(), colours.paper());
     }
     if (isFocusOwner()) {
       Color focus = UIManager.getColor("Component.focusColor");
@@ -203,7 +238,8 @@ final class FloorPlanCanvas extends AccessibleCanvas {
     g.dispose();
   }
 
-  private static void paint(Graphics2D g, PlanTransform at, FloorPlanImage plan) {
+  private static void paint(
+      Graphics2D g, PlanTransform at, FloorPlanImage plan, Colours colours) {
     BoundingBox extent = plan.extent();
     Rectangle2D place = at.rectangle(extent);
     AffineTransform to = AffineTransform.getTranslateInstance(place.getMinX(), place.getMinY());
@@ -212,8 +248,11 @@ final class FloorPlanCanvas extends AccessibleCanvas {
             * at.scale()
             / Math.max(plan.image().getWidth(), plan.image().getHeight());
     to.scale(pixel, pixel);
+    Composite whole = g.getComposite();
+    g.setComposite(AlphaComposite.SrcOver.derive(colours.image()));
     g.drawImage(plan.image(), to, null);
-    g.setColor(WALL);
+    g.setComposite(whole);
+    g.setColor(colours.wall());
     g.setStroke(new BasicStroke(1.6f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
     float[] walls = plan.walls();
     Path2D.Float lines = new Path2D.Float();
@@ -224,7 +263,7 @@ final class FloorPlanCanvas extends AccessibleCanvas {
     g.draw(lines);
   }
 
-  private void paintGrid(Graphics2D g, PlanTransform at) {
+  private void paintGrid(Graphics2D g, PlanTransform at, Color colour) {
     double step = grid;
     while (step > 0 && step * at.scale() < CLOSEST) {
       step *= step * at.scale() * 5 < CLOSEST ? 10 : 5;
@@ -232,7 +271,7 @@ final class FloorPlanCanvas extends AccessibleCanvas {
     if (step <= 0) {
       return;
     }
-    g.setColor(GRID);
+    g.setColor(colour);
     g.setStroke(new BasicStroke(1));
     for (double x = Math.ceil(at.x(0) / step) * step; at.toX(x) < getWidth(); x += step) {
       g.draw(new Line2D.Double(at.toX(x), 0, at.toX(x), getHeight()));

@@ -18,9 +18,22 @@ final class PlanMenu {
   private final FloorPlanCanvas view;
   private final AreaCommands commands;
   private final NamePrompt question;
+  private final PlanObjects objects;
+  private final Runnable changed;
   private @Nullable AreaInstance copied;
 
-  PlanMenu(FloorPlanCanvas view, AreaCommands commands, NamePrompt question) {
+  /**
+   * @param objects the objects of the plan
+   * @param changed draws the plan again after objects were hidden or shown
+   */
+  PlanMenu(
+      FloorPlanCanvas view,
+      AreaCommands commands,
+      NamePrompt question,
+      PlanObjects objects,
+      Runnable changed) {
+    this.objects = objects;
+    this.changed = changed;
     this.view = view;
     this.commands = commands;
     this.question = question;
@@ -59,6 +72,20 @@ final class PlanMenu {
     commands.nodes().copy(from, shift, view);
   }
 
+  /** Hides the selected objects in the plan. */
+  void hide() {
+    if (view.selected().isEmpty() && objects.any()) {
+      objects.hide();
+      changed.run();
+    }
+  }
+
+  /** Shows all objects again. */
+  void showAll() {
+    objects.showAll();
+    changed.run();
+  }
+
   void show(int x, int y) {
     Optional<AreaInstance> selected = view.selected();
     JPopupMenu menu = new JPopupMenu();
@@ -71,6 +98,17 @@ final class PlanMenu {
     }
     if (selected.isPresent()) {
       menu.add(item("area.delete", "DELETE", this::delete));
+      menu.addSeparator();
+    }
+    if (selected.isEmpty() && objects.any()) {
+      menu.add(item("placement.plan.hide", "H", this::hide));
+      menu.add(item("placement.onfloor", "", objects.commands()::putOnFloor));
+      menu.add(item("placement.group", "", objects.commands()::group));
+      menu.add(item("placement.ungroup", "", objects.commands()::ungroup));
+      menu.addSeparator();
+    }
+    if (!objects.hidden().isEmpty()) {
+      menu.add(item("placement.plan.showall", "shift H", this::showAll));
       menu.addSeparator();
     }
     menu.add(item("area.add", "", commands::addAroundSelection));

@@ -40,6 +40,14 @@ final class PlanMouseController extends MouseAdapter {
   private final NodeCommands nodes;
   private final GridSetting grid;
   private final PlanMenu menu;
+  private final PlanObjects objects;
+
+  /** Whether the objects have taken the press of the button. */
+  private boolean taken;
+
+  /** The area that was selected when the button was pressed. */
+  private Optional<AreaInstance> before = Optional.empty();
+
   private int pressX;
   private int pressY;
   private int lastX;
@@ -55,13 +63,15 @@ final class PlanMouseController extends MouseAdapter {
       EnricherSession session,
       AreaCommands commands,
       GridSetting grid,
-      PlanMenu menu) {
+      PlanMenu menu,
+      PlanObjects objects) {
     this.view = view;
     this.session = session;
     this.commands = commands;
     this.nodes = commands.nodes();
     this.grid = grid;
     this.menu = menu;
+    this.objects = objects;
     view.addMouseListener(this);
     view.addMouseMotionListener(this);
     view.addMouseWheelListener(this);
@@ -121,7 +131,8 @@ final class PlanMouseController extends MouseAdapter {
             .map(PlanMouseController::cursor)
             .orElseGet(
                 () ->
-                    at(event.getX(), event.getY()).isPresent()
+                    objects.handle(event.getX(), event.getY()).isPresent()
+                            || at(event.getX(), event.getY()).isPresent()
                         ? Cursor.MOVE_CURSOR
                         : Cursor.CROSSHAIR_CURSOR);
     if (view.getCursor().getType() != kind) {
@@ -149,12 +160,14 @@ final class PlanMouseController extends MouseAdapter {
     dragged = false;
     ended = false;
     shifting = !SwingUtilities.isLeftMouseButton(event);
-    if (shifting || !writable()) {
+    before = view.selected();
+    Optional<int[]> grip = grip(pressX, pressY);
+    taken = !shifting && grip.isEmpty() && objects.press(event);
+    if (shifting || taken || !writable()) {
       return;
     }
     double x = view.scale().x(pressX);
     double z = view.scale().z(pressY);
-    Optional<int[]> grip = grip(pressX, pressY);
     if (grip.isPresent()) {
       area = view.selected().orElseThrow();
       drag = new PlanDrag(FloorPlanCanvas.bounds(area), grip.get()[0], grip.get()[1], x, z);
@@ -203,12 +216,16 @@ final class PlanMouseController extends MouseAdapter {
       lastY = event.getY();
       return;
     }
-    if (!writable()) {
-      return;
-    }
     boolean free = event.isAltDown();
     double x = view.scale().x(event.getX());
     double z = view.scale().z(event.getY());
+    if (taken) {
+      objects.drag(event, snapping(x, z, free));
+      return;
+    }
+    if (!writable()) {
+      return;
+    }
     PlanDrag of = drag;
     if (of != null) {
       view.drawing(of.at(x, z, snapping(x, z, free)), area);
@@ -234,23 +251,38 @@ final class PlanMouseController extends MouseAdapter {
     AreaInstance changed = area;
     PlanDrag of = drag;
     boolean still = !dragged;
+    if (taken && !ended) {
+      taken = false;
+      objects.release(event, still);
+      return;
+    }
     cancel();
     if (ended) {
       return;
     }
     if (shifting) {
       if (still && SwingUtilities.isRightMouseButton(event)) {
-        at(event.getX(), event.getY()).ifPresent(hit -> session.select(hit.element(), view));
-        menu.show(event.getX(), event.getY());
+        Optional<AreaInstance> hit = at(event.getX(), event.getY());
+        if (hit.isPresent()) {
+          session.select(hit.get().element(), view);
+          menu.show(event.getX(), event.getY());
+        } else {
+          objects.select(event, () -> menu.show(event.getX(), event.getY()));
+        }
       }
     } else if (done.isPresent() && changed != null && of != null) {
       boolean moving = of.sideX() == 0 && of.sideZ() == 0;
       nodes.place(changed.element(), placed(changed, of, done.get()), moving ? "move" : "resize");
     } else if (done.isPresent()) {
       draw(done.get());
-    } else if (still && at(event.getX(), event.getY()).isEmpty()) {
-      session.select(null, view);
+    } else if (still && (changed == null || again(changed))) {
+      objects.click(event, false);
     }
+  }
+
+  /** Whether an area was selected already, so that a click means what is under it. */
+  private boolean again(AreaInstance area) {
+    return before.filter(each -> each.element() == area.element()).isPresent();
   }
 
   /** Returns the box after a drag; a rotated area is only moved. */
@@ -287,11 +319,15 @@ final class PlanMouseController extends MouseAdapter {
 
   /** Cancels the drag; mouse events are ignored until the button is released. */
   void takeBack() {
-    ended = view.drawing().isPresent();
+    ended = view.drawing().isPresent() || taken;
+    if (objects.settings().measuring()) {
+      objects.settings().measure(false);
+    }
     cancel();
   }
 
   private void cancel() {
+    objects.cancel();
     area = null;
     drag = null;
     view.drawing(null, null);

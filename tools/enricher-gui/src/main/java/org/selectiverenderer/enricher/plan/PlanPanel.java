@@ -1,8 +1,10 @@
 package org.selectiverenderer.enricher.plan;
 
 import java.awt.Component;
+import java.awt.Point;
 import java.awt.event.ActionEvent;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import javax.swing.AbstractAction;
 import javax.swing.JButton;
@@ -16,20 +18,25 @@ import javax.swing.JSpinner;
 import javax.swing.JToolBar;
 import javax.swing.KeyStroke;
 import javax.swing.SpinnerNumberModel;
+import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
 import org.joml.Vector3d;
 import org.selectiverenderer.authoring.DocumentListener;
 import org.selectiverenderer.authoring.area.AreaInstance;
 import org.selectiverenderer.authoring.area.AreaLocator;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.enricher.area.AreaCommands;
 import org.selectiverenderer.enricher.area.FloorPlanImage;
 import org.selectiverenderer.enricher.area.GridSetting;
 import org.selectiverenderer.enricher.area.NamePrompt;
+import org.selectiverenderer.enricher.component.WrapLayout;
+import org.selectiverenderer.enricher.placement.HandleBar;
+import org.selectiverenderer.enricher.placement.HandleSettings;
+import org.selectiverenderer.enricher.placement.SelectionPath;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
 import org.selectiverenderer.enricher.text.Texts;
-import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
  * The floor plan with its tool bar, in which areas are drawn, moved, resized, named, copied and
@@ -46,7 +53,9 @@ public final class PlanPanel extends JPanel {
   private final transient GridSetting grid;
   private final transient PlanMouseController hands;
   private final transient PlanMenu menu;
-  private final transient SelectionListener onSelection = (element, origin) -> repaint();
+  private final transient PlanObjects objects;
+  private final SelectionPath path;
+  private final transient SelectionListener onSelection = (element, origin) -> selected();
   private final transient DocumentListener onChange = change -> changed();
   private final FloorPlanCanvas view;
   private final JComboBox<String> step = new JComboBox<>();
@@ -54,7 +63,6 @@ public final class PlanPanel extends JPanel {
   private final JLabel hint = new JLabel(Texts.of("area.plan.hint"));
   private final Timer later = new Timer(PAUSE, event -> refresh());
   private transient OptionalDouble height = OptionalDouble.empty();
-  private transient List<DocumentElement> hidden = List.of();
   private transient List<AreaInstance> areas = List.of();
   private transient long read = -1;
   private boolean filling;
@@ -62,16 +70,23 @@ public final class PlanPanel extends JPanel {
   /**
    * @param commands creates and edits areas
    * @param question asks for names
+   * @param handles what the handles of objects do
    */
   public PlanPanel(
-      EnricherSession session, AreaCommands commands, NamePrompt question, GridSetting grid) {
-    super(new MigLayout("insets 0, gap 0, wrap 1", "[grow,fill]", "[][grow,fill][]"));
+      EnricherSession session,
+      AreaCommands commands,
+      NamePrompt question,
+      GridSetting grid,
+      HandleSettings handles) {
+    super(new MigLayout("insets 0, gap 0, wrap 1", "[grow,fill]", "[][][grow,fill][]"));
     this.session = session;
     this.commands = commands;
     this.grid = grid;
     view = new FloorPlanCanvas(this::areas, session::selection);
-    menu = new PlanMenu(view, commands, question);
-    hands = new PlanMouseController(view, session, commands, grid, menu);
+    objects = new PlanObjects(view, session, commands.probe(), grid, handles);
+    menu = new PlanMenu(view, commands, question, objects, this::refresh);
+    hands = new PlanMouseController(view, session, commands, grid, menu, objects);
+    path = new SelectionPath(session);
     later.setRepeats(false);
     layOut();
     keys();
@@ -89,6 +104,7 @@ public final class PlanPanel extends JPanel {
   private void layOut() {
     JToolBar bar = new JToolBar(Texts.of("area.plan"));
     bar.setFloatable(false);
+    WrapLayout.in(bar, 2, 1);
     JButton add = new JButton(Texts.of("area.add.short"));
     add.setName("Add area in plan");
     add.setToolTipText(Texts.of("area.add.tip"));
@@ -141,18 +157,44 @@ public final class PlanPanel extends JPanel {
     fit.setToolTipText(Texts.of("area.plan.fit.tip"));
     fit.addActionListener(event -> view.fit());
     bar.add(fit);
+    JButton fitSelection = new JButton(Texts.of("placement.plan.fitselection"));
+    fitSelection.setToolTipText(Texts.of("placement.plan.fitselection.tip"));
+    fitSelection.addActionListener(event -> fitSelection());
+    bar.add(fitSelection);
+    bar.addSeparator();
+    new HandleBar(objects.settings()).buttons().forEach(bar::add);
     JPanel foot = new JPanel(new MigLayout("insets 2 6 2 6", "[grow,fill]"));
     hint.setToolTipText(hint.getText());
     foot.add(hint, "wmin 0");
     add(bar, "wmin 0");
+    add(path, "wmin 0");
     add(view, "wmin 0, hmin 0");
     add(foot);
     getAccessibleContext().setAccessibleName(Texts.of("area.plan"));
     followGrid();
   }
 
+  /**
+   * Returns the place under a point of a component in scene coordinates, at the height of the cut;
+   * empty outside of the picture.
+   */
+  public Optional<Vector3d> place(Component over, Point at) {
+    Point inside = SwingUtilities.convertPoint(over, at, view);
+    PlanTransform now = view.scale();
+    return view.contains(inside) && cut.getValue() instanceof Number y
+        ? Optional.of(new Vector3d(now.x(inside.x), y.doubleValue(), now.z(inside.y)))
+        : Optional.empty();
+  }
+
   private void keys() {
     key("HOME", view::fit);
+    key("F", this::fitSelection);
+    key("H", menu::hide);
+    key("shift H", menu::showAll);
+    key("M", () -> objects.settings().use(HandleSettings.Mode.MOVE));
+    key("T", () -> objects.settings().use(HandleSettings.Mode.TURN));
+    key("S", () -> objects.settings().use(HandleSettings.Mode.SCALE));
+    key("D", () -> objects.settings().measure(!objects.settings().measuring()));
     key("DELETE", menu::delete);
     key("F2", menu::rename);
     key("ctrl C", menu::copy);
@@ -199,6 +241,10 @@ public final class PlanPanel extends JPanel {
 
   private void nudge(int x, int z) {
     double by = grid.step().step() > 0 ? grid.step().step() : 0.01;
+    if (view.selected().isEmpty()) {
+      objects.commands().nudge(new Vector3d(x * by, 0, z * by));
+      return;
+    }
     view.selected()
         .ifPresent(
             area ->
@@ -225,6 +271,11 @@ public final class PlanPanel extends JPanel {
     return areas;
   }
 
+  private void selected() {
+    repaint();
+    objects.follow();
+  }
+
   private void changed() {
     view.repaint();
     if (isShowing()) {
@@ -235,7 +286,7 @@ public final class PlanPanel extends JPanel {
   /** Requests a new plan image of what the preview has loaded. */
   private void refresh() {
     if (isShowing()) {
-      commands.probe().plan(height, hidden, found -> found.ifPresentOrElse(this::show, later::restart));
+      commands.probe().plan(height, objects.hidden(), found -> found.ifPresentOrElse(this::show, later::restart));
     }
   }
 
@@ -244,10 +295,34 @@ public final class PlanPanel extends JPanel {
     cut.setValue(Math.round(plan.cut() * 100) / 100.0);
     filling = false;
     view.show(plan);
+    objects.follow();
+    say();
+  }
+
+  /** Shows how many objects are hidden, or what the mouse does. */
+  private void say() {
+    int hidden = objects.hidden().size();
+    hint.setText(
+        hidden == 0
+            ? Texts.of("area.plan.hint")
+            : Texts.of("placement.plan.hidden", DecimalFormatter.grouped(hidden)));
+  }
+
+  private void fitSelection() {
+    view.selected()
+        .map(FloorPlanCanvas::bounds)
+        .or(objects::selectedBounds)
+        .ifPresentOrElse(view::fit, view::fit);
+  }
+
+  /** The objects of the plan. */
+  PlanObjects objects() {
+    return objects;
   }
 
   /** Stops following the session. */
   public void dispose() {
+    path.dispose();
     later.stop();
     session.removeSelectionListener(onSelection);
     session.document().removeListener(onChange);

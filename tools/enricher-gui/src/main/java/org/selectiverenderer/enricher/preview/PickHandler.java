@@ -7,6 +7,8 @@ import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.enricher.placement.ClickSelection;
 import org.selectiverenderer.enricher.session.EnricherSession;
 
 /**
@@ -19,6 +21,8 @@ final class PickHandler implements PreviewInputController.Clicks {
   private final EnricherSession session;
   private final SourceAnchorResolver anchors;
   private final Object origin;
+  private final ClickSelection clicks;
+  private @Nullable MeasureOverlay measuring;
   private BiConsumer<Component, Point> menu = (over, at) -> {};
 
   /**
@@ -30,6 +34,7 @@ final class PickHandler implements PreviewInputController.Clicks {
     this.session = session;
     this.anchors = new SourceAnchorResolver(session.document());
     this.origin = origin;
+    this.clicks = new ClickSelection(session);
   }
 
   /** Sets what shows the context menu of the selected node, over a component at a point. */
@@ -44,9 +49,35 @@ final class PickHandler implements PreviewInputController.Clicks {
             label.anchor(), view.frame().map(PreviewFrame::revision).orElse(-1L)));
   }
 
+  /** Sets what takes clicks instead while it is active. */
+  void measuring(MeasureOverlay overlay) {
+    measuring = overlay;
+  }
+
   @Override
-  public void scene(int pixelX, int pixelY, boolean innermost) {
-    pick(pixelX, pixelY, innermost, picked -> picked.ifPresent(this::select));
+  public void scene(int pixelX, int pixelY, PreviewInputController.Picking picking) {
+    MeasureOverlay measure = measuring;
+    if (measure != null && measure.active()) {
+      measure.click(pixelX, pixelY);
+      return;
+    }
+    pick(
+        pixelX,
+        pixelY,
+        picking == PreviewInputController.Picking.INNERMOST,
+        picked ->
+            picked
+                .flatMap(anchors::element)
+                .ifPresent(
+                    element -> {
+                      if (picking == PreviewInputController.Picking.ANOTHER) {
+                        clicks.toggle(element, origin);
+                      } else if (picking == PreviewInputController.Picking.OBJECT) {
+                        clicks.select(element, origin);
+                      } else {
+                        session.select(element, origin);
+                      }
+                    }));
   }
 
   @Override
@@ -58,7 +89,7 @@ final class PickHandler implements PreviewInputController.Clicks {
         picked -> {
           // A click on the background selects the whole scene.
           picked.ifPresentOrElse(
-              this::select,
+              this::selectForMenu,
               () -> anchors.scene().ifPresent(element -> session.select(element, origin)));
           menu.accept(view, event.getPoint());
         });
@@ -74,6 +105,14 @@ final class PickHandler implements PreviewInputController.Clicks {
           Optional<PreviewController.Picked> picked = stage.pick(pixelX, pixelY, innermost);
           SwingUtilities.invokeLater(() -> meant.accept(picked));
         });
+  }
+
+  /** Selects what was clicked on, unless it is among several selected nodes, which stay so. */
+  private void selectForMenu(PreviewController.Picked picked) {
+    anchors
+        .element(picked)
+        .filter(element -> !clicks.among(element))
+        .ifPresent(element -> session.select(element, origin));
   }
 
   private void select(PreviewController.Picked picked) {

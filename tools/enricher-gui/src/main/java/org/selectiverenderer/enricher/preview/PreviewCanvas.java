@@ -39,7 +39,7 @@ final class PreviewCanvas extends AccessibleCanvas {
 
   private transient @Nullable PreviewFrame frame;
   private transient List<Shown> shown = List.of();
-  private transient BiConsumer<Graphics2D, PreviewFrame> overlay = (graphics, picture) -> {};
+  private final transient List<BiConsumer<Graphics2D, PreviewFrame>> overlays = new ArrayList<>();
   private final transient ComparisonPainter comparison = new ComparisonPainter();
 
   PreviewCanvas() {
@@ -52,9 +52,9 @@ final class PreviewCanvas extends AccessibleCanvas {
     repaint();
   }
 
-  /** Sets what is painted over every picture. */
+  /** Adds what is painted over every picture. */
   void overlay(BiConsumer<Graphics2D, PreviewFrame> painter) {
-    overlay = painter;
+    overlays.add(painter);
   }
 
   Optional<PreviewFrame> frame() {
@@ -142,7 +142,7 @@ final class PreviewCanvas extends AccessibleCanvas {
         .ifPresent(
             count ->
                 text.append("  (")
-                    .append(Texts.of("counts.polygons", count, DecimalFormatter.grouped(count)))
+                    .append(Texts.of("counts.inarea", count, DecimalFormatter.grouped(count)))
                     .append(')'));
     return text.toString();
   }
@@ -174,7 +174,9 @@ final class PreviewCanvas extends AccessibleCanvas {
       paintLabels(own, frame, scale);
       paintLines(own, lines(frame));
       own.dispose();
-      overlay.accept(g2, frame);
+      for (BiConsumer<Graphics2D, PreviewFrame> overlay : overlays) {
+        overlay.accept(g2, frame);
+      }
     }
     if (isFocusOwner()) {
       Color focus = UIManager.getColor("Component.focusColor");

@@ -2,9 +2,11 @@ package org.selectiverenderer.enricher.preview;
 
 import java.util.List;
 import java.util.Optional;
+import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.apparatus.MouseButtonMapping;
 import org.selectiverenderer.browser.camera.Camera;
+import org.selectiverenderer.browser.collision.RayCaster;
 import org.selectiverenderer.browser.navigation.KeyboardMouseControls;
 import org.selectiverenderer.browser.navigation.NavigationCommand;
 import org.selectiverenderer.browser.viewer.Pose;
@@ -17,6 +19,9 @@ import org.selectiverenderer.render.preview.ScenePreviewRenderer;
  * outlive the successive states of the document. Confined to the preview's thread.
  */
 final class PreviewController implements AutoCloseable {
+  /** Seconds after the beginning of a cycle in which it has begun. */
+  private static final double BEGUN = 1e-3;
+
   /** Longest time step of the walk in seconds, so that the viewer does not jump after a pause. */
   private static final double LONGEST = 0.25;
 
@@ -32,6 +37,7 @@ final class PreviewController implements AutoCloseable {
   private List<SelectedNode> selection = List.of();
   private List<String> schemas = List.of();
   private boolean changed;
+  private boolean playing;
 
   /** Whether only the labels have to be updated, not the picture. */
   private boolean told;
@@ -44,7 +50,35 @@ final class PreviewController implements AutoCloseable {
     painter = new PreviewRenderer(view);
   }
 
-  /** Whether frames are drawn continuously, as during a walk. */
+  /** Whether frames are drawn continuously: during a walk, and while the animation plays. */
+  boolean live() {
+    return moving() || playing && scene != null && scene.animation().isPresent();
+  }
+
+  /** Lets the scene's time pass, or stand. */
+  void play(boolean play) {
+    playing = play;
+  }
+
+  /**
+   * Shows another moment of the animation.
+   *
+   * @param phase seconds since the beginning of its cycle
+   */
+  void seek(double phase) {
+    if (scene != null && !moving()) {
+      PreviewScene of = scene;
+      // A sensor is at the end of a cycle, not at the beginning of the next, in the same moment.
+      of.animation().ifPresent(now -> of.pass(now.until(Math.max(phase, BEGUN))));
+    }
+  }
+
+  /** Where the animation stands; empty for a scene without one. */
+  Optional<AnimationPhase> animation() {
+    return scene == null ? Optional.empty() : scene.animation();
+  }
+
+  /** Whether the author walks. */
   boolean moving() {
     return scene != null && scene.walking().isPresent();
   }
@@ -70,11 +104,13 @@ final class PreviewController implements AutoCloseable {
   void show(LoadedPreview loaded) {
     boolean walked = moving();
     Optional<Pose> before = Optional.ofNullable(scene).map(PreviewScene::pose);
+    Optional<AnimationPhase> stood = animation();
     if (scene != null) {
       scene.close();
     }
     PreviewScene shown = new PreviewScene(loaded);
     scene = shown;
+    stood.ifPresent(phase -> seek(phase.seconds()));
     shown.asIf(schemas);
     versions.apply(shown);
     if (before.isEmpty()) {
@@ -145,11 +181,24 @@ final class PreviewController implements AutoCloseable {
     }
   }
 
+  /** Returns the nearest hit of the ray through a pixel. */
+  Optional<RayCaster.Hit> cast(int x, int y) {
+    return scene == null ? Optional.empty() : eye.cast(scene, x, y);
+  }
+
   /** Tells the walked scene which pixel the pointer is over. */
   void point(int x, int y) {
     if (scene != null) {
       eye.point(scene, x, y);
     }
+  }
+
+  /** Returns what is under a pixel, in scene coordinates; empty where nothing is. */
+  Optional<Vector3d> hit(int x, int y) {
+    PreviewScene of = scene;
+    return of == null
+        ? Optional.empty()
+        : eye.cast(of, x, y).map(found -> new Vector3d(found.point()));
   }
 
   /** The viewer's pose; empty while there is no scene. */
@@ -250,7 +299,8 @@ final class PreviewController implements AutoCloseable {
    * @return empty when nothing has changed or there is nothing to show
    */
   Optional<PreviewFrame> frame(double seconds, boolean hurried) {
-    boolean draw = changed || moving() || rough;
+    boolean live = live();
+    boolean draw = changed || live || rough;
     boolean tell = told;
     changed = false;
     told = false;
@@ -268,10 +318,11 @@ final class PreviewController implements AutoCloseable {
       }
       scene.step(Math.min(seconds, LONGEST));
     } else {
+      scene.pass(live ? Math.min(seconds, LONGEST) : 0);
       scene.look(eye.orbit().pose());
     }
-    int samples = moving() || hurried ? motionSamples : AntiAliasing.SMOOTH;
-    rough = !moving() && samples < AntiAliasing.SMOOTH;
+    int samples = live || hurried ? motionSamples : AntiAliasing.SMOOTH;
+    rough = !live && samples < AntiAliasing.SMOOTH;
     PreviewFrame drawn = painter.draw(scene, selection, !moving(), width, height, samples);
     camera = drawn.camera();
     last = drawn;

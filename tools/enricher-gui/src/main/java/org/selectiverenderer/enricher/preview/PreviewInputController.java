@@ -39,14 +39,32 @@ final class PreviewInputController extends MouseAdapter implements KeyListener {
   /** Whether the line of the comparison is being dragged. */
   private boolean line;
 
+  /** What a click selects. */
+  enum Picking {
+    /** The object; its parent if it was clicked on before. */
+    OBJECT,
+    /** The innermost node: with Alt, or with Ctrl and Shift. */
+    INNERMOST,
+    /** The object in addition to what is selected, or no longer: with Ctrl or Shift. */
+    ANOTHER;
+
+    static Picking of(MouseEvent event) {
+      boolean both = event.isControlDown() && event.isShiftDown();
+      if (event.isAltDown() || both) {
+        return INNERMOST;
+      }
+      return event.isControlDown() || event.isShiftDown() ? ANOTHER : OBJECT;
+    }
+  }
+
   /** Receives clicks on labels and on the scene. */
   interface Clicks {
     void label(PreviewFrame.Label label);
 
     /**
-     * @param innermost whether Ctrl or Alt was down
+     * @param picking what the click selects, by the keys that were down
      */
-    void scene(int pixelX, int pixelY, boolean innermost);
+    void scene(int pixelX, int pixelY, Picking picking);
 
     /** The right button was clicked, for the context menu of what is there. */
     void menu(MouseEvent event, int pixelX, int pixelY);
@@ -152,17 +170,22 @@ final class PreviewInputController extends MouseAdapter implements KeyListener {
             stage.controls().buttonUp(button);
           });
     } else if (!dragged && SwingUtilities.isLeftMouseButton(event)) {
-      view.labelAt(event.getX(), event.getY())
-          .ifPresentOrElse(
-              clicks::label,
-              () ->
-                  clicks.scene(
-                      view.toPixels(event.getX()),
-                      view.toPixels(event.getY()),
-                      event.isControlDown() || event.isAltDown()));
+      click(event);
     } else if (!dragged && SwingUtilities.isRightMouseButton(event)) {
       clicks.menu(event, view.toPixels(event.getX()), view.toPixels(event.getY()));
     }
+  }
+
+  /** Sends a click to what is there: a label or the scene. */
+  void click(MouseEvent event) {
+    view.labelAt(event.getX(), event.getY())
+        .ifPresentOrElse(
+            clicks::label,
+            () ->
+                clicks.scene(
+                    view.toPixels(event.getX()),
+                    view.toPixels(event.getY()),
+                    Picking.of(event)));
   }
 
   @Override

@@ -13,6 +13,8 @@ import java.util.function.Supplier;
 import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
 import net.miginfocom.swing.MigLayout;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.authoring.area.AreaBox;
 import org.selectiverenderer.authoring.area.AreaInstance;
@@ -20,6 +22,8 @@ import org.selectiverenderer.authoring.area.SnapGrid;
 import org.selectiverenderer.browser.viewer.Pose;
 import org.selectiverenderer.enricher.area.AsyncSceneQueries;
 import org.selectiverenderer.enricher.compare.CompareMode;
+import org.selectiverenderer.enricher.placement.HandleSettings;
+import org.selectiverenderer.enricher.placement.SelectionPath;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
 import org.selectiverenderer.enricher.text.Texts;
@@ -43,29 +47,45 @@ public final class PreviewPanel extends JPanel {
   private final transient AtomicReference<@Nullable PreviewFrame> arrived = new AtomicReference<>();
   private final transient AsyncSceneQueries probe;
   private final transient PickHandler clicks;
+  private final transient ObjectHandles objects;
+  private final transient MeasureOverlay measure;
+  private final transient PreviewKeyBindings keys;
+  private final SelectionPath path;
   private final PreviewCanvas view = new PreviewCanvas();
   private final PreviewStatusBar foot = new PreviewStatusBar();
   private final PreviewToolBar bar;
+  private final AnimationBar animation;
   private transient Supplier<SnapGrid> grid = () -> SnapGrid.NONE;
   private transient Consumer<PreviewFrame> onFrame = frame -> {};
   private boolean disposed;
 
   public PreviewPanel(EnricherSession session) {
-    super(new MigLayout("insets 0, gap 0, wrap 1", "[grow,fill]", "[][grow,fill][]"));
+    super(new MigLayout("insets 0, gap 0, wrap 1, hidemode 3", "[grow,fill]", "[][][grow,fill][][]"));
     this.session = session;
     anchors = new SourceAnchorResolver(session.document());
     thread = new PreviewThread(new Pictures());
     probe = new PreviewSceneQueries(thread, anchors);
+    animation = new AnimationBar(thread);
     bar = new PreviewToolBar(thread, view, () -> session.enrichment().schemas());
     AreaHandles handles = new AreaHandles(view, session, () -> grid.get(), this::showBox);
     bar.onBoxes(handles::shown);
     clicks = new PickHandler(view, thread, session, this);
-    new PreviewInputController(view, thread, clicks);
+    PreviewInputController[] mouse = new PreviewInputController[1];
+    objects =
+        new ObjectHandles(
+            view, session, thread, anchors, probe, () -> grid.get(), e -> mouse[0].click(e));
+    mouse[0] = new PreviewInputController(view, thread, clicks);
+    measure = new MeasureOverlay(view, thread);
+    clicks.measuring(measure);
+    bar.onLeave(measure::end);
+    path = new SelectionPath(session);
     add(bar, "wmin 0"); // a long button text must not push the picture out
+    add(path, "wmin 0");
     add(view, "wmin 0, hmin 0");
+    add(animation, "wmin 0");
     add(foot);
     getAccessibleContext().setAccessibleName(Texts.of("preview.panel"));
-    PreviewKeyBindings keys = new PreviewKeyBindings(view);
+    keys = new PreviewKeyBindings(view);
     keys.look(view, thread);
     bar.keys(keys);
     view.addComponentListener(
@@ -136,6 +156,7 @@ public final class PreviewPanel extends JPanel {
     if (frame != null && !disposed) {
       view.show(frame);
       bar.walked(frame.walking());
+      animation.follow(thread.animation(), frame.walking());
       foot.layersLeftOut(frame.otherLayers());
       onFrame.accept(frame);
     }
@@ -164,9 +185,33 @@ public final class PreviewPanel extends JPanel {
     return probe;
   }
 
+  /** Answers what is under a point of a component, in scene coordinates; empty where nothing is. */
+  public void place(Component over, Point at, Consumer<Optional<Vector3d>> answer) {
+    Point inside = SwingUtilities.convertPoint(over, at, view);
+    new PlacementQueries(thread).under(view.toPixels(inside.x), view.toPixels(inside.y), answer);
+  }
+
+  /** Answers a place on the floor before the viewer; empty while there is no picture. */
+  public void placeAhead(Consumer<Optional<Vector3d>> answer) {
+    new PlacementQueries(thread).ahead(answer);
+  }
+
+  /** Answers the floor or surface below a point; the point itself where there is none. */
+  public void onFloor(Vector3dc point, Consumer<Vector3d> answer) {
+    new PlacementQueries(thread)
+        .below(point, found -> answer.accept(found.orElseGet(() -> new Vector3d(point))));
+  }
+
   /** Sets the grid that the handles of areas snap to. */
   public void grid(Supplier<SnapGrid> setting) {
     grid = setting;
+  }
+
+  /** Sets what the handles of selected objects do, with buttons and keys that choose it. */
+  public void handles(HandleSettings settings) {
+    objects.settings(settings);
+    measure.settings(settings);
+    bar.addHandles(settings, keys);
   }
 
   /** Adds a button after those that choose what is shown. */
@@ -224,6 +269,11 @@ public final class PreviewPanel extends JPanel {
     return view;
   }
 
+  /** The words about what is measured. */
+  String measured() {
+    return measure.words();
+  }
+
   /** The text of the status line. */
   String message() {
     return foot.message();
@@ -238,6 +288,7 @@ public final class PreviewPanel extends JPanel {
   public void dispose() {
     disposed = true;
     session.removeSelectionListener(onSelection);
+    path.dispose();
     feed.close();
     thread.close();
   }

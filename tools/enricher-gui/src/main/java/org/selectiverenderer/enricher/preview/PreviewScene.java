@@ -6,9 +6,12 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.Supplier;
+import org.joml.AxisAngle4d;
+import org.joml.Quaterniondc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.authoring.placement.TransformPose;
 import org.selectiverenderer.browser.World;
 import org.selectiverenderer.browser.collision.RayCaster;
 import org.selectiverenderer.browser.instance.ShapeInstance;
@@ -190,6 +193,16 @@ final class PreviewScene implements AutoCloseable {
     }
   }
 
+  /** Where the animation stands; empty for a scene without one. */
+  Optional<AnimationPhase> animation() {
+    return AnimationPhase.of(world, time);
+  }
+
+  /** Lets time pass; the next look or step shows it. */
+  void pass(double seconds) {
+    time += seconds;
+  }
+
   /** Updates the scene for a pose without passing time. */
   void look(Pose pose) {
     world.step(time, (viewer, now, dt) -> pose.applyTo(viewer));
@@ -234,6 +247,36 @@ final class PreviewScene implements AutoCloseable {
             });
   }
 
+  /**
+   * Shows a Transform in another pose in the running scene only, until the document is loaded
+   * again.
+   */
+  void pose(SourceAnchor transform, TransformPose pose) {
+    nodes
+        .findItself(transform)
+        .ifPresent(
+            node -> {
+              send(node, "translation", floats(pose.translation()));
+              send(node, "rotation", floats(pose.rotation()));
+              send(node, "scale", floats(pose.scale()));
+            });
+  }
+
+  private void send(Node node, String field, float[] value) {
+    if (node.type().field(field).isPresent()) {
+      world.cascade().send(node, node.type().indexOf(field), value);
+    }
+  }
+
+  private static float[] floats(Vector3dc of) {
+    return new float[] {(float) of.x(), (float) of.y(), (float) of.z()};
+  }
+
+  private static float[] floats(Quaterniondc of) {
+    AxisAngle4d turn = new AxisAngle4d(of);
+    return new float[] {(float) turn.x, (float) turn.y, (float) turn.z, (float) turn.angle};
+  }
+
   /** Returns the nearest hit of a ray from the viewer; the direction is in the viewer's frame. */
   Optional<RayCaster.Hit> hit(Vector3dc direction) {
     Vector3d inWorld = world.viewer().orientation().transform(direction, new Vector3d());
@@ -253,9 +296,11 @@ final class PreviewScene implements AutoCloseable {
     return areas.bounds(node).or(() -> VisibleBoundsCalculator.of(nodes.shapes(node)));
   }
 
-  /** The bounding box of all shown shapes, or of all shapes if none is shown. */
+  /** The bounding box of all shown shapes but sky domes and endless grounds. */
   Optional<BoundingBox> bounds() {
-    return VisibleBoundsCalculator.of(world.instances().shapes());
+    return PlanShapes.of(world.instances().shapes(), Set.of())
+        .extent()
+        .or(() -> VisibleBoundsCalculator.of(world.instances().shapes()));
   }
 
   /** The viewer's pose. */

@@ -39,6 +39,7 @@ final class PreviewThread implements AutoCloseable, PreviewUpdater.Target {
   private final Thread thread;
   private volatile boolean ended;
   private volatile Optional<Pose> pose = Optional.empty();
+  private volatile Optional<AnimationPhase> animation = Optional.empty();
 
   PreviewThread(Listener listener) {
     this.listener = listener;
@@ -86,6 +87,11 @@ final class PreviewThread implements AutoCloseable, PreviewUpdater.Target {
     return pose;
   }
 
+  /** Where the animation stands in the last picture; empty for a scene without. Thread-safe. */
+  Optional<AnimationPhase> animation() {
+    return animation;
+  }
+
   /** Hands over a loaded scene, which replaces one that has not been shown yet. Thread-safe. */
   @Override
   public void show(LoadedPreview loaded) {
@@ -126,7 +132,7 @@ final class PreviewThread implements AutoCloseable, PreviewUpdater.Target {
     long begun = System.nanoTime();
     long drawn = begun;
     while (!ended) {
-      Consumer<PreviewController> what = next(stage, stage.moving() ? begun + FRAME : drawn + REST);
+      Consumer<PreviewController> what = next(stage, stage.live() ? begun + FRAME : drawn + REST);
       boolean hurried = what != null && System.nanoTime() - drawn < REST;
       try {
         while (what != null && !ended) {
@@ -135,7 +141,9 @@ final class PreviewThread implements AutoCloseable, PreviewUpdater.Target {
         }
         if (!ended) {
           long now = System.nanoTime();
-          stage.frame((now - begun) * 1e-9, hurried).ifPresent(listener::drawn);
+          Optional<PreviewFrame> frame = stage.frame((now - begun) * 1e-9, hurried);
+          animation = stage.animation();
+          frame.ifPresent(listener::drawn);
           pose = stage.pose();
           begun = now;
           drawn = System.nanoTime();
@@ -150,7 +158,7 @@ final class PreviewThread implements AutoCloseable, PreviewUpdater.Target {
   /** Waits for a command, at most until the next frame is due. */
   private @Nullable Consumer<PreviewController> next(PreviewController stage, long due)
       throws InterruptedException {
-    if (!stage.moving() && !stage.rough()) {
+    if (!stage.live() && !stage.rough()) {
       return told.take();
     }
     long left = due - System.nanoTime();

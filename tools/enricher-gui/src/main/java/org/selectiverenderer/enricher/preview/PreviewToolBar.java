@@ -9,6 +9,8 @@ import javax.swing.JComponent;
 import javax.swing.JToggleButton;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.enricher.compare.CompareMode;
+import org.selectiverenderer.enricher.placement.HandleBar;
+import org.selectiverenderer.enricher.placement.HandleSettings;
 import org.selectiverenderer.enricher.text.Texts;
 
 /**
@@ -27,6 +29,7 @@ final class PreviewToolBar extends WrapToolBar {
   private final JToggleButton wireframe = new JToggleButton(Texts.of("preview.wireframe"));
   private final JButton compareButton = new JButton(Texts.of("compare.off"));
   private transient CompareMode compare = CompareMode.OFF;
+  private transient Runnable onLeave = () -> {};
   private transient Consumer<Boolean> onBoxes = shown -> {};
 
   /**
@@ -73,6 +76,19 @@ final class PreviewToolBar extends WrapToolBar {
     JButton added = button(text, tip, does);
     added.setName(text);
     add(added, getComponentIndex(wireframe) + 1);
+  }
+
+  /** Adds the buttons of the handles of selected objects, and their keys. */
+  void addHandles(HandleSettings handles, PreviewKeyBindings keys) {
+    int at = getComponentIndex(wireframe) + 1;
+    for (JToggleButton button : new HandleBar(handles).buttons()) {
+      button.getAccessibleContext().setAccessibleDescription(button.getToolTipText());
+      add(button, at++);
+    }
+    keys.put("M", "handleMove", () -> handles.use(HandleSettings.Mode.MOVE));
+    keys.put("T", "handleTurn", () -> handles.use(HandleSettings.Mode.TURN));
+    keys.put("S", "handleScale", () -> handles.use(HandleSettings.Mode.SCALE));
+    keys.put("D", "measure", () -> handles.measure(!handles.measuring()));
   }
 
   /** Sets the listener for whether the sensors' boxes are drawn. */
@@ -144,6 +160,16 @@ final class PreviewToolBar extends WrapToolBar {
     thread.tell(stage -> stage.wireframe(show));
   }
 
+  private void leave() {
+    onLeave.run();
+    walk(false);
+  }
+
+  /** Sets what else Escape ends. */
+  void onLeave(Runnable also) {
+    onLeave = also;
+  }
+
   private void frameSelected() {
     thread.tell(PreviewController::frameSelected);
   }
@@ -167,6 +193,6 @@ final class PreviewToolBar extends WrapToolBar {
     keys.put("HOME", "start", this::home);
     keys.put("PAGE_UP", "before", () -> viewpoint(-1));
     keys.put("PAGE_DOWN", "next", () -> viewpoint(+1));
-    keys.put("ESCAPE", "leave", () -> walk(false));
+    keys.put("ESCAPE", "leave", this::leave);
   }
 }

@@ -111,7 +111,9 @@ final class PreviewUpdater implements AutoCloseable {
     long mine = wanted.incrementAndGet();
     if (document.fault().isPresent()) {
       var fault = document.fault().get();
-      listener.stale(Texts.of("preview.fault", String.valueOf(fault.location().line())));
+      int line = fault.location().line();
+      listener.stale(
+          Texts.of("preview.fault", line, Integer.toString(line), fault.message()));
       return;
     }
     DocumentSnapshot snapshot = document.snapshot();

@@ -10,14 +10,18 @@ import org.selectiverenderer.enricher.text.Texts;
 /**
  * The number of problems of each severity, and of objects and areas that are not enriched yet.
  *
+ * @param checking whether the checks of the present text have not ended
  * @param unenriched number of objects and areas without metadata, which is no problem
  * @param enrichable number of all objects and areas
  */
-public record ProblemCounts(int errors, int warnings, int remarks, int unenriched, int enrichable) {
-  static ProblemCounts of(List<ProblemEntry> entries, int unenriched, int enrichable) {
+public record ProblemCounts(
+    boolean checking, int errors, int warnings, int remarks, int unenriched, int enrichable) {
+  static ProblemCounts of(
+      boolean checking, List<ProblemEntry> entries, int unenriched, int enrichable) {
     int[] counts = new int[Severity.values().length];
     entries.forEach(entry -> counts[entry.severity().ordinal()]++);
     return new ProblemCounts(
+        checking,
         counts[Severity.ERROR.ordinal()],
         counts[Severity.WARNING.ordinal()],
         counts[Severity.INFO.ordinal()],
@@ -40,7 +44,8 @@ public record ProblemCounts(int errors, int warnings, int remarks, int unenriche
   }
 
   /**
-   * The counts as the status bar shows them: {@code 2 errors, 1 remark}, or {@code No problems}.
+   * The counts as the status bar shows them: {@code 2 errors, 1 remark}, or {@code No problems}
+   * once that is known.
    */
   public String words() {
     List<String> words = new ArrayList<>();
@@ -49,7 +54,8 @@ public record ProblemCounts(int errors, int warnings, int remarks, int unenriche
         words.add(words(severity));
       }
     }
-    return words.isEmpty() ? Texts.of("counts.none") : String.join(", ", words);
+    String none = checking ? "problems.checking" : "counts.none";
+    return words.isEmpty() ? Texts.of(none) : String.join(", ", words);
   }
 
   /** The count of a severity as a filter button shows it. */

@@ -201,7 +201,10 @@ final class ProblemsModel {
     return all;
   }
 
-  ProblemCounts counts() {
-    return ProblemCounts.of(all, unenriched, enrichable);
+  /**
+   * @param checking whether the checks of the present text have not ended
+   */
+  ProblemCounts counts(boolean checking) {
+    return ProblemCounts.of(checking, all, unenriched, enrichable);
   }
 }

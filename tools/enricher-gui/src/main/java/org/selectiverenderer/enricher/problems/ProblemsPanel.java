@@ -50,6 +50,7 @@ public final class ProblemsPanel extends JPanel {
   private final JButton fix = Mnemonics.button("problems.fix");
   private final JButton ignore = Mnemonics.button("problems.ignore");
   private final JLabel checking = new JLabel(" ");
+  private boolean busy;
 
   /** Shows how many objects and areas are not enriched yet. */
   private final JLabel left = new JLabel(" ");
@@ -107,7 +108,7 @@ public final class ProblemsPanel extends JPanel {
             model,
             checks,
             this::refreshed,
-            busy -> checking.setText(busy ? Texts.of("problems.checking") : " "));
+            this::checking);
     feed.begin();
   }
 
@@ -184,7 +185,7 @@ public final class ProblemsPanel extends JPanel {
   /** Sets the listener of the counts, which is called now and whenever they may have changed. */
   public void onCounts(Consumer<ProblemCounts> listener) {
     onCounts = listener;
-    listener.accept(model.counts());
+    listener.accept(model.counts(busy));
   }
 
   /** Sets what shows the offset of a problem in the text, after its element is selected. */
@@ -315,6 +316,12 @@ public final class ProblemsPanel extends JPanel {
                         null));
   }
 
+  private void checking(boolean now) {
+    busy = now;
+    checking.setText(now ? Texts.of("problems.checking") : " ");
+    onCounts.accept(model.counts(now));
+  }
+
   private void refreshed() {
     Optional<ProblemEntry> before = chosenEntry();
     rows.entries(model.entries());
@@ -324,7 +331,7 @@ public final class ProblemsPanel extends JPanel {
         break;
       }
     }
-    ProblemCounts counts = model.counts();
+    ProblemCounts counts = model.counts(busy);
     filters.forEach(
         (severity, button) -> {
           button.setText(counts.words(severity));

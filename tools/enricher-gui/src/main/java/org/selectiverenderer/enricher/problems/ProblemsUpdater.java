@@ -35,7 +35,8 @@ final class ProblemsUpdater {
 
   /**
    * @param refreshed runs after the model has been updated
-   * @param checking called with true when checks begin and false when they end
+   * @param checking called with true when checks begin or are due after a pause, and with false
+   *     when they end
    */
   ProblemsUpdater(
       EnricherSession session,
@@ -62,6 +63,12 @@ final class ProblemsUpdater {
     atOnce.restart();
     pause.restart();
     cancel();
+    checking.accept(possible());
+  }
+
+  /** Whether there is anything to check: a text that is not well formed has only its fault. */
+  private boolean possible() {
+    return !checks.isEmpty() && session.document().tree().isPresent();
   }
 
   private void refresh() {
@@ -72,8 +79,9 @@ final class ProblemsUpdater {
   /** Runs the checks without waiting for a pause. */
   void check() {
     cancel();
-    if (checks.isEmpty() || session.document().tree().isEmpty()) {
-      return; // A text that is not well formed has no other problem than its fault.
+    if (!possible()) {
+      checking.accept(false);
+      return;
     }
     DocumentSnapshot snapshot = session.document().snapshot();
     checking.accept(true);
@@ -115,7 +123,6 @@ final class ProblemsUpdater {
     if (task != null) {
       task.cancel();
       task = null;
-      checking.accept(false);
     }
   }
 

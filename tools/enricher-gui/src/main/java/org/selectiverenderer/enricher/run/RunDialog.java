@@ -5,9 +5,9 @@ import java.util.Optional;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
-import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.enricher.component.InputDialog;
 import org.selectiverenderer.enricher.text.Texts;
 
 /** Asks for the options of a run. */
@@ -33,14 +33,7 @@ public final class RunDialog {
     panel.add(condition);
     panel.add(here, "span");
     panel.add(new JLabel(Texts.of("run.note")), "span");
-    int answer =
-        JOptionPane.showConfirmDialog(
-            over,
-            panel,
-            Texts.of("run.title"),
-            JOptionPane.OK_CANCEL_OPTION,
-            JOptionPane.PLAIN_MESSAGE);
-    return answer == JOptionPane.OK_OPTION
+    return new InputDialog(over, Texts.of("run.title"), panel, condition).ask(Optional::empty)
         ? Optional.of(
             new RunOptions(String.valueOf(condition.getSelectedItem()), here.isSelected()))
         : Optional.empty();

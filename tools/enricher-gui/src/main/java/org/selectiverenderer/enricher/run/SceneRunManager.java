@@ -23,6 +23,9 @@ import org.selectiverenderer.enricher.text.Texts;
 public final class SceneRunManager {
   private static final int PATIENCE_SECONDS = 5;
 
+  /** The exit code of a run that was walked to its end in a scene with problems. */
+  private static final int PROBLEMS = 1;
+
   /** Starts a command by its arguments. */
   interface Starting {
     Process start(List<String> words) throws IOException;
@@ -122,9 +125,11 @@ public final class SceneRunManager {
       clear(run.scene());
       String number = Integer.toString(run.number());
       status.accept(
-          code == 0
-              ? Texts.of("run.ended", number)
-              : Texts.of("run.endedwith", number, Integer.toString(code)));
+          switch (code) {
+            case 0 -> Texts.of("run.ended", number);
+            case PROBLEMS -> Texts.of("run.endedproblems", number);
+            default -> Texts.of("run.endedwith", number, Integer.toString(code));
+          });
     }
   }
 

@@ -1,6 +1,8 @@
 package org.selectiverenderer.enricher.source;
 
+import java.awt.Component;
 import java.awt.event.ActionEvent;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import javax.swing.AbstractAction;
@@ -11,6 +13,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
+import javax.swing.SortingFocusTraversalPolicy;
 import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.authoring.editing.TextSearch;
@@ -49,8 +52,10 @@ final class FindBar {
     state.setName("findState");
     JPanel finding = new JPanel(new MigLayout("insets 0", "[][][][][]"));
     finding.add(words);
-    finding.add(button("source.previous", "findPrevious", () -> step(-1)));
-    finding.add(button("source.next", "findNext", () -> step(1)));
+    JButton previous = button("source.previous", "findPrevious", () -> step(-1));
+    JButton next = button("source.next", "findNext", () -> step(1));
+    finding.add(previous);
+    finding.add(next);
     finding.add(state);
     JPanel choices = new JPanel(new MigLayout("insets 0", "[][][][]"));
     for (JCheckBox box : List.of(expression, matchCase, wholeWords, inSelection)) {
@@ -58,8 +63,22 @@ final class FindBar {
       box.addActionListener(event -> search());
     }
     replacing.add(replacement);
-    replacing.add(button("source.replace", "replaceOne", this::replaceOne));
-    replacing.add(button("source.replaceAll", "replaceAll", this::replaceAll));
+    JButton one = button("source.replace", "replaceOne", this::replaceOne);
+    JButton all = button("source.replaceAll", "replaceAll", this::replaceAll);
+    replacing.add(one);
+    replacing.add(all);
+    tabOrder(
+        List.of(
+            words,
+            replacement,
+            one,
+            all,
+            previous,
+            next,
+            expression,
+            matchCase,
+            wholeWords,
+            inSelection));
     panel.add(finding, "wrap");
     panel.add(replacing, "wrap");
     panel.add(choices);
@@ -71,6 +90,18 @@ final class FindBar {
     on("ESCAPE", this::close);
     work.onFound(this::show);
     panel.setVisible(false);
+  }
+
+  /** Has Tab go from what is searched for to what replaces it, and only then to the buttons. */
+  private void tabOrder(List<Component> order) {
+    panel.setFocusTraversalPolicyProvider(true);
+    panel.setFocusTraversalPolicy(
+        new SortingFocusTraversalPolicy(Comparator.comparingInt(order::indexOf)) {
+          @Override
+          protected boolean accept(Component component) {
+            return order.contains(component) && super.accept(component);
+          }
+        });
   }
 
   private static JCheckBox box(String text, String name) {

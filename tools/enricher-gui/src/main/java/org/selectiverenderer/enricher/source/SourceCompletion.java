@@ -4,10 +4,12 @@ import java.awt.Component;
 import java.awt.Point;
 import java.awt.event.KeyAdapter;
 import java.awt.event.KeyEvent;
+import java.util.Optional;
 import javax.swing.DefaultListCellRenderer;
 import javax.swing.JList;
 import javax.swing.SwingUtilities;
 import javax.swing.text.BadLocationException;
+import javax.swing.text.Position;
 import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
 import org.selectiverenderer.authoring.editing.CodeCompletion;
 import org.selectiverenderer.authoring.editing.CompletionProposal;
@@ -28,6 +30,9 @@ final class SourceCompletion {
   private final CompletionPopup<CompletionProposal> list;
   private boolean asked;
 
+  /** The closing quote of the attribute that was completed last. */
+  private Optional<Position> closing = Optional.empty();
+
   SourceCompletion(EnricherSession session, RSyntaxTextArea area, SourceAreaBinding page) {
     this.session = session;
     this.area = area;
@@ -43,6 +48,7 @@ final class SourceCompletion {
 
           @Override
           public void keyTyped(KeyEvent event) {
+            typeOverQuote(event);
             SwingUtilities.invokeLater(() -> follow(event)); // after it is inserted
           }
         });
@@ -97,7 +103,38 @@ final class SourceCompletion {
         CodeCompletion.at(session.document().text(), page.inDocument(caret), session.catalogue());
     int from = page.inArea(now.from());
     area.replaceRange(proposal.text(), from, caret);
-    area.setCaretPosition(from + proposal.caret());
+    int after = from + proposal.caret();
+    area.setCaretPosition(after);
+    if (proposal.caret() < proposal.text().length()) {
+      try {
+        closing = Optional.of(area.getDocument().createPosition(after));
+      } catch (BadLocationException e) {
+        throw new IllegalStateException("the completed text is not in the text", e);
+      }
+    }
+  }
+
+  /**
+   * Moves the caret over the closing quote that a completion has written, when the author types
+   * that quote behind the value.
+   */
+  private void typeOverQuote(KeyEvent event) {
+    int caret = area.getCaretPosition();
+    char typed = event.getKeyChar();
+    if (typed != '\'' && typed != '"'
+        || closing.filter(quote -> quote.getOffset() == caret).isEmpty()
+        || area.getSelectionStart() != area.getSelectionEnd()) {
+      return;
+    }
+    closing = Optional.empty();
+    try {
+      if (area.getText(caret, 1).charAt(0) == typed) {
+        area.setCaretPosition(caret + 1);
+        event.consume();
+      }
+    } catch (BadLocationException e) {
+      return; // the caret is at the end of the text
+    }
   }
 
   private static final class Row extends DefaultListCellRenderer {

@@ -12,7 +12,6 @@ import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JMenuItem;
-import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
 import javax.swing.KeyStroke;
@@ -30,8 +29,10 @@ import org.selectiverenderer.authoring.editing.CommentToggle;
 import org.selectiverenderer.authoring.editing.TagMatcher;
 import org.selectiverenderer.base.markup.MarkupEscaper;
 import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.enricher.component.InputDialog;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
+import org.selectiverenderer.enricher.text.MnemonicText;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.DocumentError;
@@ -262,22 +263,31 @@ public final class SourcePanel {
   /** Asks for a line and goes there. */
   public void goToLine() {
     int now = document().location(caret()).line();
-    String answer =
-        JOptionPane.showInputDialog(panel, Texts.of("source.lineQuestion"), Integer.toString(now));
-    if (answer != null) {
-      goToLine(answer);
+    InputDialog.ask(
+            panel,
+            MnemonicText.of(Texts.of("source.menuLine")).words(),
+            Texts.of("source.lineQuestion"),
+            Integer.toString(now),
+            answer ->
+                line(answer).isPresent()
+                    ? Optional.empty()
+                    : Optional.of(Texts.of("source.noLine", answer)))
+        .flatMap(SourcePanel::line)
+        .ifPresent(this::goToLine);
+  }
+
+  private static Optional<Integer> line(String answer) {
+    try {
+      return Optional.of(Integer.valueOf(answer));
+    } catch (NumberFormatException e) {
+      return Optional.empty();
     }
   }
 
-  void goToLine(String answer) {
-    try {
-      int line = Integer.parseInt(answer.strip());
-      int last = document().location(document().text().length()).line();
-      reveal(document().offset(Math.max(1, Math.min(line, last)), 1));
-      area.requestFocusInWindow();
-    } catch (NumberFormatException e) {
-      session.message(Texts.of("source.noLine", answer));
-    }
+  void goToLine(int line) {
+    int last = document().location(document().text().length()).line();
+    reveal(document().offset(Math.max(1, Math.min(line, last)), 1));
+    area.requestFocusInWindow();
   }
 
   /** Puts the caret on the matching tag of the element that it is in. */
@@ -441,9 +451,9 @@ public final class SourcePanel {
       place.setVisible(fault.isPresent());
       notice.setIcon(UIManager.getIcon("OptionPane.warningIcon"));
       if (fault.isPresent()) {
-        String line = Integer.toString(fault.get().location().line());
+        int line = fault.get().location().line();
         String why = MarkupEscaper.text(fault.get().message());
-        notice.setText("<html>" + Texts.of("source.fault", line, why));
+        notice.setText("<html>" + Texts.of("source.fault", line, Integer.toString(line), why));
       } else {
         locked.ifPresent(
             why -> notice.setText("<html>" + Texts.of("source.locked", MarkupEscaper.text(why))));

@@ -68,7 +68,8 @@ final class SceneTree extends JTree {
           int row = getRowForLocation(event.getX(), event.getY());
           boolean plain = !event.isControlDown() && !event.isShiftDown() && !event.isMetaDown();
           if (plain && isRowSelected(row) && getSelectionCount() > 1) {
-            collapsing = true; // only the release selects this row alone, so that all can be dragged
+            // Only the release selects this row alone, so that all can be dragged.
+            collapsing = true;
             requestFocusInWindow();
             return;
           }
@@ -199,8 +200,8 @@ final class SceneTree extends JTree {
     if (now == null) {
       return;
     }
-    Color line = UIManager.getColor(refused ? "Component.error.focusedBorderColor" : "Component.focusColor");
-    g.setColor(line == null ? getForeground() : line);
+    Color wrong = refused ? UIManager.getColor("Component.error.focusedBorderColor") : null;
+    g.setColor(wrong == null ? getForeground() : wrong);
     Rectangle mark = now.mark();
     if (now.into()) {
       g.drawRect(mark.x - 1, mark.y, mark.width + 1, mark.height - 1);

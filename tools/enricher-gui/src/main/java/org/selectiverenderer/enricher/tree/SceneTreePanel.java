@@ -1,6 +1,7 @@
 package org.selectiverenderer.enricher.tree;
 
 import java.awt.event.ActionEvent;
+import java.awt.Rectangle;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -14,6 +15,7 @@ import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.JTree;
 import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import javax.swing.ToolTipManager;
 import javax.swing.tree.TreePath;
@@ -48,6 +50,9 @@ public final class SceneTreePanel {
   private final org.selectiverenderer.authoring.DocumentListener changing = this::changed;
   private boolean following;
 
+  /** Of the text whose elements the rows are. */
+  private long revision;
+
   /**
    * @param faulty tests whether an element has a problem
    */
@@ -72,6 +77,10 @@ public final class SceneTreePanel {
     pause.setRepeats(false);
     search.getDocument().addDocumentListener(new TextChangeListener(pause::restart));
     search.addActionListener(event -> nextHit());
+    if (nothingEnrichable()) {
+      model.showNodesOnly(false);
+      extent.setSelectedIndex(WHOLE);
+    }
     extent.getAccessibleContext().setAccessibleName(Texts.of("nodes.extent"));
     extent.addActionListener(event -> extentChosen());
     panel.add(search, "growx, wmin 0, wrap");
@@ -96,9 +105,19 @@ public final class SceneTreePanel {
         .setAccessibleName(Texts.of("nodes.scroll"));
     panel.add(scroll, "grow, wmin 0, hmin 0, wrap");
     panel.add(waiting, "growx, wmin 0"); // below the tree, which thus does not move
+    revision = session.document().revision();
     session.addSelectionListener(selecting);
     session.document().addListener(changing);
     expandTop();
+  }
+
+  /** Whether the scene has no Switch and no sensor yet, of which the tree would show nothing. */
+  private boolean nothingEnrichable() {
+    return session
+        .document()
+        .tree()
+        .filter(tree -> tree.switches().isEmpty() && tree.sensors().isEmpty())
+        .isPresent();
   }
 
   /** Sets the fixed row height, which a large model needs, from the font. */
@@ -232,7 +251,8 @@ public final class SceneTreePanel {
   }
 
   private void follow(Optional<DocumentElement> element, Object origin) {
-    if (origin != this) {
+    // While an edit is told to the others, the rows are still those before it.
+    if (origin != this && session.document().revision() == revision) {
       show(session.selectedElements());
     }
   }
@@ -245,7 +265,7 @@ public final class SceneTreePanel {
               elements.stream().flatMap(each -> model.path(each).stream()).distinct().toList();
           tree.setSelectionPaths(paths.toArray(new TreePath[0]));
           if (!paths.isEmpty()) {
-            tree.scrollPathToVisible(paths.get(paths.size() - 1));
+            scrollTo(paths.get(paths.size() - 1));
           }
         });
   }
@@ -276,8 +296,25 @@ public final class SceneTreePanel {
             });
   }
 
+  /** Scrolls to a row, sideways too: of deep nodes a tree would show the first letter only. */
+  private void scrollTo(TreePath path) {
+    tree.scrollPathToVisible(path);
+    sideways(path);
+    // Once more: a scroll bar that comes up for it takes the last row's place.
+    SwingUtilities.invokeLater(() -> sideways(path));
+  }
+
+  private void sideways(TreePath path) {
+    Rectangle row = tree.getPathBounds(path);
+    if (row != null) {
+      row.width = Math.min(row.width, tree.getVisibleRect().width);
+      tree.scrollRectToVisible(row);
+    }
+  }
+
   private void changed(org.selectiverenderer.authoring.DocumentListener.Change change) {
     showWaiting();
+    revision = change.revision();
     if (session.document().tree().isEmpty()) {
       tree.repaint(); // keeps the last elements, greyed
       return;
@@ -311,7 +348,11 @@ public final class SceneTreePanel {
         .ifPresent(
             fault ->
                 waiting.setText(
-                    Texts.of("node.treeWaits", Integer.toString(fault.location().line()))));
+                    Texts.of(
+                        "node.treeWaits",
+                        fault.location().line(),
+                        Integer.toString(fault.location().line()),
+                        fault.message())));
   }
 
   /** Stops following the session. */

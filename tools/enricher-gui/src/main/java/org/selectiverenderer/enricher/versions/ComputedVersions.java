@@ -55,7 +55,8 @@ record ComputedVersions(
             request.output(),
             request.inlineFolder(),
             IntStream.rangeClosed(2, existing).boxed().collect(Collectors.toSet()),
-            request.name());
+            request.name(),
+            request.start());
     return of(snapshot, keeping, catalogue);
   }
 

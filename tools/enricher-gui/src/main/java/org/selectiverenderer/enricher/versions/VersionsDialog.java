@@ -58,6 +58,12 @@ public final class VersionsDialog extends JDialog {
   private final JButton fewer = Mnemonics.button("versions.remove");
   private final JButton apply = Mnemonics.button("versions.apply");
   private final org.selectiverenderer.authoring.DocumentListener changes;
+  private int made;
+
+  /** Whether the dialog can make versions of an element, with or without a DEF name. */
+  public static boolean takes(DocumentElement element) {
+    return element.use().isEmpty() && VersionsModel.isObject(element);
+  }
 
   /**
    * @param object the object, or an element in it
@@ -65,7 +71,7 @@ public final class VersionsDialog extends JDialog {
   public VersionsDialog(Window owner, EnricherSession session, DocumentElement object) {
     super(owner, Texts.of("versions.apply"), ModalityType.DOCUMENT_MODAL);
     this.session = session;
-    this.model = new VersionsModel(VersionsModel.nameOf(object));
+    this.model = VersionsModel.of(session.document(), object);
     this.work = new VersionsUpdater(session, model, this::failed);
     this.changes = change -> model.outdate();
     setDefaultCloseOperation(DISPOSE_ON_CLOSE);
@@ -100,7 +106,7 @@ public final class VersionsDialog extends JDialog {
     JPanel panel = new JPanel(new MigLayout("insets 0, fillx", "[][]unrel[][]unrel[][]push"));
     JComboBox<String> objects =
         PlainText.entries(
-            new JComboBox<>(VersionsModel.objects(session.document()).toArray(String[]::new)));
+            new JComboBox<>(model.choices(session.document()).toArray(String[]::new)));
     objects.setPrototypeDisplayValue("Transform_OfSomeObject");
     objects.setSelectedItem(model.object());
     objects.getAccessibleContext().setAccessibleName(Texts.of("versions.object.name"));
@@ -225,6 +231,12 @@ public final class VersionsDialog extends JDialog {
     summary.setText(message);
   }
 
+  /** Shows the dialog, waits, and returns how many versions the object has been given. */
+  public int made() {
+    setVisible(true);
+    return made;
+  }
+
   private void apply() {
     Optional<VersionsEdit> edit = model.result().flatMap(ComputedVersions::edit);
     if (edit.isEmpty() || !model.applicable()) {
@@ -236,6 +248,7 @@ public final class VersionsDialog extends JDialog {
     session.document().removeListener(changes);
     try {
       edit.get().apply(session.document());
+      made = edit.get().versions().size();
       dispose();
     } catch (EditRejectedException | IOException e) {
       session.document().addListener(changes);

@@ -132,6 +132,18 @@ class FormPanelTest {
   }
 
   @Test
+  void enterTakesTheOnlyProposal() throws Exception {
+    try (FormWindowDriver window = open(false)) {
+      window.select("Switch_Bin");
+      SchemaListField schemas = (SchemaListField) window.named("Schemas of choice 0");
+      window.fill(schemas, "des");
+      Eventually.await("the proposal", () -> EventThread.get(schemas::proposing));
+      window.press(KeyEvent.VK_ENTER);
+      assertThat(shown(schemas)).isEqualTo("DeskSchema");
+    }
+  }
+
+  @Test
   void whatIsFilledInIsWrittenUndoneAndShownForAnother() throws Exception {
     try (FormWindowDriver window = open(false)) {
       window.select("Switch_Bin");

@@ -10,12 +10,14 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.swing.JMenuItem;
 import javax.swing.JPopupMenu;
+import javax.swing.KeyStroke;
 import org.joml.Vector3dc;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -39,7 +41,7 @@ class NodeMenuTest {
   private void open() throws IOException {
     session = TestSessions.with(folder, "<Group DEF='A'/>\n<Group DEF='B'/>\n");
     menu = new NodeMenu(session);
-    menu.add(NodeEditCommands.of(session, new Clipboard("test")));
+    menu.add(NodeEditCommands.of(session, new StructureCommands(session, new Clipboard("test"))));
   }
 
   private DocumentElement named(String def) {
@@ -80,20 +82,67 @@ class NodeMenuTest {
     choose("A", "cutNode");
     assertThat(text()).doesNotContain("'A'");
     choose("B", "pasteNode");
-    assertThat(text()).contains("<Group DEF='B'/>\n<Group DEF='A'/>\n");
+    assertThat(text()).contains("<Group DEF='B'>\n  <Group DEF='A'/>\n</Group>\n");
     choose("A", "copyNode");
     choose("A", "pasteNode");
-    assertThat(text()).contains("<Group DEF='A'/>\n<Group DEF='A_2'/>\n");
-    choose("B", "commentNode");
-    assertThat(text()).contains("<!-- <Group DEF='B'/> -->");
-    choose("A", "deleteNode");
-    assertThat(text()).doesNotContain("DEF='A'/>");
+    assertThat(text()).contains("  <Group DEF='A'/>\n  <Group DEF='A_2'/>\n");
+    choose("A", "commentNode");
+    assertThat(text()).contains("<!-- <Group DEF='A'/> -->");
+    choose("A_2", "deleteNode");
+    assertThat(text()).doesNotContain("DEF='A_2'/>");
     assertThat(get(() -> session.document().history().names()))
-        .isEqualTo(List.of("Cut Group A", "Paste", "Paste", "Comment Group B", "Delete A"));
+        .isEqualTo(List.of("Cut A", "Paste A", "Paste A", "Comment Group A", "Delete A_2"));
     for (int i = 0; i < 5; i++) {
       edt(() -> session.document().history().undo());
     }
     assertThat(text()).isEqualTo(before);
+  }
+
+  @Test
+  void choicesMoveAndGoWithTheirMetadata() throws IOException {
+    session =
+        TestSessions.with(
+            folder,
+            """
+            <Switch DEF='Switch_Cup' whichChoice='0'>
+              <MetadataSet containerField='metadata' name='Cup'>
+                <MetadataSet containerField='value' name='Cup_v1'>
+                  <MetadataString containerField='value' name='consistencyType' value='"frame"'/>
+                </MetadataSet>
+              </MetadataSet>
+              <Group DEF='One'/>
+              <Group DEF='Two'/>
+            </Switch>
+            """);
+    StructureCommands structure = new StructureCommands(session, new Clipboard("test"));
+    edt(
+        () -> {
+          session.select(named("One"), this);
+          structure.step(true);
+        });
+    assertThat(types()).containsExactly(Optional.empty(), Optional.of("frame"));
+    assertThat(get(() -> session.selection().flatMap(DocumentElement::def))).contains("One");
+    assertThat(text()).contains("whichChoice='1'");
+    edt(
+        () -> {
+          session.select(named("Two"), this);
+          structure.delete();
+        });
+    assertThat(types()).containsExactly(Optional.of("frame"));
+    assertThat(text()).contains("whichChoice='0'");
+  }
+
+  private List<Optional<String>> types() {
+    return get(
+        () ->
+            session
+                .enrichment()
+                .switchNode(named("Switch_Cup"))
+                .orElseThrow()
+                .values()
+                .stream()
+                .map(values -> values.type().map(type -> type.toString().toLowerCase(Locale.ROOT)))
+                .toList());
   }
 
   @Test
@@ -120,11 +169,11 @@ class NodeMenuTest {
     String before = text();
     choose("A", "makeSwitch");
     assertThat(text()).contains("<Switch DEF='Switch_A' whichChoice='0'>");
-    choose("B", "duplicateNode");
-    assertThat(text()).contains("<Group DEF='B'/>\n<Group DEF='B_2'/>");
+    assertThat(get(() -> item("renameNode").getAccelerator()))
+        .isEqualTo(KeyStroke.getKeyStroke("F2"));
     choose("B", "deleteNode");
     assertThat(text()).doesNotContain("DEF='B'/>");
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 2; i++) {
       edt(() -> session.document().history().undo());
     }
     assertThat(text()).isEqualTo(before);

@@ -15,10 +15,13 @@ import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
+import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.authoring.area.AreaLocator;
+import org.selectiverenderer.authoring.placement.Arrangement;
+import org.selectiverenderer.authoring.placement.TransformPose;
 import org.selectiverenderer.enricher.EventThread;
 import org.selectiverenderer.enricher.area.AreaCommands;
 import org.selectiverenderer.enricher.area.AsyncSceneQueries;
@@ -27,6 +30,8 @@ import org.selectiverenderer.enricher.area.GridSetting;
 import org.selectiverenderer.enricher.area.NamePrompt;
 import org.selectiverenderer.enricher.area.ObjectBox;
 import org.selectiverenderer.enricher.area.SurfacePoint;
+import org.selectiverenderer.enricher.placement.HandleSettings;
+import org.selectiverenderer.enricher.placement.PlacementCommands;
 import org.selectiverenderer.enricher.robot.TestSessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.settings.EnricherSettings;
@@ -43,7 +48,7 @@ class PlanPanelTest {
   @TempDir Path folder;
 
   /** A room 8 m wide with a ceiling at 3 m. */
-  private static final class Room implements AsyncSceneQueries {
+  private final class Room implements AsyncSceneQueries {
     @Override
     public void around(DocumentElement element, Consumer<Optional<BoundingBox>> answer) {
       answer.accept(Optional.empty());
@@ -64,20 +69,45 @@ class PlanPanelTest {
         OptionalDouble cut,
         List<DocumentElement> hidden,
         Consumer<Optional<FloorPlanImage>> answer) {
+      leftOut = hidden;
       BufferedImage image = new BufferedImage(8, 8, BufferedImage.TYPE_INT_ARGB);
       float[] walls = {-4, -4, -4, 4, 4, -4, 4, 4};
       answer.accept(Optional.of(new FloorPlanImage(ROOM, image, walls, 1)));
     }
 
+    /** Half a metre wide and a metre high, at the translation of its Transform. */
+    private static ObjectBox box(DocumentElement node) {
+      TransformPose pose = TransformPose.of(node);
+      BoundingBox own = new BoundingBox(-0.25, 0, -0.25, 0.25, 1, 0.25);
+      return new ObjectBox(node, own, pose.matrix(), own.transformed(pose.matrix()));
+    }
+
+    private List<ObjectBox> all(List<DocumentElement> hidden) {
+      return session.document().tree().orElseThrow().scene().orElseThrow().children().stream()
+          .filter(node -> node.name().equals("Transform") && !hidden.contains(node))
+          .map(Room::box)
+          .toList();
+    }
+
     @Override
     public void boxes(List<DocumentElement> nodes, Consumer<List<ObjectBox>> answer) {
-      answer.accept(List.of());
+      answer.accept(
+          nodes.stream().filter(node -> node.name().equals("Transform")).map(Room::box).toList());
     }
 
     @Override
     public void below(
         Vector3dc from, List<DocumentElement> hidden, Consumer<Optional<SurfacePoint>> answer) {
-      answer.accept(Optional.empty());
+      answer.accept(
+          all(hidden).stream()
+              .filter(box -> box.bounds().contains(new Vector3d(from.x(), 0.5, from.z())))
+              .findFirst()
+              .map(
+                  box ->
+                      new SurfacePoint(
+                          new Vector3d(from.x(), 1, from.z()),
+                          Optional.of(box.element()),
+                          Optional.of(box.element()))));
     }
 
     @Override
@@ -85,7 +115,16 @@ class PlanPanelTest {
         BoundingBox footprint,
         List<DocumentElement> hidden,
         Consumer<List<DocumentElement>> answer) {
-      answer.accept(List.of());
+      answer.accept(
+          all(hidden).stream()
+              .filter(
+                  box ->
+                      box.bounds().minX() >= footprint.minX()
+                          && box.bounds().maxX() <= footprint.maxX()
+                          && box.bounds().minZ() >= footprint.minZ()
+                          && box.bounds().maxZ() <= footprint.maxZ())
+              .map(ObjectBox::element)
+              .toList());
     }
 
     @Override
@@ -94,6 +133,10 @@ class PlanPanelTest {
     }
   }
 
+  /** What the last plan left out. */
+  private List<DocumentElement> leftOut = List.of();
+
+  private final HandleSettings handles = new HandleSettings();
   private EnricherSession session;
   private PlanPanel panel;
   private FloorPlanCanvas view;
@@ -118,7 +161,7 @@ class PlanPanelTest {
         () -> {
           panel =
               new PlanPanel(
-                  session, new AreaCommands(session, new Room(), question), question, grid);
+                  session, new AreaCommands(session, new Room(), question), question, grid, handles);
           panel.setSize(800, 700);
           panel.doLayout();
           for (Component each : panel.getComponents()) {
@@ -130,6 +173,10 @@ class PlanPanelTest {
   }
 
   private void mouse(int kind, double x, double z) {
+    mouse(kind, x, z, 0);
+  }
+
+  private void mouse(int kind, double x, double z, int keys) {
     PlanTransform scale = view.scale();
     boolean down = kind != MouseEvent.MOUSE_RELEASED;
     view.dispatchEvent(
@@ -137,7 +184,7 @@ class PlanPanelTest {
             view,
             kind,
             0,
-            down ? InputEvent.BUTTON1_DOWN_MASK : 0,
+            keys | (down ? InputEvent.BUTTON1_DOWN_MASK : 0),
             (int) Math.round(scale.toX(x)),
             (int) Math.round(scale.toY(z)),
             1,
@@ -261,6 +308,147 @@ class PlanPanelTest {
           drag(-3, -3, -3, -3);
           mouse(MouseEvent.MOUSE_RELEASED, -3, -3);
           assertThat(session.selection()).as("a click beside all").isEmpty();
+        });
+  }
+
+  private static final String CHAIRS =
+      """
+      <Transform DEF='A' translation='-2 0 1'><Shape/></Transform>
+      <Transform DEF='B' translation='1 0 2'><Shape/></Transform>
+      <Transform DEF='C' translation='2 0 -1'><Shape/></Transform>
+      """;
+
+  private void click(double x, double z, int keys) {
+    mouse(MouseEvent.MOUSE_PRESSED, x, z, keys);
+    mouse(MouseEvent.MOUSE_RELEASED, x, z, keys);
+  }
+
+  private List<String> selected() {
+    return session.selectedElements().stream().map(each -> each.def().orElse("")).toList();
+  }
+
+  private String nodes() {
+    String text = session.document().text().toString();
+    return text.substring(text.indexOf("<Transform DEF='A'"), text.lastIndexOf("</Scene>"));
+  }
+
+  @Test
+  void objectsAreSelectedByClicksAndARectangleMovedByTheirHandleAndTakenBack() throws Exception {
+    open(CHAIRS);
+    EventThread.edt(
+        () -> {
+          click(-2, 1, 0);
+          assertThat(selected()).containsExactly("A");
+          click(1, 2, InputEvent.CTRL_DOWN_MASK);
+          assertThat(selected()).containsExactly("A", "B");
+          click(-3, -3, 0);
+          assertThat(selected()).isEmpty();
+          mouse(MouseEvent.MOUSE_PRESSED, 0, -2, InputEvent.SHIFT_DOWN_MASK);
+          mouse(MouseEvent.MOUSE_DRAGGED, 3, 3, InputEvent.SHIFT_DOWN_MASK);
+          mouse(MouseEvent.MOUSE_RELEASED, 3, 3, InputEvent.SHIFT_DOWN_MASK);
+          assertThat(selected()).containsExactly("B", "C");
+          click(-2, 1, 0);
+          drag(-2, 1, -1.52, 0.97);
+          key("ESCAPE");
+          mouse(MouseEvent.MOUSE_RELEASED, -1.52, 0.97);
+          assertThat(nodes()).isEqualTo(CHAIRS);
+          drag(-2, 1, -1.52, 0.97);
+          mouse(MouseEvent.MOUSE_RELEASED, -1.52, 0.97);
+          assertThat(nodes()).as("on the grid").contains("DEF='A' translation='-1.55 0 0.95'");
+          assertThat(session.document().history().names()).hasSize(1);
+          assertThat(selected()).containsExactly("A");
+          assertThat(areas()).isEmpty();
+          key("RIGHT");
+          assertThat(nodes()).contains("DEF='A' translation='-1.45 0 0.95'");
+        });
+  }
+
+  @Test
+  void theRingTurnsAndASideStretches() throws Exception {
+    open(CHAIRS);
+    EventThread.edt(
+        () -> {
+          click(1, 2, 0);
+          key("T");
+          double radius = PlanHandle.LENGTH / view.scale().scale();
+          drag(1 + radius, 2, 1 + 0.01, 2 - radius);
+          mouse(MouseEvent.MOUSE_RELEASED, 1 + 0.01, 2 - radius);
+          assertThat(nodes())
+              .contains("<Transform DEF='B' translation='1 0 2' rotation='0 1 0 1.570796'>");
+          session.document().history().undo();
+          assertThat(panel.objects().handles()).as("where the objects are is not known").isEmpty();
+          panel.objects().follow();
+          key("S");
+          drag(1.25, 2, 1.76, 2);
+          mouse(MouseEvent.MOUSE_RELEASED, 1.76, 2);
+          assertThat(nodes())
+              .contains("<Transform DEF='B' translation='1.25 0 2' scale='2 1 1'>");
+        });
+  }
+
+  @Test
+  void objectsAreHiddenInThePlanAloneAndShownAgain() throws Exception {
+    open(CHAIRS);
+    EventThread.edt(
+        () -> {
+          click(1, 2, 0);
+          PlanObjects objects = panel.objects();
+          objects.hide();
+          assertThat(objects.hidden()).extracting(each -> each.def().orElse("")).contains("B");
+          assertThat(nodes()).isEqualTo(CHAIRS);
+          click(1, 2, 0);
+          assertThat(selected()).as("what is hidden is not hit").isEmpty();
+          objects.showAll();
+          click(1, 2, 0);
+          assertThat(selected()).containsExactly("B");
+        });
+  }
+
+  @Test
+  void distancesAreMeasuredAndTheBarSaysARoundLength() throws Exception {
+    open(CHAIRS);
+    EventThread.edt(
+        () -> {
+          key("D");
+          click(-2, 1, 0);
+          click(1, 1, 0);
+          assertThat(panel.objects().measured()).hasSize(2);
+          assertThat(panel.objects().measured().get(0).y()).as("on the chair").isEqualTo(1);
+          assertThat(selected()).isEmpty();
+          key("ESCAPE");
+          assertThat(panel.objects().measured()).isEmpty();
+        });
+    assertThat(ScaleBar.of(100).metres()).isEqualTo(0.5);
+    assertThat(ScaleBar.of(40).metres()).isEqualTo(2);
+    assertThat(ScaleBar.of(7).pixels()).isBetween(50.0, 130.0);
+    assertThat(ScaleBar.of(40).words()).isEqualTo("2 m");
+  }
+
+  @Test
+  void selectedObjectsAreArrangedGroupedAndUngrouped() throws Exception {
+    open(CHAIRS);
+    EventThread.edt(
+        () -> {
+          PlacementCommands commands = panel.objects().commands();
+          click(-2, 1, 0);
+          click(1, 2, InputEvent.CTRL_DOWN_MASK);
+          click(2, -1, InputEvent.CTRL_DOWN_MASK);
+          commands.align(2, Arrangement.Side.LOWER);
+          assertThat(nodes()).contains("'-2 0 -1'").contains("'1 0 -1'").contains("'2 0 -1'");
+          commands.distribute(0);
+          assertThat(nodes()).contains("DEF='B' translation='0 0 -1'");
+          assertThat(selected()).containsExactly("A", "B", "C");
+          commands.putOnFloor();
+          assertThat(session.document().history().names()).as("they stand on it").hasSize(2);
+          commands.group();
+          assertThat(selected()).containsExactly("Group");
+          commands.ungroup();
+          assertThat(selected()).containsExactly("A", "B", "C");
+          session.document().history().undo();
+          session.document().history().undo();
+          session.document().history().undo();
+          session.document().history().undo();
+          assertThat(nodes()).isEqualTo(CHAIRS);
         });
   }
 }

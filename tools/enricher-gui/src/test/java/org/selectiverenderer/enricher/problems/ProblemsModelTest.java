@@ -115,7 +115,7 @@ class ProblemsModelTest {
     assertThat(model.entries()).hasSize(1);
     assertThat(model.entries().get(0).severity()).isEqualTo(Severity.ERROR);
     assertThat(model.entries().get(0).element()).isEmpty();
-    assertThat(model.counts().words()).isEqualTo("1 error");
+    assertThat(model.counts(false).words()).isEqualTo("1 error");
   }
 
   @Test
@@ -207,8 +207,8 @@ class ProblemsModelTest {
             new Problem(Severity.WARNING, cup, "something else [SR101]")));
     counting.refresh();
     assertThat(counting.entries()).extracting(ProblemEntry::stem).containsExactly("something else");
-    assertThat(counting.counts()).isEqualTo(new ProblemCounts(0, 1, 0, 2, 2));
-    assertThat(counting.counts().left()).contains("2 of 2 not enriched yet");
-    assertThat(counting.counts().words()).isEqualTo("1 warning");
+    assertThat(counting.counts(false)).isEqualTo(new ProblemCounts(false, 0, 1, 0, 2, 2));
+    assertThat(counting.counts(false).left()).contains("2 of 2 not enriched yet");
+    assertThat(counting.counts(false).words()).isEqualTo("1 warning");
   }
 }

@@ -8,9 +8,11 @@ import java.awt.Component;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.TimeUnit;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
+import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JTextField;
@@ -171,13 +173,38 @@ class SourcePanelTest {
   }
 
   @Test
+  void theQuoteThatACompletionWroteIsTypedOver() throws IOException {
+    open("<Shape>\n<Box size='1 1 1' />\n</Shape>\n");
+    caretBehind("size='1 1 1' ");
+    type("so");
+    hands.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SPACE);
+    hands.press(KeyEvent.VK_ENTER);
+    type("true");
+    hands.press(KeyEvent.VK_QUOTE);
+    assertThat(get(() -> panel.area().getText())).contains("size='1 1 1' solid='true'/>");
+    hands.press(KeyEvent.VK_QUOTE);
+    assertThat(get(() -> panel.area().getText())).contains("solid='true''/>");
+  }
+
+  @Test
+  void tabGoesFromTheWordsToWhatReplacesThem() throws IOException {
+    open("<Group DEF='Cup1'/>\n");
+    edt(() -> panel.find(true));
+    hands.await("the keyboard", () -> named("findWords", JTextField.class).isFocusOwner());
+    for (String next : List.of("findReplacement", "replaceOne", "replaceAll", "findPrevious")) {
+      hands.press(KeyEvent.VK_TAB);
+      hands.await("the keyboard in " + next, () -> named(next, JComponent.class).isFocusOwner());
+    }
+  }
+
+  @Test
   void tagsAreMatchedCommentedAndLinesGoneTo() throws IOException {
     open("<Group DEF='G'>\n  <Shape/>\n</Group>\n");
     caretBehind("<Group");
     edt(panel::goToMatchingTag);
     int end = get(() -> panel.area().getText()).indexOf("</Group>");
     assertThat(get(() -> panel.area().getCaretPosition())).isEqualTo(end);
-    edt(() -> panel.goToLine("4"));
+    edt(() -> panel.goToLine(4));
     edt(panel::toggleComment);
     assertThat(text()).contains("  <!-- <Shape/> -->\n");
     edt(panel::toggleComment);

@@ -56,8 +56,9 @@ class BatchVersionsDialogTest {
     hands.await("the objects", () -> table.getRowCount() == 4 && make.isEnabled());
     assertThat(column(table, BatchTableModel.NAME))
         .containsExactly("Sphere", "Bowl", "Shared", "Ball_2");
-    assertThat(column(table, BatchTableModel.CHOSEN)).containsExactly("true", "true", "false", "false");
-    assertThat(column(table, BatchTableModel.REMARK).get(2)).contains("'Ball' is used here (USE)");
+    assertThat(column(table, BatchTableModel.CHOSEN))
+        .containsExactly("true", "true", "true", "false");
+    assertThat(column(table, BatchTableModel.REMARK).get(3)).contains("drawn elsewhere too (USE)");
     GuiRobot.picture(dialog.getContentPane(), "versions-many", 1);
 
     JTextField goal = GuiRobot.named(dialog, "Goal of all objects", JTextField.class);
@@ -67,6 +68,7 @@ class BatchVersionsDialogTest {
           kind.setSelectedItem(BatchGoal.Kind.TOLERANCE);
           goal.setText("2, 5");
           table.setValueAt("Vase", 0, BatchTableModel.NAME);
+          table.setValueAt(false, 2, BatchTableModel.CHOSEN);
           table.setValueAt("no number", 1, BatchTableModel.GOAL);
           return null;
         });

@@ -1,4 +1,4 @@
-package org.selectiverenderer.cli.author;
+package org.selectiverenderer.authoring.importing;
 
 import java.nio.file.Path;
 import java.util.Base64;
@@ -9,7 +9,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /** Takes the pictures out of the text of a scene, where they are in {@code data:} urls. */
-final class EmbeddedPictures {
+public final class EmbeddedPictures {
   /** The urls of pictures that come from models; base64 is written alike in all encodings. */
   private static final Pattern URL =
       Pattern.compile("data:image/(png|jpeg|webp);base64,([A-Za-z0-9+/]++={0,2})");
@@ -21,12 +21,12 @@ final class EmbeddedPictures {
   /**
    * @param scene the file that the text is written to; the pictures are named after it
    */
-  EmbeddedPictures(Path scene) {
+  public EmbeddedPictures(Path scene) {
     this.scene = scene;
   }
 
   /** Returns the text with urls of files beside it. */
-  String takenFrom(String text) {
+  public String takenFrom(String text) {
     String name = String.valueOf(scene.getFileName());
     int dot = name.indexOf('.', 1);
     String stem = dot < 0 ? name : name.substring(0, dot);
@@ -41,14 +41,17 @@ final class EmbeddedPictures {
         files.put(data, file);
         contents.put(file, Base64.getDecoder().decode(data));
       }
-      String url = String.valueOf(file.getFileName()).replace(" ", "%20");
-      matcher.appendReplacement(taken, Matcher.quoteReplacement(url));
+      matcher.appendReplacement(taken, Matcher.quoteReplacement(url(file)));
     }
     return matcher.appendTail(taken).toString();
   }
 
+  private static String url(Path file) {
+    return String.valueOf(file.getFileName()).replace(" ", "%20");
+  }
+
   /** Returns the files of the pictures with their contents. */
-  Map<Path, byte[]> contents() {
+  public Map<Path, byte[]> contents() {
     return Collections.unmodifiableMap(contents);
   }
 }

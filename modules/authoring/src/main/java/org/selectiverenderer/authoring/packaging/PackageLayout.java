@@ -1,0 +1,106 @@
+package org.selectiverenderer.authoring.packaging;
+
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.Set;
+
+/**
+ * Places files in a target folder as they lie around the scene: a file beside or below it keeps its
+ * relative place, one that lies elsewhere loses the steps upwards, so that {@code
+ * ../inlineNodes/desk.x3d} becomes {@code inlineNodes/desk.x3d}. No two files get the same place,
+ * also where upper and lower case are the same.
+ */
+public final class PackageLayout {
+  private final Path folder;
+  private final Path into;
+  private final Optional<Path> kept;
+  private final Map<Path, Path> places = new HashMap<>();
+  private final Set<String> taken = new HashSet<>();
+
+  private PackageLayout(Path folder, Path into, Optional<Path> kept) {
+    this.folder = folder;
+    this.into = into;
+    this.kept = kept;
+  }
+
+  /**
+   * Creates a layout of all files around a scene.
+   *
+   * @param folder the real path of the scene's folder
+   */
+  public static PackageLayout around(Path folder) {
+    return new PackageLayout(folder, Path.of(""), Optional.empty());
+  }
+
+  /**
+   * Creates a layout in which files of the target folder stay, and others get into a folder in it.
+   *
+   * @param folder the real path of the folder of the file that names them
+   * @param target the real path of the target folder
+   * @param into the relative path of the folder for the others
+   */
+  public static PackageLayout beside(Path folder, Path target, Path into) {
+    return new PackageLayout(folder, into, Optional.of(target));
+  }
+
+  /** Reserves a place. */
+  void place(Path real, Path target) {
+    places.put(real, target);
+    taken.add(key(target));
+  }
+
+  /** Returns whether a file stays where it is, as it is in the target folder already. */
+  boolean stays(Path real) {
+    return kept.filter(real::startsWith).isPresent();
+  }
+
+  /** Returns the place of a file relative to the target folder. */
+  Path of(Path real) {
+    return places.computeIfAbsent(
+        real, file -> stays(file) ? kept.get().relativize(file) : free(into.resolve(own(file))));
+  }
+
+  private Path own(Path real) {
+    Path name = Objects.requireNonNull(real.getFileName());
+    if (!Objects.equals(folder.getRoot(), real.getRoot())) {
+      return visible(name);
+    }
+    Path relative = folder.relativize(real);
+    int up = 0;
+    while (up < relative.getNameCount() - 1 && relative.getName(up).toString().equals("..")) {
+      up++;
+    }
+    return visible(relative.subpath(up, relative.getNameCount()));
+  }
+
+  /** Returns a path without leading dots, as scenes may not name hidden files. */
+  private static Path visible(Path relative) {
+    Path shown = Path.of("");
+    for (Path part : relative) {
+      String name = part.toString();
+      shown = shown.resolve(name.startsWith(".") ? "_" + name.substring(1) : name);
+    }
+    return shown;
+  }
+
+  private Path free(Path wanted) {
+    Path place = wanted;
+    String name = wanted.getFileName().toString();
+    int dot = name.indexOf('.', 1);
+    for (int i = 2; !taken.add(key(place)); i++) {
+      String other =
+          dot < 0 ? name + "-" + i : name.substring(0, dot) + "-" + i + name.substring(dot);
+      place = wanted.resolveSibling(other);
+    }
+    return place;
+  }
+
+  private static String key(Path place) {
+    return place.toString().replace('\\', '/').toLowerCase(Locale.ROOT);
+  }
+}

@@ -1,0 +1,224 @@
+package org.selectiverenderer.authoring.packaging;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.zip.ZipFile;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.authoring.SceneDocument;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.url.ContentAccessPolicy;
+import org.selectiverenderer.x3d.url.HttpFetcher;
+
+/** A scene leaves with all that it names, and finds it again where it arrives. */
+class ScenePackagerTest {
+  @TempDir Path folder;
+  private Path scenes;
+
+  @BeforeEach
+  void files() throws IOException {
+    scenes = Files.createDirectories(folder.resolve("project/scenes"));
+    write("project/scenes/textures/wood.png", "wood");
+    write("project/scenes/sky.png", "sky");
+    write("project/scenes/say.js", "function initialize() {}");
+    write("project/scenes/hum.wav", "hum");
+    write(
+        "project/inlineNodes/desk.x3d",
+        "<X3D version='4.0'><Scene><Inline url='\"lamp.wrl\"'/>\n"
+            + "<Shape><Appearance><ImageTexture url='\"textures/top.png\"'/></Appearance><Box/>"
+            + "</Shape></Scene></X3D>");
+    write("project/inlineNodes/textures/top.png", "top");
+    write(
+        "project/inlineNodes/lamp.wrl",
+        "#VRML V2.0 utf8\nShape { appearance Appearance { texture ImageTexture {"
+            + " url [\"../../shared/glow.png\", \"http://example.org/glow.png\"] } }"
+            + " geometry Box {} }\n");
+    write("shared/glow.png", "glow");
+    write("shared/protos.x3d", "<X3D version='4.0'><Scene><ProtoDeclare name='Cup'><ProtoBody>"
+        + "<Shape><Appearance><ImageTexture url='\"cup.png\"'/></Appearance><Box/></Shape>"
+        + "</ProtoBody></ProtoDeclare></Scene></X3D>");
+    write("shared/cup.png", "cup");
+    write("secret/key.txt", "key");
+  }
+
+  private Path write(String name, String text) throws IOException {
+    Path file = folder.resolve(name);
+    Files.createDirectories(file.getParent());
+    return Files.writeString(file, text);
+  }
+
+  private ScenePackage collect(String nodes, Path... allowed) throws IOException {
+    String text = "<X3D version='4.0'>\n<Scene>\n" + nodes + "\n</Scene>\n</X3D>\n";
+    Path scene = Files.writeString(scenes.resolve("room.x3d"), text);
+    return new ScenePackager(
+            NodeCatalogue.load(),
+            scenes,
+            new ContentAccessPolicy(List.of(allowed), HttpFetcher.none()),
+            PackageLayout.around(scenes.toRealPath()),
+            () -> false)
+        .collect(
+            scene,
+            SceneDocument.of(scene.toString(), text.getBytes()).snapshot(),
+            Path.of("room.x3d"));
+  }
+
+  private static List<String> places(ScenePackage packed) {
+    return packed.files().stream().map(f -> f.target().toString().replace('\\', '/')).toList();
+  }
+
+  @Test
+  void allThatASceneNamesIsTakenAndFoundAgain() throws IOException {
+    ScenePackage packed =
+        collect(
+            """
+            <Background frontUrl='"sky.png"' backUrl='"http://example.org/sky.png" "sky.png"'/>
+            <TextureBackground><ImageTexture containerField='topTexture' url='"textures/wood.png"'/>
+            </TextureBackground>
+            <Script url='"ecmascript:" "say.js"'/>
+            <Sound><AudioClip url='"hum.wav"'/></Sound>
+            <ExternProtoDeclare name='Cup' url='"../../shared/protos.x3d#Cup"'/>
+            <Inline DEF='Desk' url='"../inlineNodes/desk.x3d"'/>""",
+            folder.resolve("shared"));
+    assertThat(packed.left()).isEmpty();
+    assertThat(places(packed))
+        .containsExactlyInAnyOrder(
+            "sky.png",
+            "textures/wood.png",
+            "say.js",
+            "hum.wav",
+            "shared/protos.x3d",
+            "shared/cup.png",
+            "inlineNodes/desk.x3d",
+            "inlineNodes/textures/top.png",
+            "inlineNodes/lamp.wrl",
+            "shared/glow.png");
+    Path target = folder.resolve("target");
+    List<PackagedFile> all = new ArrayList<>(packed.files());
+    all.add(packed.scene());
+    PackageWriter.intoFolder(all, target, done -> {});
+    assertThat(target.resolve("room.x3d"))
+        .content()
+        .contains("url='\"shared/protos.x3d#Cup\"'")
+        .contains("<Inline DEF='Desk' url='\"inlineNodes/desk.x3d\"'/>")
+        .contains("backUrl='\"http://example.org/sky.png\" \"sky.png\"'");
+    assertThat(target.resolve("inlineNodes/lamp.wrl"))
+        .content()
+        .contains("[\"../shared/glow.png\", \"http://example.org/glow.png\"]");
+    assertThat(target.resolve("inlineNodes/desk.x3d"))
+        .hasSameBinaryContentAs(folder.resolve("project/inlineNodes/desk.x3d"));
+    assertThat(target.resolve("shared/cup.png")).hasContent("cup");
+    ScenePackage again = repack(target);
+    assertThat(again.left()).isEmpty();
+    assertThat(again.files()).hasSameSizeAs(packed.files());
+  }
+
+  private static ScenePackage repack(Path target) throws IOException {
+    Path scene = target.resolve("room.x3d");
+    return new ScenePackager(
+            NodeCatalogue.load(),
+            target,
+            ContentAccessPolicy.none(),
+            PackageLayout.around(target.toRealPath()),
+            () -> false)
+        .collect(
+            scene,
+            SceneDocument.of(scene.toString(), Files.readAllBytes(scene)).snapshot(),
+            Path.of("room.x3d"));
+  }
+
+  @Test
+  void whatASceneMayNotReadAndOtherHostsAreListedAndNotTaken() throws IOException {
+    ScenePackage packed =
+        collect(
+            """
+            <Inline url='"../../secret/key.txt"'/>
+            <Inline url='"http://example.org/a.x3d"'/>
+            <Inline url='"gone.x3d"'/>""");
+    assertThat(packed.files()).isEmpty();
+    assertThat(packed.left()).extracting(ScenePackage.LeftOut::url)
+        .containsExactly("../../secret/key.txt", "http://example.org/a.x3d", "gone.x3d");
+    assertThat(packed.edits()).isEmpty();
+  }
+
+  @Test
+  void filesThatNameEachOtherAreTakenOnce() throws IOException {
+    write("project/scenes/a.x3d", "<X3D><Scene><Inline url='\"b.x3d\"'/></Scene></X3D>");
+    write("project/scenes/b.x3d", "<X3D><Scene><Inline url='\"a.x3d\" \"room.x3d\"'/></Scene></X3D>");
+    assertThat(places(collect("<Inline url='\"a.x3d\"'/>"))).containsExactly("a.x3d", "b.x3d");
+  }
+
+  @Test
+  void twoFilesNeverGetTheSamePlace() throws IOException {
+    write("project/scenes/shared/glow.png", "other");
+    ScenePackage packed =
+        collect(
+            "<ImageTexture url='\"shared/glow.png\"'/><ImageTexture url='\"../../shared/glow.png\"'/>",
+            folder.resolve("shared"));
+    assertThat(places(packed)).containsExactly("shared/glow.png", "shared/glow-2.png");
+    assertThat(new String(packed.scene().changed().orElseThrow())).contains("shared/glow-2.png");
+  }
+
+  @Test
+  void aModelTakesItsBuffersAndPicturesAlong() throws IOException {
+    write(
+        "project/scenes/models/box.gltf",
+        """
+        {"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+         "nodes": [{"mesh": 0}],
+         "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
+         "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}],
+         "textures": [{"source": 0}], "images": [{"uri": "skin.png"}],
+         "buffers": [{"uri": "box.bin", "byteLength": 36}],
+         "bufferViews": [{"buffer": 0, "byteLength": 36}],
+         "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+                        "min": [0, 0, 0], "max": [0, 0, 0]}]}
+        """);
+    Files.write(scenes.resolve("models/box.bin"), new byte[36]);
+    write("project/scenes/models/skin.png", "skin");
+    assertThat(places(collect("<Inline url='\"models/box.gltf\"'/>")))
+        .containsExactlyInAnyOrder("models/box.gltf", "models/box.bin", "models/skin.png");
+  }
+
+  @Test
+  void filesOfTheSameNameAndOtherContentAreConflictsAndNothingIsWrittenOutside()
+      throws IOException {
+    ScenePackage packed = collect("<ImageTexture url='\"textures/wood.png\"'/>");
+    Path target = Files.createDirectories(folder.resolve("target"));
+    assertThat(PackageWriter.conflicts(packed.files(), target)).isEmpty();
+    Files.createDirectories(target.resolve("textures"));
+    Files.writeString(target.resolve("textures/wood.png"), "mine");
+    assertThat(PackageWriter.conflicts(packed.files(), target))
+        .containsExactly(target.resolve("textures/wood.png"));
+    Files.writeString(target.resolve("textures/wood.png"), "wood");
+    assertThat(PackageWriter.conflicts(packed.files(), target)).isEmpty();
+
+    Path linked = Files.createDirectories(folder.resolve("linked"));
+    Files.createSymbolicLink(linked.resolve("textures"), folder.resolve("secret"));
+    assertThatThrownBy(() -> PackageWriter.intoFolder(packed.files(), linked, done -> {}))
+        .isInstanceOf(IOException.class)
+        .hasMessageContaining("lies outside");
+    assertThat(folder.resolve("secret/wood.png")).doesNotExist();
+  }
+
+  @Test
+  void anArchiveHoldsTheSameFiles() throws IOException {
+    ScenePackage packed = collect("<ImageTexture url='\"textures/wood.png\"'/>");
+    List<PackagedFile> all = List.of(packed.scene(), packed.files().get(0));
+    Path zip = folder.resolve("room.zip");
+    PackageWriter.intoZip(all, zip, done -> {});
+    try (ZipFile archive = new ZipFile(zip.toFile())) {
+      assertThat(archive.stream().map(Object::toString).toList())
+          .containsExactly("room.x3d", "textures/wood.png");
+    }
+    try (var left = Files.list(folder)) {
+      assertThat(left.map(p -> p.getFileName().toString())).noneMatch(n -> n.contains(".part"));
+    }
+  }
+}

@@ -1,0 +1,168 @@
+package org.selectiverenderer.enricher;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import org.selectiverenderer.authoring.DocumentSnapshot;
+import org.selectiverenderer.authoring.Edit;
+import org.selectiverenderer.authoring.packaging.PackageLayout;
+import org.selectiverenderer.authoring.packaging.PackageWriter;
+import org.selectiverenderer.authoring.packaging.PackagedFile;
+import org.selectiverenderer.authoring.packaging.ScenePackage;
+import org.selectiverenderer.authoring.packaging.ScenePackager;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
+import org.selectiverenderer.enricher.importing.PackageDialog;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.x3d.url.ContentAccessPolicy;
+
+/**
+ * Takes all files that a scene names along: into a folder or an archive, or to where the scene is
+ * saved. Has no widgets but questions; for the event dispatch thread.
+ */
+final class PackageCommands {
+  private final UserPrompts questions;
+
+  PackageCommands(UserPrompts questions) {
+    this.questions = questions;
+  }
+
+  /** Writes a scene as it is now, saved or not, with all that it names. */
+  void write(EnricherSession session, PackageDialog.Target target) {
+    Path scene = session.file().path();
+    if (target.zip()
+        && Files.exists(target.path())
+        && !questions.overwrite(Texts.of("keep.exists", target.path().toString()))) {
+      return;
+    }
+    collect(
+        session,
+        Path.of(String.valueOf(scene.getFileName())),
+        packed -> {
+          List<PackagedFile> all = new ArrayList<>();
+          all.add(packed.scene());
+          all.addAll(packed.files());
+          if (target.zip()) {
+            write(session, all, target, () -> {});
+          } else {
+            intoFolder(session, all, target.path(), () -> {});
+          }
+        });
+  }
+
+  /**
+   * Copies the files that a scene names to where the scene will be saved, and changes its urls.
+   *
+   * @param target the scene's future file
+   * @param then runs when the files are there
+   */
+  void takeAlong(EnricherSession session, Path target, Runnable then) {
+    long revision = session.document().revision();
+    collect(
+        session,
+        Path.of(String.valueOf(target.getFileName())),
+        packed ->
+            intoFolder(
+                session,
+                packed.files(),
+                target.toAbsolutePath().getParent(),
+                () -> {
+                  if (session.document().revision() != revision) {
+                    questions.tell(Texts.of("package.changed"));
+                    return;
+                  }
+                  session.perform(new Edit(Texts.of("package.step"), packed.edits()));
+                  then.run();
+                }));
+  }
+
+  private void collect(EnricherSession session, Path place, Consumer<ScenePackage> collected) {
+    Path scene = session.file().path().toAbsolutePath();
+    DocumentSnapshot snapshot = session.document().snapshot();
+    ContentAccessPolicy access = session.access();
+    session
+        .tasks()
+        .run(
+            Texts.of("package.collecting", String.valueOf(scene.getFileName())),
+            progress -> {
+              Path folder = scene.getParent();
+              return new ScenePackager(
+                      session.catalogue(),
+                      folder,
+                      access,
+                      PackageLayout.around(folder.toRealPath()),
+                      progress::cancelled)
+                  .collect(scene, snapshot, place);
+            },
+            packed -> {
+              if (packed.left().isEmpty() || questions.without(sentence(packed), lines(packed))) {
+                collected.accept(packed);
+              }
+            },
+            failed -> questions.tell(String.valueOf(failed.getMessage())));
+  }
+
+  private static String sentence(ScenePackage packed) {
+    int left = packed.left().size();
+    return Texts.of("package.left", left, DecimalFormatter.grouped(left));
+  }
+
+  private static List<String> lines(ScenePackage packed) {
+    return packed.left().stream()
+        .map(left -> left.file() + ": " + left.url() + " " + left.reason())
+        .toList();
+  }
+
+  private void intoFolder(
+      EnricherSession session, List<PackagedFile> files, Path folder, Runnable written) {
+    session
+        .tasks()
+        .run(
+            Texts.of("package.comparing", folder.toString()),
+            () -> PackageWriter.conflicts(files, folder),
+            conflicts -> {
+              if (conflicts.isEmpty()
+                  || questions.replace(
+                      Texts.of(
+                          "package.conflicts",
+                          conflicts.size(),
+                          DecimalFormatter.grouped(conflicts.size()),
+                          folder.toString()),
+                      conflicts.stream().map(Path::toString).toList())) {
+                write(session, files, new PackageDialog.Target(folder, false), written);
+              }
+            },
+            failed -> questions.tell(String.valueOf(failed.getMessage())));
+  }
+
+  private void write(
+      EnricherSession session,
+      List<PackagedFile> files,
+      PackageDialog.Target target,
+      Runnable written) {
+    session
+        .tasks()
+        .runToEnd(
+            Texts.of("package.writing", String.valueOf(target.path().getFileName())),
+            () -> {
+              if (target.zip()) {
+                PackageWriter.intoZip(files, target.path(), share -> {});
+              } else {
+                PackageWriter.intoFolder(files, target.path(), share -> {});
+              }
+              return files.size();
+            },
+            count -> {
+              session.message(
+                  Texts.of(
+                      "package.done",
+                      count,
+                      DecimalFormatter.grouped(count),
+                      target.path().toString()));
+              written.run();
+            },
+            failed -> questions.tell(String.valueOf(failed.getMessage())));
+  }
+}

@@ -1,0 +1,181 @@
+package org.selectiverenderer.enricher.insert;
+
+import java.awt.Component;
+import java.io.File;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.function.Supplier;
+import javax.swing.JFileChooser;
+import org.joml.AxisAngle4d;
+import org.joml.Vector3d;
+import org.selectiverenderer.authoring.structure.NodeTemplate;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
+import org.selectiverenderer.browser.viewer.Pose;
+import org.selectiverenderer.enricher.component.NamedFileChooser;
+import org.selectiverenderer.enricher.menu.StructureCommands;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.write.FieldValueFormatter;
+
+/** The commands that insert templates and nodes at the selection. */
+public final class InsertCommands {
+  /** The templates in the order of the menu; an empty name stands for a separator. */
+  public static final List<String> TEMPLATES =
+      List.of(
+          "box", "sphere", "cylinder", "cone", "wall", "text", "group", "", "lamp", "spot", "sun",
+          "view", "sky", "", "inline");
+
+  private static final double EYE = 1.6;
+  private static final double AHEAD = 3;
+  private static final int DECIMALS = 3;
+
+  private final EnricherSession session;
+  private final StructureCommands structure;
+  private final Supplier<Optional<Pose>> viewer;
+
+  /**
+   * @param viewer where the preview's viewer is; empty while there is none
+   */
+  public InsertCommands(
+      EnricherSession session, StructureCommands structure, Supplier<Optional<Pose>> viewer) {
+    this.session = session;
+    this.structure = structure;
+    this.viewer = viewer;
+  }
+
+  /** Asks for a node that may go where the selection is, and inserts it. */
+  public void choose(Component over) {
+    if (session.document().tree().isEmpty()) {
+      session.message(Texts.of("node.formsWait"));
+      return;
+    }
+    InsertDialog dialog =
+        new InsertDialog(structure.palette(), session.selection().filter(DocumentElement::attached));
+    dialog.ask(over).ifPresent(name -> insert(name, over));
+  }
+
+  /**
+   * Inserts a template or a node.
+   *
+   * @param name the name of a template, or of a node type
+   * @param over the component over which a file is asked for
+   */
+  public void insert(String name, Component over) {
+    NodeTemplate template = structure.palette().template(name);
+    switch (name) {
+      case "inline" -> file(over).ifPresent(file -> structure.insert(inlined(template, file)));
+      case "view" -> structure.insert(viewer.get().map(pose -> at(template, pose)).orElse(template));
+      default -> structure.insert(inFront(template));
+    }
+  }
+
+  private Optional<Path> file(Component over) {
+    Path folder = session.file().path().toAbsolutePath().getParent();
+    NamedFileChooser chooser = new NamedFileChooser();
+    chooser.setCurrentDirectory(folder == null ? null : folder.toFile());
+    chooser.setDialogTitle(Texts.of("insert.inline.title"));
+    return chooser.showOpenDialog(over) == JFileChooser.APPROVE_OPTION
+        ? Optional.of(chooser.chosen())
+        : Optional.empty();
+  }
+
+  /** Returns the template of an Inline with the url and the name of a file. */
+  NodeTemplate inlined(NodeTemplate template, Path file) {
+    Path folder = session.file().path().toAbsolutePath().getParent();
+    Path path = file.toAbsolutePath().normalize();
+    boolean near = folder != null && Objects.equals(folder.getRoot(), path.getRoot());
+    String url =
+        near
+            ? folder.normalize().relativize(path).toString().replace(File.separatorChar, '/')
+            : path.toUri().toString();
+    String name = String.valueOf(path.getFileName()).replaceFirst("\\.[^.]*$", "");
+    NodeTemplate placed = inFront(template).with("Inline", "url", FieldValueFormatter.strings(url));
+    return placed.with("Transform", "DEF", structure.free(name.isBlank() ? "Model" : name));
+  }
+
+  private static NodeTemplate at(NodeTemplate template, Pose pose) {
+    AxisAngle4d turn = new AxisAngle4d().set(pose.orientation());
+    boolean turned = Math.abs(turn.angle) > 1e-6;
+    NodeTemplate placed =
+        template.with(
+            "Viewpoint",
+            "position",
+            numbers(pose.position().x(), pose.position().y(), pose.position().z()));
+    return turned
+        ? placed.with(
+            "Viewpoint", "orientation", numbers(turn.x, turn.y, turn.z, turn.angle))
+        : placed;
+  }
+
+  private static String numbers(double... of) {
+    StringBuilder text = new StringBuilder();
+    for (double each : of) {
+      text.append(text.isEmpty() ? "" : " ").append(DecimalFormatter.rounded(each, DECIMALS));
+    }
+    return text.toString();
+  }
+
+  /**
+   * Puts what has a place in front of the preview's viewer, on the ground under the eyes, if the
+   * selection is in scene coordinates.
+   */
+  private NodeTemplate inFront(NodeTemplate template) {
+    Optional<Pose> pose = viewer.get();
+    boolean inScene =
+        session.selection().map(InsertCommands::inSceneCoordinates).orElse(true);
+    if (pose.isEmpty() || !inScene) {
+      return template;
+    }
+    Vector3d ahead = pose.get().orientation().transform(new Vector3d(0, 0, -1));
+    ahead.y = 0;
+    if (ahead.lengthSquared() < 1e-6) {
+      ahead.set(0, 0, -1);
+    }
+    ahead.normalize(AHEAD).add(pose.get().position());
+    double ground = pose.get().position().y() - eyeHeight();
+    NodeTemplate placed = template;
+    for (String field : List.of("Transform translation", "PointLight location", "SpotLight location")) {
+      String[] words = field.split(" ");
+      placed =
+          placed.shifted(
+              words[0], words[1], new double[] {ahead.x, ground, ahead.z}, DECIMALS);
+    }
+    return placed;
+  }
+
+  private double eyeHeight() {
+    return session.document().tree().stream()
+        .flatMap(tree -> tree.scene().stream())
+        .flatMap(scene -> scene.children().stream())
+        .filter(each -> each.name().equals("NavigationInfo"))
+        .flatMap(each -> each.text("avatarSize").stream())
+        .map(text -> text.strip().split("[\\s,]+"))
+        .filter(words -> words.length > 1)
+        .flatMap(words -> number(words[1]).stream())
+        .findFirst()
+        .orElse(EYE);
+  }
+
+  private static Optional<Double> number(String word) {
+    try {
+      return Optional.of(Double.parseDouble(word)).filter(Double::isFinite);
+    } catch (NumberFormatException e) {
+      return Optional.empty(); // a fault that the validator reports
+    }
+  }
+
+  private static boolean inSceneCoordinates(DocumentElement selected) {
+    for (Optional<DocumentElement> at = Optional.of(selected); at.isPresent(); at = at.get().parent()) {
+      String name = at.get().name().toLowerCase(Locale.ROOT);
+      if (name.contains("transform") || name.startsWith("geo") || name.startsWith("hanim")
+          || name.startsWith("proto") || name.equals("billboard") || name.equals("cadpart")) {
+        return false;
+      }
+    }
+    return true;
+  }
+}
