@@ -228,7 +228,8 @@ final class StartWindow {
     }
   }
 
-  private void enrich(Path scene) {
+  /** Opens a scene in the enricher. */
+  void enrich(Path scene) {
     enrich(Optional.of(scene));
   }
 
