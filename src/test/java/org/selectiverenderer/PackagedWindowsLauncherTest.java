@@ -52,7 +52,9 @@ class PackagedWindowsLauncherTest {
     String flag = "(?<=[ ,=\"])-(?:X[X:+\\w]+|D(?:joml|selective)[.\\w-]+)(?:=(?!-)[\\w-]+)?";
     Set<String> wanted = found(flag, script());
     wanted.removeIf(
-        each -> each.matches(".*(ClassList|Archive|ErrorFile|Xshare|XshowSettings|Xmx4g|Xdock|splash).*"));
+        each ->
+            each.matches(
+                ".*(ClassList|Archive|ErrorFile|Xshare|XshowSettings|Xmx4g|Xdock|splash).*"));
     wanted.add("-Dselective-renderer.arguments=unicode"); // Of this launcher alone.
     Set<String> own = found(flag, String.join("\n", settings()));
     assertThat(own).contains("-Dselective-renderer.installed=true").isEqualTo(wanted);

@@ -21,8 +21,7 @@ import org.selectiverenderer.enricher.WindowIcon;
  * anew.
  */
 class SplashPictureTest {
-  private static final Path FOLDER =
-      Path.of("src/main/resources/org/selectiverenderer/app/start");
+  private static final Path FOLDER = Path.of("src/main/resources/org/selectiverenderer/app/start");
   private static final int WIDTH = 420;
   private static final int HEIGHT = 180;
   private static final long MOST_BYTES = 20_000;

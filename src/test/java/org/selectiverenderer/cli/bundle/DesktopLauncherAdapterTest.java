@@ -46,7 +46,8 @@ class DesktopLauncherAdapterTest {
 
   @Test
   void anEntryOfADesktopNamesTheCommandItself() {
-    assertThat(new DesktopLauncherAdapter(null, ENTRY, false).arguments(new String[] {"run", "a.x3d"}))
+    assertThat(
+            new DesktopLauncherAdapter(null, ENTRY, false).arguments(new String[] {"run", "a.x3d"}))
         .containsExactly("run", "a.x3d");
   }
 

@@ -31,8 +31,7 @@ class DoubleClickTest {
   void onWindowsTheExplorerIsTheParent() {
     for (boolean clicked : new boolean[] {true, false}) {
       String parent = clicked ? "C:\\Windows\\explorer.exe" : "C:\\Windows\\System32\\cmd.exe";
-      assertThat(DoubleClick.started("Windows 11", parent, List.of(), Map.of()))
-          .isEqualTo(clicked);
+      assertThat(DoubleClick.started("Windows 11", parent, List.of(), Map.of())).isEqualTo(clicked);
     }
   }
 }

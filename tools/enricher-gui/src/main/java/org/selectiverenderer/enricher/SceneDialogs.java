@@ -114,10 +114,7 @@ final class SceneDialogs {
                   session.select(each, this);
                   say.accept(
                       Texts.of(
-                          "versions.made",
-                          each.toString(),
-                          made,
-                          DecimalFormatter.grouped(made)));
+                          "versions.made", each.toString(), made, DecimalFormatter.grouped(made)));
                 });
       }
     }

@@ -17,9 +17,9 @@ import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.models.ModelReader;
 import org.selectiverenderer.models.simplify.SimplificationTarget;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
-import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.read.PrototypeLibraryLoader;
 import org.selectiverenderer.x3d.read.X3dReader;
+import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.url.BaseUrl;
 import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 import org.selectiverenderer.x3d.url.UrlResolver;
@@ -129,7 +129,8 @@ public final class VersionsEdit {
 
     /** Returns the request for another object, of which no version is kept. */
     Request of(String other, List<SimplificationTarget> wanted) {
-      return new Request(scene, access, other, wanted, output, inlineFolder, Set.of(), "", OptionalInt.empty());
+      return new Request(
+          scene, access, other, wanted, output, inlineFolder, Set.of(), "", OptionalInt.empty());
     }
 
     /** Returns the request with another base name of files. */
@@ -147,9 +148,7 @@ public final class VersionsEdit {
     Optional<ObjectElements> find(ElementNodeMapping in, ProblemCollector problems) {
       ObjectFinder finder = new ObjectFinder(in, problems);
       return start.isPresent()
-          ? in.elements()
-              .at(start.getAsInt())
-              .flatMap(element -> finder.at(element, object))
+          ? in.elements().at(start.getAsInt()).flatMap(element -> finder.at(element, object))
           : finder.find(object);
     }
   }

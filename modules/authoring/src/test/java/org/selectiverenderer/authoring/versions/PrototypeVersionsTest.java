@@ -30,7 +30,8 @@ class PrototypeVersionsTest extends VaseScene {
     make(scene, "Vase", FEW);
     assertThat(problems.list()).isEmpty();
     assertThat(Files.readString(scene))
-        .startsWith(before.substring(0, before.indexOf("  <Shape DEF='Vase'><Sphere/></Shape>\n  ")))
+        .startsWith(
+            before.substring(0, before.indexOf("  <Shape DEF='Vase'><Sphere/></Shape>\n  ")))
         .contains("<Switch DEF='Switch_Vase'");
   }
 

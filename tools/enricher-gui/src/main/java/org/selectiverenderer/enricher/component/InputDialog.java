@@ -149,8 +149,7 @@ public final class InputDialog {
     return content;
   }
 
-  private Optional<String> answer(
-      JTextField field, Function<String, Optional<String>> complaint) {
+  private Optional<String> answer(JTextField field, Function<String, Optional<String>> complaint) {
     return ask(() -> complaint.apply(field.getText().strip()))
         ? Optional.of(field.getText().strip())
         : Optional.empty();

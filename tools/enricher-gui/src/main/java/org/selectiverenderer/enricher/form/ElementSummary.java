@@ -36,11 +36,13 @@ record ElementSummary(
     boolean object =
         instance
             || catalogue
-            .find(node.name())
-            .filter(
-                type ->
-                    type.is("X3DGroupingNode") || type.is("X3DShapeNode") || inlines(node.name()))
-            .isPresent();
+                .find(node.name())
+                .filter(
+                    type ->
+                        type.is("X3DGroupingNode")
+                            || type.is("X3DShapeNode")
+                            || inlines(node.name()))
+                .isPresent();
     boolean named = node.def().isPresent() || instance; // its prototype has a name
     boolean free = around.isEmpty() && node.use().isEmpty();
     String advice;

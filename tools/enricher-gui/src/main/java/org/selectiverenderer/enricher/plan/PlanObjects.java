@@ -23,8 +23,8 @@ import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
  * The objects in the plan: selects them by clicks and by a rectangle, has the handles that move,
- * turn and scale them, hides them in the plan, and measures distances. {@link
- * PlanMouseController} asks it before it deals with areas.
+ * turn and scale them, hides them in the plan, and measures distances. {@link PlanMouseController}
+ * asks it before it deals with areas.
  */
 final class PlanObjects {
   private final FloorPlanCanvas view;
@@ -156,9 +156,7 @@ final class PlanObjects {
   List<PlanHandle> handles() {
     return drag != null
         ? List.of()
-        : objects()
-            .map(of -> PlanHandle.of(of, settings.mode(), view.scale()))
-            .orElse(List.of());
+        : objects().map(of -> PlanHandle.of(of, settings.mode(), view.scale())).orElse(List.of());
   }
 
   Optional<PlanHandle> handle(double x, double y) {
@@ -270,9 +268,7 @@ final class PlanObjects {
             }
             measured.add(
                 new Vector3d(
-                    from.x,
-                    found.map(surface -> surface.point().y()).orElse(from.y),
-                    from.z));
+                    from.x, found.map(surface -> surface.point().y()).orElse(from.y), from.z));
             view.repaint();
           }
         });
@@ -334,8 +330,7 @@ final class PlanObjects {
         footprint,
         hidden,
         found -> {
-          List<DocumentElement> all =
-              new ArrayList<>(add ? session.selectedElements() : List.of());
+          List<DocumentElement> all = new ArrayList<>(add ? session.selectedElements() : List.of());
           all.removeAll(found);
           all.addAll(found);
           session.selectAll(all, view);

@@ -286,7 +286,10 @@ public final class PlanPanel extends JPanel {
   /** Requests a new plan image of what the preview has loaded. */
   private void refresh() {
     if (isShowing()) {
-      commands.probe().plan(height, objects.hidden(), found -> found.ifPresentOrElse(this::show, later::restart));
+      commands
+          .probe()
+          .plan(
+              height, objects.hidden(), found -> found.ifPresentOrElse(this::show, later::restart));
     }
   }
 

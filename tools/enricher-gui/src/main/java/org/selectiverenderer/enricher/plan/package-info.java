@@ -15,8 +15,8 @@
  *
  * <p>In: the document's areas, a picture of the scene, the author's mouse and keys. Out: edits by
  * {@code enricher.area}. Uses {@code enricher.component}, {@code enricher.area}, {@code
- * enricher.placement}, {@code enricher.session}, {@code enricher.text}, {@code authoring.area}, {@code geometry} and {@code
- * base.decimal}. For the event dispatch thread.
+ * enricher.placement}, {@code enricher.session}, {@code enricher.text}, {@code authoring.area},
+ * {@code geometry} and {@code base.decimal}. For the event dispatch thread.
  */
 @NullMarked
 package org.selectiverenderer.enricher.plan;

@@ -22,8 +22,8 @@
  *
  * <p>{@code ObjectHandles} move, turn and scale the selected objects: a drag changes the running
  * scene only, its end is one edit by {@code enricher.placement}. {@code ObjectQueries} measures
- * objects for them and for the plan, {@code StoreyFinder} and {@code PlanShapes} say where a plan is
- * cut and what it leaves out.
+ * objects for them and for the plan, {@code StoreyFinder} and {@code PlanShapes} say where a plan
+ * is cut and what it leaves out.
  *
  * <p>In: snapshots of a document, the selection, the author's mouse and keys. Out: pictures in a
  * Swing component; the object that was clicked. {@code PreviewPanel} and everything of Swing

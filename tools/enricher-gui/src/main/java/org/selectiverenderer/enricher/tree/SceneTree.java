@@ -129,8 +129,7 @@ final class SceneTree extends JTree {
       pressed = null;
       return;
     }
-    dragged =
-        session.selectedElements().stream().filter(DocumentElement::attached).toList();
+    dragged = session.selectedElements().stream().filter(DocumentElement::attached).toList();
   }
 
   private void follow(Point at, boolean copy) {
@@ -146,8 +145,7 @@ final class SceneTree extends JTree {
             .findFirst();
     refused = fits.isEmpty();
     target = fits.orElse(possible.isEmpty() ? null : possible.get(0));
-    setCursor(
-        Cursor.getPredefinedCursor(refused ? Cursor.DEFAULT_CURSOR : Cursor.MOVE_CURSOR));
+    setCursor(Cursor.getPredefinedCursor(refused ? Cursor.DEFAULT_CURSOR : Cursor.MOVE_CURSOR));
     DropTargets.Target now = target;
     if (now != null) {
       session.message(

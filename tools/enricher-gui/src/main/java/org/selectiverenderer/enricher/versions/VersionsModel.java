@@ -60,8 +60,8 @@ final class VersionsModel {
   }
 
   /**
-   * Creates a model for the object that an element is or is part of: the nearest with a DEF name, but
-   * a Switch or an instance of a prototype also without one.
+   * Creates a model for the object that an element is or is part of: the nearest with a DEF name,
+   * but a Switch or an instance of a prototype also without one.
    */
   static VersionsModel of(SceneDocument document, DocumentElement element) {
     String named = nameOf(element);
