@@ -63,7 +63,7 @@ final class Workbench {
   private static final int COSTS = 300;
 
   /** Height in pixels of the views in which both have room. */
-  private static final int BOTH = 780;
+  private static final int BOTH = 700;
 
   private final EnricherSession session;
   private final EnricherSettings settings;
