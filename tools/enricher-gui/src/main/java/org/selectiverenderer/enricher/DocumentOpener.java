@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher;
 
+import java.awt.EventQueue;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -11,6 +12,7 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.authoring.file.CrashRecovery;
 import org.selectiverenderer.authoring.file.DocumentFile;
 import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.enricher.task.BackgroundTask;
 import org.selectiverenderer.enricher.task.TaskExecutor;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
@@ -157,23 +159,25 @@ final class DocumentOpener {
     place.announce().accept(name + "\u2026");
     Optional<Workbench> before = place.bench().get();
     long agreed = revision(before);
-    tasks.run(
-        name,
-        opening,
-        file -> {
-          if (before.isPresent()
-              && before.equals(place.bench().get())
-              && revision(before) != agreed) {
-            // The author has edited the open document while the other one was read.
-            place.saves().leaving(() -> place.adopt().accept(file));
-          } else {
-            place.adopt().accept(file);
-          }
-        },
-        failed -> {
-          nothing();
-          questions.tell(String.valueOf(failed.getMessage()));
-        });
+    BackgroundTask task =
+        tasks.run(
+            name,
+            opening,
+            file -> {
+              if (before.isPresent()
+                  && before.equals(place.bench().get())
+                  && revision(before) != agreed) {
+                // The author has edited the open document while the other one was read.
+                place.saves().leaving(() -> place.adopt().accept(file));
+              } else {
+                place.adopt().accept(file);
+              }
+            },
+            failed -> {
+              nothing();
+              questions.tell(String.valueOf(failed.getMessage()));
+            });
+    task.onCancel(() -> EventQueue.invokeLater(this::nothing));
   }
 
   private void nothing() {

@@ -28,6 +28,7 @@ import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.settings.EnricherSettings;
 import org.selectiverenderer.enricher.settings.RecentFiles;
 import org.selectiverenderer.enricher.settings.SettingsTrust;
+import org.selectiverenderer.enricher.task.BackgroundTask;
 import org.selectiverenderer.enricher.task.TaskExecutor;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
@@ -193,7 +194,9 @@ final class EnricherWindow {
   /** Whether the window shows a file, or is about to. */
   boolean has(Path file) {
     Path asked = file.toAbsolutePath().normalize();
-    return session().filter(open -> open.file().path().toAbsolutePath().normalize().equals(asked)).isPresent()
+    return session()
+            .filter(open -> open.file().path().toAbsolutePath().normalize().equals(asked))
+            .isPresent()
         || opening.reading(asked);
   }
 
@@ -223,6 +226,13 @@ final class EnricherWindow {
   /** Opens a scene in place of the open one, about whose changes the author has been asked. */
   void openUnasked(Path path) {
     opening.openUnasked(path);
+  }
+
+  /** Cancels what runs in the background; returns whether there was anything. */
+  boolean cancelTasks() {
+    List<BackgroundTask> running = tasks.running();
+    running.forEach(BackgroundTask::cancel);
+    return !running.isEmpty();
   }
 
   /** The part that opens scenes. */

@@ -104,6 +104,27 @@ class WindowUsabilityTest {
   }
 
   @Test
+  void anOpeningThatIsCancelledLeavesTheWelcome() throws IOException {
+    show();
+    JLabel welcome =
+        GuiRobot.named(
+            window.frame().getContentPane(),
+            "Drop an X3D scene here, or press Ctrl+O to open one",
+            JLabel.class);
+    Path scene = scene();
+    boolean cancelled =
+        GuiRobot.onEdt(
+            () -> {
+              window.openUnasked(scene);
+              return window.cancelTasks();
+            });
+    assertThat(cancelled).isTrue();
+    hands.await("the welcome", () -> welcome.getText().startsWith("Drop an X3D scene"));
+    assertThat(window.session()).isEmpty();
+    assertThat(window.has(scene)).isFalse();
+  }
+
+  @Test
   void theFormKeepsItsWidthHoweverManyScenesAreOpened() throws IOException {
     show();
     Path scene = scene();

@@ -100,8 +100,7 @@ public final class NodeEdits {
     if (other.isPresent()) {
       throw new EditRejectedException(
           "%s is the name of the %s in line %d already; choose another one"
-              .formatted(
-                  name, other.get().name(), document.location(other.get().start()).line()));
+              .formatted(name, other.get().name(), document.location(other.get().start()).line()));
     }
   }
 
@@ -223,22 +222,22 @@ public final class NodeEdits {
    */
   public List<TextEdit> removal(DocumentElement node) {
     removableOnly(node);
-    withoutInstances(node);
+    withoutInstances(List.of(node));
     SourceFormatter layout = document.layout();
     List<TextEdit> changes = new ArrayList<>(released(node));
     changes.add(layout.remove(node));
     return changes;
   }
 
-  /** Refuses to remove a prototype that would leave instances without one. */
-  private void withoutInstances(DocumentElement node) {
+  /** Refuses to remove prototypes that would leave instances without one. */
+  private void withoutInstances(List<DocumentElement> nodes) {
     ElementTree tree = tree();
     for (DocumentElement instance : tree.instances()) {
       Optional<DocumentElement> declaration =
-          node.contains(instance)
+          inside(nodes, instance)
               ? Optional.empty()
               : instance.text("name").flatMap(name -> tree.prototype(name.strip(), instance));
-      if (declaration.filter(node::contains).isPresent()) {
+      if (declaration.filter(found -> inside(nodes, found)).isPresent()) {
         throw new EditRejectedException(
             "the prototype %s has an instance in line %d; delete it first"
                 .formatted(
@@ -257,6 +256,7 @@ public final class NodeEdits {
   public List<TextEdit> removal(List<DocumentElement> nodes) {
     tree();
     nodes.forEach(NodeEdits::removableOnly);
+    withoutInstances(nodes);
     SourceFormatter layout = document.layout();
     List<TextEdit> changes = new ArrayList<>();
     references(nodes).forEach(each -> changes.add(layout.remove(each)));
@@ -271,8 +271,7 @@ public final class NodeEdits {
    * @throws EditRejectedException if a node is referenced by USE from outside of them
    */
   public Set<DocumentElement> references(List<DocumentElement> nodes) {
-    Predicate<DocumentElement> outside =
-        each -> nodes.stream().noneMatch(node -> node.contains(each));
+    Predicate<DocumentElement> outside = each -> !inside(nodes, each);
     Set<DocumentElement> found = new LinkedHashSet<>();
     for (DocumentElement node : nodes) {
       NodeReferences references = NodeReferences.into(node);
@@ -309,6 +308,10 @@ public final class NodeEdits {
     gone.addAll(references.exports());
     gone.addAll(references.imports());
     return gone.stream().map(layout::remove).toList();
+  }
+
+  private static boolean inside(List<DocumentElement> nodes, DocumentElement element) {
+    return nodes.stream().anyMatch(node -> node.contains(element));
   }
 
   private void usedElsewhere(DocumentElement use) {

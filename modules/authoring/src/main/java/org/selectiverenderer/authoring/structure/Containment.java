@@ -16,7 +16,7 @@ import org.selectiverenderer.x3d.source.StatementNames;
  * stand where the first node of its body may (X3D 4.0, 4.4.4.3); one of an unknown prototype stands
  * in its {@code containerField}, else among {@code children}.
  */
-public final class Containment {
+final class Containment {
   static final String CHILDREN = "children";
   private static final String INSTANCE = "ProtoInstance";
   private static final int NESTED = 8;
@@ -27,7 +27,7 @@ public final class Containment {
 
   private final NodeCatalogue catalogue;
 
-  public Containment(NodeCatalogue catalogue) {
+  Containment(NodeCatalogue catalogue) {
     this.catalogue = catalogue;
   }
 
@@ -46,7 +46,7 @@ public final class Containment {
   }
 
   /** Returns whether an element may contain another, if the fields for it are free. */
-  public boolean accepts(DocumentElement parent, DocumentElement child) {
+  boolean accepts(DocumentElement parent, DocumentElement child) {
     return place(parent, child, Set.of()).isPresent();
   }
 
@@ -76,7 +76,9 @@ public final class Containment {
   }
 
   private static boolean root(NodeType type) {
-    return type.is("X3DChildNode") || type.is("X3DMetadataObject") || type.name().equals("LayerSet");
+    return type.is("X3DChildNode")
+        || type.is("X3DMetadataObject")
+        || type.name().equals("LayerSet");
   }
 
   private static Optional<Place> statementIn(NodeType parent) {

@@ -19,7 +19,7 @@ import org.selectiverenderer.x3d.write.SceneFormat;
  * Nodes that were read from text, such as that of the clipboard: one or several elements of X3D, a
  * whole X3D file, of which the content of its Scene counts, or VRML97.
  */
-public final class SceneFragment {
+final class SceneFragment {
   private static final int LONGEST = 64_000_000;
   private static final String HEADER = "#VRML V2.0 utf8\n";
   private static final Pattern VRML_NODE =
@@ -38,7 +38,7 @@ public final class SceneFragment {
    *
    * @throws EditRejectedException if there are none, with a sentence for the author
    */
-  public static SceneFragment parse(String text, NodeCatalogue catalogue) {
+  static SceneFragment parse(String text, NodeCatalogue catalogue) {
     if (text.length() > LONGEST) {
       throw new EditRejectedException(
           "The clipboard holds more than %d million characters; use an Inline of the file"

@@ -8,7 +8,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.stream.Collectors;
+import java.util.function.Function;
+import org.joml.Vector3d;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.authoring.SceneDocument;
@@ -30,16 +31,13 @@ public final class StructureEdits {
   private final SceneDocument document;
   private final Containment containment;
   private final NodeCatalogue catalogue;
+  private final ChoiceGuard choices;
 
   public StructureEdits(SceneDocument document, NodeCatalogue catalogue) {
     this.document = document;
     this.catalogue = catalogue;
     this.containment = new Containment(catalogue);
-  }
-
-  /** Returns the rules by which elements contain others. */
-  public Containment containment() {
-    return containment;
+    this.choices = new ChoiceGuard(document, catalogue);
   }
 
   private ElementTree tree() {
@@ -55,8 +53,7 @@ public final class StructureEdits {
   public static List<DocumentElement> outermost(List<DocumentElement> elements) {
     return elements.stream()
         .filter(DocumentElement::attached)
-        .filter(
-            each -> elements.stream().noneMatch(other -> other != each && other.contains(each)))
+        .filter(each -> elements.stream().noneMatch(other -> other != each && other.contains(each)))
         .distinct()
         .sorted(Comparator.comparingInt(DocumentElement::start))
         .toList();
@@ -76,6 +73,7 @@ public final class StructureEdits {
   public Edit remove(List<DocumentElement> elements, String verb) {
     tree();
     List<DocumentElement> all = outermost(elements);
+    all.forEach(choices::taken);
     return new Edit(verb + " " + called(all), new NodeEdits(document).removal(all));
   }
 
@@ -88,7 +86,11 @@ public final class StructureEdits {
   public StructureChange paste(Optional<DocumentElement> selected, String text) {
     SceneFragment fragment = SceneFragment.parse(text, catalogue);
     DocumentElement target = selected.map(this::sceneOf).orElseGet(this::scene);
-    return insert(fragment, positionFor(target, fragment), "Paste ");
+    return insert(fragment, targets().positionFor(target, fragment), "Paste ");
+  }
+
+  private PasteTargets targets() {
+    return new PasteTargets(document, containment, catalogue);
   }
 
   /** Inserts nodes at a position. */
@@ -100,8 +102,11 @@ public final class StructureEdits {
     pieces.rename(new UniqueNameGenerator(tree(), position.parent()), Map.of());
     TextEdit change = insertion(position, Set.of(), pieces.lines());
     int count = fragment.elements().size();
+    List<TextEdit> changes = new ArrayList<>();
+    changes.addAll(new NeededComponents(document, catalogue).of(fragment.elements()));
+    changes.add(change);
     return new StructureChange(
-        new Edit(verb + called(fragment.elements()), List.of(change)),
+        new Edit(verb + called(fragment.elements()), changes),
         List.of(new StructureChange.Added(change, count)));
   }
 
@@ -113,80 +118,6 @@ public final class StructureEdits {
 
   private DocumentElement sceneOf(DocumentElement selected) {
     return selected.name().equals("X3D") || selected.name().equals("head") ? scene() : selected;
-  }
-
-  /** Returns where nodes go that are pasted while an element is selected. */
-  private ChildPosition positionFor(DocumentElement target, SceneFragment fragment) {
-    ChildPosition into = ChildPosition.last(target);
-    boolean same =
-        fragment.elements().size() == 1
-            && bare(document.text(target))
-                .equals(bare(fragment.document().text(fragment.elements().get(0))));
-    Optional<ChildPosition> beside = target.parent().map(parent -> ChildPosition.after(target));
-    Optional<ChildPosition> first = same ? beside : Optional.of(into);
-    Optional<ChildPosition> second = same ? Optional.of(into) : beside;
-    List<DocumentElement> elements = fragment.elements();
-    return first
-        .filter(at -> misfit(elements, at.parent(), Set.of()).isEmpty())
-        .or(() -> second.filter(at -> misfit(elements, at.parent(), Set.of()).isEmpty()))
-        .orElseThrow(() -> new EditRejectedException(nowhere(elements, target)));
-  }
-
-  /** Returns a node's text by which it knows its copies: without numbers of names, white space. */
-  private static String bare(String text) {
-    return text.replaceAll("_[1-9][0-9]*(?=['\"])|\\s+", "");
-  }
-
-  /** Returns the first element that no free field of a parent takes; empty if all fit. */
-  private Optional<DocumentElement> misfit(
-      List<DocumentElement> elements, DocumentElement parent, Set<DocumentElement> leaving) {
-    FieldOccupancy fields = new FieldOccupancy(containment, parent, leaving);
-    return elements.stream().filter(each -> fields.give(each).isEmpty()).findFirst();
-  }
-
-  private String nowhere(List<DocumentElement> elements, DocumentElement target) {
-    DocumentElement misfit =
-        misfit(elements, target, Set.of()).orElseGet(() -> elements.get(0));
-    if (containment.accepts(target, misfit)) {
-      return taken(misfit, target);
-    }
-    return "%s can go neither into %s nor beside it; %s"
-        .formatted(misfit, target, homes(misfit));
-  }
-
-  private String taken(DocumentElement child, DocumentElement parent) {
-    return "%s takes only one node as its %s and has one already; delete that first"
-        .formatted(
-            parent,
-            containment
-                .place(parent, child, Set.of())
-                .flatMap(Containment.Place::field)
-                .orElse("value"));
-  }
-
-  /** Says which elements take a node: of this scene, else by their types. */
-  private String homes(DocumentElement node) {
-    List<DocumentElement> here = new ArrayList<>();
-    tree()
-        .root()
-        .visit(
-            each -> {
-              if (here.size() < 3 && containment.accepts(each, node)) {
-                here.add(each);
-              }
-            });
-    if (!here.isEmpty()) {
-      return "select a node that takes it, such as "
-          + here.stream()
-              .map(
-                  each ->
-                      "%s in line %d".formatted(each, document.location(each.start()).line()))
-              .collect(Collectors.joining(" or "));
-    }
-    List<String> types = new NodePalette(document, catalogue).parents(node);
-    return types.isEmpty()
-        ? "no node takes it"
-        : "insert a node that takes it first: " + String.join(", ", types);
   }
 
   /**
@@ -202,6 +133,7 @@ public final class StructureEdits {
       if (!NodeEdits.removable(each)) {
         throw new EditRejectedException("Every scene needs its element " + each + "; it stays");
       }
+      choices.taken(each);
       if (each.contains(parent)) {
         throw new EditRejectedException(each + " cannot be moved into itself");
       }
@@ -293,8 +225,9 @@ public final class StructureEdits {
                   () ->
                       new EditRejectedException(
                           containment.accepts(parent, each)
-                              ? taken(each, parent)
-                              : "%s cannot go into %s; %s".formatted(each, parent, homes(each))));
+                              ? targets().taken(each, parent)
+                              : "%s cannot go into %s; %s"
+                                  .formatted(each, parent, targets().homes(each))));
       pieces.place(each, place, containment);
     }
   }
@@ -338,6 +271,7 @@ public final class StructureEdits {
 
   private TextEdit insertion(
       ChildPosition position, Set<DocumentElement> leaving, List<String> lines) {
+    choices.given(position);
     SourceFormatter layout = document.layout();
     List<DocumentElement> children = position.parent().children();
     for (int i = position.index() - 1; i >= 0; i--) {
@@ -371,7 +305,8 @@ public final class StructureEdits {
    * @param shift the way from a node to its copy in the coordinates of its parent, for nodes that
    *     are somewhere
    */
-  public StructureChange duplicate(List<DocumentElement> elements, DuplicateShift shift) {
+  public StructureChange duplicate(
+      List<DocumentElement> elements, Function<DocumentElement, Vector3d> shift) {
     List<DocumentElement> all = outermost(elements);
     ElementTree tree = tree();
     Map<DocumentElement, UniqueNameGenerator> scopes = new HashMap<>();
@@ -381,6 +316,7 @@ public final class StructureEdits {
         throw new EditRejectedException("A file has only one " + each.name());
       }
       DocumentElement parent = each.parent().orElseThrow();
+      choices.given(ChildPosition.after(each));
       Pieces pieces = new Pieces(document, List.of(each));
       place(pieces, List.of(each), parent, Set.of());
       UniqueNameGenerator names =
@@ -390,9 +326,8 @@ public final class StructureEdits {
       each.def().ifPresent(def -> wanted.put(each, names.unused(def)));
       pieces.rename(names, wanted);
       List<String> lines =
-          new ShiftedCopy(document, containment, catalogue).lines(pieces, each, shift.of(each));
-      added.add(
-          new StructureChange.Added(document.layout().insertAfter(each, lines), 1));
+          new ShiftedCopy(document, containment, catalogue).lines(pieces, each, shift.apply(each));
+      added.add(new StructureChange.Added(document.layout().insertAfter(each, lines), 1));
     }
     return new StructureChange(
         new Edit(

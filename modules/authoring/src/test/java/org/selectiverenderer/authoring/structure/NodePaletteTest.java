@@ -87,4 +87,36 @@ class NodePaletteTest {
                               }));
             });
   }
+
+  @Test
+  void theHeadDeclaresTheComponentsThatAnInsertedNodeNeedsBeyondTheProfile() throws IOException {
+    SceneDocument immersive =
+        SceneDocument.of(
+            "scene.x3d",
+            """
+            <X3D profile='Immersive' version='4.0'>
+              <Scene>
+                <Group/>
+              </Scene>
+            </X3D>
+            """
+                .getBytes(StandardCharsets.UTF_8));
+    NodePalette palette = new NodePalette(immersive, catalogue);
+    StructureChange change = palette.insert(Optional.empty(), palette.template("ParticleSystem"));
+    immersive.perform(change.edit());
+    assertThat(change.elements(immersive)).hasToString("[ParticleSystem]");
+    immersive.perform(palette.insert(Optional.empty(), palette.template("GeoLocation")).edit());
+    immersive.perform(palette.insert(Optional.empty(), palette.template("GeoLocation")).edit());
+    immersive.perform(palette.insert(Optional.empty(), palette.template("box")).edit());
+    assertThat(immersive.snapshot().text())
+        .startsWith(
+            """
+            <X3D profile='Immersive' version='4.0'>
+              <head>
+                <component name='ParticleSystems' level='2'/>
+                <component name='Geospatial' level='1'/>
+              </head>
+              <Scene>
+            """);
+  }
 }

@@ -7,8 +7,10 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
@@ -150,8 +152,7 @@ class StructureEditsTest {
   void wholeFilesAndVrmlArePasted() {
     assertThat(
             paste(
-                "Empty",
-                "<?xml version='1.0'?><X3D><head/><Scene><Shape DEF='N'/></Scene></X3D>"))
+                "Empty", "<?xml version='1.0'?><X3D><head/><Scene><Shape DEF='N'/></Scene></X3D>"))
         .containsExactly("Shape N");
     assertThat(paste("Empty", "DEF Pot Transform { children Shape { geometry Sphere {} } }"))
         .containsExactly("Transform Pot");
@@ -188,8 +189,7 @@ class StructureEditsTest {
     document.history().undo();
     assertThatThrownBy(() -> edits().remove(List.of(named("Chair")), "Cut"))
         .hasMessageContaining("Wood is used elsewhere (USE in line 11)");
-    assertThatThrownBy(() -> edits().remove(List.of(scene()), "Cut"))
-        .hasMessageContaining("Scene");
+    assertThatThrownBy(() -> edits().remove(List.of(scene()), "Cut")).hasMessageContaining("Scene");
   }
 
   @Test
@@ -215,8 +215,7 @@ class StructureEditsTest {
 
   @Test
   void aMoveThatWouldBreakTheSceneIsRefused() {
-    assertThatThrownBy(
-            () -> edits().move(List.of(named("Room")), new ChildPosition(scene(), 0)))
+    assertThatThrownBy(() -> edits().move(List.of(named("Room")), new ChildPosition(scene(), 0)))
         .hasMessageContaining("It uses Wood (USE), which must be before it");
     assertThatThrownBy(
             () -> edits().move(List.of(named("Chair")), ChildPosition.last(named("Empty"))))
@@ -260,7 +259,7 @@ class StructureEditsTest {
 
   @Test
   void duplicatesLieBesideTheirOriginalsUnderTheNextFreeNames() {
-    DuplicateShift half = node -> new Vector3d(0.5, 0, 0);
+    Function<DocumentElement, Vector3d> half = node -> new Vector3d(0.5, 0, 0);
     assertThat(perform(edits().duplicate(List.of(named("Chair")), half)))
         .containsExactly("Transform Chair_2");
     assertThat(perform(edits().duplicate(List.of(named("Chair_2")), half)))
@@ -299,12 +298,12 @@ class StructureEditsTest {
             <ProtoInstance name='Unknown' DEF='U'/></Scene></X3D>
             """);
     String paint = "<ProtoInstance name='Paint' containerField='material'/>";
-    assertThat(edits().containment().accepts(named("G"), named("U"))).isTrue();
-    assertThatThrownBy(() -> edits().paste(Optional.of(named("G")), "<ProtoInstance name='X'/><Box/>"))
+    assertThat(new Containment(catalogue).accepts(named("G"), named("U"))).isTrue();
+    assertThatThrownBy(
+            () -> edits().paste(Optional.of(named("G")), "<ProtoInstance name='X'/><Box/>"))
         .hasMessageContaining("Box");
     paste("G", "<Shape/>");
-    document.perform(
-        edits().paste(Optional.of(named("A")), paint).edit());
+    document.perform(edits().paste(Optional.of(named("A")), paint).edit());
     assertThat(text()).contains("<Appearance DEF='A'>" + paint + "</Appearance>");
   }
 
@@ -329,5 +328,52 @@ class StructureEditsTest {
                 <MetadataSet DEF='MetadataSet_Desk_2Definition' name='Desk_2'>
                   <MetadataString DEF='enterTimeSchemaDefinitionDesk_2' name='enterTimeSchema' value='"A"'/>
             """);
+  }
+
+  @Test
+  void choicesWithMetadataKeepTheirOrder() {
+    document =
+        open(
+            """
+            <X3D><Scene><Group DEF='G'/><Switch DEF='Switch_Cup' whichChoice='0'>
+            <MetadataSet containerField='metadata' name='Cup'>
+            <MetadataSet containerField='value' name='Cup_v1'>
+            <MetadataString containerField='value' name='consistencyType' value='"consistent"'/>
+            </MetadataSet></MetadataSet>
+            <Group DEF='One'/><Group DEF='Two'/></Switch></Scene></X3D>
+            """);
+    String before = text();
+    for (StructureMove move :
+        List.<StructureMove>of(
+            () -> edits().move(List.of(named("One")), ChildPosition.last(named("G"))).edit(),
+            () -> edits().move(List.of(named("G")), ChildPosition.after(named("One"))).edit(),
+            () -> edits().duplicate(List.of(named("One")), node -> new Vector3d()).edit(),
+            () -> edits().remove(List.of(named("One"), named("Two")), "Delete"))) {
+      assertThatThrownBy(move::edit)
+          .isInstanceOf(EditRejectedException.class)
+          .hasMessageContaining("The choices of Switch_Cup have metadata in their order");
+    }
+    assertThat(text()).isEqualTo(before);
+    perform(edits().copy(List.of(named("G")), ChildPosition.last(named("Switch_Cup"))));
+    assertThat(text()).contains("<Group DEF='Two'/><Group DEF='G_2'/></Switch>");
+  }
+
+  @Test
+  void aPrototypeIsCutOnlyTogetherWithItsInstances() {
+    document =
+        open(
+            """
+            <X3D><Scene><ProtoDeclare name='P'><ProtoBody><Group/></ProtoBody></ProtoDeclare>
+            <ProtoInstance name='P' DEF='I'/><Group DEF='G'/></Scene></X3D>
+            """);
+    DocumentElement declaration = scene().children().get(0);
+    assertThatThrownBy(() -> edits().remove(List.of(declaration, named("G")), "Cut"))
+        .hasMessageContaining("the prototype P has an instance in line 2");
+    document.perform(edits().remove(List.of(declaration, named("I")), "Cut"));
+    assertThat(scene().children()).hasToString("[Group G]");
+  }
+
+  private interface StructureMove {
+    Edit edit();
   }
 }

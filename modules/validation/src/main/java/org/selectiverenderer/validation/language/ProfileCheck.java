@@ -6,6 +6,7 @@ import org.selectiverenderer.validation.FileCheck;
 import org.selectiverenderer.validation.FileContext;
 import org.selectiverenderer.validation.FindingCollector;
 import org.selectiverenderer.x3d.catalogue.NodeType;
+import org.selectiverenderer.x3d.catalogue.Profile;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**

@@ -47,6 +47,9 @@ public final class FormPanel extends JPanel {
   /**
    * @param pictures renders the thumbnails of versions; owned and closed by the caller
    */
+  /** What is shown in place of a form; empty while there is one. */
+  private String hinted = "";
+
   public FormPanel(EnricherSession session, VersionImageRenderer pictures) {
     super(new MigLayout("insets 0, wrap 1, hidemode 3, gapy 0", "[grow,fill]", "[grow,fill][]"));
     this.session = session;
@@ -89,6 +92,9 @@ public final class FormPanel extends JPanel {
   }
 
   private void changed() {
+    if (element == null && session.selection().isEmpty() && hint().equals(hinted)) {
+      return; // as it is after most edits of a text in which nothing is selected
+    }
     if (session.selection().orElse(null) != element || form == null || !form.fits()) {
       rebuild();
       return;
@@ -98,6 +104,7 @@ public final class FormPanel extends JPanel {
   }
 
   private void rebuild() {
+    hinted = "";
     if (form != null) {
       Form old = form;
       form = null; // Its controls lose the focus now and must not write any more.
@@ -112,7 +119,8 @@ public final class FormPanel extends JPanel {
       form = made;
       body.add(made.component(), "wmin 0");
     } else {
-      body.add(LabelFactory.sentences(hint()), "wmin 0");
+      hinted = hint();
+      body.add(LabelFactory.sentences(hinted), "wmin 0");
     }
     findings.setVisible(described());
     head();

@@ -14,12 +14,14 @@ import org.joml.Vector3d;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.authoring.SceneDocument;
+import org.selectiverenderer.authoring.enrichment.EnrichedSwitch;
 import org.selectiverenderer.authoring.nodes.NodeEdits;
 import org.selectiverenderer.authoring.structure.ChildPosition;
 import org.selectiverenderer.authoring.structure.NodePalette;
 import org.selectiverenderer.authoring.structure.NodeTemplate;
 import org.selectiverenderer.authoring.structure.StructureChange;
 import org.selectiverenderer.authoring.structure.StructureEdits;
+import org.selectiverenderer.authoring.switches.SwitchEdits;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
@@ -135,10 +137,7 @@ public final class StructureCommands {
     session.attempt(
         () -> {
           int routes = new NodeEdits(document()).references(nodes).size();
-          Edit edit =
-              verb.equals("Delete") && nodes.size() == 1
-                  ? new NodeEdits(document()).remove(nodes.get(0))
-                  : edits().remove(nodes, verb);
+          Edit edit = removal(nodes, verb);
           String done = Texts.of(told, shown(nodes));
           Optional<DocumentElement> next = neighbour(nodes);
           if (!before.done()) {
@@ -147,14 +146,61 @@ public final class StructureCommands {
           Optional<Integer> place = next.map(each -> edit.moved(each.start()));
           document().perform(edit);
           session.select(
-              place
-                  .flatMap(at -> document().tree().flatMap(tree -> tree.at(at)))
-                  .orElse(null),
+              place.flatMap(at -> document().tree().flatMap(tree -> tree.at(at))).orElse(null),
               document());
           session.message(
               routes == 0
                   ? done
                   : done + " " + Texts.of("node.routes", DecimalFormatter.grouped(routes), routes));
+        });
+  }
+
+  private Edit removal(List<DocumentElement> nodes, String verb) {
+    Optional<EnrichedSwitch> choice =
+        nodes.size() == 1 ? switchAround(nodes.get(0)) : Optional.empty();
+    if (choice.isPresent()) {
+      Edit edit = switches().remove(choice.get(), index(choice.get(), nodes.get(0)));
+      return verb.equals("Delete")
+          ? edit
+          : new Edit(verb + " " + nodes.get(0).def().orElse(nodes.get(0).name()), edit.changes());
+    }
+    return verb.equals("Delete") && nodes.size() == 1
+        ? new NodeEdits(document()).remove(nodes.get(0))
+        : edits().remove(nodes, verb);
+  }
+
+  private SwitchEdits switches() {
+    return new SwitchEdits(session.enrichment(), session.catalogue());
+  }
+
+  /** Returns the Switch of which an element is a choice. */
+  private Optional<EnrichedSwitch> switchAround(DocumentElement element) {
+    return element
+        .parent()
+        .filter(parent -> parent.name().equals("Switch"))
+        .flatMap(session.enrichment()::switchNode)
+        .filter(node -> index(node, element) >= 0);
+  }
+
+  private static int index(EnrichedSwitch node, DocumentElement choice) {
+    return node.choices().stream().map(EnrichedSwitch.ChoiceNode::element).toList().indexOf(choice);
+  }
+
+  /** Swaps a choice with the next one, with its metadata. */
+  private void swap(EnrichedSwitch node, DocumentElement choice, boolean down) {
+    int from = index(node, choice);
+    int to = down ? from + 1 : from - 1;
+    if (to < 0 || to >= node.choices().size()) {
+      session.message(Texts.of(down ? "node.last" : "node.first"));
+      return;
+    }
+    session.attempt(
+        () -> {
+          document().perform(switches().swap(node, from, to));
+          session
+              .enrichment()
+              .switchNode(node.element())
+              .ifPresent(now -> session.select(now.choices().get(to).element(), document()));
         });
   }
 
@@ -246,6 +292,8 @@ public final class StructureCommands {
     List<DocumentElement> nodes = selected();
     if (nodes.isEmpty()) {
       session.message(Texts.of("node.none"));
+    } else if (nodes.size() == 1 && switchAround(nodes.get(0)).isPresent()) {
+      swap(switchAround(nodes.get(0)).get(), nodes.get(0), down);
     } else {
       perform(() -> edits().step(nodes, down), "node.moved");
     }

@@ -1,8 +1,6 @@
 package org.selectiverenderer.enricher.problems;
 
 import java.util.Optional;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import org.selectiverenderer.authoring.ElementFinding;
 import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.base.problem.Problem.Severity;
@@ -17,7 +15,8 @@ import org.selectiverenderer.x3d.source.DocumentElement;
  */
 record ProblemEntry(
     Severity severity, String message, Place place, Optional<ElementFinding.Fix> fix) {
-  private static final Pattern RULE = Pattern.compile(" \\[(SR\\d+)]$");
+  private static final String START = " [";
+  private static final String RULE = "SR";
 
   /** The place of a problem. */
   sealed interface Place {
@@ -98,12 +97,32 @@ record ProblemEntry(
 
   /** The validator's rule, {@code SR103}; empty where no rule is named. */
   Optional<String> rule() {
-    Matcher named = RULE.matcher(message);
-    return named.find() ? Optional.of(named.group(1)) : Optional.empty();
+    int at = ruleAt();
+    return at < 0
+        ? Optional.empty()
+        : Optional.of(message.substring(at + START.length(), message.length() - 1));
   }
 
   /** The message without the rule id at its end. */
   String stem() {
-    return RULE.matcher(message).replaceFirst("");
+    int at = ruleAt();
+    return at < 0 ? message : message.substring(0, at);
+  }
+
+  /**
+   * Returns where the rule id begins, -1 for none. Without a pattern, as every entry of a long list
+   * is asked after each edit.
+   */
+  private int ruleAt() {
+    int at = message.endsWith("]") ? message.lastIndexOf(START) : -1;
+    if (at < 0 || !message.startsWith(RULE, at + START.length())) {
+      return -1;
+    }
+    int digits = at + START.length() + RULE.length();
+    boolean number = digits < message.length() - 1;
+    for (int i = digits; i < message.length() - 1; i++) {
+      number &= message.charAt(i) >= '0' && message.charAt(i) <= '9';
+    }
+    return number ? at : -1;
   }
 }

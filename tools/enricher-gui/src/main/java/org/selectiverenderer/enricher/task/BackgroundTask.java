@@ -11,6 +11,7 @@ public final class BackgroundTask implements TaskProgress {
   private volatile double fraction = -1;
   private volatile boolean cancelled;
   private volatile @Nullable Future<?> running;
+  private volatile Runnable ended = () -> {};
 
   BackgroundTask(String name, long begun, boolean stoppable) {
     this.name = name;
@@ -53,11 +54,25 @@ public final class BackgroundTask implements TaskProgress {
     if (!stoppable) {
       return;
     }
+    boolean first = !cancelled;
     cancelled = true;
+    if (first) {
+      ended.run();
+    }
     Future<?> future = running;
     if (future != null) {
       future.cancel(true);
     }
+  }
+
+  /**
+   * Sets what runs when the task is cancelled, as its result is dropped then.
+   *
+   * @param work runs on the thread that cancels, which for the author's button is the event
+   *     dispatch thread
+   */
+  public void onCancel(Runnable work) {
+    ended = work;
   }
 
   void runs(Future<?> future) {

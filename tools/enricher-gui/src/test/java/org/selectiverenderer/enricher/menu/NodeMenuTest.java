@@ -10,6 +10,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
@@ -95,6 +96,48 @@ class NodeMenuTest {
       edt(() -> session.document().history().undo());
     }
     assertThat(text()).isEqualTo(before);
+  }
+
+  @Test
+  void choicesMoveAndGoWithTheirMetadata() throws IOException {
+    session =
+        TestSessions.with(
+            folder,
+            """
+            <Switch DEF='Switch_Cup' whichChoice='0'>
+              <MetadataSet containerField='metadata' name='Cup'>
+                <MetadataSet containerField='value' name='Cup_v1'>
+                  <MetadataString containerField='value' name='consistencyType' value='"frame"'/>
+                </MetadataSet>
+              </MetadataSet>
+              <Group DEF='One'/>
+              <Group DEF='Two'/>
+            </Switch>
+            """);
+    StructureCommands structure = new StructureCommands(session, new Clipboard("test"));
+    edt(
+        () -> {
+          session.select(named("One"), this);
+          structure.step(true);
+        });
+    assertThat(types()).containsExactly(Optional.empty(), Optional.of("frame"));
+    assertThat(get(() -> session.selection().flatMap(DocumentElement::def))).contains("One");
+    assertThat(text()).contains("whichChoice='1'");
+    edt(
+        () -> {
+          session.select(named("Two"), this);
+          structure.delete();
+        });
+    assertThat(types()).containsExactly(Optional.of("frame"));
+    assertThat(text()).contains("whichChoice='0'");
+  }
+
+  private List<Optional<String>> types() {
+    return get(
+        () ->
+            session.enrichment().switchNode(named("Switch_Cup")).orElseThrow().values().stream()
+                .map(values -> values.type().map(type -> type.toString().toLowerCase(Locale.ROOT)))
+                .toList());
   }
 
   @Test

@@ -1,4 +1,4 @@
-package org.selectiverenderer.validation.language;
+package org.selectiverenderer.x3d.catalogue;
 
 import java.util.Arrays;
 import java.util.HashMap;
@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.Set;
 
 /** The profiles of X3D and the components of each (X3D 4.0, annexes A to H). */
-enum Profile {
+public enum Profile {
   Core("Core 1"),
   Interchange(
       "Core 1, EnvironmentalEffects 1, Geometry3D 2, Grouping 1, Interpolation 2, Lighting 1,"
@@ -36,7 +36,8 @@ enum Profile {
   Full("");
 
   /** Components that define statements or fields, but no nodes. */
-  static final Set<String> COMPONENTS_WITHOUT_NODES = Set.of("Core", "Networking", "Annotation");
+  public static final Set<String> COMPONENTS_WITHOUT_NODES =
+      Set.of("Core", "Networking", "Annotation");
 
   private final Map<String, Integer> levels = new HashMap<>();
 
@@ -50,21 +51,22 @@ enum Profile {
   }
 
   /** Returns the profile of that name. */
-  static Optional<Profile> of(String name) {
+  public static Optional<Profile> of(String name) {
     return Arrays.stream(values()).filter(profile -> profile.name().equals(name.strip())).findAny();
   }
 
-  static List<String> names() {
+  /** Returns the names of all profiles. */
+  public static List<String> names() {
     return Arrays.stream(values()).map(Profile::name).toList();
   }
 
   /** Returns the level at which the profile has a component; 0 for none. */
-  int level(String component) {
+  public int level(String component) {
     return this == Full ? Integer.MAX_VALUE : levels.getOrDefault(component, 0);
   }
 
   /** Returns the name of a component in X3D 4.0. */
-  static String component(String name) {
+  public static String component(String name) {
     return name.equals("H-Anim") ? "HAnim" : name; // X3D 3 used both names.
   }
 }

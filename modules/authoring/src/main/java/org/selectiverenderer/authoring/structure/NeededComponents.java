@@ -1,0 +1,97 @@
+package org.selectiverenderer.authoring.structure;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import org.selectiverenderer.authoring.SceneDocument;
+import org.selectiverenderer.authoring.SourceFormatter;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.catalogue.Profile;
+import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.TextEdit;
+
+/**
+ * The component statements that a file needs for nodes beyond its profile (X3D 4.0, 7.2.5.3). A
+ * file that declares no profile, or an unknown one, gets none.
+ */
+final class NeededComponents {
+  private final SceneDocument document;
+  private final NodeCatalogue catalogue;
+
+  NeededComponents(SceneDocument document, NodeCatalogue catalogue) {
+    this.document = document;
+    this.catalogue = catalogue;
+  }
+
+  /** Returns the changes of the head that declare what elements need. */
+  List<TextEdit> of(List<DocumentElement> elements) {
+    Optional<DocumentElement> root =
+        document.tree().map(tree -> tree.root()).filter(found -> found.name().equals("X3D"));
+    Optional<Profile> profile = root.flatMap(found -> found.text("profile")).flatMap(Profile::of);
+    if (profile.isEmpty()) {
+      return List.of();
+    }
+    Map<String, Integer> levels = new TreeMap<>();
+    elements.forEach(
+        element ->
+            element.visit(
+                each ->
+                    catalogue
+                        .find(each.name())
+                        .filter(type -> profile.get().level(type.component()) < type.level())
+                        .ifPresent(
+                            type -> levels.merge(type.component(), type.level(), Math::max))));
+    return levels.isEmpty() ? List.of() : declared(root.get(), levels);
+  }
+
+  private List<TextEdit> declared(DocumentElement root, Map<String, Integer> levels) {
+    SourceFormatter layout = document.layout();
+    List<TextEdit> changes = new ArrayList<>();
+    Optional<DocumentElement> head =
+        root.children().stream().filter(child -> child.name().equals("head")).findFirst();
+    List<DocumentElement> known =
+        head.stream()
+            .flatMap(found -> found.children().stream())
+            .filter(child -> child.name().equals("component"))
+            .toList();
+    for (DocumentElement component : known) {
+      Integer level = levels.remove(Profile.component(component.text("name").orElse("").strip()));
+      if (level != null && level > number(component.text("level").orElse("1"))) {
+        changes.add(layout.attribute(component, "level", level.toString()));
+      }
+    }
+    char quote = layout.quote(root);
+    List<String> lines = new ArrayList<>();
+    levels.forEach(
+        (name, level) ->
+            lines.add(
+                "<component"
+                    + SourceFormatter.written("name", name, quote)
+                    + SourceFormatter.written("level", level.toString(), quote)
+                    + "/>"));
+    if (lines.isEmpty()) {
+      return changes;
+    }
+    if (head.isEmpty()) {
+      lines.add(0, "<head>");
+      lines.replaceAll(line -> line.startsWith("<component") ? "  " + line : line);
+      lines.add("</head>");
+      changes.add(layout.insertFirst(root, lines));
+    } else if (known.isEmpty()) {
+      changes.add(layout.insertFirst(head.get(), lines));
+    } else {
+      changes.add(layout.insertAfter(known.get(known.size() - 1), lines));
+    }
+    return changes;
+  }
+
+  private static int number(String text) {
+    try {
+      return Integer.parseInt(text.strip());
+    } catch (NumberFormatException e) {
+      return 0; // a fault that the validator reports; the right level replaces it
+    }
+  }
+}
