@@ -7,8 +7,8 @@ rem SELECTIVE_RENDERER_JAVA_OPTS   further flags for Java, such as -Xmx4g
 rem SELECTIVE_RENDERER_SAI         another browser's jars in place of x3d-sai.jar: a folder of jars or
 rem                                a class path, for example Xj3D's
 rem
-rem As selective-renderer, the script for other systems, but for three things: no archive of classes is made,
-rem no build waits for another, and nothing is set that only Linux reads.
+rem As selective-renderer, the script for other systems, but for four things: no archive of classes is made,
+rem no build waits for another, no picture is shown before a window, and nothing is set that only Linux reads.
 rem
 rem No blocks in this file: a parenthesis in a folder's name, as in Program Files (x86), would end them.
 setlocal
@@ -88,6 +88,7 @@ if /i "%~1"=="simulate" set "SR_FLAGS=%SR_FLAGS% %SR_LIGHT%"
 if /i "%~1"=="validate" set "SR_FLAGS=%SR_FLAGS% %SR_LIGHT%"
 if /i "%~1"=="doctor" set "SR_FLAGS=%SR_FLAGS% %SR_LIGHT%"
 if /i "%~1"=="radiosity" set "SR_FLAGS=%SR_FLAGS% -Xmx1200m"
+if /i "%~1"=="start" set "SR_FLAGS=%SR_FLAGS% -Dselective-renderer.run-flags=%SR_LIGHT: =,%"
 if /i "%~1"=="bench" set "SR_FLAGS=%SR_FLAGS% -Dselective-renderer.run-flags=%SR_LIGHT: =,%"
 rem What is typed is in no block either: a file may be called room(1).x3d.
 "%SR_JAVA%" %SR_FLAGS% %SELECTIVE_RENDERER_JAVA_OPTS% -cp "%SR_PATH%" org.selectiverenderer.cli.Main %*

@@ -243,6 +243,7 @@ SectionEnd
 Section "$(MenuSection)" Menu
   SetOutPath "$DOCUMENTS"
   CreateDirectory "$SMPROGRAMS\${NAME}"
+  CreateShortcut "$SMPROGRAMS\${NAME}\Selective Renderer.lnk" "$INSTDIR\${VIEWER}"
   CreateShortcut "$SMPROGRAMS\${NAME}\Selective Renderer Enricher.lnk" "$INSTDIR\${ENRICHER}"
   CreateShortcut "$SMPROGRAMS\${NAME}\$(CommandLine).lnk" "$SYSDIR\cmd.exe" \
     '/k set "PATH=$INSTDIR;%PATH%" & selective-renderer --help' "$INSTDIR\selective-renderer.exe"

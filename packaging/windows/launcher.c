@@ -8,7 +8,8 @@
  * It is compiled four times (packaging/parts/windows):
  *
  *   selective-renderer.exe              the command line
- *   Selective Renderer.exe              -DDESKTOP=L"run": has no console; opens a file in the viewer
+ *   Selective Renderer.exe              -DDESKTOP=L"run": has no console; opens a file in the viewer, and without one
+ *                                       the start window
  *   Selective Renderer Enricher.exe     -DDESKTOP=L"enrich": likewise, in the enricher
  *   runtime\bin\java.exe, javaw.exe     -DJAVA: in place of Java's own, with the arguments of these as far as the
  *                                       program uses them. It starts itself again for some work, and names files there.
@@ -525,7 +526,9 @@ int wmain(int count, wchar_t **arguments) {
     program.arguments = arguments + at + 1;
   } else {
     const wchar_t *first = count > 1 ? arguments[1] : L"";
-    const wchar_t *command = DESKTOP == NULL ? first : count > 1 ? DESKTOP : L"enrich";
+    const wchar_t *desktop = DESKTOP;
+    const wchar_t *empty = desktop != NULL && wcscmp(desktop, L"run") == 0 ? L"start" : desktop;
+    const wchar_t *command = desktop == NULL ? first : count > 1 ? desktop : empty;
     prepare(home, command, count > 2 ? arguments[2] : L"");
     speak_utf8();
   }

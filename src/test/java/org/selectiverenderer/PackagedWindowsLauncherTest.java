@@ -52,7 +52,9 @@ class PackagedWindowsLauncherTest {
     String flag = "(?<=[ ,=\"])-(?:X[X:+\\w]+|D(?:joml|selective)[.\\w-]+)(?:=(?!-)[\\w-]+)?";
     Set<String> wanted = found(flag, script());
     wanted.removeIf(
-        each -> each.matches(".*(ClassList|Archive|ErrorFile|Xshare|XshowSettings|Xmx4g|Xdock).*"));
+        each ->
+            each.matches(
+                ".*(ClassList|Archive|ErrorFile|Xshare|XshowSettings|Xmx4g|Xdock|splash).*"));
     wanted.add("-Dselective-renderer.arguments=unicode"); // Of this launcher alone.
     Set<String> own = found(flag, String.join("\n", settings()));
     assertThat(own).contains("-Dselective-renderer.installed=true").isEqualTo(wanted);
@@ -82,6 +84,7 @@ class PackagedWindowsLauncherTest {
     String variable = "SELECTIVE_RENDERER_[A-Z_]+";
     Set<String> wanted = found(variable, script());
     wanted.remove("SELECTIVE_RENDERER_CLASSES"); // For packaging/package.
+    wanted.remove("SELECTIVE_RENDERER_DESKTOP"); // Of desktop entries.
     assertThat(found(variable, Files.readString(Path.of("packaging/windows/launcher.c"))))
         .isEqualTo(wanted);
   }

@@ -203,8 +203,7 @@ class StrangersScenesTest {
     hands.press(KeyEvent.VK_CONTROL, KeyEvent.VK_A);
     hands.write("DeskArea");
     hands.press(KeyEvent.VK_ENTER);
-    hands.await(
-        "the area", () -> session.enrichment().sensorsByName().containsKey("DeskArea"));
+    hands.await("the area", () -> session.enrichment().sensorsByName().containsKey("DeskArea"));
     fill("Schemas on entering", "DeskSchema");
     fill("Schemas on leaving", "OfficeSchema");
   }
@@ -267,8 +266,7 @@ class StrangersScenesTest {
   /** The saved scene has no errors, and on a walk to the area and back all five objects switch. */
   private void verify(Path scene, Path walked) throws IOException {
     assertThat(run("validate", scene.toString())).doesNotContain("error:");
-    String happened =
-        run("simulate", walked.toString(), "--path=" + StrangersScenes.walk(folder));
+    String happened = run("simulate", walked.toString(), "--path=" + StrangersScenes.walk(folder));
     assertThat(happened.lines().filter(line -> line.contains(" switch ")))
         .as(happened)
         .hasSizeGreaterThanOrEqualTo(5);

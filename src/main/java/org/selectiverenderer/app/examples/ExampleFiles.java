@@ -60,8 +60,7 @@ public final class ExampleFiles {
     }
     try (Stream<Path> found = Files.walk(root)) {
       for (Path file : found.filter(Files::isRegularFile).toList()) {
-        examples.put(
-            root.relativize(file).toString().replace('\\', '/'), Files.readAllBytes(file));
+        examples.put(root.relativize(file).toString().replace('\\', '/'), Files.readAllBytes(file));
       }
     }
     return examples;

@@ -20,6 +20,9 @@ public final class CommandProcess {
   /** The system property in which the launcher names the picture that it shows at once. */
   private static final String SPLASH = "selective-renderer.splash";
 
+  /** The system property of the launcher's flags for light commands, with commas. */
+  private static final String LIGHT = "selective-renderer.run-flags";
+
   /** Longest line that is handed on, in characters. */
   private static final int MOST = 2_000;
 
@@ -49,12 +52,17 @@ public final class CommandProcess {
     return new CommandProcess(process);
   }
 
-  /** Returns the flag that shows the program's splash at once, for a command with a Swing window. */
+  /**
+   * Returns the flags that the launcher would give to the command: a Swing window shows a picture
+   * at once, and a command that loads and then does little gets code quickly.
+   */
   private static List<String> flags(ProgramCommand command) {
     String splash = System.getProperty(SPLASH, "");
-    return command.opensSwingWindow() && !splash.isEmpty()
-        ? List.of("-splash:" + splash)
-        : List.of();
+    if (command.opensSwingWindow()) {
+      return splash.isEmpty() ? List.of() : List.of("-splash:" + splash);
+    }
+    String light = System.getProperty(LIGHT, "");
+    return command.light() && !light.isEmpty() ? List.of(light.split(",")) : List.of();
   }
 
   private static void hear(Process process, Consumer<String> lines, IntConsumer ended) {

@@ -24,6 +24,11 @@ public record ProgramCommand(List<String> words) {
     };
   }
 
+  /** Returns whether the command loads and then does little in Java. */
+  boolean light() {
+    return !words.isEmpty() && List.of("run", "doctor").contains(words.get(0));
+  }
+
   /**
    * Returns the command line for the user's shell; empty where a shell would change one of the
    * words (Windows).

@@ -29,8 +29,7 @@ public final class DocumentsFolder {
     Path usual = home.resolve("Documents");
     try {
       Path named = Path.of(environment.getOrDefault("XDG_CONFIG_HOME", ""));
-      Path file =
-          (named.isAbsolute() ? named : home.resolve(".config")).resolve("user-dirs.dirs");
+      Path file = (named.isAbsolute() ? named : home.resolve(".config")).resolve("user-dirs.dirs");
       if (!Files.isRegularFile(file) || Files.size(file) > MOST_BYTES) {
         return usual;
       }

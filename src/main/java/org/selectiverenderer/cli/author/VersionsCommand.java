@@ -155,7 +155,11 @@ public final class VersionsCommand extends CliCommand {
     OutputFile.check("--output", output, ".x3d", ".x3dz");
     VersionsEdit.Request request =
         new VersionsEdit.Request(
-                scene.file(), objects.object, goals, output == null ? scene.file() : output, inlineFolder)
+                scene.file(),
+                objects.object,
+                goals,
+                output == null ? scene.file() : output,
+                inlineFolder)
             .allowing(access.access());
     NodeCatalogue catalogue = NodeCatalogue.load();
     Optional<DocumentFile> file =
@@ -200,8 +204,7 @@ public final class VersionsCommand extends CliCommand {
     BatchVersionsEdit plan;
     try {
       List<BatchVersionsEdit.Item> items =
-          VersionCandidateFinder.find(
-                  document, request, List.of(), catalogue, (share, name) -> {})
+          VersionCandidateFinder.find(document, request, List.of(), catalogue, (share, name) -> {})
               .stream()
               .peek(this::explain)
               .filter(object -> object.proposed(above))
@@ -244,8 +247,11 @@ public final class VersionsCommand extends CliCommand {
           case VERSIONS -> "has versions";
           case IMPOSSIBLE -> object.obstacle();
         };
-    console().line("skipped  %s (%s): %s".formatted(
-        object.name(), ReductionGoalOptions.polygonText(object.polygons()), why));
+    console()
+        .line(
+            "skipped  %s (%s): %s"
+                .formatted(
+                    object.name(), ReductionGoalOptions.polygonText(object.polygons()), why));
   }
 
   private void print(String object, List<ObjectVersion> versions) {

@@ -24,35 +24,43 @@ public final class DesktopLauncherAdapter {
   /** The environment variable that Linux desktop entries set, whose command lines are complete. */
   private static final String VARIABLE = "SELECTIVE_RENDERER_DESKTOP";
 
+  private static final String START = "start";
+
   private final @Nullable String command;
+  private final boolean clicked;
   private final boolean unseen;
   private final TeeOutputBuffer heard = new TeeOutputBuffer();
 
   /**
    * @param command {@code run} or {@code enrich}, the command to execute with a file; null where
    *     the arguments contain the command
+   * @param clicked whether the program itself was opened by a double click
    */
-  DesktopLauncherAdapter(@Nullable String command, Map<String, String> environment) {
+  DesktopLauncherAdapter(
+      @Nullable String command, Map<String, String> environment, boolean clicked) {
     this.command = command;
-    this.unseen = command != null || environment.containsKey(VARIABLE);
+    this.clicked = clicked;
+    this.unseen = command != null || clicked || environment.containsKey(VARIABLE);
   }
 
   /** Detects how this process was started. */
   public static DesktopLauncherAdapter ofProcess() {
     return new DesktopLauncherAdapter(
-        System.getProperty(ChildProcessCommand.DESKTOP), System.getenv());
+        System.getProperty(ChildProcessCommand.DESKTOP), System.getenv(), DoubleClick.started());
   }
 
   /**
-   * Returns the program's arguments: the command is put before a file, and without a file the
-   * enricher opens.
+   * Returns the program's arguments: the command is put before a file. Without a file the enricher
+   * opens empty, and in the viewer's place, which shows nothing without one, the start window.
    */
   public String[] arguments(String[] given) {
     if (command == null) {
-      return given;
+      boolean nothing = given.length == 0 && clicked;
+      boolean noScene = given.length == 1 && given[0].equals("run") && unseen;
+      return nothing || noScene ? new String[] {START} : given;
     }
     if (given.length == 0) {
-      return new String[] {"enrich"};
+      return new String[] {command.equals("run") ? START : command};
     }
     return Stream.concat(Stream.of(command), Stream.of(given)).toArray(String[]::new);
   }

@@ -8,7 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.base.files.ProgramLocation;
+import org.selectiverenderer.app.examples.ExampleFinder;
 import org.selectiverenderer.base.files.SettingsFolder;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.trust.PermissionRequests;
@@ -44,6 +44,12 @@ import picocli.CommandLine.TypeConversionException;
 final class ExperimentNewCommand extends CliCommand {
   private static final String DEFAULT_SCENE = "scenes/apartment-lit.x3d";
 
+  /** What stands in for it where the examples are those that the program brings. */
+  private static final String UNLIT_SCENE = "scenes/apartment.x3d";
+
+  private static final String GET_EXAMPLES =
+      "get the examples with selective-renderer examples DIR, or type this in their folder";
+
   @Parameters(paramLabel = "DIR", description = "folder of the study; created if it does not exist")
   private Path folder = Path.of("");
 
@@ -53,7 +59,9 @@ final class ExperimentNewCommand extends CliCommand {
       description =
           "scene of the study, with practice.x3d beside it (default: "
               + DEFAULT_SCENE
-              + ", from here or of the program)")
+              + ", or where there is none "
+              + UNLIT_SCENE
+              + ", from here, of the program or of its examples)")
   private @Nullable Path scene;
 
   /** The example studies, which are in docs/examples. */
@@ -114,8 +122,9 @@ final class ExperimentNewCommand extends CliCommand {
             scene == null
                 ? "there is no scene "
                     + needed
-                    + "; type this in the folder of the example scenes,"
-                    + " or name a scene of your own with --scene"
+                    + "; "
+                    + GET_EXAMPLES
+                    + ", or name a scene of your own with --scene"
                 : "--scene: there is no scene " + needed);
       }
     }
@@ -127,15 +136,11 @@ final class ExperimentNewCommand extends CliCommand {
       throw CommandException.usage("--scene is for the study of the thesis; a design has its own");
     }
     String name = "docs/examples/%s/%s".formatted(wanted, StudyTemplate.STUDY);
-    Path here = Path.of(name);
     Path example =
-        Files.isRegularFile(here)
-            ? here
-            : ProgramLocation.file(ExperimentNewCommand.class, name).orElse(here);
-    if (!Files.isRegularFile(example)) {
-      throw CommandException.usage(
-          "there is no %s; type this in the folder of the examples".formatted(name));
-    }
+        examples()
+            .find(List.of(name))
+            .orElseThrow(
+                () -> CommandException.usage("there is no %s; %s".formatted(name, GET_EXAMPLES)));
     return written(StudyTemplate.copy(example.toAbsolutePath().getParent(), folder));
   }
 
@@ -174,11 +179,12 @@ final class ExperimentNewCommand extends CliCommand {
     }
   }
 
-  /** Returns the default scene: in the current folder, else in the program's folder. */
+  /** Returns the default scene; the best one that there is. */
   private static Path usual() {
-    Path here = Path.of(DEFAULT_SCENE);
-    return Files.isRegularFile(here)
-        ? here
-        : ProgramLocation.file(ExperimentNewCommand.class, DEFAULT_SCENE).orElse(here);
+    return examples().find(List.of(DEFAULT_SCENE, UNLIT_SCENE)).orElse(Path.of(DEFAULT_SCENE));
+  }
+
+  private static ExampleFinder examples() {
+    return new ExampleFinder(SettingsFolder.ofUser());
   }
 }

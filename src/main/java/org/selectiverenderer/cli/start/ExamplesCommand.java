@@ -8,6 +8,8 @@ import java.util.Locale;
 import java.util.Map;
 import org.selectiverenderer.app.examples.ExampleFiles;
 import org.selectiverenderer.app.examples.ExampleFolder;
+import org.selectiverenderer.app.recent.RecentPaths;
+import org.selectiverenderer.base.files.SettingsFolder;
 import org.selectiverenderer.command.CliCommand;
 import org.selectiverenderer.command.output.CommandException;
 import org.selectiverenderer.command.output.Console;
@@ -52,6 +54,7 @@ public final class ExamplesCommand extends CliCommand {
     }
     List<Path> written = copies.complete(examples).written();
     written.forEach(file -> console().line(file.toString()));
+    remember();
     long bytes = examples.values().stream().mapToLong(content -> content.length).sum();
     console()
         .message(
@@ -65,5 +68,14 @@ public final class ExamplesCommand extends CliCommand {
                     examples.size(),
                     bytes / 1e6));
     return ExitStatus.DONE;
+  }
+
+  /** Has the start window and {@code experiment new} find the copies. */
+  private void remember() {
+    try {
+      RecentPaths.exampleFolders(SettingsFolder.ofUser()).add(folder);
+    } catch (IOException e) {
+      console().message("the start window will not know of this folder: " + e.getMessage());
+    }
   }
 }

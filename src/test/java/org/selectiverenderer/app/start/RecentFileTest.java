@@ -16,8 +16,7 @@ class RecentFileTest {
   @TempDir Path folder;
 
   @Test
-  void filesOfAllWindowsAreListedWithTheCommandThatOpensThemUnlessTheyAreGone()
-      throws IOException {
+  void filesOfAllWindowsAreListedWithTheCommandThatOpensThemUnlessTheyAreGone() throws IOException {
     Path settings = folder.resolve("settings");
     Path scene = Files.writeString(folder.resolve("a.x3d"), "");
     Path enriched = Files.writeString(folder.resolve("b.x3d"), "");

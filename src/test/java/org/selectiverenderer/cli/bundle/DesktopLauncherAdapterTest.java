@@ -20,25 +20,40 @@ class DesktopLauncherAdapterTest {
 
   @Test
   void aFileThatADesktopOpensIsGivenToItsCommand() {
-    assertThat(new DesktopLauncherAdapter("run", Map.of()).arguments(new String[] {"a.x3d"}))
+    assertThat(new DesktopLauncherAdapter("run", Map.of(), false).arguments(new String[] {"a.x3d"}))
         .containsExactly("run", "a.x3d");
   }
 
   @Test
-  void withoutAFileTheEnricherOpens() {
-    assertThat(new DesktopLauncherAdapter("run", Map.of()).arguments(new String[] {}))
+  void withoutAFileTheViewerIsTheStartWindowAndTheEnricherOpensEmpty() {
+    assertThat(new DesktopLauncherAdapter("run", Map.of(), false).arguments(new String[] {}))
+        .containsExactly("start");
+    assertThat(new DesktopLauncherAdapter("enrich", Map.of(), false).arguments(new String[] {}))
         .containsExactly("enrich");
+    assertThat(new DesktopLauncherAdapter(null, ENTRY, false).arguments(new String[] {"run"}))
+        .containsExactly("start");
+  }
+
+  @Test
+  void aDoubleClickOpensTheStartWindowAndATerminalGetsTheUsage() {
+    assertThat(new DesktopLauncherAdapter(null, Map.of(), true).arguments(new String[] {}))
+        .containsExactly("start");
+    assertThat(new DesktopLauncherAdapter(null, Map.of(), false).arguments(new String[] {}))
+        .isEmpty();
+    assertThat(new DesktopLauncherAdapter(null, Map.of(), false).arguments(new String[] {"run"}))
+        .containsExactly("run");
   }
 
   @Test
   void anEntryOfADesktopNamesTheCommandItself() {
-    assertThat(new DesktopLauncherAdapter(null, ENTRY).arguments(new String[] {"run", "a.x3d"}))
+    assertThat(
+            new DesktopLauncherAdapter(null, ENTRY, false).arguments(new String[] {"run", "a.x3d"}))
         .containsExactly("run", "a.x3d");
   }
 
   @Test
   void whatAFailureSaysIsToldAndStillWritten() {
-    DesktopLauncherAdapter start = new DesktopLauncherAdapter(null, ENTRY);
+    DesktopLauncherAdapter start = new DesktopLauncherAdapter(null, ENTRY, false);
     ByteArrayOutputStream err = new ByteArrayOutputStream();
     messages(start, err).print("a.x3d: no such file\n");
     assertThat(err.toString(StandardCharsets.UTF_8)).isEqualTo("a.x3d: no such file\n");
@@ -47,7 +62,7 @@ class DesktopLauncherAdapterTest {
 
   @Test
   void whereThereIsNoConsoleItIsToldToo() {
-    DesktopLauncherAdapter start = new DesktopLauncherAdapter("run", Map.of());
+    DesktopLauncherAdapter start = new DesktopLauncherAdapter("run", Map.of(), false);
     OutputStream none =
         new OutputStream() {
           @Override
@@ -63,21 +78,21 @@ class DesktopLauncherAdapterTest {
 
   @Test
   void remarksOfARunThatEndsWellAreNotTold() {
-    DesktopLauncherAdapter start = new DesktopLauncherAdapter("run", Map.of());
+    DesktopLauncherAdapter start = new DesktopLauncherAdapter("run", Map.of(), false);
     messages(start, OutputStream.nullOutputStream()).println("a remark");
     assertThat(start.complaint(0)).isEmpty();
   }
 
   @Test
   void inATerminalNothingIsToldTwice() {
-    DesktopLauncherAdapter start = new DesktopLauncherAdapter(null, Map.of());
+    DesktopLauncherAdapter start = new DesktopLauncherAdapter(null, Map.of(), false);
     messages(start, OutputStream.nullOutputStream()).println("seen");
     assertThat(start.complaint(2)).isEmpty();
   }
 
   @Test
   void ofManyLinesTheLastAreTold() {
-    DesktopLauncherAdapter start = new DesktopLauncherAdapter("run", Map.of());
+    DesktopLauncherAdapter start = new DesktopLauncherAdapter("run", Map.of(), false);
     PrintStream messages = messages(start, OutputStream.nullOutputStream());
     IntStream.range(0, 5000).forEach(i -> messages.print("remark " + i + "\n"));
     messages.print("the failure\n");

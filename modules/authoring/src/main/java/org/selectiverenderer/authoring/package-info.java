@@ -31,11 +31,13 @@
  * <p>Within: {@code nodes} (edits that apply to every node: rename, copy, remove), {@code hand}
  * (editing of the text itself: search, comments, pasting, completion, fields), {@code enrichment}
  * (the schema metadata of a document), {@code area} (its areas in scene coordinates), {@code
- * structure} (cutting, pasting, moving and inserting nodes by the standard's containment), {@code
- * switches} (Switches made of nodes, and their choices), {@code ratings} (expectancy ratings to
- * metadata), {@code versions} (the polygon count process as an edit), {@code file} (saving,
- * recovery, differences), {@code creation} (new scenes), {@code importing} (models that become part
- * of a scene), {@code packaging} (scenes with all files that they name), {@code headless} (the edits of the enricher, given by tables).
+ * placement} (moving, turning, scaling, aligning and grouping), {@code structure} (cutting,
+ * pasting, moving and inserting nodes by the standard's containment), {@code switches} (Switches
+ * made of nodes, and their choices), {@code ratings} (expectancy ratings to metadata), {@code
+ * versions} (the polygon count process as an edit), {@code file} (saving, recovery, differences),
+ * {@code creation} (new scenes), {@code importing} (models that become part of a scene), {@code
+ * packaging} (scenes with all files that they name), {@code headless} (the edits of the enricher,
+ * given by tables).
  *
  * <p>In: bytes of a file, edits. Out: text, elements, bytes. Uses {@code x3d}, {@code base.problem}
  * and {@code base.files}; the packages within also {@code schema}, {@code geometry}, {@code

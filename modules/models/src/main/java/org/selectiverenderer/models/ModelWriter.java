@@ -64,8 +64,8 @@ public final class ModelWriter {
   }
 
   /**
-   * Returns the X3D text of nodes copied from another file, with the ROUTEs among them. Instances of
-   * prototypes are written as the nodes of their bodies.
+   * Returns the X3D text of nodes copied from another file, with the ROUTEs among them. Instances
+   * of prototypes are written as the nodes of their bodies.
    *
    * @param folder the folder against which their relative urls are resolved
    * @param scene the file that they come from

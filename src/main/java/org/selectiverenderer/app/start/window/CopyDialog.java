@@ -82,8 +82,7 @@ final class CopyDialog {
   private void choose() {
     JFileChooser chooser = new JFileChooser(existing(new File(folder.getText())));
     chooser.setFileSelectionMode(JFileChooser.DIRECTORIES_ONLY);
-    if (chooser.showDialog(dialog, StartTexts.of("copy.chooser"))
-        == JFileChooser.APPROVE_OPTION) {
+    if (chooser.showDialog(dialog, StartTexts.of("copy.chooser")) == JFileChooser.APPROVE_OPTION) {
       folder.setText(chooser.getSelectedFile().toString());
     }
   }

@@ -46,7 +46,8 @@ final class DoctorDialog {
     close.addActionListener(event -> dialog.dispose());
     JPanel content =
         new JPanel(
-            new MigLayout("insets 12, fill, wrap 2, hidemode 3", "[grow,fill][]", "[][grow,fill][]"));
+            new MigLayout(
+                "insets 12, fill, wrap 2, hidemode 3", "[grow,fill][]", "[][grow,fill][]"));
     content.add(state);
     content.add(bar, "width 120");
     content.add(new JScrollPane(text), "span 2, grow, push");

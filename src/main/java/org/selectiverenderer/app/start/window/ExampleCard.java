@@ -63,8 +63,7 @@ final class ExampleCard extends JPanel {
 
     Picture(String key, String name) {
       String file = key + ".jpg";
-      try (InputStream in =
-          Objects.requireNonNull(Picture.class.getResourceAsStream(file), file)) {
+      try (InputStream in = Objects.requireNonNull(Picture.class.getResourceAsStream(file), file)) {
         image = ImageIO.read(in);
       } catch (IOException e) {
         throw new UncheckedIOException(file, e);

@@ -34,9 +34,7 @@ final class Launcher {
 
   /** Shows a scene in the viewer, and remembers it. */
   void show(Path scene) {
-    start(
-        StartCommands.show(scene),
-        StartTexts.of("opening", String.valueOf(scene.getFileName())));
+    start(StartCommands.show(scene), StartTexts.of("opening", String.valueOf(scene.getFileName())));
     reader.read(
         () -> {
           scenes.add(scene);

@@ -116,9 +116,7 @@ final class StartWindow {
     JPanel cards =
         new JPanel(
             new MigLayout(
-                "insets 0, fillx",
-                "[grow,fill,sg]16[grow,fill,sg]16[grow,fill,sg]",
-                "[fill]"));
+                "insets 0, fillx", "[grow,fill,sg]16[grow,fill,sg]16[grow,fill,sg]", "[fill]"));
     for (Example example : Example.values()) {
       cards.add(
           new ExampleCard(
@@ -228,7 +226,8 @@ final class StartWindow {
     }
   }
 
-  private void enrich(Path scene) {
+  /** Opens a scene in the enricher. */
+  void enrich(Path scene) {
     enrich(Optional.of(scene));
   }
 

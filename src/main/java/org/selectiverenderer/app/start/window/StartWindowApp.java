@@ -1,6 +1,8 @@
 package org.selectiverenderer.app.start.window;
 
+import java.awt.Desktop;
 import java.awt.EventQueue;
+import java.awt.desktop.QuitStrategy;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.concurrent.CountDownLatch;
@@ -27,8 +29,28 @@ public final class StartWindowApp {
     EventQueue.invokeLater(
         () -> {
           WindowLook.apply(settings);
-          new StartWindow(settings, closed::countDown).begin();
+          StartWindow window = new StartWindow(settings, closed::countDown);
+          hear(window);
+          window.begin();
         });
     closed.await();
+  }
+
+  /**
+   * Handles the requests of macOS to a running program: to open a file, which is not named on the
+   * command line there, and to quit. Other systems send no such requests.
+   */
+  private static void hear(StartWindow window) {
+    if (!Desktop.isDesktopSupported()) {
+      return;
+    }
+    Desktop desktop = Desktop.getDesktop();
+    if (desktop.isSupported(Desktop.Action.APP_OPEN_FILE)) {
+      desktop.setOpenFileHandler(
+          event -> event.getFiles().forEach(file -> window.enrich(file.toPath())));
+    }
+    if (desktop.isSupported(Desktop.Action.APP_QUIT_STRATEGY)) {
+      desktop.setQuitStrategy(QuitStrategy.CLOSE_ALL_WINDOWS);
+    }
   }
 }

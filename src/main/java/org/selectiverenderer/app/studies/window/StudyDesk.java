@@ -46,10 +46,7 @@ final class StudyDesk {
    * @param say shows a sentence to the user; empty takes away the one before
    */
   StudyDesk(
-      RecentPaths recent,
-      BackgroundReader reader,
-      Predicate<Study> trusted,
-      Consumer<String> say) {
+      RecentPaths recent, BackgroundReader reader, Predicate<Study> trusted, Consumer<String> say) {
     this.recent = recent;
     this.reader = reader;
     this.trusted = trusted;

@@ -60,7 +60,8 @@ final class StudyWindow {
   private final JTextArea said = new JTextArea();
   private final JScrollPane saying = new JScrollPane(said);
   private final JTabbedPane tabs = new JTabbedPane();
-  private final BackgroundReader reader = new BackgroundReader("study-reader", StudyTexts.of("closing"));
+  private final BackgroundReader reader =
+      new BackgroundReader("study-reader", StudyTexts.of("closing"));
   private final TrustStore trust;
   private final StudyDesk desk;
   private final StartPage start;

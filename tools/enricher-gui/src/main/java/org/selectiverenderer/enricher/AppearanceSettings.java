@@ -17,16 +17,14 @@ import org.selectiverenderer.x3d.url.ContentAccessPolicy;
  * @param access folders and hosts that scenes may read from
  * @param complaint why the settings could not be read; empty if they were
  */
-record AppearanceSettings(
-    EnricherSettings settings, ContentAccessPolicy access, String complaint) {
+record AppearanceSettings(EnricherSettings settings, ContentAccessPolicy access, String complaint) {
 
   /**
    * Reads the settings and applies them, as the theme must be set before the first component is
    * made.
    *
    * @param folder of the user's settings
-   * @param given folders and hosts that scenes may read from, in addition to those of the
-   *     settings
+   * @param given folders and hosts that scenes may read from, in addition to those of the settings
    */
   static AppearanceSettings remembered(Path folder, ContentAccessPolicy given) {
     EnricherSettings settings = new EnricherSettings(folder);

@@ -161,22 +161,22 @@ final class DocumentOpener {
     long agreed = revision(before);
     BackgroundTask task =
         tasks.run(
-        name,
-        opening,
-        file -> {
-          if (before.isPresent()
-              && before.equals(place.bench().get())
-              && revision(before) != agreed) {
-            // The author has edited the open document while the other one was read.
-            place.saves().leaving(() -> place.adopt().accept(file));
-          } else {
-            place.adopt().accept(file);
-          }
-        },
-        failed -> {
-          nothing();
-          questions.tell(String.valueOf(failed.getMessage()));
-        });
+            name,
+            opening,
+            file -> {
+              if (before.isPresent()
+                  && before.equals(place.bench().get())
+                  && revision(before) != agreed) {
+                // The author has edited the open document while the other one was read.
+                place.saves().leaving(() -> place.adopt().accept(file));
+              } else {
+                place.adopt().accept(file);
+              }
+            },
+            failed -> {
+              nothing();
+              questions.tell(String.valueOf(failed.getMessage()));
+            });
     task.onCancel(() -> EventQueue.invokeLater(this::nothing));
   }
 

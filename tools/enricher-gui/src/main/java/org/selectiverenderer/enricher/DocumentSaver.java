@@ -172,8 +172,8 @@ final class DocumentSaver {
   }
 
   /**
-   * Returns what becomes of the files that the scene would not find from the other folder;
-   * nothing has to be done where it finds them.
+   * Returns what becomes of the files that the scene would not find from the other folder; nothing
+   * has to be done where it finds them.
    */
   private UserPrompts.LeftBehind leftBehind(Path now, Path other) {
     List<String> left =
@@ -299,8 +299,7 @@ final class DocumentSaver {
       waiting.add(() -> revert(reload));
     } else if (!Files.isRegularFile(path)) {
       questions.tell(Texts.of("window.nosaved", path.toString()));
-    } else if (questions.revert(
-        Texts.of("window.revert", String.valueOf(path.getFileName())))) {
+    } else if (questions.revert(Texts.of("window.revert", String.valueOf(path.getFileName())))) {
       takeDisk(Texts.of("window.revert.step"), reload);
     }
   }
@@ -317,9 +316,7 @@ final class DocumentSaver {
           Edit edit =
               all.text(List.of()).equals(copy.text())
                   ? all.edit(step, List.of())
-                  : new Edit(
-                      step,
-                      List.of(new TextEdit(0, now.text().length(), copy.text())));
+                  : new Edit(step, List.of(new TextEdit(0, now.text().length(), copy.text())));
           take(copy, edit);
         });
   }

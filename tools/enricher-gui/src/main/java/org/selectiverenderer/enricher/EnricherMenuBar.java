@@ -64,10 +64,7 @@ final class EnricherMenuBar {
     menu.add(nodes("paste", "ctrl V", StructureCommands::paste));
     menu.add(nodes("delete", "DELETE", StructureCommands::delete));
     menu.add(
-        command(
-            "node.duplicate",
-            "",
-            with(bench -> bench.nodes(StructureCommands::duplicate))));
+        command("node.duplicate", "", with(bench -> bench.nodes(StructureCommands::duplicate))));
     menu.addSeparator();
     menu.add(
         new MenuAction(Texts.of("overview.copy"), "ctrl alt C", with(Workbench::copyMetadata)));

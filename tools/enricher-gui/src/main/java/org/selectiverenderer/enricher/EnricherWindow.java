@@ -194,7 +194,9 @@ final class EnricherWindow {
   /** Whether the window shows a file, or is about to. */
   boolean has(Path file) {
     Path asked = file.toAbsolutePath().normalize();
-    return session().filter(open -> open.file().path().toAbsolutePath().normalize().equals(asked)).isPresent()
+    return session()
+            .filter(open -> open.file().path().toAbsolutePath().normalize().equals(asked))
+            .isPresent()
         || opening.reading(asked);
   }
 

@@ -27,8 +27,7 @@ final class FileMenu {
     MenuAction changes = command("menu.changes", "ctrl D", window.saves()::showChanges);
     MenuAction merge = command("merge.command", "ctrl shift D", window.saves()::merge);
     MenuAction revert =
-        command(
-            "window.revert.command", "", () -> window.saves().revert(window.opening()::reload));
+        command("window.revert.command", "", () -> window.saves().revert(window.opening()::reload));
     MenuAction allow = command("access.command", "", window.files()::allow);
     MenuAction pack = command("package.command", "", window.files()::packageScene);
     MenuAction imports = command("import.command", "ctrl shift E", window.imports()::choose);

@@ -42,8 +42,7 @@ final class FocusedKeys {
   }
 
   private void follow(@Nullable Object now) {
-    if (now instanceof Component component
-        && SwingUtilities.isDescendingFrom(component, content)) {
+    if (now instanceof Component component && SwingUtilities.isDescendingFrom(component, content)) {
       owner = component;
     }
   }
@@ -55,7 +54,9 @@ final class FocusedKeys {
    */
   boolean act(KeyStroke key) {
     Optional<JComponent> at = focused();
-    for (Component each = at.orElse(null); each != null && each != content; each = each.getParent()) {
+    for (Component each = at.orElse(null);
+        each != null && each != content;
+        each = each.getParent()) {
       if (each instanceof JComponent component) {
         Optional<Action> action = action(component, key, each == at.get());
         if (action.isPresent()) {
@@ -78,9 +79,7 @@ final class FocusedKeys {
   private static Optional<Action> action(JComponent component, KeyStroke key, boolean itself) {
     int[] conditions =
         itself
-            ? new int[] {
-              JComponent.WHEN_FOCUSED, JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT
-            }
+            ? new int[] {JComponent.WHEN_FOCUSED, JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT}
             : new int[] {JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT};
     for (int condition : conditions) {
       InputMap keys = component.getInputMap(condition);
@@ -104,7 +103,8 @@ final class FocusedKeys {
     return pressed
         && focused()
             .filter(
-                at -> nodeViews.stream().noneMatch(view -> SwingUtilities.isDescendingFrom(at, view)))
+                at ->
+                    nodeViews.stream().noneMatch(view -> SwingUtilities.isDescendingFrom(at, view)))
             .isPresent();
   }
 

@@ -39,8 +39,7 @@ record ModelDropTarget(PreviewPanel preview, PlanPanel plan, Component tree) {
       preview.place(over, at, found -> found.ifPresentOrElse(answer, () -> ahead(answer)));
     } else if (within(deepest, plan)) {
       Optional<Vector3d> ground = plan.place(over, at);
-      ground.ifPresentOrElse(
-          point -> preview.onFloor(point, answer::accept), () -> ahead(answer));
+      ground.ifPresentOrElse(point -> preview.onFloor(point, answer::accept), () -> ahead(answer));
     } else {
       ahead(answer);
     }

@@ -104,11 +104,7 @@ final class RunCommands {
 
   /** Opens the file of the selected Inline in a window of its own. */
   void openInlineInWindow() {
-    bench
-        .get()
-        .map(Workbench::session)
-        .flatMap(this::target)
-        .ifPresent(openNew);
+    bench.get().map(Workbench::session).flatMap(this::target).ifPresent(openNew);
   }
 
   /** Opens the study window, in a process of its own. */

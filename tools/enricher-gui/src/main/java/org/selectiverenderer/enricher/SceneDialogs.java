@@ -114,10 +114,7 @@ final class SceneDialogs {
                   session.select(each, this);
                   say.accept(
                       Texts.of(
-                          "versions.made",
-                          each.toString(),
-                          made,
-                          DecimalFormatter.grouped(made)));
+                          "versions.made", each.toString(), made, DecimalFormatter.grouped(made)));
                 });
       }
     }
@@ -135,7 +132,7 @@ final class SceneDialogs {
 
   /**
    * The object that versions can be made of: the nearest Switch around an element, else the element
-   * itself if it has a DEF name.
+   * itself if it has a DEF name or is drawn by itself.
    */
   static Optional<DocumentElement> object(DocumentElement element) {
     for (DocumentElement at = element; at != null; at = at.parent().orElse(null)) {
@@ -143,6 +140,8 @@ final class SceneDialogs {
         return Optional.of(at);
       }
     }
-    return element.def().map(def -> element);
+    return element.def().isPresent() || VersionsDialog.takes(element)
+        ? Optional.of(element)
+        : Optional.empty();
   }
 }

@@ -8,8 +8,8 @@ import org.selectiverenderer.authoring.UndoHistory;
 import org.selectiverenderer.enricher.text.Texts;
 
 /**
- * Undoes and redoes steps. Files of a step that another program has changed meanwhile are
- * replaced only if the author agrees. Has no widgets.
+ * Undoes and redoes steps. Files of a step that another program has changed meanwhile are replaced
+ * only if the author agrees. Has no widgets.
  */
 record UndoController(UndoHistory history, UserPrompts questions) {
   /**

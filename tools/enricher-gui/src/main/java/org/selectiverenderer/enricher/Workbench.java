@@ -13,15 +13,11 @@ import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
 import javax.swing.KeyStroke;
 import org.selectiverenderer.authoring.file.CrashRecovery;
+import org.selectiverenderer.authoring.structure.ChildPosition;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.browser.viewer.Pose;
-import org.selectiverenderer.enricher.menu.StructureCommands;
-import org.selectiverenderer.enricher.insert.InsertCommands;
-import org.selectiverenderer.enricher.area.DuplicateShifts;
-import org.selectiverenderer.enricher.tree.NodeDrop;
-import org.selectiverenderer.authoring.structure.ChildPosition;
-import org.selectiverenderer.enricher.text.MnemonicText;
 import org.selectiverenderer.enricher.area.AreaCommands;
+import org.selectiverenderer.enricher.area.DuplicateShifts;
 import org.selectiverenderer.enricher.area.GridSetting;
 import org.selectiverenderer.enricher.area.NameDialog;
 import org.selectiverenderer.enricher.area.NamePrompt;
@@ -30,9 +26,11 @@ import org.selectiverenderer.enricher.cost.BudgetFileLocator;
 import org.selectiverenderer.enricher.cost.CostPanel;
 import org.selectiverenderer.enricher.form.FormPanel;
 import org.selectiverenderer.enricher.help.HelpPanel;
+import org.selectiverenderer.enricher.insert.InsertCommands;
 import org.selectiverenderer.enricher.menu.NodeCommand;
 import org.selectiverenderer.enricher.menu.NodeEditCommands;
 import org.selectiverenderer.enricher.menu.NodeMenu;
+import org.selectiverenderer.enricher.menu.StructureCommands;
 import org.selectiverenderer.enricher.overview.MetadataClipboard;
 import org.selectiverenderer.enricher.overview.OverviewPanel;
 import org.selectiverenderer.enricher.placement.HandleSettings;
@@ -48,7 +46,9 @@ import org.selectiverenderer.enricher.settings.Autosave;
 import org.selectiverenderer.enricher.settings.EnricherSettings;
 import org.selectiverenderer.enricher.settings.SettingsTrust;
 import org.selectiverenderer.enricher.source.SourcePanel;
+import org.selectiverenderer.enricher.text.MnemonicText;
 import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.enricher.tree.NodeDrop;
 import org.selectiverenderer.enricher.tree.SceneTreePanel;
 import org.selectiverenderer.validation.run.RuleCatalogue;
 import org.selectiverenderer.x3d.source.DocumentElement;
@@ -63,7 +63,7 @@ final class Workbench {
   private static final int COSTS = 300;
 
   /** Height in pixels of the views in which both have room. */
-  private static final int BOTH = 780;
+  private static final int BOTH = 700;
 
   private final EnricherSession session;
   private final EnricherSettings settings;
@@ -109,8 +109,7 @@ final class Workbench {
     this.session = session;
     this.settings = settings;
     menu = new NodeMenu(session);
-    structure =
-        new StructureCommands(session, Toolkit.getDefaultToolkit().getSystemClipboard());
+    structure = new StructureCommands(session, Toolkit.getDefaultToolkit().getSystemClipboard());
     pictures = new VersionImageRenderer(() -> asScene(session));
     autosave = new Autosave(session, recovery);
     BudgetFileLocator budgets =

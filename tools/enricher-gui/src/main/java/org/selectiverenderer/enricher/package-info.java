@@ -7,7 +7,8 @@
  * selection), {@code task} (work in the background), {@code tree}, {@code source}, {@code form},
  * {@code preview}, {@code compare}, {@code cost}, {@code run}, {@code problems}, {@code help}, and
  * the dialogs {@code overview}, {@code ratings}, {@code versions}, {@code diff}, {@code newscene},
- * {@code importing} and {@code access}; {@code settings} stores the author's preferences, {@code table} and {@code parts} are shared.
+ * {@code importing} and {@code access}; {@code settings} stores the author's preferences, {@code
+ * table} and {@code parts} are shared.
  *
  * <p>In: a scene's file, the author's mouse and keyboard. Out: edits of the document. Swing with
  * FlatLaf, MigLayout and, for the source, RSyntaxTextArea. Uses these, {@code authoring}, {@code

@@ -120,8 +120,7 @@ class DocumentSaverConflictsTest extends DocumentSaverFixture {
             new Edit("Make", List.of()),
             List.of(new UndoableFileWrite(file, new byte[] {'a'}, false)));
     Files.writeString(file, "theirs");
-    UndoController steps =
-        new UndoController(session.document().history(), answers);
+    UndoController steps = new UndoController(session.document().history(), answers);
     answers.agree = false;
     assertThat(steps.go(true)).isFalse();
     assertThat(file).hasContent("theirs");

@@ -41,7 +41,8 @@ class EnricherWindowsTest {
     Files.writeString(settings.resolve("enricher.properties"), "theme=light\ntab=Help\n");
     windows =
         GuiRobot.onEdt(
-            () -> new EnricherWindows(settings, ContentAccessPolicy.none(), closed::incrementAndGet));
+            () ->
+                new EnricherWindows(settings, ContentAccessPolicy.none(), closed::incrementAndGet));
     window = GuiRobot.onEdt(() -> new EnricherWindow(windows));
     hands.show(window.frame());
   }
@@ -111,8 +112,7 @@ class EnricherWindowsTest {
     later(window.files()::newScene);
     NewSceneDialog again = hands.dialog(NewSceneDialog.class);
     hands.click(GuiRobot.named(again, "Empty, with a viewpoint", JRadioButton.class));
-    type(
-        GuiRobot.named(again, "File", JTextField.class), folder.resolve("mine.x3d").toString());
+    type(GuiRobot.named(again, "File", JTextField.class), folder.resolve("mine.x3d").toString());
     hands.click(GuiRobot.named(again, "Create", JButton.class));
     hands.choose(question(again), "Cancel");
     hands.choose(again, "Cancel");

@@ -55,7 +55,8 @@ class ImportCommandsTest {
 
   private Path scene(String name) throws IOException {
     return Files.writeString(
-        Files.createDirectories(work()).resolve(name), "<X3D version='4.0'>\n<Scene>\n" + FLOOR + "</Scene>\n</X3D>\n");
+        Files.createDirectories(work()).resolve(name),
+        "<X3D version='4.0'>\n<Scene>\n" + FLOOR + "</Scene>\n</X3D>\n");
   }
 
   private Path work() {

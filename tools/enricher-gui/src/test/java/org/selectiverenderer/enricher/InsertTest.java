@@ -58,8 +58,7 @@ class InsertTest {
   }
 
   private void select(String def) {
-    JTree tree =
-        GuiRobot.named(window.frame().getContentPane(), "Nodes of the scene", JTree.class);
+    JTree tree = GuiRobot.named(window.frame().getContentPane(), "Nodes of the scene", JTree.class);
     hands.click(tree);
     hands.await("the tree's focus", tree::isFocusOwner);
     GuiRobot.onEdt(
@@ -73,11 +72,7 @@ class InsertTest {
     hands.await(
         "the selection of " + element,
         () ->
-            session
-                .selection()
-                .map(DocumentElement::toString)
-                .filter(element::equals)
-                .isPresent());
+            session.selection().map(DocumentElement::toString).filter(element::equals).isPresent());
   }
 
   @Test
@@ -98,8 +93,7 @@ class InsertTest {
         .contains("<Appearance DEF='Wood'>\n    <Material/>\n  </Appearance>");
     hands.press(KeyEvent.VK_CONTROL, KeyEvent.VK_Z);
     hands.await(
-        "the undone step",
-        () -> !session.document().snapshot().text().contains("Material"));
+        "the undone step", () -> !session.document().snapshot().text().contains("Material"));
   }
 
   @Test

@@ -173,8 +173,7 @@ class RestartPersistenceTest {
         settings.resolve("enricher.properties"),
         "theme=light\nwindow.x=200\nwindow.y=50\nwindow.width=5000\nwindow.height=4000\n");
     start(Optional.empty());
-    Rectangle screen =
-        GuiRobot.onEdt(() -> window.frame().getGraphicsConfiguration().getBounds());
+    Rectangle screen = GuiRobot.onEdt(() -> window.frame().getGraphicsConfiguration().getBounds());
     assertThat(screen.contains(GuiRobot.onEdt(() -> window.frame().getBounds()))).isTrue();
   }
 

@@ -67,8 +67,7 @@ class TreeEditingTest {
     hands.await("the scene", () -> window.session().isPresent());
     session = window.session().orElseThrow();
     tree = GuiRobot.named(content(), "Nodes of the scene", JTree.class);
-    JComboBox<?> extent =
-        GuiRobot.named(content(), "Nodes that the tree shows", JComboBox.class);
+    JComboBox<?> extent = GuiRobot.named(content(), "Nodes that the tree shows", JComboBox.class);
     GuiRobot.onEdt(
         () -> {
           extent.setSelectedIndex(1);

@@ -168,8 +168,7 @@ class WindowLayoutTest {
           return true;
         });
     validate();
-    JTable table =
-        GuiRobot.named(window.frame(), "Degrees of objects by schemas", JTable.class);
+    JTable table = GuiRobot.named(window.frame(), "Degrees of objects by schemas", JTable.class);
     // Without a schema the table has no width of its own; what shows it has its height.
     int rows = GuiRobot.onEdt(() -> table.getParent().getHeight() / table.getRowHeight());
     assertThat(rows).isGreaterThanOrEqualTo(10);

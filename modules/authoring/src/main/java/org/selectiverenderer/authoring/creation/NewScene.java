@@ -68,7 +68,14 @@ public final class NewScene {
   private static final String WALL = "0.85 0.83 0.78";
 
   private static String part(
-      String name, double x, double y, double z, double wide, double high, double deep, String colour) {
+      String name,
+      double x,
+      double y,
+      double z,
+      double wide,
+      double high,
+      double deep,
+      String colour) {
     return """
               <Transform DEF='%s' translation='%s %s %s'>
                 <Shape>
@@ -80,7 +87,14 @@ public final class NewScene {
               </Transform>
         """
         .formatted(
-            name, number(x), number(y), number(z), colour, number(wide), number(high), number(deep));
+            name,
+            number(x),
+            number(y),
+            number(z),
+            colour,
+            number(wide),
+            number(high),
+            number(deep));
   }
 
   private static String number(double of) {

@@ -66,7 +66,10 @@ final class EnrichedNodeReader {
       return "";
     }
     DocumentElement named =
-        child.use().flatMap(use -> document.tree().flatMap(tree -> tree.named(use, child))).orElse(child);
+        child
+            .use()
+            .flatMap(use -> document.tree().flatMap(tree -> tree.named(use, child)))
+            .orElse(child);
     List<String> urls = MFStringParser.strings(document.attribute(named, "url").orElse(""));
     return urls.isEmpty() ? "" : urls.get(0);
   }

@@ -29,9 +29,7 @@ public record ImageReference(DocumentElement element, String field, List<String>
   /** Returns the references of a document, in document order; none while it is not well-formed. */
   public static List<ImageReference> in(SceneDocument document) {
     List<ImageReference> found = new ArrayList<>();
-    document
-        .tree()
-        .ifPresent(tree -> tree.root().visit(element -> found.addAll(of(element))));
+    document.tree().ifPresent(tree -> tree.root().visit(element -> found.addAll(of(element))));
     return List.copyOf(found);
   }
 

@@ -15,8 +15,8 @@ public final class ImageUrlEdit {
   private ImageUrlEdit() {}
 
   /**
-   * Returns the edit: the url that named a missing file names the found one, relative to the
-   * scene; further urls of the same field stay.
+   * Returns the edit: the url that named a missing file names the found one, relative to the scene;
+   * further urls of the same field stay.
    *
    * @param found the files by references of the document's present state
    * @param folder the folder of the scene

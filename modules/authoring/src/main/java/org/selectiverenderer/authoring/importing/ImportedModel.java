@@ -18,7 +18,10 @@ import org.selectiverenderer.geometry.BoundingBox;
  * @param problems what is left out of it
  */
 public record ImportedModel(
-    Path file, List<UndoableFileWrite> files, Optional<BoundingBox> bounds, List<Problem> problems) {
+    Path file,
+    List<UndoableFileWrite> files,
+    Optional<BoundingBox> bounds,
+    List<Problem> problems) {
   public ImportedModel {
     files = List.copyOf(files);
     problems = List.copyOf(problems);
@@ -28,9 +31,7 @@ public record ImportedModel(
   public Vector3d onto(Vector3dc point) {
     Vector3d moved = new Vector3d(point);
     bounds.ifPresent(
-        box ->
-            moved.sub(
-                (box.minX() + box.maxX()) / 2, box.minY(), (box.minZ() + box.maxZ()) / 2));
+        box -> moved.sub((box.minX() + box.maxX()) / 2, box.minY(), (box.minZ() + box.maxZ()) / 2));
     return moved;
   }
 }

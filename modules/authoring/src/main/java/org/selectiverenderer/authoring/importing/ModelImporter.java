@@ -1,10 +1,8 @@
 package org.selectiverenderer.authoring.importing;
 
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
-import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -74,7 +72,8 @@ public final class ModelImporter {
     if (problems.anyError()) {
       throw new IOException(first(model, problems));
     }
-    return new ImportedModel(model.toAbsolutePath().normalize(), List.of(), bounds, problems.list());
+    return new ImportedModel(
+        model.toAbsolutePath().normalize(), List.of(), bounds, problems.list());
   }
 
   /**
@@ -163,8 +162,7 @@ public final class ModelImporter {
   private Optional<BoundingBox> bounds(Path model, ProblemCollector problems) throws IOException {
     try (ModelReader reader = new ModelReader(catalogue, access)) {
       ProblemCollector told = new ProblemCollector();
-      Optional<BoundingBox> box =
-          reader.read(model, told).flatMap(ModelImporter::box);
+      Optional<BoundingBox> box = reader.read(model, told).flatMap(ModelImporter::box);
       told.list().forEach(problems::add);
       return box;
     }

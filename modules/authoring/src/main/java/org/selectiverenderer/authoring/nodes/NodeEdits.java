@@ -100,8 +100,7 @@ public final class NodeEdits {
     if (other.isPresent()) {
       throw new EditRejectedException(
           "%s is the name of the %s in line %d already; choose another one"
-              .formatted(
-                  name, other.get().name(), document.location(other.get().start()).line()));
+              .formatted(name, other.get().name(), document.location(other.get().start()).line()));
     }
   }
 

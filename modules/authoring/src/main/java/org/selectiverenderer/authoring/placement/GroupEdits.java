@@ -255,8 +255,7 @@ public final class GroupEdits {
             new TextEdit(
                 child.start(),
                 child.end(),
-                Reindenter.wrapped(
-                    document, child, "<Transform" + fields + ">", "</Transform>")));
+                Reindenter.wrapped(document, child, "<Transform" + fields + ">", "</Transform>")));
   }
 
   private static String name(DocumentElement group) {

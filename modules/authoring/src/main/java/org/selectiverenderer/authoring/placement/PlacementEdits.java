@@ -91,8 +91,7 @@ public final class PlacementEdits {
     }
     if (differsInScale(before.scale(), pose.scale())) {
       changes.add(
-          layout.attribute(
-              transform, "scale", scale(pose.scale(), old(transform, "scale", 1))));
+          layout.attribute(transform, "scale", scale(pose.scale(), old(transform, "scale", 1))));
     }
     if (differs(before.scaleOrientation(), pose.scaleOrientation())) {
       changes.add(

@@ -101,11 +101,7 @@ public record TransformPose(
     Vector3d origin = new Vector3d(translation).add(center).sub(pivot);
     turn.transform(origin).add(pivot).sub(center);
     return new TransformPose(
-        origin,
-        center,
-        turn.mul(rotation, new Quaterniond()).normalize(),
-        scale,
-        scaleOrientation);
+        origin, center, turn.mul(rotation, new Quaterniond()).normalize(), scale, scaleOrientation);
   }
 
   /**
@@ -120,8 +116,7 @@ public record TransformPose(
       double wanted = scale.get(k) * factors.get(k);
       now.setComponent(k, Math.copySign(Math.max(LEAST, Math.abs(wanted)), scale.get(k)));
     }
-    TransformPose larger =
-        new TransformPose(translation, center, rotation, now, scaleOrientation);
+    TransformPose larger = new TransformPose(translation, center, rotation, now, scaleOrientation);
     Vector3d before = matrix().transformPosition(new Vector3d(fixed));
     Vector3d after = larger.matrix().transformPosition(new Vector3d(fixed));
     return larger.movedBy(before.sub(after));

@@ -94,8 +94,7 @@ public record SceneRoute(
                         : to.wrong
                             ? Fault.NOT_RECEIVED
                             : differ ? Fault.TYPES : fresh ? Fault.NONE : Fault.REPEATED;
-    return new SceneRoute(
-        element, ends.get(0), ends.get(1), ends.get(2), ends.get(3), type, fault);
+    return new SceneRoute(element, ends.get(0), ends.get(1), ends.get(2), ends.get(3), type, fault);
   }
 
   /**
@@ -117,8 +116,7 @@ public record SceneRoute(
         return new End(!imported(name, route), false, Optional.empty());
       }
       List<EventField> fields = EventField.of(node.get(), catalogue);
-      boolean known =
-          !fields.isEmpty() || catalogue.find(node.get().name()).isPresent();
+      boolean known = !fields.isEmpty() || catalogue.find(node.get().name()).isPresent();
       Optional<EventField> found =
           EventField.named(fields, field, input)
               .filter(each -> input ? each.receives() : each.sends());

@@ -76,7 +76,9 @@ final class Containment {
   }
 
   private static boolean root(NodeType type) {
-    return type.is("X3DChildNode") || type.is("X3DMetadataObject") || type.name().equals("LayerSet");
+    return type.is("X3DChildNode")
+        || type.is("X3DMetadataObject")
+        || type.name().equals("LayerSet");
   }
 
   private static Optional<Place> statementIn(NodeType parent) {

@@ -67,13 +67,11 @@ public final class NodePalette {
       new FieldOccupancy(containment, parent, List.of())
           .give(sample)
           .filter(
-              place ->
-                  entries.stream().noneMatch(each -> each.type().name().equals(sample.name())))
+              place -> entries.stream().noneMatch(each -> each.type().name().equals(sample.name())))
           .ifPresent(
               place ->
                   entries.add(
-                      new Entry(
-                          catalogue.get(sample.name()), parent, place.field().orElse(""))));
+                      new Entry(catalogue.get(sample.name()), parent, place.field().orElse(""))));
     }
   }
 

@@ -67,8 +67,7 @@ public record NodeTemplate(String name, String text) {
    */
   public NodeTemplate with(String element, String attribute, String value) {
     try {
-      SceneDocument document =
-          SceneDocument.of(FILE, text.getBytes(StandardCharsets.UTF_8));
+      SceneDocument document = SceneDocument.of(FILE, text.getBytes(StandardCharsets.UTF_8));
       Optional<TextEdit> change =
           document.tree().stream()
               .flatMap(tree -> find(tree.root(), element).stream())

@@ -54,13 +54,11 @@ final class PasteTargets {
   }
 
   private String nowhere(List<DocumentElement> elements, DocumentElement target) {
-    DocumentElement misfit =
-        misfit(elements, target, Set.of()).orElseGet(() -> elements.get(0));
+    DocumentElement misfit = misfit(elements, target, Set.of()).orElseGet(() -> elements.get(0));
     if (containment.accepts(target, misfit)) {
       return taken(misfit, target);
     }
-    return "%s can go neither into %s nor beside it; %s"
-        .formatted(misfit, target, homes(misfit));
+    return "%s can go neither into %s nor beside it; %s".formatted(misfit, target, homes(misfit));
   }
 
   /** Returns why a parent does not take a child that it could have. */
@@ -90,9 +88,7 @@ final class PasteTargets {
     if (!here.isEmpty()) {
       return "select a node that takes it, such as "
           + here.stream()
-              .map(
-                  each ->
-                      "%s in line %d".formatted(each, document.location(each.start()).line()))
+              .map(each -> "%s in line %d".formatted(each, document.location(each.start()).line()))
               .collect(Collectors.joining(" or "));
     }
     List<String> types = new NodePalette(document, catalogue).parents(node);

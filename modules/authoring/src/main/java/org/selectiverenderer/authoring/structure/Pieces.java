@@ -68,8 +68,7 @@ final class Pieces {
                     each.def()
                         .filter(def -> !renamed.containsKey(def))
                         .ifPresent(
-                            def ->
-                                renamed.put(def, names.unused(following(each, def, renamed))))));
+                            def -> renamed.put(def, names.unused(following(each, def, renamed))))));
     elements.forEach(element -> ElementScope.visitWithin(element, each -> follow(each, renamed)));
   }
 
@@ -144,7 +143,8 @@ final class Pieces {
     Set<String> defined = new HashSet<>();
     elements.forEach(
         element ->
-            ElementScope.visitWithin(element, 
+            ElementScope.visitWithin(
+                element,
                 each -> {
                   each.use().filter(use -> !defined.contains(use)).ifPresent(open::add);
                   each.def().ifPresent(defined::add);
@@ -155,7 +155,8 @@ final class Pieces {
   /** Returns the names that are defined in the elements. */
   Set<String> defined() {
     Set<String> defined = new HashSet<>();
-    elements.forEach(element -> ElementScope.visitWithin(element, each -> each.def().ifPresent(defined::add)));
+    elements.forEach(
+        element -> ElementScope.visitWithin(element, each -> each.def().ifPresent(defined::add)));
     return defined;
   }
 

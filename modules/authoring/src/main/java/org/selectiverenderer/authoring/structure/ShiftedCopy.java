@@ -51,7 +51,8 @@ final class ShiftedCopy {
     Optional<String> position =
         Optional.ofNullable(POSITIONS.get(node.name())).filter(field -> node.use().isEmpty());
     if (position.isPresent()) {
-      pieces.change(document.layout().attribute(node, position.get(), moved(node, position.get(), shift)));
+      pieces.change(
+          document.layout().attribute(node, position.get(), moved(node, position.get(), shift)));
       return pieces.lines(node);
     }
     if (!wrapped(node)) {
@@ -59,8 +60,7 @@ final class ShiftedCopy {
     }
     char quote = document.layout().quote(node);
     List<String> lines = new ArrayList<>();
-    lines.add(
-        "<Transform" + SourceFormatter.written("translation", text(shift), quote) + ">");
+    lines.add("<Transform" + SourceFormatter.written("translation", text(shift), quote) + ">");
     String step = document.layout().step(node);
     pieces.lines(node).forEach(line -> lines.add(step + line));
     lines.add("</Transform>");
@@ -80,7 +80,8 @@ final class ShiftedCopy {
 
   private static String moved(DocumentElement node, String field, Vector3dc shift) {
     double[] old = {0, 0, "position".equals(field) ? 10 : 0}; // the default of viewpoints
-    String[] written = node.text(field).map(text -> text.strip().split("[\\s,]+")).orElse(new String[0]);
+    String[] written =
+        node.text(field).map(text -> text.strip().split("[\\s,]+")).orElse(new String[0]);
     for (int i = 0; i < 3 && written.length == 3; i++) {
       try {
         old[i] = Double.parseDouble(written[i]);

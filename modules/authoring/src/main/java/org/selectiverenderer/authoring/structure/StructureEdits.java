@@ -53,8 +53,7 @@ public final class StructureEdits {
   public static List<DocumentElement> outermost(List<DocumentElement> elements) {
     return elements.stream()
         .filter(DocumentElement::attached)
-        .filter(
-            each -> elements.stream().noneMatch(other -> other != each && other.contains(each)))
+        .filter(each -> elements.stream().noneMatch(other -> other != each && other.contains(each)))
         .distinct()
         .sorted(Comparator.comparingInt(DocumentElement::start))
         .toList();
@@ -227,7 +226,8 @@ public final class StructureEdits {
                       new EditRejectedException(
                           containment.accepts(parent, each)
                               ? targets().taken(each, parent)
-                              : "%s cannot go into %s; %s".formatted(each, parent, targets().homes(each))));
+                              : "%s cannot go into %s; %s"
+                                  .formatted(each, parent, targets().homes(each))));
       pieces.place(each, place, containment);
     }
   }
@@ -305,7 +305,8 @@ public final class StructureEdits {
    * @param shift the way from a node to its copy in the coordinates of its parent, for nodes that
    *     are somewhere
    */
-  public StructureChange duplicate(List<DocumentElement> elements, Function<DocumentElement, Vector3d> shift) {
+  public StructureChange duplicate(
+      List<DocumentElement> elements, Function<DocumentElement, Vector3d> shift) {
     List<DocumentElement> all = outermost(elements);
     ElementTree tree = tree();
     Map<DocumentElement, UniqueNameGenerator> scopes = new HashMap<>();
@@ -326,8 +327,7 @@ public final class StructureEdits {
       pieces.rename(names, wanted);
       List<String> lines =
           new ShiftedCopy(document, containment, catalogue).lines(pieces, each, shift.apply(each));
-      added.add(
-          new StructureChange.Added(document.layout().insertAfter(each, lines), 1));
+      added.add(new StructureChange.Added(document.layout().insertAfter(each, lines), 1));
     }
     return new StructureChange(
         new Edit(

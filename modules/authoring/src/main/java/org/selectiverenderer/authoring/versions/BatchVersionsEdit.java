@@ -176,7 +176,9 @@ public record BatchVersionsEdit(
       VersionsEdit.Request own = request.of(name, item.goals());
       Optional<VersionsEdit> plan = VersionsEdit.plan(named, own, catalogue, problems);
       for (int i = 2; plan.isPresent() && clashes(plan.get()); i++) {
-        plan = VersionsEdit.plan(named, own.named(ObjectFinder.name(name) + "_" + i), catalogue, problems);
+        plan =
+            VersionsEdit.plan(
+                named, own.named(ObjectFinder.name(name) + "_" + i), catalogue, problems);
       }
       if (plan.isEmpty()) {
         return;
@@ -253,10 +255,8 @@ public record BatchVersionsEdit(
     }
 
     BatchVersionsEdit result() throws IOException {
-      Edit edit =
-          new Edit("Make versions of " + objects.size() + " objects", text.changes());
-      PlannedFile scene =
-          VersionsPlanner.planned(request.output(), snapshot.bytes(edit), false);
+      Edit edit = new Edit("Make versions of " + objects.size() + " objects", text.changes());
+      PlannedFile scene = VersionsPlanner.planned(request.output(), snapshot.bytes(edit), false);
       return new BatchVersionsEdit(objects, files, scene, edit, snapshot.revision());
     }
   }

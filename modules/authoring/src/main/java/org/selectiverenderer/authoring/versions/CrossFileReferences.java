@@ -65,17 +65,17 @@ final class CrossFileReferences {
     boolean[] free = {true};
     ElementScope.visit(
         elements.isEmpty() ? scene.elements().root() : elements.get(0),
-            other -> {
-              boolean inside = elements.stream().anyMatch(element -> element.contains(other));
-              String tie = inside ? inside(other) : outside(other, def, names, shared);
-              if (!tie.isEmpty()) {
-                problems.error(
-                    other.location(),
-                    "%s, so the object '%s' cannot be replaced; nothing has been changed"
-                        .formatted(tie, def));
-                free[0] = false;
-              }
-            });
+        other -> {
+          boolean inside = elements.stream().anyMatch(element -> element.contains(other));
+          String tie = inside ? inside(other) : outside(other, def, names, shared);
+          if (!tie.isEmpty()) {
+            problems.error(
+                other.location(),
+                "%s, so the object '%s' cannot be replaced; nothing has been changed"
+                    .formatted(tie, def));
+            free[0] = false;
+          }
+        });
     return free[0];
   }
 

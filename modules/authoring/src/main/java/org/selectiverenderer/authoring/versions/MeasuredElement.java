@@ -50,8 +50,7 @@ record MeasuredElement(
     if (children.size() == 1) {
       MeasuredElement only = children.get(0);
       return !only.children.isEmpty()
-          && (only.holdsPieces(scale)
-              || element.def().isEmpty() && only.element.def().isPresent());
+          && (only.holdsPieces(scale) || element.def().isEmpty() && only.element.def().isPresent());
     }
     if (children.stream().anyMatch(MeasuredElement::ofRoom)
         || element.children().stream().anyMatch(child -> OF_ROOMS.contains(child.name()))) {

@@ -1,6 +1,7 @@
 package org.selectiverenderer.authoring.versions;
 
 import java.util.List;
+import java.util.Optional;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** The elements of an object in a scene. */
@@ -12,8 +13,15 @@ sealed interface ObjectElements {
    * An object without versions.
    *
    * @param elements the elements that the versions replace, in document order; at least one
+   * @param choice the Switch whose only choice the object is, which takes the versions; empty where
+   *     a new Switch does
    */
-  record Whole(String name, List<DocumentElement> elements) implements ObjectElements {}
+  record Whole(String name, List<DocumentElement> elements, Optional<DocumentElement> choice)
+      implements ObjectElements {
+    Whole(String name, List<DocumentElement> elements) {
+      this(name, elements, Optional.empty());
+    }
+  }
 
   /**
    * An object with versions.

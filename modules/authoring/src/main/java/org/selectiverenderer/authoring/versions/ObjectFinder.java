@@ -153,6 +153,11 @@ final class ObjectFinder {
       }
     }
     if (inlines.isEmpty()) {
+      List<DocumentElement> drawn = choice.children().stream().filter(this::drawn).toList();
+      NodeView node = scene.node(choice);
+      if (drawn.size() == 1 && node != null && node.nodes("children").size() == 1) {
+        return Optional.of(new ObjectElements.Whole(name, drawn, Optional.of(choice)));
+      }
       return refuse(
           choice.location(),
           "the object '"

@@ -28,8 +28,9 @@ final class ObjectNamer {
 
   /** Prefixes by which exporters mark kinds of nodes, and which say nothing of the object. */
   private static final Pattern PREFIX =
-      Pattern.compile("(?i)(?:transform|group|shape|mesh|geometry|coords?|material|mat|appearance"
-          + "|app|texture|tex|image|ifs|faces)[_-](?=.)");
+      Pattern.compile(
+          "(?i)(?:transform|group|shape|mesh|geometry|coords?|material|mat|appearance"
+              + "|app|texture|tex|image|ifs|faces)[_-](?=.)");
 
   private static final Pattern SUFFIX =
       Pattern.compile("(?i)[_-](?:transform|group|shape|mesh|geometry|material|mat|ifs|texture)$");

@@ -17,8 +17,8 @@ import org.selectiverenderer.x3d.source.TextEdit;
 /**
  * The nodes of an object that the rest of the scene uses too, by USE, as files from VRML97 share
  * their Appearances. When the object goes to files of its own, which are other scopes of names, the
- * first USE in the scene becomes the node itself; the versions have copies. A USE of the object as a
- * whole becomes a USE of its Switch.
+ * first USE in the scene becomes the node itself; the versions have copies. A USE of the object as
+ * a whole becomes a USE of its Switch.
  */
 final class SharedNodes {
   private static final String CONTAINER = "containerField";
@@ -43,7 +43,7 @@ final class SharedNodes {
   }
 
   /** Returns the elements outside of the object that use nodes in it, in document order. */
-  List<DocumentElement> uses() {
+  private List<DocumentElement> uses() {
     List<DocumentElement> found = new ArrayList<>();
     if (!given.isEmpty()) {
       ElementScope.visit(
@@ -58,8 +58,10 @@ final class SharedNodes {
     return found;
   }
 
-  /** Returns whether an element takes over the object as a whole, so that a Switch may stand there. */
-  boolean isWhole(DocumentElement use) {
+  /**
+   * Returns whether an element takes over the object as a whole, so that a Switch may stand there.
+   */
+  private boolean isWhole(DocumentElement use) {
     DocumentElement node = given.get(use.use().orElse(""));
     boolean child =
         use.parent().filter(parent -> !parent.name().equals("fieldValue")).isPresent()
@@ -70,15 +72,14 @@ final class SharedNodes {
   /**
    * Returns the changes that leave the scene its nodes; for one use.
    *
-   * @param choice DEF name of the Switch that replaces the object
+   * @param choice DEF name of the Switch that replaces the object; empty for one without
    */
   List<TextEdit> changes(String choice) {
     List<TextEdit> changes = new ArrayList<>();
     for (DocumentElement use : uses()) {
       String name = use.use().orElseThrow();
-      if (isWhole(use)) {
-        String tag =
-            "<Switch" + SourceFormatter.written("USE", choice, layout.quote(use)) + "/>";
+      if (!choice.isEmpty() && isWhole(use)) {
+        String tag = "<Switch" + SourceFormatter.written("USE", choice, layout.quote(use)) + "/>";
         changes.add(new TextEdit(use.start(), use.end(), tag));
       } else if (!moved.contains(name)) {
         String text = text(given.get(name), use.text(CONTAINER));
@@ -96,7 +97,9 @@ final class SharedNodes {
     node.children().forEach(child -> adapt(child, changes));
     List<TextEdit> own =
         changes.stream()
-            .map(each -> new TextEdit(each.from() - node.start(), each.to() - node.start(), each.text()))
+            .map(
+                each ->
+                    new TextEdit(each.from() - node.start(), each.to() - node.start(), each.text()))
             .toList();
     String whole = scene.snapshot().text().substring(node.start(), node.end());
     return TextEdit.applied(own, whole).toString();
@@ -128,8 +131,7 @@ final class SharedNodes {
       changes.add(new TextEdit(inner.start(), inner.end(), tag));
     } else if (given.containsKey(use) && !moved.contains(use)) {
       String text = text(given.get(use), inner.text(CONTAINER));
-      changes.add(
-          new TextEdit(inner.start(), inner.end(), indented(text, given.get(use), inner)));
+      changes.add(new TextEdit(inner.start(), inner.end(), indented(text, given.get(use), inner)));
     } else {
       if (!def.isEmpty()) {
         moved.add(def);

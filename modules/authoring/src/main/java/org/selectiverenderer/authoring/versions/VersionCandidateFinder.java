@@ -83,8 +83,7 @@ public final class VersionCandidateFinder {
       BatchProgress progress)
       throws IOException {
     ProblemCollector unheard = new ProblemCollector(); // the scene's own problems are not asked for
-    ElementNodeMapping scene =
-        VersionsEdit.scene(snapshot, request, catalogue, unheard);
+    ElementNodeMapping scene = VersionsEdit.scene(snapshot, request, catalogue, unheard);
     return new VersionCandidateFinder(scene, request, catalogue, progress).find(chosen);
   }
 

@@ -48,13 +48,24 @@ final class VersionSwitchEdit {
 
   private List<TextEdit> changes(ObjectElements.Whole whole, List<String> urls) {
     DocumentElement first = whole.elements().get(0);
-    String choice = names.unused("Switch_" + site.name());
+    String choice =
+        whole
+            .choice()
+            .map(around -> around.def().orElse(""))
+            .orElseGet(() -> names.unused("Switch_" + site.name()));
     List<String> inlines = new ArrayList<>();
     for (int i = 1; i <= urls.size(); i++) {
       inlines.add(names.unused("Inline_" + site.name() + "_v" + i));
     }
     List<TextEdit> changes = new ArrayList<>();
-    if (layout.onItsOwnLine(first)) {
+    if (whole.choice().isPresent()) {
+      char quote = layout.quote(first);
+      List<String> lines = new ArrayList<>();
+      for (int i = 0; i < urls.size(); i++) {
+        lines.add(VersionSwitchWriter.inline(inlines.get(i), urls.get(i), quote));
+      }
+      changes.add(layout.replace(first, lines));
+    } else if (layout.onItsOwnLine(first)) {
       List<String> lines =
           VersionSwitchWriter.lines(choice, inlines, urls, layout.quote(first), layout.step(first));
       changes.add(layout.replace(first, lines));

@@ -19,6 +19,7 @@ import org.selectiverenderer.models.simplify.SimplificationTarget;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.read.PrototypeLibraryLoader;
 import org.selectiverenderer.x3d.read.X3dReader;
+import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.url.BaseUrl;
 import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 import org.selectiverenderer.x3d.url.UrlResolver;
@@ -128,7 +129,8 @@ public final class VersionsEdit {
 
     /** Returns the request for another object, of which no version is kept. */
     Request of(String other, List<SimplificationTarget> wanted) {
-      return new Request(scene, access, other, wanted, output, inlineFolder, Set.of(), "", OptionalInt.empty());
+      return new Request(
+          scene, access, other, wanted, output, inlineFolder, Set.of(), "", OptionalInt.empty());
     }
 
     /** Returns the request with another base name of files. */
@@ -146,9 +148,7 @@ public final class VersionsEdit {
     Optional<ObjectElements> find(ElementNodeMapping in, ProblemCollector problems) {
       ObjectFinder finder = new ObjectFinder(in, problems);
       return start.isPresent()
-          ? in.elements()
-              .at(start.getAsInt())
-              .flatMap(element -> finder.at(element, object))
+          ? in.elements().at(start.getAsInt()).flatMap(element -> finder.at(element, object))
           : finder.find(object);
     }
   }
@@ -213,6 +213,19 @@ public final class VersionsEdit {
                 new VersionFileNames(scene, there, folder, request.inlineFolder(), "")
                     .of(there.inlines().size(), 1))
         .orElse(List.of());
+  }
+
+  /**
+   * Returns a name for an object without a DEF, made from what its file says of it: a comment, the
+   * name of its prototype, of its files or materials.
+   *
+   * @throws EditRejectedException if the text is not well-formed
+   */
+  public static String proposedName(SceneDocument document, DocumentElement element) {
+    return document
+        .tree()
+        .map(tree -> new ObjectNamer(document.text(), tree).name(element))
+        .orElseThrow(() -> new EditRejectedException("The text is not well formed"));
   }
 
   /** Returns whether nothing would change. */

@@ -32,12 +32,12 @@ class ModelImporterTest {
   void files() throws IOException {
     models = Files.createDirectories(folder.resolve("downloads"));
     scene = Files.createDirectories(folder.resolve("work")).resolve("room.x3d");
-    Files.writeString(scene, "<X3D version='4.0'>\n<Scene>\n  <Group/>\n  <ROUTE/>\n</Scene>\n</X3D>\n");
+    Files.writeString(
+        scene, "<X3D version='4.0'>\n<Scene>\n  <Group/>\n  <ROUTE/>\n</Scene>\n</X3D>\n");
   }
 
   private ModelImporter importer() {
-    return new ModelImporter(
-        NodeCatalogue.load(), scene, ContentAccessPolicy.none(), () -> false);
+    return new ModelImporter(NodeCatalogue.load(), scene, ContentAccessPolicy.none(), () -> false);
   }
 
   private static String text(ImportedModel model) {
@@ -55,8 +55,7 @@ class ModelImporterTest {
   @Test
   void aMeshIsCopiedUnderANewNameAndPutOnItsPlace() throws IOException {
     Path obj =
-        Files.writeString(
-            models.resolve("Old chair.obj"), "v 2 1 0\nv 4 1 0\nv 4 3 2\nf 1 2 3\n");
+        Files.writeString(models.resolve("Old chair.obj"), "v 2 1 0\nv 4 1 0\nv 4 3 2\nf 1 2 3\n");
     ImportedModel chair = importer().copy(obj);
     assertThat(chair.file()).isEqualTo(scene.resolveSibling("Old_chair.x3d"));
     assertThat(text(chair)).contains("<Scene");
@@ -125,10 +124,15 @@ class ModelImporterTest {
 
   @Test
   void aSceneOfAnyEncodingIsCopiedWithWhatItNames() throws IOException {
-    Files.writeString(models.resolve("lamp.x3d"), "<X3D version='4.0'><Scene><Inline url='\"bulb.x3d\"'/></Scene></X3D>");
-    Files.writeString(models.resolve("bulb.x3d"), "<X3D version='4.0'><Scene><Shape><Box/></Shape></Scene></X3D>");
+    Files.writeString(
+        models.resolve("lamp.x3d"),
+        "<X3D version='4.0'><Scene><Inline url='\"bulb.x3d\"'/></Scene></X3D>");
+    Files.writeString(
+        models.resolve("bulb.x3d"),
+        "<X3D version='4.0'><Scene><Shape><Box/></Shape></Scene></X3D>");
     ImportedModel lamp = importer().copy(models.resolve("lamp.x3d"));
-    assertThat(lamp.files()).extracting(f -> f.file().getFileName().toString())
+    assertThat(lamp.files())
+        .extracting(f -> f.file().getFileName().toString())
         .containsExactly("lamp.x3d", "bulb.x3d");
     assertThat(text(lamp)).contains("lamp-files/bulb.x3d");
     Files.writeString(
@@ -141,7 +145,8 @@ class ModelImporterTest {
 
   @Test
   void aLinkLeavesTheModelWhereItIs() throws IOException {
-    Path own = Files.writeString(scene.resolveSibling("cup.obj"), "v 0 0 0\nv 1 0 0\nv 0 2 0\nf 1 2 3\n");
+    Path own =
+        Files.writeString(scene.resolveSibling("cup.obj"), "v 0 0 0\nv 1 0 0\nv 0 2 0\nf 1 2 3\n");
     ImportedModel cup = importer().link(own);
     assertThat(cup.files()).isEmpty();
     assertThat(cup.bounds().orElseThrow().maxY()).isEqualTo(2);

@@ -79,7 +79,11 @@ class NodeEditsTest {
             """);
     NodeEdits inner = new NodeEdits(with.document);
     DocumentElement body =
-        with.document.tree().orElseThrow().prototype("P", with.document.tree().orElseThrow().named("B").orElseThrow()).orElseThrow();
+        with.document
+            .tree()
+            .orElseThrow()
+            .prototype("P", with.document.tree().orElseThrow().named("B").orElseThrow())
+            .orElseThrow();
     with.perform(inner.rename(body.children().get(0).children().get(0), "C"));
     assertThat(with.nodes()).contains("DEF='C'/><Group USE='C'/>");
   }

@@ -14,11 +14,10 @@ import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.authoring.UniqueNameGenerator;
 import org.selectiverenderer.authoring.editing.CodeCompletion;
 import org.selectiverenderer.authoring.editing.CompletionProposal;
-import org.selectiverenderer.authoring.structure.StructureEdits;
-import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.authoring.editing.FieldEdits;
 import org.selectiverenderer.authoring.editing.NodeField;
 import org.selectiverenderer.authoring.editing.NodeFieldList;
+import org.selectiverenderer.authoring.structure.StructureEdits;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.ElementTree;
@@ -138,7 +137,9 @@ class PrototypeScopeTest {
         .hasMessageContaining("line 19");
     document.perform(edits.remove(at("<ProtoInstance")));
     document.perform(edits.remove(at("<ProtoDeclare name='Chair'>")));
-    assertThat(document.text()).hasToString("""
+    assertThat(document.text())
+        .hasToString(
+            """
         <X3D><Scene>
           <Group DEF='Box'/>
           <Group USE='Box'/>

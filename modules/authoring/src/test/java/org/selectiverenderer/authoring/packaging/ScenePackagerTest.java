@@ -41,9 +41,11 @@ class ScenePackagerTest {
             + " url [\"../../shared/glow.png\", \"http://example.org/glow.png\"] } }"
             + " geometry Box {} }\n");
     write("shared/glow.png", "glow");
-    write("shared/protos.x3d", "<X3D version='4.0'><Scene><ProtoDeclare name='Cup'><ProtoBody>"
-        + "<Shape><Appearance><ImageTexture url='\"cup.png\"'/></Appearance><Box/></Shape>"
-        + "</ProtoBody></ProtoDeclare></Scene></X3D>");
+    write(
+        "shared/protos.x3d",
+        "<X3D version='4.0'><Scene><ProtoDeclare name='Cup'><ProtoBody>"
+            + "<Shape><Appearance><ImageTexture url='\"cup.png\"'/></Appearance><Box/></Shape>"
+            + "</ProtoBody></ProtoDeclare></Scene></X3D>");
     write("shared/cup.png", "cup");
     write("secret/key.txt", "key");
   }
@@ -142,7 +144,8 @@ class ScenePackagerTest {
             <Inline url='"http://example.org/a.x3d"'/>
             <Inline url='"gone.x3d"'/>""");
     assertThat(packed.files()).isEmpty();
-    assertThat(packed.left()).extracting(ScenePackage.LeftOut::url)
+    assertThat(packed.left())
+        .extracting(ScenePackage.LeftOut::url)
         .containsExactly("../../secret/key.txt", "http://example.org/a.x3d", "gone.x3d");
     assertThat(packed.edits()).isEmpty();
   }
@@ -150,7 +153,8 @@ class ScenePackagerTest {
   @Test
   void filesThatNameEachOtherAreTakenOnce() throws IOException {
     write("project/scenes/a.x3d", "<X3D><Scene><Inline url='\"b.x3d\"'/></Scene></X3D>");
-    write("project/scenes/b.x3d", "<X3D><Scene><Inline url='\"a.x3d\" \"room.x3d\"'/></Scene></X3D>");
+    write(
+        "project/scenes/b.x3d", "<X3D><Scene><Inline url='\"a.x3d\" \"room.x3d\"'/></Scene></X3D>");
     assertThat(places(collect("<Inline url='\"a.x3d\"'/>"))).containsExactly("a.x3d", "b.x3d");
   }
 

@@ -98,7 +98,8 @@ class PlacementEditsTest {
         EnrichmentScenes.with(
             "<Transform DEF='T'><Shape DEF='S'/></Transform><Transform USE='T'/>\n");
     assertThat(placement(scene, "S").transform()).isEmpty();
-    DocumentElement use = scene.document.tree().orElseThrow().scene().orElseThrow().children().get(1);
+    DocumentElement use =
+        scene.document.tree().orElseThrow().scene().orElseThrow().children().get(1);
     Placement of = Placement.of(scene.document, CATALOGUE, use).orElseThrow();
     place(scene, of.with(of.pose().movedBy(new Vector3d(0, 0, 2))));
     assertThat(scene.nodes())

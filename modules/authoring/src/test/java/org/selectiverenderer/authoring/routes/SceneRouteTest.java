@@ -48,8 +48,7 @@ class SceneRouteTest {
   }
 
   private static SceneDocument document(String routes) throws IOException {
-    return SceneDocument.of(
-        "a.x3d", SCENE.formatted(routes).getBytes(StandardCharsets.UTF_8));
+    return SceneDocument.of("a.x3d", SCENE.formatted(routes).getBytes(StandardCharsets.UTF_8));
   }
 
   private static DocumentElement node(SceneDocument document, String name) {
@@ -114,8 +113,7 @@ class SceneRouteTest {
             node(document, "Wheel"),
             field(document, "Wheel", "rotation")));
     String added = document.text().toString();
-    assertThat(added)
-        .isEqualTo(SCENE.formatted(route("Turn.value_changed", "Wheel.rotation")));
+    assertThat(added).isEqualTo(SCENE.formatted(route("Turn.value_changed", "Wheel.rotation")));
     SceneRoute route = SceneRoute.in(document, catalogue).get(0);
     assertThat(route.fault()).isEqualTo(Fault.NONE);
     document.perform(edits.delete(route));
@@ -141,8 +139,7 @@ class SceneRouteTest {
     EventField rotation = field(document, "Wheel", "rotation");
     assertThatThrownBy(
             () ->
-                new RouteEdits(document)
-                    .add(node(document, "Wheel"), rotation, inner[0], rotation))
+                new RouteEdits(document).add(node(document, "Wheel"), rotation, inner[0], rotation))
         .isInstanceOf(EditRejectedException.class)
         .hasMessageContaining("scope");
   }

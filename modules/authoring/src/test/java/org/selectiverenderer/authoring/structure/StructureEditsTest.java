@@ -152,8 +152,7 @@ class StructureEditsTest {
   void wholeFilesAndVrmlArePasted() {
     assertThat(
             paste(
-                "Empty",
-                "<?xml version='1.0'?><X3D><head/><Scene><Shape DEF='N'/></Scene></X3D>"))
+                "Empty", "<?xml version='1.0'?><X3D><head/><Scene><Shape DEF='N'/></Scene></X3D>"))
         .containsExactly("Shape N");
     assertThat(paste("Empty", "DEF Pot Transform { children Shape { geometry Sphere {} } }"))
         .containsExactly("Transform Pot");
@@ -190,8 +189,7 @@ class StructureEditsTest {
     document.history().undo();
     assertThatThrownBy(() -> edits().remove(List.of(named("Chair")), "Cut"))
         .hasMessageContaining("Wood is used elsewhere (USE in line 11)");
-    assertThatThrownBy(() -> edits().remove(List.of(scene()), "Cut"))
-        .hasMessageContaining("Scene");
+    assertThatThrownBy(() -> edits().remove(List.of(scene()), "Cut")).hasMessageContaining("Scene");
   }
 
   @Test
@@ -217,8 +215,7 @@ class StructureEditsTest {
 
   @Test
   void aMoveThatWouldBreakTheSceneIsRefused() {
-    assertThatThrownBy(
-            () -> edits().move(List.of(named("Room")), new ChildPosition(scene(), 0)))
+    assertThatThrownBy(() -> edits().move(List.of(named("Room")), new ChildPosition(scene(), 0)))
         .hasMessageContaining("It uses Wood (USE), which must be before it");
     assertThatThrownBy(
             () -> edits().move(List.of(named("Chair")), ChildPosition.last(named("Empty"))))
@@ -302,11 +299,11 @@ class StructureEditsTest {
             """);
     String paint = "<ProtoInstance name='Paint' containerField='material'/>";
     assertThat(new Containment(catalogue).accepts(named("G"), named("U"))).isTrue();
-    assertThatThrownBy(() -> edits().paste(Optional.of(named("G")), "<ProtoInstance name='X'/><Box/>"))
+    assertThatThrownBy(
+            () -> edits().paste(Optional.of(named("G")), "<ProtoInstance name='X'/><Box/>"))
         .hasMessageContaining("Box");
     paste("G", "<Shape/>");
-    document.perform(
-        edits().paste(Optional.of(named("A")), paint).edit());
+    document.perform(edits().paste(Optional.of(named("A")), paint).edit());
     assertThat(text()).contains("<Appearance DEF='A'>" + paint + "</Appearance>");
   }
 

@@ -139,9 +139,7 @@ class BatchVersionsEditTest {
     assertThat(candidates(file))
         .extracting(VersionCandidate::name, VersionCandidate::remark)
         .containsExactly(
-            tuple("Vase", Remark.NONE),
-            tuple("Bowl", Remark.VERSIONS),
-            tuple("Tree", Remark.NONE));
+            tuple("Vase", Remark.NONE), tuple("Bowl", Remark.VERSIONS), tuple("Tree", Remark.NONE));
   }
 
   @Test
@@ -152,7 +150,8 @@ class BatchVersionsEditTest {
     assertThat(candidates(open(SCENE.replace("</Scene>", route + "</Scene>"))))
         .filteredOn(object -> object.name().equals("Shared"))
         .singleElement()
-        .satisfies(object -> assertThat(object.obstacle()).contains("the ROUTE here refers to 'Ball'"));
+        .satisfies(
+            object -> assertThat(object.obstacle()).contains("the ROUTE here refers to 'Ball'"));
   }
 
   @Test
@@ -196,7 +195,7 @@ class BatchVersionsEditTest {
         .contains("Lamp_2_v2.x3d\"'")
         .contains("<Transform translation='0 -0.05 0'>");
     try (Stream<Path> files = Files.list(folder.resolve("inlineNodes"))) {
-      assertThat(files).hasSize(10);
+      assertThat(files).hasSize(12);
     }
     document.history().undo();
     assertThat(document.text().toString()).isEqualTo(SCENE);
@@ -212,7 +211,8 @@ class BatchVersionsEditTest {
     String written = Files.readString(file.path(), StandardCharsets.UTF_8);
     List<String> lines = new ArrayList<>(List.of(written.split("\r\n", -1)));
     assertThat(lines).noneMatch(line -> line.contains("\n"));
-    assertThat(written).contains("<Transform translation='-3 1 1'><Switch USE='Switch_Shared'/></Transform>");
+    assertThat(written)
+        .contains("<Transform translation='-3 1 1'><Switch USE='Switch_Shared'/></Transform>");
     assertThat(plan.objects())
         .allSatisfy(
             object ->
@@ -253,14 +253,9 @@ class BatchVersionsEditTest {
   void editsOneAfterTheOtherComposeToChangesOfTheFirstText() {
     ComposedEdit composed = new ComposedEdit("abcdef");
     composed.add(List.of(new TextEdit(1, 2, "BB")));
-    composed.add(
-        List.of(
-            new TextEdit(0, 0, ">"),
-            new TextEdit(2, 5, "x")));
+    composed.add(List.of(new TextEdit(0, 0, ">"), new TextEdit(2, 5, "x")));
     assertThat(composed.text()).isEqualTo(">aBxef");
-    assertThat(
-            TextEdit.applied(composed.changes(), "abcdef")
-                .toString())
+    assertThat(TextEdit.applied(composed.changes(), "abcdef").toString())
         .isEqualTo(composed.text());
   }
 }

@@ -30,7 +30,8 @@ class PrototypeVersionsTest extends VaseScene {
     make(scene, "Vase", FEW);
     assertThat(problems.list()).isEmpty();
     assertThat(Files.readString(scene))
-        .startsWith(before.substring(0, before.indexOf("  <Shape DEF='Vase'><Sphere/></Shape>\n  ")))
+        .startsWith(
+            before.substring(0, before.indexOf("  <Shape DEF='Vase'><Sphere/></Shape>\n  ")))
         .contains("<Switch DEF='Switch_Vase'");
   }
 
@@ -150,6 +151,31 @@ class PrototypeVersionsTest extends VaseScene {
           .content()
           .contains("\"../protos/wood.png\"");
     }
+  }
+
+  @Test
+  void aSwitchThatAnAuthorHasMadeAroundAnInstanceTakesTheVersions() throws IOException {
+    String instance = "<ProtoInstance name='Chair' DEF='Chair1'/>";
+    Path scene =
+        other(
+            "s.x3d",
+            CHAIR
+                + "<Switch DEF='Switch_Chair1' whichChoice='0'>\n  "
+                + instance
+                + "\n</Switch>\n");
+    String before = Files.readString(scene);
+    int all = polygons("s.x3d");
+    make(scene, "Switch_Chair1", FEW);
+    assertThat(Files.readString(scene))
+        .isEqualTo(
+            before.replace(
+                instance,
+                """
+                <Inline DEF='Inline_Chair1_v1' url='"inlineNodes/Chair1_v1.x3d"'/>
+                  <Inline DEF='Inline_Chair1_v2' url='"inlineNodes/Chair1_v2.x3d"'/>"""));
+    assertThat(polygons("s.x3d")).isEqualTo(all);
+    make(scene, "Switch_Chair1", new SimplificationTarget.VertexPercent(50));
+    assertThat(problems.list()).isEmpty();
   }
 
   @Test

@@ -27,7 +27,7 @@ class VersionProblemsTest extends VaseScene {
         "A | <Shape DEF='A'><Appearance/></Shape> | the object 'A' has no faces",
         "A | <Group DEF='A'><Viewpoint/></Group> | the object 'A' has no faces",
         "A | <Viewpoint DEF='A'/> | the object 'A' has no faces",
-        "A | <Switch DEF='A'><Shape><Box/></Shape></Switch> | has a Switch already",
+        "A | <Switch DEF='A'><Shape><Box/></Shape><Shape><Box/></Shape></Switch> | has a Switch already",
         "A | <Shape DEF='A'><IndexedFaceSet/></Shape> | the object 'A' has no faces",
       })
   void whatCannotBeReplacedIsLeftAsItIs(String object, String content, String message)

@@ -36,7 +36,8 @@ public enum Profile {
   Full("");
 
   /** Components that define statements or fields, but no nodes. */
-  public static final Set<String> COMPONENTS_WITHOUT_NODES = Set.of("Core", "Networking", "Annotation");
+  public static final Set<String> COMPONENTS_WITHOUT_NODES =
+      Set.of("Core", "Networking", "Annotation");
 
   private final Map<String, Integer> levels = new HashMap<>();
 

@@ -11,7 +11,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 
-/** An index of the elements by DEF name in each scope, and of those of the node types that are edited. */
+/**
+ * An index of the elements by DEF name in each scope, and of those of the node types that are
+ * edited.
+ */
 final class ElementIndex {
   private final Names root = new Names();
 
@@ -138,7 +141,8 @@ final class ElementIndex {
 
   /** Returns whether a name is given or used in any scope. */
   boolean anywhere(String name) {
-    return occurs(root, name) || prototypes.values().stream().anyMatch(names -> occurs(names, name));
+    return occurs(root, name)
+        || prototypes.values().stream().anyMatch(names -> occurs(names, name));
   }
 
   private static boolean occurs(Names names, String name) {

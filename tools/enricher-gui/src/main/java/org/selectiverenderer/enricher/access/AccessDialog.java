@@ -53,8 +53,7 @@ public final class AccessDialog extends JDialog {
     setDefaultCloseOperation(DISPOSE_ON_CLOSE);
     JPanel content = new JPanel(new MigLayout("insets dialog, fill, wrap 1", "[grow,fill]"));
     content.add(
-        PlainText.only(
-            new JLabel(Texts.of("access.about", String.valueOf(scene.getFileName())))));
+        PlainText.only(new JLabel(Texts.of("access.about", String.valueOf(scene.getFileName())))));
     content.add(folders(), "grow, push");
     content.add(hosts(), "grow, push, gaptop unrel");
     wrong.getAccessibleContext().setAccessibleName(Texts.of("access.wrong"));

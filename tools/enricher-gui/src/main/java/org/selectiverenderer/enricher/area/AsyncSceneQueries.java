@@ -48,8 +48,7 @@ public interface AsyncSceneQueries {
    * @param from the point, in the height of the cut
    * @param hidden nodes whose surfaces are passed through
    */
-  void below(
-      Vector3dc from, List<DocumentElement> hidden, Consumer<Optional<SurfacePoint>> answer);
+  void below(Vector3dc from, List<DocumentElement> hidden, Consumer<Optional<SurfacePoint>> answer);
 
   /**
    * Answers the nodes that clicks on the shapes within a rectangle of the plan select: those whose
@@ -58,9 +57,7 @@ public interface AsyncSceneQueries {
    * @param footprint the rectangle; its Y is the height of the cut, above which nothing counts
    */
   void within(
-      BoundingBox footprint,
-      List<DocumentElement> hidden,
-      Consumer<List<DocumentElement>> answer);
+      BoundingBox footprint, List<DocumentElement> hidden, Consumer<List<DocumentElement>> answer);
 
   /**
    * Answers the height of what is below each of some boxes: the lowest surface that rays from their

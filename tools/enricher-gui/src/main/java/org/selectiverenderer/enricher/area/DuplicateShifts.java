@@ -25,8 +25,7 @@ public final class DuplicateShifts implements StructureCommands.Shifts {
 
   @Override
   public void of(
-      List<DocumentElement> nodes,
-      Consumer<Function<DocumentElement, Optional<Vector3d>>> answer) {
+      List<DocumentElement> nodes, Consumer<Function<DocumentElement, Optional<Vector3d>>> answer) {
     probe.boxes(
         nodes,
         boxes -> {

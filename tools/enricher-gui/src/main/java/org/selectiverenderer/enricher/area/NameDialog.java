@@ -7,12 +7,12 @@ import java.util.function.Supplier;
 import org.selectiverenderer.enricher.component.InputDialog;
 import org.selectiverenderer.enricher.text.Texts;
 
-/** Asks for a node name in a dialog. */
+/** Asks for a node name in a dialog beside the view that shows the node. */
 public final class NameDialog implements NamePrompt {
   private final Supplier<Component> owner;
 
   /**
-   * @param owner the component over which the dialog opens
+   * @param owner the view beside which the dialog opens
    */
   public NameDialog(Supplier<Component> owner) {
     this.owner = owner;
@@ -21,6 +21,6 @@ public final class NameDialog implements NamePrompt {
   @Override
   public Optional<String> ask(
       String title, String proposal, Function<String, Optional<String>> complaint) {
-    return InputDialog.ask(owner.get(), title, Texts.of("area.name"), proposal, complaint);
+    return InputDialog.askBeside(owner.get(), title, Texts.of("area.name"), proposal, complaint);
   }
 }

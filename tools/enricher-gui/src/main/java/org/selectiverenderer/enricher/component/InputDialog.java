@@ -2,6 +2,9 @@ package org.selectiverenderer.enricher.component;
 
 import java.awt.Component;
 import java.awt.Container;
+import java.awt.Insets;
+import java.awt.Point;
+import java.awt.Rectangle;
 import java.awt.Window;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
@@ -126,18 +129,64 @@ public final class InputDialog {
       String label,
       String proposal,
       Function<String, Optional<String>> complaint) {
+    JTextField field = field(label, proposal);
+    return new InputDialog(owner, title, labelled(label, field), field).answer(field, complaint);
+  }
+
+  private static JTextField field(String label, String proposal) {
     JTextField field = new JTextField(proposal, 24);
     field.selectAll();
+    field.getAccessibleContext().setAccessibleName(label);
+    return field;
+  }
+
+  private static JPanel labelled(String label, JTextField field) {
     JLabel labelled = new JLabel(label);
     labelled.setLabelFor(field);
-    field.getAccessibleContext().setAccessibleName(label);
     JPanel content = new JPanel(new MigLayout("insets 0, wrap 1", "[grow,fill]"));
     content.add(labelled);
     content.add(field);
-    boolean entered =
-        new InputDialog(owner, title, content, field)
-            .ask(() -> complaint.apply(field.getText().strip()));
-    return entered ? Optional.of(field.getText().strip()) : Optional.empty();
+    return content;
+  }
+
+  private Optional<String> answer(JTextField field, Function<String, Optional<String>> complaint) {
+    return ask(() -> complaint.apply(field.getText().strip()))
+        ? Optional.of(field.getText().strip())
+        : Optional.empty();
+  }
+
+  /**
+   * Asks for one line of text beside a view, so that what the text is for is seen: over what is at
+   * its right, as far as the screen has room.
+   *
+   * @param label what is asked for
+   * @param proposal the text that is there, selected, at first
+   * @param complaint returns why a text is invalid; empty for a valid one
+   * @return the text without spaces around it; empty if the author cancels
+   */
+  public static Optional<String> askBeside(
+      Component view,
+      String title,
+      String label,
+      String proposal,
+      Function<String, Optional<String>> complaint) {
+    JTextField field = field(label, proposal);
+    InputDialog asking = new InputDialog(view, title, labelled(label, field), field);
+    if (view.isShowing()) {
+      asking.moveBeside(view);
+    }
+    return asking.answer(field, complaint);
+  }
+
+  private void moveBeside(Component view) {
+    Rectangle screen = view.getGraphicsConfiguration().getBounds();
+    Insets bars = dialog.getToolkit().getScreenInsets(view.getGraphicsConfiguration());
+    Point at = view.getLocationOnScreen();
+    int most = screen.x + screen.width - bars.right - dialog.getWidth();
+    int lowest = screen.y + screen.height - bars.bottom - dialog.getHeight();
+    dialog.setLocation(
+        Math.max(screen.x, Math.min(at.x + view.getWidth(), most)),
+        Math.max(screen.y, Math.min(at.y + view.getHeight() / 4, lowest)));
   }
 
   private final class FirstField extends LayoutFocusTraversalPolicy {

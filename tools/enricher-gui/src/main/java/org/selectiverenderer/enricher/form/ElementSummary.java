@@ -32,14 +32,18 @@ record ElementSummary(
       around = around.isEmpty() && formed ? at : around;
     }
     Collections.reverse(names);
+    boolean instance = node.name().equals("ProtoInstance");
     boolean object =
-        catalogue
-            .find(node.name())
-            .filter(
-                type ->
-                    type.is("X3DGroupingNode") || type.is("X3DShapeNode") || inlines(node.name()))
-            .isPresent();
-    boolean named = node.def().isPresent();
+        instance
+            || catalogue
+                .find(node.name())
+                .filter(
+                    type ->
+                        type.is("X3DGroupingNode")
+                            || type.is("X3DShapeNode")
+                            || inlines(node.name()))
+                .isPresent();
+    boolean named = node.def().isPresent() || instance; // its prototype has a name
     boolean free = around.isEmpty() && node.use().isEmpty();
     String advice;
     if (node.isReference()) {

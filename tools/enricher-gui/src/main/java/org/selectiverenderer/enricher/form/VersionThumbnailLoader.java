@@ -9,6 +9,7 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.authoring.enrichment.EnrichedSwitch.ChoiceNode;
+import org.selectiverenderer.authoring.nodes.SceneExcerpt;
 import org.selectiverenderer.enricher.preview.VersionImage;
 import org.selectiverenderer.enricher.preview.VersionImageRenderer;
 import org.selectiverenderer.enricher.preview.VersionImageSpec;
@@ -86,19 +87,19 @@ final class VersionThumbnailLoader {
         .orElseThrow(() -> new IOException(Texts.of("form.nofile")));
   }
 
-  /** Returns the choice as a scene of its own; empty for a USE or a very long text. */
+  /** Returns the choice as a scene of its own; empty for a very long text. */
   private Optional<VersionSource> inScene(DocumentElement element, Path scene) {
     SceneDocument document = session.document();
-    if (element.use().isPresent() || element.end() - element.start() > LONGEST) {
+    if (element.end() - element.start() > LONGEST) {
       return Optional.empty();
     }
-    String text =
-        "<X3D profile='Full' version='4.0'><Scene>%s</Scene></X3D>"
-            .formatted(document.text(element));
     Path folder = Optional.ofNullable(scene.toAbsolutePath().getParent()).orElse(scene);
-    return Optional.of(
-        new VersionSource.OfContent(
-            document.name(), text.getBytes(StandardCharsets.UTF_8), folder));
+    return SceneExcerpt.of(document, element)
+        .filter(text -> text.length() <= LONGEST)
+        .map(
+            text ->
+                new VersionSource.OfContent(
+                    document.name(), text.getBytes(StandardCharsets.UTF_8), folder));
   }
 
   private void ask(VersionSource source) {

@@ -32,8 +32,7 @@ final class HelpPageBuilder {
             MarkupEscaper.text(
                 AccessHint.inWindow(rule.summary().isEmpty() ? rule.template() : rule.summary())),
             MarkupEscaper.text(rule.explanation()),
-            MarkupEscaper.text(
-                rule.explanation().contains("--allow") ? AccessHint.ofDialog() : ""),
+            MarkupEscaper.text(rule.explanation().contains("--allow") ? AccessHint.ofDialog() : ""),
             Texts.of("problems.rule.bad"),
             MarkupEscaper.text(rule.bad()),
             Texts.of("problems.rule.good"),

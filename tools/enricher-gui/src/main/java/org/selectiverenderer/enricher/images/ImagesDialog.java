@@ -183,9 +183,7 @@ public final class ImagesDialog extends JDialog {
 
   private Optional<ImagesTableModel.Row> chosen() {
     int row = table.getSelectedRow();
-    return row < 0
-        ? Optional.empty()
-        : Optional.of(model.row(table.convertRowIndexToModel(row)));
+    return row < 0 ? Optional.empty() : Optional.of(model.row(table.convertRowIndexToModel(row)));
   }
 
   private void showNode() {

@@ -69,8 +69,7 @@ final class ImagesTableModel extends RowTableModel<ImagesTableModel.Row> {
   protected Object cell(Row row, int column) {
     InspectedImage image = row.image();
     return switch (column) {
-      case PICTURE ->
-          image.thumbnail().<Icon>map(ImageIcon::new).orElse(new ImageIcon());
+      case PICTURE -> image.thumbnail().<Icon>map(ImageIcon::new).orElse(new ImageIcon());
       case FILE -> file(row.urls().get(0));
       case PIXELS -> image.width() == 0 ? "" : image.width() + " \u00d7 " + image.height();
       case BYTES -> image.bytes() == 0 ? "" : ByteFormat.of(image.bytes());
@@ -83,8 +82,6 @@ final class ImagesTableModel extends RowTableModel<ImagesTableModel.Row> {
   private static String file(String url) {
     Optional<String> name = ImageReference.fileName(url).map(file -> url.strip());
     String shown = name.orElseGet(() -> Texts.of("images.inside"));
-    return shown.length() <= SHOWN
-        ? shown
-        : "\u2026" + shown.substring(shown.length() - SHOWN);
+    return shown.length() <= SHOWN ? shown : "\u2026" + shown.substring(shown.length() - SHOWN);
   }
 }

@@ -58,8 +58,7 @@ public record InspectedImage(
    * @param urls the urls of the field, relative to the folder
    * @param side the longest side of the thumbnail in pixels
    */
-  public static InspectedImage of(
-      List<String> urls, UrlResolver resolver, Path folder, int side) {
+  public static InspectedImage of(List<String> urls, UrlResolver resolver, Path folder, int side) {
     String first = "";
     for (String url : urls) {
       UrlResolver.Target target = resolver.resolve(url, folder);
@@ -70,7 +69,8 @@ public record InspectedImage(
         first = refused.reason();
       }
     }
-    return failed(0, first.isEmpty() ? Texts.of("images.nourl") : Texts.of("images.missing", first));
+    return failed(
+        0, first.isEmpty() ? Texts.of("images.nourl") : Texts.of("images.missing", first));
   }
 
   private static InspectedImage failed(long bytes, String why) {
@@ -119,8 +119,7 @@ public record InspectedImage(
     }
   }
 
-  private static BufferedImage small(ImageReader reader, int longest, int side)
-      throws IOException {
+  private static BufferedImage small(ImageReader reader, int longest, int side) throws IOException {
     ImageReadParam every = reader.getDefaultReadParam();
     int step = Math.max(1, longest / (2 * side)); // then smoothly by two
     every.setSourceSubsampling(step, step, 0, 0);
@@ -131,8 +130,7 @@ public record InspectedImage(
     BufferedImage small = new BufferedImage(width, height, BufferedImage.TYPE_INT_ARGB);
     var graphics = small.createGraphics();
     graphics.setRenderingHint(
-        RenderingHints.KEY_INTERPOLATION,
-        RenderingHints.VALUE_INTERPOLATION_BILINEAR);
+        RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
     graphics.drawImage(read, 0, 0, width, height, null);
     graphics.dispose();
     return small;

@@ -61,11 +61,8 @@ public final class MaterialBall {
     int argb = (int) Math.round(255 * edge) << 24;
     for (int i = 0; i < 3; i++) {
       double colour =
-          look.emissive()[i]
-              + look.base()[i] * (look.ambient() + lit)
-              + look.specular()[i] * shine;
-      double seen =
-          Math.min(1, colour) * (1 - look.transparency()) + ground * look.transparency();
+          look.emissive()[i] + look.base()[i] * (look.ambient() + lit) + look.specular()[i] * shine;
+      double seen = Math.min(1, colour) * (1 - look.transparency()) + ground * look.transparency();
       argb |= (int) Math.round(255 * Math.max(0, Math.min(1, seen))) << (8 * (2 - i));
     }
     return argb;

@@ -26,8 +26,21 @@ public final class InsertCommands {
   /** The templates in the order of the menu; an empty name stands for a separator. */
   public static final List<String> TEMPLATES =
       List.of(
-          "box", "sphere", "cylinder", "cone", "wall", "text", "group", "", "lamp", "spot", "sun",
-          "view", "sky", "", "inline");
+          "box",
+          "sphere",
+          "cylinder",
+          "cone",
+          "wall",
+          "text",
+          "group",
+          "",
+          "lamp",
+          "spot",
+          "sun",
+          "view",
+          "sky",
+          "",
+          "inline");
 
   private static final double EYE = 1.6;
   private static final double AHEAD = 3;
@@ -54,7 +67,8 @@ public final class InsertCommands {
       return;
     }
     InsertDialog dialog =
-        new InsertDialog(structure.palette(), session.selection().filter(DocumentElement::attached));
+        new InsertDialog(
+            structure.palette(), session.selection().filter(DocumentElement::attached));
     dialog.ask(over).ifPresent(name -> insert(name, over));
   }
 
@@ -68,7 +82,8 @@ public final class InsertCommands {
     NodeTemplate template = structure.palette().template(name);
     switch (name) {
       case "inline" -> file(over).ifPresent(file -> structure.insert(inlined(template, file)));
-      case "view" -> structure.insert(viewer.get().map(pose -> at(template, pose)).orElse(template));
+      case "view" ->
+          structure.insert(viewer.get().map(pose -> at(template, pose)).orElse(template));
       default -> structure.insert(inFront(template));
     }
   }
@@ -106,8 +121,7 @@ public final class InsertCommands {
             "position",
             numbers(pose.position().x(), pose.position().y(), pose.position().z()));
     return turned
-        ? placed.with(
-            "Viewpoint", "orientation", numbers(turn.x, turn.y, turn.z, turn.angle))
+        ? placed.with("Viewpoint", "orientation", numbers(turn.x, turn.y, turn.z, turn.angle))
         : placed;
   }
 
@@ -125,8 +139,7 @@ public final class InsertCommands {
    */
   private NodeTemplate inFront(NodeTemplate template) {
     Optional<Pose> pose = viewer.get();
-    boolean inScene =
-        session.selection().map(InsertCommands::inSceneCoordinates).orElse(true);
+    boolean inScene = session.selection().map(InsertCommands::inSceneCoordinates).orElse(true);
     if (pose.isEmpty() || !inScene) {
       return template;
     }
@@ -138,11 +151,11 @@ public final class InsertCommands {
     ahead.normalize(AHEAD).add(pose.get().position());
     double ground = pose.get().position().y() - eyeHeight();
     NodeTemplate placed = template;
-    for (String field : List.of("Transform translation", "PointLight location", "SpotLight location")) {
+    for (String field :
+        List.of("Transform translation", "PointLight location", "SpotLight location")) {
       String[] words = field.split(" ");
       placed =
-          placed.shifted(
-              words[0], words[1], new double[] {ahead.x, ground, ahead.z}, DECIMALS);
+          placed.shifted(words[0], words[1], new double[] {ahead.x, ground, ahead.z}, DECIMALS);
     }
     return placed;
   }
@@ -169,10 +182,16 @@ public final class InsertCommands {
   }
 
   private static boolean inSceneCoordinates(DocumentElement selected) {
-    for (Optional<DocumentElement> at = Optional.of(selected); at.isPresent(); at = at.get().parent()) {
+    for (Optional<DocumentElement> at = Optional.of(selected);
+        at.isPresent();
+        at = at.get().parent()) {
       String name = at.get().name().toLowerCase(Locale.ROOT);
-      if (name.contains("transform") || name.startsWith("geo") || name.startsWith("hanim")
-          || name.startsWith("proto") || name.equals("billboard") || name.equals("cadpart")) {
+      if (name.contains("transform")
+          || name.startsWith("geo")
+          || name.startsWith("hanim")
+          || name.startsWith("proto")
+          || name.equals("billboard")
+          || name.equals("cadpart")) {
         return false;
       }
     }

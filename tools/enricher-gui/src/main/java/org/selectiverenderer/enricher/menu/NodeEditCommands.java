@@ -22,8 +22,7 @@ public final class NodeEditCommands {
     Predicate<DocumentElement> removable = free.and(NodeEdits::removable);
     Predicate<DocumentElement> all = element -> structure.removable();
     return List.of(
-        new NodeCommand(
-            "cutNode", Texts.of("node.cut"), "ctrl X", all, element -> structure.cut()),
+        new NodeCommand("cutNode", Texts.of("node.cut"), "ctrl X", all, element -> structure.cut()),
         new NodeCommand(
             "copyNode", Texts.of("node.copy"), "ctrl C", element -> true, e -> structure.copy()),
         new NodeCommand(

@@ -146,9 +146,7 @@ public final class StructureCommands {
           Optional<Integer> place = next.map(each -> edit.moved(each.start()));
           document().perform(edit);
           session.select(
-              place
-                  .flatMap(at -> document().tree().flatMap(tree -> tree.at(at)))
-                  .orElse(null),
+              place.flatMap(at -> document().tree().flatMap(tree -> tree.at(at))).orElse(null),
               document());
           session.message(
               routes == 0

@@ -6,8 +6,8 @@
  *
  * <p>In: a session, commands. Out: edits of the document, the clipboard. Uses {@code
  * enricher.session}, {@code enricher.text}, {@code authoring}, {@code authoring.editing}, {@code
- * authoring.nodes}, {@code authoring.structure} and {@code
- * x3d.source}. For the event dispatch thread.
+ * authoring.nodes}, {@code authoring.structure} and {@code x3d.source}. For the event dispatch
+ * thread.
  */
 @NullMarked
 package org.selectiverenderer.enricher.menu;

@@ -40,7 +40,8 @@ public final class NewSceneDialog extends JDialog {
   /** A scene to be written. */
   public record Answer(Path file, String text) {}
 
-  private final JRadioButton room = Mnemonics.on(new JRadioButton("", true), Texts.of("create.room"));
+  private final JRadioButton room =
+      Mnemonics.on(new JRadioButton("", true), Texts.of("create.room"));
   private final JRadioButton empty = Mnemonics.on(new JRadioButton(), Texts.of("create.empty"));
   private final JSpinner width = metres(RoomSize.USUAL.width());
   private final JSpinner depth = metres(RoomSize.USUAL.depth());
@@ -115,8 +116,7 @@ public final class NewSceneDialog extends JDialog {
         boolean more = "Spinner.nextButton".equals(button.getName());
         button
             .getAccessibleContext()
-            .setAccessibleName(
-                Texts.of(more ? "create.more" : "create.less", label.getText()));
+            .setAccessibleName(Texts.of(more ? "create.more" : "create.less", label.getText()));
       }
     }
     panel.add(label);

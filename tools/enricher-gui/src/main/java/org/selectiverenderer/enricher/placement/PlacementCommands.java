@@ -97,7 +97,9 @@ public final class PlacementCommands {
     Edit make();
   }
 
-  /** Makes an edit after which the selected nodes, perhaps with a Transform around, are selected. */
+  /**
+   * Makes an edit after which the selected nodes, perhaps with a Transform around, are selected.
+   */
   private boolean perform(Making making) {
     List<DocumentElement> selected = session.selectedElements();
     List<Integer> starts = selected.stream().map(DocumentElement::start).toList();
@@ -165,8 +167,7 @@ public final class PlacementCommands {
       session.message(Texts.of("placement.seen", String.valueOf(least)));
       return;
     }
-    List<Vector3d> shifts =
-        shifting.of(items.stream().map(item -> item.box().bounds()).toList());
+    List<Vector3d> shifts = shifting.of(items.stream().map(item -> item.box().bounds()).toList());
     List<Placement> placed = new ArrayList<>();
     for (int i = 0; i < items.size(); i++) {
       if (shifts.get(i).length() > 1e-6) {
@@ -301,8 +302,7 @@ public final class PlacementCommands {
     Function<DocumentElement, Boolean> placed =
         node -> session.document().locked().isEmpty() && placement(node).isPresent();
     return List.of(
-        new NodeCommand(
-            "groupNodes", Texts.of("placement.group"), placed::apply, node -> group()),
+        new NodeCommand("groupNodes", Texts.of("placement.group"), placed::apply, node -> group()),
         new NodeCommand(
             "ungroupNode",
             Texts.of("placement.ungroup"),

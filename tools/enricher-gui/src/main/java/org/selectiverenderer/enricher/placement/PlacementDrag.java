@@ -68,9 +68,7 @@ public record PlacementDrag(List<Item> items) {
         double at = corner.get(k);
         double value = grid.nearest(at + shift.get(k)) - at;
         boolean lands =
-            k == 1
-                && floor.isPresent()
-                && Math.abs(at + shift.y() - floor.getAsDouble()) < pull;
+            k == 1 && floor.isPresent() && Math.abs(at + shift.y() - floor.getAsDouble()) < pull;
         snapped.setComponent(k, lands ? floor.getAsDouble() - at : value);
       }
     }
@@ -82,8 +80,7 @@ public record PlacementDrag(List<Item> items) {
     List<Placement> now = new ArrayList<>();
     for (Item item : items) {
       Placement of = item.placement();
-      Vector3d own =
-          of.parent().invert(new Matrix4d()).transformDirection(new Vector3d(shift));
+      Vector3d own = of.parent().invert(new Matrix4d()).transformDirection(new Vector3d(shift));
       now.add(of.with(of.pose().movedBy(own)));
     }
     return now;
@@ -176,13 +173,10 @@ public record PlacementDrag(List<Item> items) {
     List<ObjectBox> boxes = new ArrayList<>();
     for (int i = 0; i < items.size(); i++) {
       ObjectBox box = items.get(i).box();
-      Matrix4d change =
-          now.get(i).own().mul(items.get(i).placement().own().invert(new Matrix4d()));
+      Matrix4d change = now.get(i).own().mul(items.get(i).placement().own().invert(new Matrix4d()));
       Matrix4d place = change.mul(box.place(), new Matrix4d());
       BoundingBox bounds =
-          onlyMoved(change)
-              ? box.bounds().transformed(change)
-              : box.own().transformed(place);
+          onlyMoved(change) ? box.bounds().transformed(change) : box.own().transformed(place);
       boxes.add(new ObjectBox(box.element(), box.own(), place, bounds));
     }
     return boxes;

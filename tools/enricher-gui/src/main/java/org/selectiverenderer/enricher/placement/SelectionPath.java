@@ -71,9 +71,7 @@ public final class SelectionPath extends JPanel {
     }
     int count = session.selectedElements().size();
     if (count > 1) {
-      add(
-          new JLabel(Texts.of("placement.path.count", String.valueOf(count))),
-          "gapleft 8, wmin 0");
+      add(new JLabel(Texts.of("placement.path.count", String.valueOf(count))), "gapleft 8, wmin 0");
     }
     revalidate();
     repaint();

@@ -35,6 +35,7 @@ import org.selectiverenderer.x3d.source.DocumentElement;
  */
 final class FloorPlanCanvas extends AccessibleCanvas {
   private static final long serialVersionUID = 1L;
+
   /** The colours of the plan itself in a theme. */
   private record Colours(Color paper, Color wall, Color grid, float image) {
     static final Colours LIGHT =
@@ -238,8 +239,7 @@ final class FloorPlanCanvas extends AccessibleCanvas {
     g.dispose();
   }
 
-  private static void paint(
-      Graphics2D g, PlanTransform at, FloorPlanImage plan, Colours colours) {
+  private static void paint(Graphics2D g, PlanTransform at, FloorPlanImage plan, Colours colours) {
     BoundingBox extent = plan.extent();
     Rectangle2D place = at.rectangle(extent);
     AffineTransform to = AffineTransform.getTranslateInstance(place.getMinX(), place.getMinY());

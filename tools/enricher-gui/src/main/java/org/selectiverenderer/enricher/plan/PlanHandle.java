@@ -42,8 +42,7 @@ record PlanHandle(Kind kind, int axis, int sign, double x, double y) {
   private static final double LEVEL = 0.3;
 
   /** Returns the handles of objects. */
-  static List<PlanHandle> of(
-      PlacementDrag objects, HandleSettings.Mode mode, PlanTransform scale) {
+  static List<PlanHandle> of(PlacementDrag objects, HandleSettings.Mode mode, PlanTransform scale) {
     Vector3d pivot = objects.pivot();
     double x = scale.toX(pivot.x);
     double y = scale.toY(pivot.z);

@@ -57,8 +57,7 @@ record PlanHandleDrag(PlacementDrag objects, PlanHandle handle, double x, double
     double snapped = free ? angle : Math.rint(angle / step) * step;
     return new Dragged(
         objects.turned(1, snapped),
-        Texts.of(
-            "placement.turned", "Y", DecimalFormatter.rounded(Math.toDegrees(snapped), 1)));
+        Texts.of("placement.turned", "Y", DecimalFormatter.rounded(Math.toDegrees(snapped), 1)));
   }
 
   private Dragged stretched(double nowX, double nowZ, SnapGrid grid) {

@@ -74,7 +74,7 @@ final class PlanMenu {
 
   /** Hides the selected objects in the plan. */
   void hide() {
-    if (view.selected().isEmpty() && !objects.boxes().isEmpty()) {
+    if (view.selected().isEmpty() && objects.any()) {
       objects.hide();
       changed.run();
     }
@@ -100,7 +100,7 @@ final class PlanMenu {
       menu.add(item("area.delete", "DELETE", this::delete));
       menu.addSeparator();
     }
-    if (selected.isEmpty() && !objects.boxes().isEmpty()) {
+    if (selected.isEmpty() && objects.any()) {
       menu.add(item("placement.plan.hide", "H", this::hide));
       menu.add(item("placement.onfloor", "", objects.commands()::putOnFloor));
       menu.add(item("placement.group", "", objects.commands()::group));

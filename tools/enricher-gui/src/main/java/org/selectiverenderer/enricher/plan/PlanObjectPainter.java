@@ -127,11 +127,7 @@ final class PlanObjectPainter {
       g.fill(new Ellipse2D.Double(at.toX(point.x()) - 4, at.toY(point.z()) - 4, 8, 8));
     }
     if (points.size() < 2) {
-      label(
-          g,
-          Texts.of("placement.measure." + (points.isEmpty() ? "first" : "second")),
-          12,
-          12);
+      label(g, Texts.of("placement.measure." + (points.isEmpty() ? "first" : "second")), 12, 12);
       return;
     }
     Vector3dc a = points.get(0);

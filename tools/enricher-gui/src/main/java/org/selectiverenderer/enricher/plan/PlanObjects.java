@@ -23,8 +23,8 @@ import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
  * The objects in the plan: selects them by clicks and by a rectangle, has the handles that move,
- * turn and scale them, hides them in the plan, and measures distances. {@link
- * PlanMouseController} asks it before it deals with areas.
+ * turn and scale them, hides them in the plan, and measures distances. {@link PlanMouseController}
+ * asks it before it deals with areas.
  */
 final class PlanObjects {
   private final FloorPlanCanvas view;
@@ -48,6 +48,9 @@ final class PlanObjects {
   private double @Nullable [] band;
 
   private @Nullable Rectangle2D rectangle;
+
+  /** Whether the rectangle adds to the selection. */
+  private boolean adding;
 
   PlanObjects(
       FloorPlanCanvas view,
@@ -104,6 +107,11 @@ final class PlanObjects {
     return hidden;
   }
 
+  /** Whether any node is selected. */
+  boolean any() {
+    return !session.selectedElements().isEmpty();
+  }
+
   /** Hides the selected nodes in the plan. */
   void hide() {
     List<DocumentElement> all = new ArrayList<>(hidden);
@@ -148,9 +156,7 @@ final class PlanObjects {
   List<PlanHandle> handles() {
     return drag != null
         ? List.of()
-        : objects()
-            .map(of -> PlanHandle.of(of, settings.mode(), view.scale()))
-            .orElse(List.of());
+        : objects().map(of -> PlanHandle.of(of, settings.mode(), view.scale())).orElse(List.of());
   }
 
   Optional<PlanHandle> handle(double x, double y) {
@@ -164,6 +170,7 @@ final class PlanObjects {
     }
     if (event.isShiftDown() || event.isControlDown()) {
       band = new double[] {event.getX(), event.getY()};
+      adding = event.isControlDown();
       return true;
     }
     Optional<PlanHandle> handle = handle(event.getX(), event.getY());
@@ -261,9 +268,7 @@ final class PlanObjects {
             }
             measured.add(
                 new Vector3d(
-                    from.x,
-                    found.map(surface -> surface.point().y()).orElse(from.y),
-                    from.z));
+                    from.x, found.map(surface -> surface.point().y()).orElse(from.y), from.z));
             view.repaint();
           }
         });
@@ -311,6 +316,7 @@ final class PlanObjects {
   }
 
   private void select(Rectangle2D area) {
+    boolean add = adding;
     PlanTransform scale = view.scale();
     BoundingBox footprint =
         new BoundingBox(
@@ -324,7 +330,7 @@ final class PlanObjects {
         footprint,
         hidden,
         found -> {
-          List<DocumentElement> all = new ArrayList<>(session.selectedElements());
+          List<DocumentElement> all = new ArrayList<>(add ? session.selectedElements() : List.of());
           all.removeAll(found);
           all.addAll(found);
           session.selectAll(all, view);

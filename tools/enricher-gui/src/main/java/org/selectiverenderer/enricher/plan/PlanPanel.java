@@ -30,6 +30,7 @@ import org.selectiverenderer.enricher.area.AreaCommands;
 import org.selectiverenderer.enricher.area.FloorPlanImage;
 import org.selectiverenderer.enricher.area.GridSetting;
 import org.selectiverenderer.enricher.area.NamePrompt;
+import org.selectiverenderer.enricher.component.WrapLayout;
 import org.selectiverenderer.enricher.placement.HandleBar;
 import org.selectiverenderer.enricher.placement.HandleSettings;
 import org.selectiverenderer.enricher.placement.SelectionPath;
@@ -103,6 +104,7 @@ public final class PlanPanel extends JPanel {
   private void layOut() {
     JToolBar bar = new JToolBar(Texts.of("area.plan"));
     bar.setFloatable(false);
+    WrapLayout.in(bar, 2, 1);
     JButton add = new JButton(Texts.of("area.add.short"));
     add.setName("Add area in plan");
     add.setToolTipText(Texts.of("area.add.tip"));
@@ -284,7 +286,10 @@ public final class PlanPanel extends JPanel {
   /** Requests a new plan image of what the preview has loaded. */
   private void refresh() {
     if (isShowing()) {
-      commands.probe().plan(height, objects.hidden(), found -> found.ifPresentOrElse(this::show, later::restart));
+      commands
+          .probe()
+          .plan(
+              height, objects.hidden(), found -> found.ifPresentOrElse(this::show, later::restart));
     }
   }
 

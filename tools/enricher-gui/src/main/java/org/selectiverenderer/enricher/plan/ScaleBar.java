@@ -45,7 +45,8 @@ record ScaleBar(double metres, double pixels) {
     int y = height - MARGIN;
     int wide = (int) Math.max(pixels, metrics.stringWidth(words));
     g.setColor(new Color(paper.getRed(), paper.getGreen(), paper.getBlue(), 200));
-    g.fillRoundRect(MARGIN - 6, y - metrics.getHeight() - 8, wide + 12, metrics.getHeight() + 14, 6, 6);
+    g.fillRoundRect(
+        MARGIN - 6, y - metrics.getHeight() - 8, wide + 12, metrics.getHeight() + 14, 6, 6);
     g.setColor(ink);
     g.setStroke(new BasicStroke(2));
     Path2D bar = new Path2D.Double();

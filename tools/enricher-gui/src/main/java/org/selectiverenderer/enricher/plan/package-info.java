@@ -9,10 +9,14 @@
  * {@code PlanMouseController.WallSnapper} snaps edges to walls, {@code PlanMouseController} handles
  * the mouse, {@code FloorPlanCanvas} paints.
  *
+ * <p>{@code PlanObjects} selects objects by clicks and by a rectangle, has the handles that move,
+ * turn and scale them, hides them in the plan, and measures; {@code PlanObjectPainter} and {@code
+ * ScaleBar} paint over the plan.
+ *
  * <p>In: the document's areas, a picture of the scene, the author's mouse and keys. Out: edits by
  * {@code enricher.area}. Uses {@code enricher.component}, {@code enricher.area}, {@code
- * enricher.session}, {@code enricher.text}, {@code authoring.area}, {@code geometry} and {@code
- * base.decimal}. For the event dispatch thread.
+ * enricher.placement}, {@code enricher.session}, {@code enricher.text}, {@code authoring.area},
+ * {@code geometry} and {@code base.decimal}. For the event dispatch thread.
  */
 @NullMarked
 package org.selectiverenderer.enricher.plan;

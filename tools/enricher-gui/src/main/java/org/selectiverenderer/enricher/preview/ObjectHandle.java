@@ -119,13 +119,7 @@ record ObjectHandle(Kind kind, int axis, int sign, List<Vector2d> points) {
         if (objects.length(k) > 0) {
           Vector3d face = own.min().add(own.max()).mul(0.5);
           face.setComponent(k, (sign < 0 ? own.min() : own.max()).get(k));
-          add(
-              all,
-              Kind.FACE,
-              k,
-              sign,
-              List.of(last.box().place().transformPosition(face)),
-              rays);
+          add(all, Kind.FACE, k, sign, List.of(last.box().place().transformPosition(face)), rays);
         }
       }
     }

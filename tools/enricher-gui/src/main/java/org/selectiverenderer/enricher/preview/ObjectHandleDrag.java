@@ -131,10 +131,8 @@ record ObjectHandleDrag(
     Vector3d direction = objects.axis(axis);
     PlacementDrag.Item last = objects.items().get(objects.items().size() - 1);
     BoundingBox own = last.box().own();
-    Vector3d face =
-        last.box().place().transformPosition(own.min().add(own.max()).mul(0.5));
-    double pulled =
-        rays.along(face, direction, nowX, nowY) - rays.along(face, direction, x, y);
+    Vector3d face = last.box().place().transformPosition(own.min().add(own.max()).mul(0.5));
+    double pulled = rays.along(face, direction, nowX, nowY) - rays.along(face, direction, x, y);
     double length = grid.nearest(objects.length(axis) + handle.sign() * pulled);
     if (length <= 0) {
       length = Math.min(objects.length(axis), grid.step() > 0 ? grid.step() : 0.01);

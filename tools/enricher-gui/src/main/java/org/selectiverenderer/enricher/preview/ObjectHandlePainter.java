@@ -107,12 +107,10 @@ final class ObjectHandlePainter {
         g.draw(outline);
       }
       case AXIS, RING -> {
-        g.setStroke(
-            new BasicStroke(hot ? 6 : 4.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+        g.setStroke(new BasicStroke(hot ? 6 : 4.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
         g.setColor(EDGE);
         g.draw(outline);
-        g.setStroke(
-            new BasicStroke(hot ? 4 : 2.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+        g.setStroke(new BasicStroke(hot ? 4 : 2.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
         g.setColor(colour);
         g.draw(outline);
         if (handle.kind() == ObjectHandle.Kind.AXIS) {

@@ -143,10 +143,7 @@ final class ObjectHandles extends MouseAdapter {
       return List.of();
     }
     return objects(frame)
-        .map(
-            of ->
-                ObjectHandle.of(
-                    of, mode(), new PictureRays(frame.camera()), view.scale()))
+        .map(of -> ObjectHandle.of(of, mode(), new PictureRays(frame.camera()), view.scale()))
         .orElse(List.of());
   }
 
@@ -250,8 +247,7 @@ final class ObjectHandles extends MouseAdapter {
     Vector3d eye = new Vector3d();
     Vector3d sight = of.rays().sight(px, py, eye);
     List<SelectedNode> own =
-        anchors.nodes(
-            of.objects().items().stream().map(item -> item.placement().node()).toList());
+        anchors.nodes(of.objects().items().stream().map(item -> item.placement().node()).toList());
     thread.ask(
         stage -> {
           Optional<Vector3dc> point =

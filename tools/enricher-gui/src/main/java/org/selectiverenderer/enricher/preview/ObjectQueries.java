@@ -99,9 +99,7 @@ final class ObjectQueries {
       double dz = i == 0 ? 0 : (i > 2 ? 0.4 : -0.4) * box.depth();
       Vector3d from =
           new Vector3d(
-              (box.minX() + box.maxX()) / 2 + dx,
-              box.maxY(),
-              (box.minZ() + box.maxZ()) / 2 + dz);
+              (box.minX() + box.maxX()) / 2 + dx, box.maxY(), (box.minZ() + box.maxZ()) / 2 + dz);
       Optional<RayCaster.Hit> hit = hit(from, new Vector3d(0, -1, 0), own);
       if (hit.isPresent()) {
         lowest = Math.min(lowest, hit.get().point().y());

@@ -183,9 +183,7 @@ final class PreviewInputController extends MouseAdapter implements KeyListener {
             clicks::label,
             () ->
                 clicks.scene(
-                    view.toPixels(event.getX()),
-                    view.toPixels(event.getY()),
-                    Picking.of(event)));
+                    view.toPixels(event.getX()), view.toPixels(event.getY()), Picking.of(event)));
   }
 
   @Override

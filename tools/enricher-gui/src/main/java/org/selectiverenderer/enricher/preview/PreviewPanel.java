@@ -60,7 +60,8 @@ public final class PreviewPanel extends JPanel {
   private boolean disposed;
 
   public PreviewPanel(EnricherSession session) {
-    super(new MigLayout("insets 0, gap 0, wrap 1, hidemode 3", "[grow,fill]", "[][][grow,fill][][]"));
+    super(
+        new MigLayout("insets 0, gap 0, wrap 1, hidemode 3", "[grow,fill]", "[][][grow,fill][][]"));
     this.session = session;
     anchors = new SourceAnchorResolver(session.document());
     thread = new PreviewThread(new Pictures());

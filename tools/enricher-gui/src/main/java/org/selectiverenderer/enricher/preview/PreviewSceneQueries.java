@@ -62,12 +62,9 @@ final class PreviewSceneQueries implements AsyncSceneQueries {
 
   @Override
   public void plan(
-      OptionalDouble cut,
-      List<DocumentElement> hidden,
-      Consumer<Optional<FloorPlanImage>> answer) {
+      OptionalDouble cut, List<DocumentElement> hidden, Consumer<Optional<FloorPlanImage>> answer) {
     List<SelectedNode> out = anchors.nodes(hidden);
-    ask(
-        scene -> FloorPlanRenderer.of(scene, cut, new ObjectQueries(scene).shapes(out)), answer);
+    ask(scene -> FloorPlanRenderer.of(scene, cut, new ObjectQueries(scene).shapes(out)), answer);
   }
 
   @Override
@@ -122,9 +119,7 @@ final class PreviewSceneQueries implements AsyncSceneQueries {
 
   @Override
   public void within(
-      BoundingBox footprint,
-      List<DocumentElement> hidden,
-      Consumer<List<DocumentElement>> answer) {
+      BoundingBox footprint, List<DocumentElement> hidden, Consumer<List<DocumentElement>> answer) {
     List<SelectedNode> out = anchors.nodes(hidden);
     this.<List<PreviewController.Picked>>ask(
         scene -> {
@@ -143,8 +138,7 @@ final class PreviewSceneQueries implements AsyncSceneQueries {
 
   @Override
   public void support(List<ObjectBox> boxes, Consumer<List<OptionalDouble>> answer) {
-    List<SelectedNode> all =
-        anchors.nodes(boxes.stream().map(ObjectBox::element).toList());
+    List<SelectedNode> all = anchors.nodes(boxes.stream().map(ObjectBox::element).toList());
     ask(
         scene -> {
           ObjectQueries queries = new ObjectQueries(scene);

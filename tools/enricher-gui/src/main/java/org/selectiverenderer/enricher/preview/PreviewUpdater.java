@@ -112,8 +112,7 @@ final class PreviewUpdater implements AutoCloseable {
     if (document.fault().isPresent()) {
       var fault = document.fault().get();
       int line = fault.location().line();
-      listener.stale(
-          Texts.of("preview.fault", line, Integer.toString(line), fault.message()));
+      listener.stale(Texts.of("preview.fault", line, Integer.toString(line), fault.message()));
       return;
     }
     DocumentSnapshot snapshot = document.snapshot();

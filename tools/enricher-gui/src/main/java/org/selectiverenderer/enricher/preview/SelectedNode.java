@@ -12,8 +12,7 @@ import org.selectiverenderer.x3d.source.DocumentElement;
  * @param inside whether its coordinates are those in it, as of a Transform, or those around it
  * @param use how many nodes before it share its name: 0 for the DEF, 1 for the first USE
  */
-record SelectedNode(
-    DocumentElement element, List<SourceAnchor> anchors, boolean inside, int use) {
+record SelectedNode(DocumentElement element, List<SourceAnchor> anchors, boolean inside, int use) {
   SelectedNode {
     anchors = List.copyOf(anchors);
   }

@@ -96,10 +96,7 @@ final class StoreyFinder {
     Vector3d[] at = {new Vector3d(), new Vector3d(), new Vector3d()};
     for (ShapeInstance shape : shapes) {
       Mesh mesh =
-          shape
-              .mesh()
-              .filter(each -> each.primitive() == Mesh.Primitive.TRIANGLES)
-              .orElse(null);
+          shape.mesh().filter(each -> each.primitive() == Mesh.Primitive.TRIANGLES).orElse(null);
       if (mesh != null) {
         add(mesh, shape.world(), areas, bin, at);
       }

@@ -20,6 +20,11 @@
  * restores it; {@code enricher.compare} lays out both pictures in the component. {@code
  * VersionOverride} shows one object in another version.
  *
+ * <p>{@code ObjectHandles} move, turn and scale the selected objects: a drag changes the running
+ * scene only, its end is one edit by {@code enricher.placement}. {@code ObjectQueries} measures
+ * objects for them and for the plan, {@code StoreyFinder} and {@code PlanShapes} say where a plan
+ * is cut and what it leaves out.
+ *
  * <p>In: snapshots of a document, the selection, the author's mouse and keys. Out: pictures in a
  * Swing component; the object that was clicked. {@code PreviewPanel} and everything of Swing
  * belongs to the event dispatch thread; the running scene and GL to one thread of {@code

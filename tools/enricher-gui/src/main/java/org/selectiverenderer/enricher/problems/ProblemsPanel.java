@@ -102,13 +102,7 @@ public final class ProblemsPanel extends JPanel {
     add(scroll, "wmin 0, hmin 0");
     getAccessibleContext().setAccessibleName(Texts.of("problems.panel"));
     keys();
-    feed =
-        new ProblemsUpdater(
-            session,
-            model,
-            checks,
-            this::refreshed,
-            this::checking);
+    feed = new ProblemsUpdater(session, model, checks, this::refreshed, this::checking);
     feed.begin();
   }
 

@@ -110,8 +110,7 @@ final class RouteBuilder extends JPanel {
   private void fillFrom() {
     if (!filling) {
       replace(
-          fromField,
-          chosen(fromNode).map(node -> fields(node.element(), false)).orElse(List.of()));
+          fromField, chosen(fromNode).map(node -> fields(node.element(), false)).orElse(List.of()));
       fillTargets();
     }
   }
@@ -139,10 +138,8 @@ final class RouteBuilder extends JPanel {
 
   private void fillTo() {
     if (!filling) {
-      replace(
-          toField, chosen(toNode).map(node -> fields(node.element(), true)).orElse(List.of()));
-      add.setEnabled(
-          chosen(toField).isPresent() && session.document().locked().isEmpty());
+      replace(toField, chosen(toNode).map(node -> fields(node.element(), true)).orElse(List.of()));
+      add.setEnabled(chosen(toField).isPresent() && session.document().locked().isEmpty());
     }
   }
 

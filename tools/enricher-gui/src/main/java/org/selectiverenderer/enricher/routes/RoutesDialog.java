@@ -55,8 +55,7 @@ public final class RoutesDialog extends JDialog {
     this.session = session;
     this.toSource = toSource;
     this.builder =
-        new RouteBuilder(
-            session, edit -> session.attempt(() -> session.document().perform(edit)));
+        new RouteBuilder(session, edit -> session.attempt(() -> session.document().perform(edit)));
     setDefaultCloseOperation(DISPOSE_ON_CLOSE);
     JPanel content =
         new JPanel(new MigLayout("insets dialog, fill", "[grow,fill]", "[grow,fill][][][]"));
@@ -88,9 +87,7 @@ public final class RoutesDialog extends JDialog {
     for (int i = 0; i < widths.length; i++) {
       table.getColumnModel().getColumn(i).setPreferredWidth(UIScale.scale(widths[i]));
     }
-    table
-        .getInputMap(JComponent.WHEN_FOCUSED)
-        .put(KeyStroke.getKeyStroke("DELETE"), "deleteRoute");
+    table.getInputMap(JComponent.WHEN_FOCUSED).put(KeyStroke.getKeyStroke("DELETE"), "deleteRoute");
     table
         .getActionMap()
         .put(
@@ -134,10 +131,7 @@ public final class RoutesDialog extends JDialog {
     long faulty = routes.stream().filter(route -> route.fault() != Fault.NONE).count();
     state.setText(
         Texts.of(
-            "routes.total",
-            routes.size(),
-            String.valueOf(routes.size()),
-            String.valueOf(faulty)));
+            "routes.total", routes.size(), String.valueOf(routes.size()), String.valueOf(faulty)));
   }
 
   private Optional<SceneRoute> chosen() {

@@ -90,7 +90,9 @@ public final class EnricherSession {
     return access;
   }
 
-  /** Sets the folders and hosts that the scene may read from, from the next time that it is read. */
+  /**
+   * Sets the folders and hosts that the scene may read from, from the next time that it is read.
+   */
   public void allow(ContentAccessPolicy now) {
     access = now;
   }
@@ -104,12 +106,16 @@ public final class EnricherSession {
     messages.accept(sentence);
   }
 
-  /** The element that forms and single-node commands work on: the one selected last; empty for none. */
+  /**
+   * The element that forms and single-node commands work on: the one selected last; empty for none.
+   */
   public Optional<DocumentElement> selection() {
     return selected.isEmpty() ? Optional.empty() : Optional.of(selected.get(selected.size() - 1));
   }
 
-  /** All selected elements in the order in which they were selected; {@link #selection} is the last. */
+  /**
+   * All selected elements in the order in which they were selected; {@link #selection} is the last.
+   */
   public List<DocumentElement> selectedElements() {
     return selected;
   }
@@ -127,7 +133,8 @@ public final class EnricherSession {
   /**
    * Selects several elements.
    *
-   * @param elements those to select; the last becomes {@link #selection}, one named twice counts once
+   * @param elements those to select; the last becomes {@link #selection}, one named twice counts
+   *     once
    * @param origin the view that selects them
    */
   public void selectAll(List<DocumentElement> elements, Object origin) {

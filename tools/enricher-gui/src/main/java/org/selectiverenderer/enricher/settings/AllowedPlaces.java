@@ -52,9 +52,11 @@ public record AllowedPlaces(List<Path> folders, List<HostPattern> hosts) {
   /** Remembers this for a scene. */
   public void keep(EnricherSettings settings, Path scene) {
     settings.put(
-        FOLDERS + key(scene), folders.stream().map(Path::toString).collect(Collectors.joining("\n")));
+        FOLDERS + key(scene),
+        folders.stream().map(Path::toString).collect(Collectors.joining("\n")));
     settings.put(
-        HOSTS + key(scene), hosts.stream().map(HostPattern::text).collect(Collectors.joining("\n")));
+        HOSTS + key(scene),
+        hosts.stream().map(HostPattern::text).collect(Collectors.joining("\n")));
   }
 
   /** Returns the access that this is, in addition to another one. */

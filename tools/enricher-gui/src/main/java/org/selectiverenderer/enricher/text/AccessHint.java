@@ -40,8 +40,7 @@ public final class AccessHint {
   private static String replaced(String message, Pattern option, String text) {
     return option
         .matcher(message)
-        .replaceAll(
-            found -> Matcher.quoteReplacement(Texts.of(text, found.group(1), command())));
+        .replaceAll(found -> Matcher.quoteReplacement(Texts.of(text, found.group(1), command())));
   }
 
   /** Returns the menu and the command that open the dialog. */

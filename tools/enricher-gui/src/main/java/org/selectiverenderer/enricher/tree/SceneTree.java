@@ -68,7 +68,8 @@ final class SceneTree extends JTree {
           int row = getRowForLocation(event.getX(), event.getY());
           boolean plain = !event.isControlDown() && !event.isShiftDown() && !event.isMetaDown();
           if (plain && isRowSelected(row) && getSelectionCount() > 1) {
-            collapsing = true; // only the release selects this row alone, so that all can be dragged
+            // Only the release selects this row alone, so that all can be dragged.
+            collapsing = true;
             requestFocusInWindow();
             return;
           }
@@ -128,8 +129,7 @@ final class SceneTree extends JTree {
       pressed = null;
       return;
     }
-    dragged =
-        session.selectedElements().stream().filter(DocumentElement::attached).toList();
+    dragged = session.selectedElements().stream().filter(DocumentElement::attached).toList();
   }
 
   private void follow(Point at, boolean copy) {
@@ -145,8 +145,7 @@ final class SceneTree extends JTree {
             .findFirst();
     refused = fits.isEmpty();
     target = fits.orElse(possible.isEmpty() ? null : possible.get(0));
-    setCursor(
-        Cursor.getPredefinedCursor(refused ? Cursor.DEFAULT_CURSOR : Cursor.MOVE_CURSOR));
+    setCursor(Cursor.getPredefinedCursor(refused ? Cursor.DEFAULT_CURSOR : Cursor.MOVE_CURSOR));
     DropTargets.Target now = target;
     if (now != null) {
       session.message(

@@ -1,7 +1,7 @@
 package org.selectiverenderer.enricher.tree;
 
-import java.awt.event.ActionEvent;
 import java.awt.Rectangle;
+import java.awt.event.ActionEvent;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;

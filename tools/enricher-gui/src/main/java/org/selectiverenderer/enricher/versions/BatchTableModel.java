@@ -56,8 +56,7 @@ final class BatchTableModel extends AbstractTableModel {
 
   /** Ticks or unticks all objects that can have versions. */
   void choose(boolean all) {
-    rows.replaceAll(
-        row -> new Row(row.object(), all && row.object().possible(), row.goal()));
+    rows.replaceAll(row -> new Row(row.object(), all && row.object().possible(), row.goal()));
     if (!rows.isEmpty()) {
       fireTableRowsUpdated(0, rows.size() - 1);
     }

@@ -107,7 +107,8 @@ public final class BatchVersionsDialog extends JDialog {
   }
 
   private JPanel choice() {
-    JPanel panel = new JPanel(new MigLayout("insets 0, hidemode 3", "[][]unrel[]unrel[][][]push[]"));
+    JPanel panel =
+        new JPanel(new MigLayout("insets 0, hidemode 3", "[][]unrel[]unrel[][][]push[]"));
     JLabel aboveLabel = Mnemonics.label("manyversions.above");
     aboveLabel.setLabelFor(above);
     name(above, "manyversions.above.name");
@@ -234,8 +235,7 @@ public final class BatchVersionsDialog extends JDialog {
             : List.of();
     run(
         Texts.of("manyversions.searching"),
-        told ->
-            VersionCandidateFinder.find(snapshot, request(), chosen, session.catalogue(), told),
+        told -> VersionCandidateFinder.find(snapshot, request(), chosen, session.catalogue(), told),
         objects -> {
           found = objects;
           fill();
@@ -264,8 +264,7 @@ public final class BatchVersionsDialog extends JDialog {
     progress.setVisible(busy);
     stop.setVisible(busy);
     int count = model.chosen().size();
-    make.setEnabled(
-        !busy && count > 0 && BatchGoal.read(kind(), goal.getText()).isPresent());
+    make.setEnabled(!busy && count > 0 && BatchGoal.read(kind(), goal.getText()).isPresent());
     if (!busy) {
       state.setText(
           Texts.of(

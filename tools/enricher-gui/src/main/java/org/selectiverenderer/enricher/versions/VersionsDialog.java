@@ -60,13 +60,18 @@ public final class VersionsDialog extends JDialog {
   private final org.selectiverenderer.authoring.DocumentListener changes;
   private int made;
 
+  /** Whether the dialog can make versions of an element, with or without a DEF name. */
+  public static boolean takes(DocumentElement element) {
+    return element.use().isEmpty() && VersionsModel.isObject(element);
+  }
+
   /**
    * @param object the object, or an element in it
    */
   public VersionsDialog(Window owner, EnricherSession session, DocumentElement object) {
     super(owner, Texts.of("versions.apply"), ModalityType.DOCUMENT_MODAL);
     this.session = session;
-    this.model = new VersionsModel(VersionsModel.nameOf(object));
+    this.model = VersionsModel.of(session.document(), object);
     this.work = new VersionsUpdater(session, model, this::failed);
     this.changes = change -> model.outdate();
     setDefaultCloseOperation(DISPOSE_ON_CLOSE);
@@ -101,7 +106,7 @@ public final class VersionsDialog extends JDialog {
     JPanel panel = new JPanel(new MigLayout("insets 0, fillx", "[][]unrel[][]unrel[][]push"));
     JComboBox<String> objects =
         PlainText.entries(
-            new JComboBox<>(VersionsModel.objects(session.document()).toArray(String[]::new)));
+            new JComboBox<>(model.choices(session.document()).toArray(String[]::new)));
     objects.setPrototypeDisplayValue("Transform_OfSomeObject");
     objects.setSelectedItem(model.object());
     objects.getAccessibleContext().setAccessibleName(Texts.of("versions.object.name"));

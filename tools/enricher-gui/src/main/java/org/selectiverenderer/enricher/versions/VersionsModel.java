@@ -7,7 +7,9 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.selectiverenderer.authoring.SceneDocument;
+import org.selectiverenderer.authoring.versions.VersionsEdit;
 import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.ElementScope;
 
 /**
  * The model of the versions dialog: the goals of the versions and the last computed result. A
@@ -15,7 +17,15 @@ import org.selectiverenderer.x3d.source.DocumentElement;
  */
 final class VersionsModel {
   private static final Set<String> OBJECTS =
-      Set.of("Transform", "Group", "Shape", "Switch", "Inline", "StaticGroup", "Anchor");
+      Set.of(
+          "Transform",
+          "Group",
+          "Shape",
+          "Switch",
+          "Inline",
+          "StaticGroup",
+          "Anchor",
+          "ProtoInstance");
 
   /** Most versions besides the original. */
   static final int MOST = 8;
@@ -23,6 +33,8 @@ final class VersionsModel {
   private final List<Runnable> listeners = new ArrayList<>();
   private final List<VersionGoal> goals = new ArrayList<>(List.of(VersionGoal.percent(50)));
   private Optional<ComputedVersions> result = Optional.empty();
+  private final Optional<DocumentElement> unnamed;
+  private final String proposed;
   private String object;
   private String name = "";
   private int maxVertex;
@@ -36,6 +48,41 @@ final class VersionsModel {
 
   VersionsModel(String object) {
     this.object = object;
+    this.unnamed = Optional.empty();
+    this.proposed = "";
+  }
+
+  /** Creates a model for an element without a DEF, which is given a name in its files only. */
+  VersionsModel(DocumentElement unnamed, String proposed) {
+    this.object = proposed;
+    this.unnamed = Optional.of(unnamed);
+    this.proposed = proposed;
+  }
+
+  /**
+   * Creates a model for the object that an element is or is part of: the nearest with a DEF name,
+   * but a Switch or an instance of a prototype also without one.
+   */
+  static VersionsModel of(SceneDocument document, DocumentElement element) {
+    String named = nameOf(element);
+    boolean own = element.name().equals("Switch") || element.name().equals("ProtoInstance");
+    boolean itself = element.def().isEmpty() && element.use().isEmpty() && isObject(element);
+    return itself && (own || named.isEmpty()) && document.tree().isPresent()
+        ? new VersionsModel(element, VersionsEdit.proposedName(document, element))
+        : new VersionsModel(named);
+  }
+
+  /** Whether versions may be made of elements of that type. */
+  static boolean isObject(DocumentElement element) {
+    return OBJECTS.contains(element.name());
+  }
+
+  /** Returns the request for the chosen object. */
+  VersionsEdit.Request aimed(VersionsEdit.Request request) {
+    return unnamed
+        .filter(element -> element.attached() && object.equals(proposed))
+        .map(element -> request.at(element.start()))
+        .orElse(request);
   }
 
   /** The DEF names of nodes that versions can be made of, in document order. */
@@ -45,13 +92,13 @@ final class VersionsModel {
         .tree()
         .ifPresent(
             tree ->
-                tree.root()
-                    .visit(
-                        element -> {
-                          if (OBJECTS.contains(element.name())) {
-                            element.def().ifPresent(names::add);
-                          }
-                        }));
+                ElementScope.visit(
+                    tree.root(),
+                    element -> {
+                      if (isObject(element)) {
+                        element.def().ifPresent(names::add);
+                      }
+                    }));
     return names;
   }
 
@@ -73,6 +120,15 @@ final class VersionsModel {
 
   String object() {
     return object;
+  }
+
+  /** The objects to choose from: those with DEF names, and the one that is given a name. */
+  List<String> choices(SceneDocument document) {
+    List<String> names = new ArrayList<>(objects(document));
+    if (!proposed.isEmpty()) {
+      names.add(0, proposed);
+    }
+    return names;
   }
 
   /** Chooses another object; its goals begin as percentages, as its vertices are not known yet. */

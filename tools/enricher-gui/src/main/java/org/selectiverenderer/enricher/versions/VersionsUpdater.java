@@ -54,14 +54,15 @@ final class VersionsUpdater {
     running = number;
     DocumentSnapshot snapshot = session.document().snapshot();
     VersionsEdit.Request request =
-        new VersionsEdit.Request(
-                session.file().path(),
-                model.object(),
-                model.goals().stream().<SimplificationTarget>map(VersionGoal::goal).toList(),
-                FOLDER)
-            .allowing(session.access())
-            .keeping(model.kept())
-            .named(model.name());
+        model.aimed(
+            new VersionsEdit.Request(
+                    session.file().path(),
+                    model.object(),
+                    model.goals().stream().<SimplificationTarget>map(VersionGoal::goal).toList(),
+                    FOLDER)
+                .allowing(session.access())
+                .keeping(model.kept())
+                .named(model.name()));
     boolean beginning = model.beginning();
     task =
         session

@@ -115,7 +115,8 @@ class InputDialogTest {
   }
 
   @Test
-  void noLetterTypedSinceADialogWasAskedForIsLost() throws InterruptedException, ExecutionException {
+  void noLetterTypedSinceADialogWasAskedForIsLost()
+      throws InterruptedException, ExecutionException {
     List<String> wrong = new ArrayList<>();
     long begin = System.nanoTime();
     int dialogs = 0;

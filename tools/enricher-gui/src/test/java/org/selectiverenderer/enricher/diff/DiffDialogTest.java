@@ -24,7 +24,8 @@ class DiffDialogTest {
     DocumentFile file = scene();
     Files.writeString(file.path(), "<X3D>\n<Scene>\n<Group/>\n</Scene>\n</X3D>\n");
     file.document().type(14, 14, "<Transform/>\n");
-    DiffDialog.Changes changes = DiffDialog.Changes.of(file.path(), file.common(), file.document().snapshot());
+    DiffDialog.Changes changes =
+        DiffDialog.Changes.of(file.path(), file.common(), file.document().snapshot());
     assertThat(changes.outside()).isTrue();
     assertThat(changes.lines().removed()).isZero();
     assertThat(changes.lines().added()).isEqualTo(1);
@@ -34,7 +35,8 @@ class DiffDialogTest {
   void theChangesOfTheAuthorAreThoseToTheFile() throws IOException {
     DocumentFile file = scene();
     file.document().type(14, 14, "<Transform/>\n");
-    DiffDialog.Changes changes = DiffDialog.Changes.of(file.path(), file.common(), file.document().snapshot());
+    DiffDialog.Changes changes =
+        DiffDialog.Changes.of(file.path(), file.common(), file.document().snapshot());
     assertThat(changes.outside()).isFalse();
     assertThat(changes.lines().added()).isEqualTo(1);
   }
@@ -43,7 +45,8 @@ class DiffDialogTest {
   void aMissingFileCountsAsEmpty() throws IOException {
     DocumentFile file = scene();
     Files.delete(file.path());
-    DiffDialog.Changes changes = DiffDialog.Changes.of(file.path(), file.common(), file.document().snapshot());
+    DiffDialog.Changes changes =
+        DiffDialog.Changes.of(file.path(), file.common(), file.document().snapshot());
     assertThat(changes.outside()).isFalse();
     assertThat(changes.lines().added()).isEqualTo(4);
   }

@@ -135,12 +135,7 @@ class NodeMenuTest {
   private List<Optional<String>> types() {
     return get(
         () ->
-            session
-                .enrichment()
-                .switchNode(named("Switch_Cup"))
-                .orElseThrow()
-                .values()
-                .stream()
+            session.enrichment().switchNode(named("Switch_Cup")).orElseThrow().values().stream()
                 .map(values -> values.type().map(type -> type.toString().toLowerCase(Locale.ROOT)))
                 .toList());
   }

@@ -146,7 +146,10 @@ class PlanPanelTest {
 
   private void open(String nodes) throws Exception {
     openWithoutPlan(nodes);
-    EventThread.edt(() -> new Room().plan(OptionalDouble.empty(), List.of(), plan -> view.show(plan.orElseThrow())));
+    EventThread.edt(
+        () ->
+            new Room()
+                .plan(OptionalDouble.empty(), List.of(), plan -> view.show(plan.orElseThrow())));
   }
 
   private void openWithoutPlan(String nodes) throws Exception {
@@ -161,7 +164,11 @@ class PlanPanelTest {
         () -> {
           panel =
               new PlanPanel(
-                  session, new AreaCommands(session, new Room(), question), question, grid, handles);
+                  session,
+                  new AreaCommands(session, new Room(), question),
+                  question,
+                  grid,
+                  handles);
           panel.setSize(800, 700);
           panel.doLayout();
           for (Component each : panel.getComponents()) {
@@ -381,8 +388,7 @@ class PlanPanelTest {
           key("S");
           drag(1.25, 2, 1.76, 2);
           mouse(MouseEvent.MOUSE_RELEASED, 1.76, 2);
-          assertThat(nodes())
-              .contains("<Transform DEF='B' translation='1.25 0 2' scale='2 1 1'>");
+          assertThat(nodes()).contains("<Transform DEF='B' translation='1.25 0 2' scale='2 1 1'>");
         });
   }
 

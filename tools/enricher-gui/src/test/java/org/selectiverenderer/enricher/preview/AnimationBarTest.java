@@ -46,8 +46,7 @@ class AnimationBarTest extends PreviewFixture {
       EventThread.edt(() -> time.setValue(0));
       window.await(frame -> middle(frame) == RED);
       window.screenshot("preview-animation");
-      JToggleButton play =
-          GuiRobot.named(window.panel, "Play the animation", JToggleButton.class);
+      JToggleButton play = GuiRobot.named(window.panel, "Play the animation", JToggleButton.class);
       EventThread.edt(play::doClick);
       window.await(frame -> middle(frame) == BLUE);
       window.await(frame -> middle(frame) == RED);

@@ -32,8 +32,7 @@ class FloorPlanTest {
 
   private void with(String nodes, Consumer<PreviewScene> work) throws Exception {
     String text = "<X3D profile='Immersive' version='4.0'><Scene>" + nodes + "</Scene></X3D>";
-    SceneDocument document =
-        SceneDocument.of("scene.x3d", text.getBytes(StandardCharsets.UTF_8));
+    SceneDocument document = SceneDocument.of("scene.x3d", text.getBytes(StandardCharsets.UTF_8));
     try (PreviewScene scene =
         new PreviewScene(
             LoadedPreview.of(document.snapshot(), folder, ContentAccessPolicy.none()))) {

@@ -189,7 +189,8 @@ class PreviewPanelTest extends PreviewFixture {
           answer(answered -> probe.raised(new BoundingBox(-2, 1, -1, -1, 1, 0), answered));
       assertThat(raised.minY()).isCloseTo(0, within(1e-3));
       assertThat(raised.maxY()).isCloseTo(1.5, within(1e-3));
-      FloorPlanImage plan = answer(answered -> probe.plan(OptionalDouble.of(1.0), List.of(), answered));
+      FloorPlanImage plan =
+          answer(answered -> probe.plan(OptionalDouble.of(1.0), List.of(), answered));
       assertThat(plan.extent().width()).isCloseTo(6, within(1e-3));
       assertThat(plan.walls()).as("a rectangle or two").hasSizeGreaterThanOrEqualTo(16);
       int side = plan.image().getWidth();

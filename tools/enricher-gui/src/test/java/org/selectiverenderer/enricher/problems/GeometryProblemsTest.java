@@ -108,8 +108,7 @@ class GeometryProblemsTest {
   private static int row(JTable table, String rule) {
     return IntStream.range(0, table.getRowCount())
         .filter(
-            row ->
-                String.valueOf(table.getValueAt(row, ProblemsTableModel.MESSAGE)).contains(rule))
+            row -> String.valueOf(table.getValueAt(row, ProblemsTableModel.MESSAGE)).contains(rule))
         .findFirst()
         .orElse(-1);
   }

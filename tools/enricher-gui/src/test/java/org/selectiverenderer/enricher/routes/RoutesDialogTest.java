@@ -62,8 +62,7 @@ class RoutesDialogTest {
         .contains(
             "<ROUTE fromNode='Turn' fromField='value_changed' toNode='Wheel' toField='rotation'/>");
     assertThat(session.document().history().names())
-        .containsExactly(
-            "Delete the ROUTE from Clock to Wheel", "Add a ROUTE from Turn to Wheel");
+        .containsExactly("Delete the ROUTE from Clock to Wheel", "Add a ROUTE from Turn to Wheel");
     GuiRobot.onEdt(
         () -> {
           session.document().history().undo();

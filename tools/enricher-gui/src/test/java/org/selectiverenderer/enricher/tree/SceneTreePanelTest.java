@@ -43,7 +43,8 @@ class SceneTreePanelTest {
             return true;
           });
       hands.await(
-          "the row", () -> tree.getVisibleRect().contains(tree.getPathBounds(tree.getSelectionPath())));
+          "the row",
+          () -> tree.getVisibleRect().contains(tree.getPathBounds(tree.getSelectionPath())));
       GuiRobot.picture(frame.getContentPane(), "tree-deep", 1);
     } finally {
       GuiRobot.onEdt(

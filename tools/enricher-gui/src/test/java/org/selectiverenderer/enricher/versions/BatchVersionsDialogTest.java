@@ -39,8 +39,7 @@ class BatchVersionsDialogTest {
   private final GuiRobot hands = new GuiRobot();
 
   private BatchVersionsDialog dialog(EnricherSession session) {
-    BatchVersionsDialog dialog =
-        GuiRobot.onEdt(() -> new BatchVersionsDialog(null, session));
+    BatchVersionsDialog dialog = GuiRobot.onEdt(() -> new BatchVersionsDialog(null, session));
     hands.show(dialog);
     return dialog;
   }
@@ -75,8 +74,7 @@ class BatchVersionsDialogTest {
     assertThat(column(table, BatchTableModel.GOAL)).containsOnly("2, 5");
     hands.click(make);
     hands.await("the end", () -> !dialog.isShowing());
-    assertThat(session.document().history().names())
-        .containsExactly("Make versions of 2 objects");
+    assertThat(session.document().history().names()).containsExactly("Make versions of 2 objects");
     assertThat(folder.resolve("inlineNodes/Vase_v3.x3d")).exists();
     assertThat(folder.resolve("inlineNodes/Bowl_v2.x3d")).exists();
     assertThat(session.enrichment().switches()).hasSize(2);
