@@ -66,7 +66,8 @@ record CostRow(
   /** Whether the row was there before and its limit not exceeded. A part may have two limits. */
   boolean held(List<CostRow> before) {
     List<CostRow> old = before.stream().filter(this::same).toList();
-    return !old.isEmpty() && old.stream().noneMatch(row -> row.broken() && row.file().equals(file()));
+    return !old.isEmpty()
+        && old.stream().noneMatch(row -> row.broken() && row.file().equals(file()));
   }
 
   private Optional<String> file() {
