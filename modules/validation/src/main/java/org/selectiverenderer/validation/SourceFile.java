@@ -69,9 +69,10 @@ public record SourceFile(Path path, String name, @Nullable UrlContent inMemory) 
 
   /** Returns a key that is equal for all paths and links to the same file on disk. */
   public String key() {
-    if (inMemory != null) {
-      return inMemory.key();
-    }
+    return inMemory == null ? key(path) : inMemory.key();
+  }
+
+  static String key(Path path) {
     try {
       return path.toRealPath().toString();
     } catch (IOException e) {

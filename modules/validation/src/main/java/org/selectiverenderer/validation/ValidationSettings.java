@@ -43,6 +43,21 @@ public record ValidationSettings(
         Set.of(), Map.of(), List.of(), MEGABYTES, ContentAccessPolicy.none(), null);
   }
 
+  /** Returns the budgets that are not for the file of another scene, as paths and links go. */
+  public List<PolygonBudget> budgets(Path scene) {
+    return budgets.stream()
+        .filter(budget -> budget.file().isEmpty() || same(beside(budget.file()), scene))
+        .toList();
+  }
+
+  private Path beside(String name) {
+    return file == null ? Path.of(name) : file.toAbsolutePath().resolveSibling(name);
+  }
+
+  private static boolean same(Path one, Path other) {
+    return SourceFile.key(one).equals(SourceFile.key(other));
+  }
+
   /** Returns whether a rule is ignored. */
   public boolean ignores(String id) {
     return ignored.stream().anyMatch(id::startsWith);

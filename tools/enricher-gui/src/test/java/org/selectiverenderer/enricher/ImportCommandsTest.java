@@ -151,7 +151,9 @@ class ImportCommandsTest {
     hands.click(GuiRobot.named(dialog, "A folder", JRadioButton.class));
     hands.choose(dialog, "Package");
     Path packed = work().resolve("room-package");
-    hands.await("the package", () -> Files.exists(packed.resolve("room.x3d")));
+    hands.await(
+        "the package",
+        () -> Files.exists(packed.resolve("room.x3d")) && Files.exists(packed.resolve("sky.png")));
     assertThat(packed.resolve("sky.png")).hasContent("sky");
     assertThat(packed.resolve("room.x3d")).content().contains("sky.png");
   }

@@ -58,14 +58,18 @@ class InsertTest {
   }
 
   private void select(String def) {
-    JTree tree = GuiRobot.named(window.frame().getContentPane(), "Nodes of the scene", JTree.class);
-    hands.click(tree);
-    hands.await("the tree's focus", tree::isFocusOwner);
+    focusTree();
     GuiRobot.onEdt(
         () -> {
           session.select(session.document().tree().orElseThrow().named(def).orElseThrow(), this);
           return true;
         });
+  }
+
+  private void focusTree() {
+    JTree tree = GuiRobot.named(window.frame().getContentPane(), "Nodes of the scene", JTree.class);
+    hands.click(tree);
+    hands.await("the tree's focus", tree::isFocusOwner);
   }
 
   private void awaitSelected(String element) {
@@ -91,6 +95,7 @@ class InsertTest {
     awaitSelected("Material");
     assertThat(GuiRobot.onEdt(() -> session.document().snapshot().text()))
         .contains("<Appearance DEF='Wood'>\n    <Material/>\n  </Appearance>");
+    focusTree(); // without a window manager the window has no keyboard after a dialog
     hands.press(KeyEvent.VK_CONTROL, KeyEvent.VK_Z);
     hands.await(
         "the undone step", () -> !session.document().snapshot().text().contains("Material"));

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
+import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.EditRejectedException;
@@ -106,7 +107,8 @@ public final class NodeEdits {
 
   /**
    * Renames a node and all references to it: USE, ROUTE, IMPORT. An EXPORT keeps the name under
-   * which other files know the node.
+   * which other files know the node. Metadata that is called after the node follows ({@link
+   * MetadataNaming}).
    */
   public Edit rename(DocumentElement node, String to) {
     String name = to.strip();
@@ -121,25 +123,9 @@ public final class NodeEdits {
               throw new EditRejectedException(
                   "this is a USE of %s; rename the original".formatted(other));
             });
-    SourceFormatter layout = document.layout();
-    NodeReferences references = NodeReferences.to(node);
-    List<TextEdit> changes = new ArrayList<>();
-    changes.add(layout.attribute(node, "DEF", name));
-    references.uses().forEach(use -> changes.add(layout.attribute(use, "USE", name)));
-    for (DocumentElement route : references.routes()) {
-      for (String end : List.of("fromNode", "toNode")) {
-        if (route.text(end).filter(from::equals).isPresent()) {
-          changes.add(layout.attribute(route, end, name));
-        }
-      }
-    }
-    references.imports().forEach(in -> changes.add(layout.attribute(in, "inlineDEF", name)));
-    for (DocumentElement export : references.exports()) {
-      changes.add(layout.attribute(export, "localDEF", name));
-      if (export.text("AS").isEmpty()) {
-        changes.add(layout.attribute(export, "AS", from));
-      }
-    }
+    List<TextEdit> changes =
+        NodeRenaming.changes(
+            document.layout(), new UniqueNameGenerator(tree(), node), node, name);
     return new Edit(
         from.isEmpty() ? "Name " + name : "Rename %s to %s".formatted(from, name), changes);
   }
@@ -168,7 +154,14 @@ public final class NodeEdits {
     Map<String, String> renamed = new HashMap<>();
     node.def().ifPresent(def -> renamed.put(def, name));
     ElementScope.visitWithin(
-        node, each -> each.def().ifPresent(def -> renamed.computeIfAbsent(def, free::unused)));
+        node,
+        each ->
+            each.def()
+                .filter(def -> !renamed.containsKey(def))
+                .ifPresent(
+                    def ->
+                        renamed.put(
+                            def, free.unused(MetadataNaming.def(each, def, now(renamed))))));
     List<TextEdit> changes = new ArrayList<>(more);
     if (node.def().isEmpty()) {
       changes.add(layout.attribute(node, "DEF", name));
@@ -176,6 +169,15 @@ public final class NodeEdits {
     ElementScope.visitWithin(
         node,
         each -> {
+          each.tag()
+              .attribute("name")
+              .ifPresent(
+                  said -> {
+                    String now = MetadataNaming.name(each, said.value(), now(renamed));
+                    if (!now.equals(said.value())) {
+                      changes.add(layout.attribute(each, "name", now));
+                    }
+                  });
           for (String attribute : List.of("DEF", "USE", "fromNode", "toNode")) {
             each.tag()
                 .attribute(attribute)
@@ -192,6 +194,10 @@ public final class NodeEdits {
             .toList();
     String text = TextEdit.applied(moved, document.text(node)).toString();
     return layout.insertAfter(node, List.of(text));
+  }
+
+  private static UnaryOperator<String> now(Map<String, String> renamed) {
+    return name -> renamed.getOrDefault(name, name);
   }
 
   private static TextEdit replaced(SourceAttribute attribute, String value) {

@@ -8,12 +8,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.authoring.UniqueNameGenerator;
-import org.selectiverenderer.schema.MetadataNames;
+import org.selectiverenderer.authoring.nodes.MetadataNaming;
 import org.selectiverenderer.x3d.catalogue.ContainerFieldRules;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.ElementScope;
@@ -24,8 +22,6 @@ import org.selectiverenderer.x3d.source.TextEdit;
 final class Pieces {
   private static final Set<String> NAMING = Set.of("DEF", "USE");
   private static final Set<String> ROUTED = Set.of("fromNode", "toNode");
-
-  private static final String METADATA = "Metadata";
 
   private final SceneDocument source;
   private final List<DocumentElement> elements;
@@ -68,43 +64,31 @@ final class Pieces {
                     each.def()
                         .filter(def -> !renamed.containsKey(def))
                         .ifPresent(
-                            def -> renamed.put(def, names.unused(following(each, def, renamed))))));
+                            def ->
+                                renamed.put(
+                                    def,
+                                    names.unused(
+                                        MetadataNaming.def(
+                                            each, def, old -> now(old, renamed)))))));
     elements.forEach(element -> ElementScope.visitWithin(element, each -> follow(each, renamed)));
   }
 
-  /**
-   * Returns a name of metadata after its object or area has got another name, where the metadata is
-   * called after it.
-   */
-  private static String following(
-      DocumentElement metadata, String name, Map<String, String> renamed) {
-    DocumentElement owner = metadata;
-    while (owner.name().startsWith(METADATA) && owner.parent().isPresent()) {
-      owner = owner.parent().get();
-    }
-    if (owner == metadata || owner.def().isEmpty()) {
-      return name;
-    }
-    String now = renamed.getOrDefault(owner.def().get(), owner.def().get());
-    String before = MetadataNames.object(owner.def().get());
-    return name.replaceFirst(
-        "(?<![A-Z])%s(?=$|_|Definition)".formatted(Pattern.quote(before)),
-        Matcher.quoteReplacement(MetadataNames.object(now)));
+  private static String now(String name, Map<String, String> renamed) {
+    return renamed.getOrDefault(name, name);
   }
 
   private void follow(DocumentElement element, Map<String, String> renamed) {
-    if (element.name().startsWith(METADATA)) {
-      source
-          .tag(element)
-          .attribute("name")
-          .ifPresent(
-              name -> {
-                String now = following(element, name.value(), renamed);
-                if (!now.equals(name.value())) {
-                  change(new TextEdit(name.valueFrom(), name.valueTo(), now));
-                }
-              });
-    }
+    source
+        .tag(element)
+        .attribute("name")
+        .ifPresent(
+            name -> {
+              String now =
+                  MetadataNaming.name(element, name.value(), old -> now(old, renamed));
+              if (!now.equals(name.value())) {
+                change(source.layout().attribute(element, "name", now));
+              }
+            });
     for (SourceAttribute written : source.tag(element).attributes()) {
       boolean reference =
           NAMING.contains(written.name())

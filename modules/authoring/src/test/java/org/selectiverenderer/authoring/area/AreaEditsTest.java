@@ -205,7 +205,7 @@ class AreaEditsTest {
     assertThat(AreaLocator.overlaps(copy, all))
         .extracting(each -> each.other().name())
         .containsExactly("B", "C");
-    assertThat(scene.nodes()).contains("    <MetadataSet", "DEF='MetadataSet_ADefinition_2'");
+    assertThat(scene.nodes()).contains("    <MetadataSet", "DEF='MetadataSet_A_2Definition'");
     assertThat(scene.document.history().undoName()).contains("Copy A");
   }
 

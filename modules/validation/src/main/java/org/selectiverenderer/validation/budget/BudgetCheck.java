@@ -15,9 +15,10 @@ import org.selectiverenderer.x3d.read.ParsedNode;
 final class BudgetCheck implements SceneCheck {
   @Override
   public void check(SceneContext view, FindingCollector findings) {
-    if (!view.settings().budgets().isEmpty()) {
+    List<PolygonBudget> budgets = view.settings().budgets(view.main().file().path());
+    if (!budgets.isEmpty()) {
       EnrichmentPolygonModel model = FileOutlineAdapter.model(view);
-      for (PolygonBudget budget : view.settings().budgets()) {
+      for (PolygonBudget budget : budgets) {
         BudgetMatch fit = BudgetMatch.of(budget, model);
         if (fit instanceof BudgetMatch.Match holds) {
           worst(view, budget, holds, findings);

@@ -21,7 +21,10 @@ final class UnusedBudgetCheck implements CrossSceneCheck {
       }
       EnrichmentPolygonModel model = FileOutlineAdapter.model(scene);
       // A misspelt name is reported in the scene that has the similar name.
-      unused.removeIf(budget -> !(BudgetMatch.of(budget, model) instanceof BudgetMatch.NoMatch));
+      unused.removeAll(
+          settings.values().budgets(scene.main().file().path()).stream()
+              .filter(budget -> !(BudgetMatch.of(budget, model) instanceof BudgetMatch.NoMatch))
+              .toList());
     }
     for (PolygonBudget budget : unused) {
       String where = budget.scope().isEmpty() ? "the whole scene" : "the group " + budget.scope();
@@ -32,7 +35,7 @@ final class UnusedBudgetCheck implements CrossSceneCheck {
           SourceLocation.of(settings.file()),
           "",
           budget.polygons(),
-          where + when);
+          where + when + (budget.file().isEmpty() ? "" : " of " + budget.file()));
     }
   }
 }

@@ -14,6 +14,7 @@ import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.formats.json.JsonArrayEditor;
 import org.selectiverenderer.formats.json.JsonTree;
 import org.selectiverenderer.validation.PolygonBudget;
+import org.selectiverenderer.validation.ReportFileNames;
 import org.selectiverenderer.validation.ValidationSettings;
 import org.selectiverenderer.validation.run.RuleCatalogue;
 
@@ -49,8 +50,14 @@ public final class BudgetSettingsEditor {
         : Optional.of(ValidationSettings.standard());
   }
 
+  /** Returns the name of a scene's file for its budgets: relative to the settings file's folder. */
+  public String named(Path scene) {
+    Path folder = file.toAbsolutePath().normalize().getParent();
+    return ReportFileNames.relative(scene, folder == null ? file : folder);
+  }
+
   /**
-   * Sets the budget of a part and state; replaces an existing one.
+   * Sets the budget of a file's part and state; replaces an existing one.
    *
    * @throws IOException with a message of one line if the file has faults or cannot be written
    */
@@ -64,7 +71,7 @@ public final class BudgetSettingsEditor {
   }
 
   /**
-   * Removes the budget of a part and state, if there is one.
+   * Removes the budget of a file's part and state, if there is one.
    *
    * @param unwanted the budget to remove; its number of polygons is ignored
    * @throws IOException with a message of one line if the file has faults or cannot be written
@@ -99,14 +106,14 @@ public final class BudgetSettingsEditor {
 
   private static int index(List<PolygonBudget> budgets, PolygonBudget wanted) {
     for (int i = 0; i < budgets.size(); i++) {
-      if (same(budgets.get(i), wanted)) {
+      if (budgets.get(i).file().equals(wanted.file()) && same(budgets.get(i), wanted)) {
         return i;
       }
     }
     return -1;
   }
 
-  /** Returns whether two budgets are for the same part and state. */
+  /** Returns whether two budgets are for the same part and state, of whichever files. */
   public static boolean same(PolygonBudget one, PolygonBudget other) {
     return one.scope().equals(other.scope())
         && new HashSet<>(one.schemas()).equals(new HashSet<>(other.schemas()));
@@ -114,6 +121,9 @@ public final class BudgetSettingsEditor {
 
   private static String json(PolygonBudget budget) {
     List<String> members = new ArrayList<>();
+    if (!budget.file().isEmpty()) {
+      members.add("\"file\": " + JsonTree.of(budget.file()));
+    }
     if (!budget.scope().isEmpty()) {
       members.add("\"scope\": " + JsonTree.of(budget.scope()));
     }

@@ -1,6 +1,7 @@
 package org.selectiverenderer.validation.settings;
 
 import java.io.IOException;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -23,15 +24,16 @@ import org.selectiverenderer.x3d.url.ContentAccessKeys;
  * <pre>
  * {"ignore": ["SR2"],
  *  "severities": {"SR305": "error"},
- *  "budgets": [{"scope": "Office", "schemas": ["DeskSchema"], "polygons": 170000}],
+ *  "budgets": [{"file": "a.x3d", "scope": "Office", "schemas": ["Desk"], "polygons": 170000}],
  *  "megabytes": 50,
  *  "allow": ["../models"],
  *  "allowNet": ["example.org"]}
  * </pre>
  *
- * <p>Each key may be left out, and so may a budget's {@code scope} (the whole scene) and {@code
- * schemas} (the worst state). The file is read as {@link org.selectiverenderer.formats.json}
- * describes: an unknown key is an error, since a misspelling would otherwise go unnoticed.
+ * <p>Each key may be left out, and so may a budget's {@code file} (every scene), {@code scope} (the
+ * whole scene) and {@code schemas} (the worst state). The file is read as {@link
+ * org.selectiverenderer.formats.json} describes: an unknown key is an error, since a misspelling
+ * would otherwise go unnoticed.
  */
 public final class ValidationSettingsReader {
   private static final JsonSettingsReader JSON =
@@ -107,9 +109,20 @@ public final class ValidationSettingsReader {
 
   private static PolygonBudget budget(JsonObjectReader budget) {
     return new PolygonBudget(
+        budget.text("file", false).map(name -> file(budget, name)).orElse(""),
         budget.text("scope", false).orElse(""),
         budget.texts("schemas"),
         budget.whole("polygons", 0, Double.POSITIVE_INFINITY, Double.NaN));
+  }
+
+  private static String file(JsonObjectReader budget, String name) {
+    try {
+      Path.of(name);
+      return name;
+    } catch (InvalidPathException e) {
+      budget.fault("file", "this cannot be the name of a file");
+      return "";
+    }
   }
 
   private static String noRule(String id) {

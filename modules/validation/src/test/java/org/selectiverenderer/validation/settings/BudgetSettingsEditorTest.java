@@ -109,6 +109,24 @@ class BudgetSettingsEditorTest {
   }
 
   @Test
+  void budgetsOfAFileAreOthersThanThoseOfEveryScene() throws IOException {
+    BudgetSettingsEditor file = budgets();
+    file.put(OFFICE);
+    String name = file.named(folder.resolve("rooms").resolve("a b.x3d"));
+    assertThat(name).isEqualTo("rooms/a b.x3d");
+    PolygonBudget own = new PolygonBudget(name, "Office", List.of(), 7);
+    file.put(own);
+    assertThat(read()).containsExactly(OFFICE, own);
+    assertThat(text())
+        .contains("{\"file\": \"rooms/a b.x3d\", \"scope\": \"Office\", \"polygons\": 7}");
+    PolygonBudget more = new PolygonBudget(name, "Office", List.of(), 8);
+    file.put(more);
+    assertThat(read()).containsExactly(OFFICE, more);
+    file.remove(OFFICE);
+    assertThat(read()).containsExactly(more);
+  }
+
+  @Test
   void aListIsMadeAmongOtherKeysAndLineEndsStay() throws IOException {
     BudgetSettingsEditor file = with("\uFEFF{\r\n  \"megabytes\": 50\r\n}\r\n");
     file.put(OFFICE);

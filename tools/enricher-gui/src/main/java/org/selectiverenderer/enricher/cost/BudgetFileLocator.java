@@ -72,6 +72,11 @@ public final class BudgetFileLocator {
     settings.put(KEY + folder(), chosen);
   }
 
+  /** The scene's file as its budgets name it. */
+  String sceneName() {
+    return budgets().named(scene.get());
+  }
+
   BudgetSettingsEditor budgets() {
     return new BudgetSettingsEditor(file(), RuleCatalogue.standard());
   }

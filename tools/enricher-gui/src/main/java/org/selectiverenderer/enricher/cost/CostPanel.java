@@ -278,8 +278,7 @@ public final class CostPanel extends JPanel {
   /** Reports the first limit that was kept before and is exceeded now. */
   private void warn(List<CostRow> rows) {
     for (CostRow row : rows) {
-      boolean held = before.stream().anyMatch(old -> old.same(row) && !old.broken());
-      if (row.broken() && held) {
+      if (row.broken() && row.held(before)) {
         session.message(CostFormatter.warning(row, row.status().orElseThrow()));
         return;
       }
@@ -323,9 +322,9 @@ public final class CostPanel extends JPanel {
             Texts.of("cost.writing"),
             () -> {
               if (most.isPresent()) {
-                place.budgets().put(row.budget(most.get()));
+                place.budgets().put(row.budget(place.sceneName(), most.get()));
               } else {
-                place.budgets().remove(row.budget(0));
+                place.budgets().remove(row.budget(place.sceneName(), 0));
               }
               return place.file();
             },

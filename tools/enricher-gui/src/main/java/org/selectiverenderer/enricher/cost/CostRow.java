@@ -45,9 +45,13 @@ record CostRow(
     WORST
   }
 
-  /** The budget for this row with a limit. */
-  PolygonBudget budget(long most) {
-    return new PolygonBudget(scope, schemas, most);
+  /**
+   * The budget for this row with a limit. One for every scene stays one.
+   *
+   * @param file the scene's file as budgets name it
+   */
+  PolygonBudget budget(String file, long most) {
+    return new PolygonBudget(limit.map(PolygonBudget::file).orElse(file), scope, schemas, most);
   }
 
   boolean broken() {
@@ -59,9 +63,22 @@ record CostRow(
     return kind == other.kind && scope.equals(other.scope) && schemas.equals(other.schemas);
   }
 
+  /** Whether the row was there before and its limit not exceeded. A part may have two limits. */
+  boolean held(List<CostRow> before) {
+    List<CostRow> old = before.stream().filter(this::same).toList();
+    return !old.isEmpty()
+        && old.stream().noneMatch(row -> row.broken() && row.file().equals(file()));
+  }
+
+  private Optional<String> file() {
+    return limit.map(PolygonBudget::file);
+  }
+
   /**
    * Returns the rows of a scene: for each part full detail, as loaded, its states and the worst;
    * then limits that fit none of these.
+   *
+   * @param budgets those for the scene's file
    */
   static List<CostRow> of(CountResult counted, List<PolygonBudget> budgets) {
     Making making = new Making(counted.model(), new ArrayList<>(budgets));
@@ -123,7 +140,8 @@ record CostRow(
           limitable
               ? left.stream()
                   .filter(budget -> BudgetSettingsEditor.same(budget, wanted))
-                  .findFirst()
+                  // That of the file; one for every scene gets a row of its own then.
+                  .min(Comparator.comparing(budget -> budget.file().isEmpty()))
               : Optional.empty();
       limit.ifPresent(left::remove);
       rows.add(

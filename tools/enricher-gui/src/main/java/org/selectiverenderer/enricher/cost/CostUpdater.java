@@ -115,7 +115,7 @@ final class CostUpdater {
     ProblemCollector problems = new ProblemCollector();
     Optional<ValidationSettings> settings = place.settings(problems);
     Optional<String> fault = problems.list().stream().map(Problem::toString).findFirst();
-    List<PolygonBudget> budgets = settings.map(ValidationSettings::budgets).orElse(List.of());
+    List<PolygonBudget> budgets = settings.map(s -> s.budgets(file)).orElse(List.of());
     if (!wanted && budgets.isEmpty()) {
       return new Found(Optional.empty(), fault);
     }

@@ -165,7 +165,7 @@ class CostPanelTest {
                 .settings(new ProblemCollector())
                 .orElseThrow()
                 .budgets())
-        .containsExactly(new PolygonBudget("Office", List.of("Desk"), 15));
+        .containsExactly(new PolygonBudget("scene.x3d", "Office", List.of("Desk"), 15));
     assertThat(changes).containsExactly("other");
 
     describe(session, 1);
@@ -187,6 +187,53 @@ class CostPanelTest {
         });
     hands.await("no limit", () -> "".equals(states.getValueAt(desk, StatesTableModel.LIMIT)));
     assertThat(Files.readString(file)).doesNotContain("Desk");
+  }
+
+  @Test
+  void limitsOfOtherFilesAreNotThisOnesAndThoseOfAllStayThoseOfAll() throws IOException {
+    Path file =
+        Files.writeString(
+            folder.resolve(BudgetFileLocator.NAME),
+            """
+            {"budgets": [
+              {"file": "other.x3d", "scope": "Office", "schemas": ["Desk"], "polygons": 1},
+              {"scope": "Office", "polygons": 90}
+            ]}
+            """);
+    EnricherSession session = show();
+    describe(session, 0);
+    JTable states = table("Polygons by area and schemas");
+    hands.await("the limit", () -> cells(states, StatesTableModel.LIMIT).contains("90"));
+    hands.await("the state", () -> officeDesk(states) >= 0);
+    int desk = GuiRobot.onEdt(() -> officeDesk(states));
+    assertThat(column(states, StatesTableModel.LIMIT)).doesNotContain("1");
+    set(states, desk, "77");
+    hands.await("its limit", () -> cells(states, StatesTableModel.LIMIT).contains("77"));
+    set(states, GuiRobot.onEdt(() -> cells(states, StatesTableModel.LIMIT).indexOf("90")), "91");
+    hands.await("the limit of all", () -> cells(states, StatesTableModel.LIMIT).contains("91"));
+    assertThat(Files.readString(file))
+        .contains("{\"file\": \"other.x3d\"", "\"polygons\": 1}")
+        .contains("{\"scope\": \"Office\", \"polygons\": 91}")
+        .contains("{\"file\": \"scene.x3d\", \"scope\": \"Office\"");
+    assertThat(messages).isEmpty();
+  }
+
+  private static int officeDesk(JTable states) {
+    for (int row = 0; row < states.getRowCount(); row++) {
+      if ("Desk".equals(states.getValueAt(row, StatesTableModel.STATE))
+          && "Office".equals(states.getValueAt(row, StatesTableModel.SCOPE))) {
+        return row;
+      }
+    }
+    return -1;
+  }
+
+  private static void set(JTable states, int row, String limit) {
+    GuiRobot.onEdt(
+        () -> {
+          states.setValueAt(limit, row, StatesTableModel.LIMIT);
+          return true;
+        });
   }
 
   @Test

@@ -174,8 +174,8 @@ class PreviewComparisonTest {
 
   private static int changed(BufferedImage painted, BufferedImage other, int width) {
     int changed = 0;
-    for (int y = 40; y < painted.getHeight(); y++) {
-      for (int x = 3; x < width - 12; x++) { // between the focus frame and the line's handle
+    for (int y = 40; y < painted.getHeight() - 6; y++) {
+      for (int x = 6; x < width - 12; x++) { // between the focus frame and the line's handle
         changed += (painted.getRGB(x, y) & 0xffffff) == (other.getRGB(x, y) & 0xffffff) ? 0 : 1;
       }
     }
