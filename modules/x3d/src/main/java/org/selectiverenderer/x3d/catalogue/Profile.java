@@ -9,30 +9,38 @@ import java.util.Set;
 
 /** The profiles of X3D and the components of each (X3D 4.0, annexes A to H). */
 public enum Profile {
+  /** Statements and metadata, no nodes to show (annex A). */
   Core("Core 1"),
+  /** Geometry, materials, textures and animation, for exchange between programs (annex B). */
   Interchange(
       "Core 1, EnvironmentalEffects 1, Geometry3D 2, Grouping 1, Interpolation 2, Lighting 1,"
           + " Navigation 1, Networking 1, Rendering 3, Shape 1, Texturing 2, Time 1"),
+  /** Parts and assemblies of CAD models (annex H). */
   CADInterchange(
       "CADGeometry 2, Core 1, Grouping 1, Lighting 1, Navigation 3, Networking 2, Rendering 4,"
           + " Shaders 1, Shape 2, Texturing 2"),
+  /** Interchange with sensors, for simple interaction (annex C). */
   Interactive(
       "Core 1, EnvironmentalEffects 1, EnvironmentalSensor 1, EventUtilities 1, Geometry3D 3,"
           + " Grouping 2, Interpolation 2, KeyDeviceSensor 1, Lighting 2, Navigation 1,"
           + " Networking 2, PointingDeviceSensor 1, Rendering 3, Shape 1, Texturing 2, Time 1"),
+  /** The small part of Interactive that MPEG-4 uses (annex D). */
   MPEG4Interactive(
       "Core 1, EnvironmentalEffects 1, EnvironmentalSensor 1, Geometry3D 2, Grouping 2,"
           + " Interpolation 2, Lighting 2, Navigation 1, Networking 2, PointingDeviceSensor 1,"
           + " Rendering 1, Shape 1, Texturing 1, Time 1"),
+  /** Worlds to walk in, with sound, text, scripts and all that VRML97 had (annex E). */
   Immersive(
       "Core 2, EnvironmentalEffects 2, EnvironmentalSensor 2, EventUtilities 1, Geometry2D 1,"
           + " Geometry3D 4, Grouping 2, Interpolation 2, KeyDeviceSensor 2, Lighting 2,"
           + " Navigation 2, Networking 3, PointingDeviceSensor 1, Rendering 3, Scripting 1,"
           + " Shape 2, Sound 1, Text 1, Texturing 3, Time 1"),
+  /** Medical images and volumes (annex G). */
   MedicalInterchange(
       "Core 1, EnvironmentalEffects 1, EventUtilities 1, Geometry2D 2, Geometry3D 2, Grouping 3,"
           + " Interpolation 2, Lighting 1, Navigation 3, Networking 2, Rendering 5, Shape 3,"
           + " Text 1, Texturing 2, Texturing3D 2, Time 1, VolumeRendering 4"),
+  /** All components of the standard at their highest levels (annex F). */
   Full("");
 
   /** Components that define statements or fields, but no nodes. */
