@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 
-/** The profiles of X3D and the components of each (X3D 4.0, annexes A to H). */
+/** The profiles of X3D and the components of each (X3D 4.0, annexes A to F, H and L). */
 public enum Profile {
   /** Statements and metadata, no nodes to show (annex A). */
   Core("Core 1"),
@@ -35,7 +35,7 @@ public enum Profile {
           + " Geometry3D 4, Grouping 2, Interpolation 2, KeyDeviceSensor 2, Lighting 2,"
           + " Navigation 2, Networking 3, PointingDeviceSensor 1, Rendering 3, Scripting 1,"
           + " Shape 2, Sound 1, Text 1, Texturing 3, Time 1"),
-  /** Medical images and volumes (annex G). */
+  /** Medical images and volumes (annex L). */
   MedicalInterchange(
       "Core 1, EnvironmentalEffects 1, EventUtilities 1, Geometry2D 2, Geometry3D 2, Grouping 3,"
           + " Interpolation 2, Lighting 1, Navigation 3, Networking 2, Rendering 5, Shape 3,"
