@@ -84,14 +84,15 @@ class WindowsLauncherTest {
         .collect(Collectors.toCollection(TreeSet::new));
   }
 
-  /** All but those with which the other launcher makes its archive, and macOS's for the Dock. */
+  /** All but those for its archive and its picture at the start, and macOS's for the Dock. */
   @Test
   void givesJavaTheFlagsOfTheOtherLauncher() throws IOException {
     String flag =
         "(?<=[ =\"])-(?:X\\w*[:\\w+-]*|D(?:joml|selective)[.\\w-]+|-(?:enable|sun)-[\\w-]+)(?:=[\\w-]+)?";
     Set<String> flags = found(flag, script().replace(',', ' '));
     flags.removeIf(
-        each -> each.matches(".*(ClassList|Archive|ErrorFile|Xshare|XshowSettings|Xdock).*"));
+        each ->
+            each.matches(".*(ClassList|Archive|ErrorFile|Xshare|XshowSettings|Xdock|splash).*"));
     Set<String> own = found(flag, text());
 
     assertThat(flags).contains("-Djoml.nounsafe=true", "-Xmx1200m", "-XX:+UseSerialGC");
@@ -103,6 +104,7 @@ class WindowsLauncherTest {
     String variable = "(?:SELECTIVE_RENDERER|JAVA)_(?!VERSION|RUNTIME)[A-Z_]+";
     Set<String> variables = found(variable, script());
     variables.remove("SELECTIVE_RENDERER_CLASSES"); // For the archive of classes.
+    variables.remove("SELECTIVE_RENDERER_DESKTOP"); // For the picture at the start.
     assertThat(found(variable, text())).isEqualTo(variables).hasSize(3);
   }
 

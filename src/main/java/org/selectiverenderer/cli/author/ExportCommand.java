@@ -92,8 +92,7 @@ public final class ExportCommand extends CliCommand {
     ProblemCollector problems = new ProblemCollector(console()::problem);
     Optional<ScenePackage> exported =
         new SceneExporter(NodeCatalogue.load(), access.access(), problems)
-            .export(
-                scene.file(), settings.condition(), (int) settings.seed(), to.format, name(to));
+            .export(scene.file(), settings.condition(), (int) settings.seed(), to.format, name(to));
     if (exported.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }

@@ -16,8 +16,8 @@ import org.selectiverenderer.schema.SensorSchemas;
 import org.selectiverenderer.x3d.write.FieldValueFormatter;
 
 /**
- * The selective rendering controller as an X3D Script (X3D 4.0, 29.4.1): rules that are the same for
- * every scene, fields with what the metadata of this scene say, and ROUTEs.
+ * The selective rendering controller as an X3D Script (X3D 4.0, 29.4.1): rules that are the same
+ * for every scene, fields with what the metadata of this scene say, and ROUTEs.
  */
 final class ControllerScript {
   private static final String RULES = "schema-controller.js";

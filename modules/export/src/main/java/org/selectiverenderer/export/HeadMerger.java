@@ -76,8 +76,7 @@ final class HeadMerger {
 
   private static Map<String, Integer> components(DocumentElement root) {
     Map<String, Integer> levels = new HashMap<>();
-    for (DocumentElement child :
-        head(root).map(DocumentElement::children).orElse(List.of())) {
+    for (DocumentElement child : head(root).map(DocumentElement::children).orElse(List.of())) {
       if (child.name().equals("component")) {
         String level = child.text("level").orElse("1").strip();
         levels.merge(

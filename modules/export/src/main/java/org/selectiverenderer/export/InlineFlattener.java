@@ -316,8 +316,7 @@ final class InlineFlattener {
         edits.add(
             content
                 .layout()
-                .attribute(
-                    field.element(), field.attribute(), FieldValueFormatter.strings(now)));
+                .attribute(field.element(), field.attribute(), FieldValueFormatter.strings(now)));
       }
     }
     return edits;
@@ -396,15 +395,12 @@ final class InlineFlattener {
       if (xml.isEmpty()) {
         return Optional.empty();
       }
-      document =
-          SceneDocument.of(name, xml.get().getBytes(StandardCharsets.UTF_8));
+      document = SceneDocument.of(name, xml.get().getBytes(StandardCharsets.UTF_8));
     } else {
       document = SceneDocument.of(name, InputFileReader.bytes(file));
     }
     if (document.tree().isEmpty()) {
-      document
-          .fault()
-          .ifPresent(fault -> to.error(fault.location(), fault.message()));
+      document.fault().ifPresent(fault -> to.error(fault.location(), fault.message()));
       return Optional.empty();
     }
     Optional<String> locked = document.locked();

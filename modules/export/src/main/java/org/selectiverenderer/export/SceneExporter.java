@@ -84,8 +84,7 @@ public final class SceneExporter {
     nameNodes(document, enrichment);
     addScript(document, ControlledNodes.of(enrichment), condition, seed);
     ScenePackager packager =
-        new ScenePackager(
-            catalogue, folder, access, PackageLayout.around(folder), () -> false);
+        new ScenePackager(catalogue, folder, access, PackageLayout.around(folder), () -> false);
     ScenePackage files = packager.collect(scene, document.snapshot(), Path.of(name));
     return format == SceneFormat.XML ? Optional.of(files) : encoded(files, format);
   }
@@ -163,8 +162,7 @@ public final class SceneExporter {
     XmlDocument document =
         new X3dReader(catalogue)
             .document(files.scene().source().toString(), new ByteArrayInputStream(xml), xml.length);
-    byte[] bytes =
-        format.text(document, catalogue, problems).getBytes(StandardCharsets.UTF_8);
+    byte[] bytes = format.text(document, catalogue, problems).getBytes(StandardCharsets.UTF_8);
     PackagedFile scene =
         new PackagedFile(files.scene().target(), files.scene().source(), Optional.of(bytes));
     return Optional.of(new ScenePackage(scene, files.files(), files.left(), List.of()));

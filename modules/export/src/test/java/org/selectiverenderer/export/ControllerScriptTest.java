@@ -50,8 +50,7 @@ class ControllerScriptTest {
 
   private static SceneDocument exported(String scene, Condition condition, int seed)
       throws IOException {
-    SceneDocument document =
-        SceneDocument.of("scene.x3d", scene.getBytes(StandardCharsets.UTF_8));
+    SceneDocument document = SceneDocument.of("scene.x3d", scene.getBytes(StandardCharsets.UTF_8));
     ControlledNodes nodes =
         ControlledNodes.of(new DocumentEnrichment(document, NodeCatalogue.load()));
     List<String> lines = new ControllerScript(nodes, "SchemaController").lines(condition, seed);
@@ -106,8 +105,7 @@ class ControllerScriptTest {
   }
 
   private static List<String> objects(String scene) throws IOException {
-    SceneDocument document =
-        SceneDocument.of("scene.x3d", scene.getBytes(StandardCharsets.UTF_8));
+    SceneDocument document = SceneDocument.of("scene.x3d", scene.getBytes(StandardCharsets.UTF_8));
     return ControlledNodes.of(new DocumentEnrichment(document, NodeCatalogue.load()))
         .objects()
         .stream()

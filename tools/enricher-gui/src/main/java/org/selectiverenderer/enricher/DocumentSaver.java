@@ -150,8 +150,30 @@ final class DocumentSaver {
     switch (leftBehind(now, other.toAbsolutePath())) {
       case CANCEL -> {}
       case LEAVE -> writes.run();
-      case TAKE -> new PackageCommands(questions).takeAlong(session, other, writes);
+      case TAKE -> takeAlong(other.toAbsolutePath(), saved);
     }
+  }
+
+  /**
+   * Saves to another folder together with the files that the scene names. From the first file on
+   * until the end, whatever it is, the document counts as being written.
+   */
+  private void takeAlong(Path other, Runnable saved) {
+    writing = true;
+    new PackageCommands(questions)
+        .takeAlong(
+            session,
+            other,
+            () ->
+                write(
+                    session.file().writing(other),
+                    saved,
+                    // The urls fit the other folder only.
+                    () -> session.document().history().undo()),
+            () -> {
+              writing = false;
+              goOn();
+            });
   }
 
   /** Returns whether another window has the file, which is then said. */
@@ -193,6 +215,13 @@ final class DocumentSaver {
   }
 
   private void write(SaveOperation what, Runnable saved) {
+    write(what, saved, () -> {});
+  }
+
+  /**
+   * @param unsaved runs first when the file could not be written
+   */
+  private void write(SaveOperation what, Runnable saved, Runnable unsaved) {
     writing = true;
     session
         .tasks()
@@ -212,6 +241,7 @@ final class DocumentSaver {
             },
             failed -> {
               writing = false;
+              unsaved.run();
               failed(what, saved, failed);
               goOn();
             });

@@ -45,11 +45,12 @@ final class PackageCommands {
           all.add(packed.scene());
           all.addAll(packed.files());
           if (target.zip()) {
-            write(session, all, target, () -> {});
+            write(session, all, target, () -> {}, () -> {});
           } else {
-            intoFolder(session, all, target.path(), () -> {});
+            intoFolder(session, all, target.path(), () -> {}, () -> {});
           }
-        });
+        },
+        () -> {});
   }
 
   /**
@@ -57,8 +58,9 @@ final class PackageCommands {
    *
    * @param target the scene's future file
    * @param then runs when the files are there
+   * @param ended runs instead if they could not be copied, or the author does not want it
    */
-  void takeAlong(EnricherSession session, Path target, Runnable then) {
+  void takeAlong(EnricherSession session, Path target, Runnable then, Runnable ended) {
     long revision = session.document().revision();
     collect(
         session,
@@ -71,37 +73,48 @@ final class PackageCommands {
                 () -> {
                   if (session.document().revision() != revision) {
                     questions.tell(Texts.of("package.changed"));
+                    ended.run();
                     return;
                   }
                   session.perform(new Edit(Texts.of("package.step"), packed.edits()));
                   then.run();
-                }));
+                },
+                ended),
+        ended);
   }
 
-  private void collect(EnricherSession session, Path place, Consumer<ScenePackage> collected) {
+  /**
+   * Collects the files. This cannot be cancelled, so that one of the callbacks always runs.
+   *
+   * @param ended runs if nothing is collected
+   */
+  private void collect(
+      EnricherSession session, Path place, Consumer<ScenePackage> collected, Runnable ended) {
     Path scene = session.file().path().toAbsolutePath();
     DocumentSnapshot snapshot = session.document().snapshot();
     ContentAccessPolicy access = session.access();
     session
         .tasks()
-        .run(
+        .runToEnd(
             Texts.of("package.collecting", String.valueOf(scene.getFileName())),
-            progress -> {
+            () -> {
               Path folder = scene.getParent();
               return new ScenePackager(
                       session.catalogue(),
                       folder,
                       access,
                       PackageLayout.around(folder.toRealPath()),
-                      progress::cancelled)
+                      () -> false)
                   .collect(scene, snapshot, place);
             },
             packed -> {
               if (packed.left().isEmpty() || questions.without(sentence(packed), lines(packed))) {
                 collected.accept(packed);
+              } else {
+                ended.run();
               }
             },
-            failed -> questions.tell(String.valueOf(failed.getMessage())));
+            failed -> tell(failed, ended));
   }
 
   private static String sentence(ScenePackage packed) {
@@ -116,10 +129,14 @@ final class PackageCommands {
   }
 
   private void intoFolder(
-      EnricherSession session, List<PackagedFile> files, Path folder, Runnable written) {
+      EnricherSession session,
+      List<PackagedFile> files,
+      Path folder,
+      Runnable written,
+      Runnable ended) {
     session
         .tasks()
-        .run(
+        .runToEnd(
             Texts.of("package.comparing", folder.toString()),
             () -> PackageWriter.conflicts(files, folder),
             conflicts -> {
@@ -131,17 +148,20 @@ final class PackageCommands {
                           DecimalFormatter.grouped(conflicts.size()),
                           folder.toString()),
                       conflicts.stream().map(Path::toString).toList())) {
-                write(session, files, new PackageDialog.Target(folder, false), written);
+                write(session, files, new PackageDialog.Target(folder, false), written, ended);
+              } else {
+                ended.run();
               }
             },
-            failed -> questions.tell(String.valueOf(failed.getMessage())));
+            failed -> tell(failed, ended));
   }
 
   private void write(
       EnricherSession session,
       List<PackagedFile> files,
       PackageDialog.Target target,
-      Runnable written) {
+      Runnable written,
+      Runnable ended) {
     session
         .tasks()
         .runToEnd(
@@ -163,6 +183,11 @@ final class PackageCommands {
                       target.path().toString()));
               written.run();
             },
-            failed -> questions.tell(String.valueOf(failed.getMessage())));
+            failed -> tell(failed, ended));
+  }
+
+  private void tell(Exception failed, Runnable ended) {
+    questions.tell(String.valueOf(failed.getMessage()));
+    ended.run();
   }
 }

@@ -2,8 +2,8 @@ package org.selectiverenderer.authoring.enrichment;
 
 import java.util.List;
 import java.util.Optional;
-import org.selectiverenderer.schema.SwitchSchemas;
 import org.selectiverenderer.authoring.ElementFinding;
+import org.selectiverenderer.schema.SwitchSchemas;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**

@@ -124,8 +124,7 @@ public final class NodeEdits {
                   "this is a USE of %s; rename the original".formatted(other));
             });
     List<TextEdit> changes =
-        NodeRenaming.changes(
-            document.layout(), new UniqueNameGenerator(tree(), node), node, name);
+        NodeRenaming.changes(document.layout(), new UniqueNameGenerator(tree(), node), node, name);
     return new Edit(
         from.isEmpty() ? "Name " + name : "Rename %s to %s".formatted(from, name), changes);
   }

@@ -8,7 +8,9 @@ import org.selectiverenderer.authoring.UniqueNameGenerator;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.TextEdit;
 
-/** The changes that rename a node, the metadata that is called after it, and what refers to them. */
+/**
+ * The changes that rename a node, the metadata that is called after it, and what refers to them.
+ */
 final class NodeRenaming {
   private final SourceFormatter layout;
   private final List<TextEdit> changes = new ArrayList<>();

@@ -10,7 +10,9 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.function.DoubleConsumer;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
@@ -48,6 +50,7 @@ public final class PackageWriter {
       throws IOException {
     Files.createDirectories(folder);
     Path real = folder.toRealPath();
+    keepSources(files, real);
     for (int i = 0; i < files.size(); i++) {
       PackagedFile file = files.get(i);
       Path place = real.resolve(file.target()).normalize();
@@ -59,6 +62,23 @@ public final class PackageWriter {
         copy(file, place);
       }
       progress.accept((i + 1.0) / files.size());
+    }
+  }
+
+  /** Refuses a folder in which a file would be replaced that is itself still to be copied. */
+  private static void keepSources(List<PackagedFile> files, Path real) throws IOException {
+    Set<Path> sources = new HashSet<>();
+    for (PackagedFile file : files) {
+      if (file.changed().isEmpty()) {
+        sources.add(file.source().toRealPath());
+      }
+    }
+    for (PackagedFile file : files) {
+      Path place = real.resolve(file.target()).normalize();
+      if (Files.exists(place) && sources.contains(place.toRealPath()) && !same(file, place)) {
+        throw new IOException(
+            place + ": is a file of the scene and would be replaced; choose another folder");
+      }
     }
   }
 

@@ -26,6 +26,8 @@ import org.selectiverenderer.x3d.source.TextEdit;
  * not stay as it is.
  */
 public final class GroupEdits {
+  private static final Set<String> CHOOSING = Set.of("Switch", "LOD");
+
   private static final Set<String> GROUPS = Set.of("Transform", "Group", "StaticGroup");
 
   /** Fields that a group may have and still be replaced by its children. */
@@ -78,6 +80,7 @@ public final class GroupEdits {
                 + "; select nodes of one group only");
       }
     }
+    refuseChoices(siblings.get(0));
     DocumentElement at = place(siblings);
     SourceFormatter layout = document.layout();
     String open =
@@ -94,6 +97,18 @@ public final class GroupEdits {
     changes.add(new TextEdit(at.start(), at.end(), text.toString()));
     siblings.stream().filter(node -> node != at).forEach(node -> changes.add(layout.remove(node)));
     return new Edit("Group " + siblings.size() + " nodes", changes);
+  }
+
+  /** Refuses to change how many children a Switch or LOD has, which are known by their number. */
+  private static void refuseChoices(DocumentElement child) {
+    Optional<DocumentElement> parent = child.parent();
+    if (parent.isPresent() && CHOOSING.contains(parent.get().name())) {
+      throw new EditRejectedException(
+          child
+              + " is a choice of "
+              + parent.get()
+              + ", which are known by their number; group or ungroup what is inside of the choice");
+    }
   }
 
   /** Returns the sibling whose place the group takes, so that each DEF stays before its USEs. */
@@ -133,6 +148,7 @@ public final class GroupEdits {
 
   /** Replaces a group by its children, which stay where they are. */
   public Edit ungroup(DocumentElement group) {
+    refuseChoices(group);
     check(group);
     List<DocumentElement> children = group.children();
     if (children.isEmpty()) {

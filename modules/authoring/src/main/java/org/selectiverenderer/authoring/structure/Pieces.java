@@ -83,8 +83,7 @@ final class Pieces {
         .attribute("name")
         .ifPresent(
             name -> {
-              String now =
-                  MetadataNaming.name(element, name.value(), old -> now(old, renamed));
+              String now = MetadataNaming.name(element, name.value(), old -> now(old, renamed));
               if (!now.equals(name.value())) {
                 change(source.layout().attribute(element, "name", now));
               }

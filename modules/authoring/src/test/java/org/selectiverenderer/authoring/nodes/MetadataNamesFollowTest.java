@@ -56,7 +56,8 @@ class MetadataNamesFollowTest {
         </Switch>
         """;
     assertThat(renamed(nodes, "Switch_CupDefinition", "Switch_PanDefinition").nodes())
-        .isEqualTo(nodes.replace("Cup", "Pan").replace("<Group DEF='Pan_v1'", "<Group DEF='Cup_v1'"));
+        .isEqualTo(
+            nodes.replace("Cup", "Pan").replace("<Group DEF='Pan_v1'", "<Group DEF='Cup_v1'"));
   }
 
   @Test

@@ -212,6 +212,22 @@ class ScenePackagerTest {
   }
 
   @Test
+  void aFileThatIsStillToBeCopiedIsNotReplaced() throws IOException {
+    write("project/textures/wood.png", "other wood");
+    ScenePackage packed =
+        collect(
+            "<Shape><Appearance><ImageTexture url='\"textures/wood.png\"'/></Appearance></Shape>"
+                + "<Shape><Appearance><ImageTexture url='\"../textures/wood.png\"'/></Appearance>"
+                + "</Shape>",
+            folder.resolve("project"));
+    Path project = folder.resolve("project");
+
+    assertThatThrownBy(() -> PackageWriter.intoFolder(packed.files(), project, done -> {}))
+        .hasMessageContaining("is a file of the scene and would be replaced");
+    assertThat(project.resolve("textures/wood.png")).hasContent("other wood");
+  }
+
+  @Test
   void anArchiveHoldsTheSameFiles() throws IOException {
     ScenePackage packed = collect("<ImageTexture url='\"textures/wood.png\"'/>");
     List<PackagedFile> all = List.of(packed.scene(), packed.files().get(0));

@@ -261,6 +261,19 @@ class PlacementEditsTest {
   }
 
   @Test
+  void choicesOfASwitchAreNeitherGroupedNorUngrouped() {
+    EnrichmentScenes scene =
+        EnrichmentScenes.with(
+            "<Switch DEF='S' whichChoice='0'><Transform DEF='A'><Shape DEF='X'/><Shape/></Transform>"
+                + "<Group DEF='B'><Shape/></Group></Switch>");
+    assertThatThrownBy(() -> groups(scene).ungroup(named(scene, "A")))
+        .hasMessageContaining("is a choice of");
+    assertThatThrownBy(
+            () -> groups(scene).group(List.of(named(scene, "A"), named(scene, "B")), "G"))
+        .hasMessageContaining("is a choice of");
+  }
+
+  @Test
   void ungroupedNodesStayWhereTheyAre() {
     EnrichmentScenes scene =
         EnrichmentScenes.with(

@@ -55,11 +55,12 @@ class BudgetFilesTest {
   private List<String> findings(String budget) throws IOException {
     ValidationSettings settings = settings(budget, new ProblemCollector()).orElseThrow();
     return new Validator(RuleCatalogue.standard(), settings, folder)
-        .validate(
-            Stream.of("rooms/living.x3d", "house.x3d")
-                .map(name -> SourceFile.of(folder.resolve(name), folder))
-                .toList())
-        .findings().stream()
+            .validate(
+                Stream.of("rooms/living.x3d", "house.x3d")
+                    .map(name -> SourceFile.of(folder.resolve(name), folder))
+                    .toList())
+            .findings()
+            .stream()
             .filter(finding -> finding.rule().id().startsWith("SR50"))
             .map(finding -> finding.location().file() + " " + finding.rule().id())
             .toList();

@@ -48,7 +48,8 @@ class SceneTreePanelTest {
           () -> {
             Rectangle row = tree.getPathBounds(tree.getSelectionPath());
             Rectangle seen = tree.getVisibleRect();
-            row.width = Math.min(row.width, seen.width); // a theme's rows may be wider than the view
+            row.width =
+                Math.min(row.width, seen.width); // a theme's rows may be wider than the view
             return seen.contains(row);
           });
       GuiRobot.picture(frame.getContentPane(), "tree-deep", 1);
