@@ -44,7 +44,12 @@ public final class ExampleFiles {
       for (ZipEntry entry : (Iterable<ZipEntry>) jar.stream().map(ZipEntry.class::cast)::iterator) {
         if (entry.getName().startsWith(ROOT) && !entry.isDirectory()) {
           try (InputStream content = jar.getInputStream(entry)) {
-            examples.put(entry.getName().substring(ROOT.length()), content.readNBytes(MOST));
+            byte[] bytes = content.readNBytes(MOST + 1);
+            if (bytes.length > MOST) {
+              throw new IOException(
+                  "%s of %s is longer than an example may be".formatted(entry.getName(), place));
+            }
+            examples.put(entry.getName().substring(ROOT.length()), bytes);
           }
         }
       }

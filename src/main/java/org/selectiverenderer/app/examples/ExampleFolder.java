@@ -29,7 +29,7 @@ public final class ExampleFolder {
     return folder.resolve(name);
   }
 
-  /** What has been done with each file of the examples. */
+  /** Tells what has been done with each file of the examples. */
   public record Copies(List<Path> written, List<Path> changed) {
     /**
      * @param written files that were not there

@@ -12,7 +12,7 @@ import org.selectiverenderer.base.files.HomeFolder;
 
 /** Finds the folder of the user's documents, whose name depends on the language of a desktop. */
 public final class DocumentsFolder {
-  /** Of xdg-user-dirs, which most desktops of Linux use. */
+  /** Reads the setting of xdg-user-dirs, which most desktops of Linux use. */
   private static final Pattern NAMED =
       Pattern.compile("(?m)^XDG_DOCUMENTS_DIR=\"(\\$HOME)?(/?[^\"$`\\\\]*)\"");
 

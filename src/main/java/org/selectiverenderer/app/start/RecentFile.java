@@ -21,7 +21,7 @@ public record RecentFile(Kind kind, Path file) {
   /** Most files of each kind. */
   private static final int MOST = 6;
 
-  /** What opens a file. */
+  /** Names the command that opens a file. */
   public enum Kind {
     SCENE,
     ENRICHED,

@@ -44,7 +44,7 @@ import picocli.CommandLine.TypeConversionException;
 final class ExperimentNewCommand extends CliCommand {
   private static final String DEFAULT_SCENE = "scenes/apartment-lit.x3d";
 
-  /** What stands in for it where the examples are those that the program brings. */
+  /** The scene that stands in for it where the examples are those that the program brings. */
   private static final String UNLIT_SCENE = "scenes/apartment.x3d";
 
   private static final String GET_EXAMPLES =

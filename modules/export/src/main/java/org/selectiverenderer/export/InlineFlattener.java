@@ -111,19 +111,10 @@ final class InlineFlattener {
 
   private Optional<Inlined> next(SceneDocument document, Path file, Set<Path> around)
       throws IOException {
-    List<DocumentElement> inlines = new ArrayList<>();
-    document
-        .tree()
-        .orElseThrow()
-        .root()
-        .visit(
-            element -> {
-              if (element.name().equals(INLINE) && element.use().isEmpty()) {
-                inlines.add(element);
-              }
-            });
-    for (DocumentElement inline : inlines) {
-      if (inline.text("load").filter("false"::equals).isPresent()) {
+    for (DocumentElement inline : elements(document)) {
+      if (!inline.name().equals(INLINE)
+          || inline.use().isPresent()
+          || inline.text("load").filter("false"::equals).isPresent()) {
         continue;
       }
       Optional<Path> target = target(inline, file);
@@ -200,9 +191,7 @@ final class InlineFlattener {
   private Optional<String> obstacle(
       SceneDocument document, DocumentElement inline, SceneDocument content) {
     String what = "the content of the inlined file, which has enriched nodes, ";
-    List<DocumentElement> all = new ArrayList<>();
-    document.tree().orElseThrow().root().visit(all::add);
-    if (all.stream().anyMatch(element -> imports(element, inline))) {
+    if (elements(document).stream().anyMatch(element -> imports(element, inline))) {
       return Optional.of(what + "is named by an IMPORT, so it cannot take the Inline's place");
     }
     for (DocumentElement at = inline; at.parent().isPresent(); at = at.parent().get()) {
@@ -210,9 +199,7 @@ final class InlineFlattener {
         return Optional.of(what + "is inlined by a prototype; inline it in the scene");
       }
     }
-    List<DocumentElement> inside = new ArrayList<>();
-    content.tree().orElseThrow().root().visit(inside::add);
-    for (DocumentElement element : inside) {
+    for (DocumentElement element : elements(content)) {
       if (MODULES.contains(element.name())) {
         return Optional.of(what + "uses " + element.name() + "; remove the statement");
       }
@@ -282,32 +269,25 @@ final class InlineFlattener {
   /** Makes Groups of the other places where the Inline is used. */
   private static List<TextEdit> uses(SceneDocument document, DocumentElement inline) {
     List<TextEdit> edits = new ArrayList<>();
-    document
-        .tree()
-        .orElseThrow()
-        .root()
-        .visit(
-            element -> {
-              if (element.name().equals(INLINE)
-                  && element.use().isPresent()
-                  && element.use().equals(inline.def())) {
-                int at = element.start() + 1;
-                edits.add(new TextEdit(at, at + INLINE.length(), "Group"));
-                int close = element.end() - INLINE.length() - 1;
-                if (document.text(element).endsWith("</" + INLINE + ">")) {
-                  edits.add(new TextEdit(close, close + INLINE.length(), "Group"));
-                }
-              }
-            });
+    for (DocumentElement element : elements(document)) {
+      if (element.name().equals(INLINE)
+          && element.use().isPresent()
+          && element.use().equals(inline.def())) {
+        int at = element.start() + 1;
+        edits.add(new TextEdit(at, at + INLINE.length(), "Group"));
+        int close = element.end() - INLINE.length() - 1;
+        if (document.text(element).endsWith("</" + INLINE + ">")) {
+          edits.add(new TextEdit(close, close + INLINE.length(), "Group"));
+        }
+      }
+    }
     return edits;
   }
 
   /** Returns the changes that make the urls of a file relative to another one. */
   private List<TextEdit> urls(SceneDocument content, Path from, Path to) {
-    List<DocumentElement> all = new ArrayList<>();
-    content.tree().orElseThrow().root().visit(all::add);
     List<TextEdit> edits = new ArrayList<>();
-    for (UrlField field : new UrlFields(catalogue).of(all)) {
+    for (UrlField field : new UrlFields(catalogue).of(elements(content))) {
       List<String> now =
           field.urls().stream()
               .map(url -> UrlRelativizer.turned(url, folder(from), folder(to)))
@@ -338,35 +318,29 @@ final class InlineFlattener {
       }
     }
     List<TextEdit> edits = new ArrayList<>();
-    content
-        .tree()
-        .orElseThrow()
-        .root()
-        .visit(
-            element -> {
-              boolean names =
-                  DECLARATIONS.contains(element.name()) || element.name().equals("ProtoInstance");
-              String now = names ? renamed.get(element.text("name").orElse("")) : null;
-              if (now != null) {
-                edits.add(content.layout().attribute(element, "name", now));
-              }
-            });
+    for (DocumentElement element : elements(content)) {
+      boolean names =
+          DECLARATIONS.contains(element.name()) || element.name().equals("ProtoInstance");
+      String now = names ? renamed.get(element.text("name").orElse("")) : null;
+      if (now != null) {
+        edits.add(content.layout().attribute(element, "name", now));
+      }
+    }
     return edits;
   }
 
   private static Set<String> declared(SceneDocument document) {
     Set<String> names = new LinkedHashSet<>();
-    document
-        .tree()
-        .orElseThrow()
-        .root()
-        .visit(
-            element -> {
-              if (DECLARATIONS.contains(element.name())) {
-                element.text("name").ifPresent(names::add);
-              }
-            });
+    elements(document).stream()
+        .filter(element -> DECLARATIONS.contains(element.name()))
+        .forEach(element -> element.text("name").ifPresent(names::add));
     return names;
+  }
+
+  private static List<DocumentElement> elements(SceneDocument document) {
+    List<DocumentElement> all = new ArrayList<>();
+    document.tree().orElseThrow().root().visit(all::add);
+    return all;
   }
 
   private static Path folder(Path file) {

@@ -70,7 +70,7 @@ interface UserPrompts {
    */
   Optional<List<ThreeWayMerge.Choice>> merge(ThreeWayMerge merge);
 
-  /** What to do where a scene is saved to a folder from which it does not find its files. */
+  /** The author chooses what to do where a scene is saved to a folder that lacks its files. */
   enum LeftBehind {
     CANCEL,
     /** The files are copied too. */

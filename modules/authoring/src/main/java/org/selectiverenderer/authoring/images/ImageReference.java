@@ -1,5 +1,7 @@
 package org.selectiverenderer.authoring.images;
 
+import java.net.URLDecoder;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -50,12 +52,25 @@ public record ImageReference(DocumentElement element, String field, List<String>
         .map(urls -> new ImageReference(element, field, urls));
   }
 
-  /** Returns the file name of a url; empty for data and for a url that names no file. */
+  /**
+   * Returns the file name of a url, without percent encoding (RFC 3986, 2.1); empty for data and
+   * for a url that names no file.
+   */
   public static Optional<String> fileName(String url) {
     String path = url.strip().replace('\\', '/');
     int end = path.indexOf('#');
     path = end < 0 ? path : path.substring(0, end);
     String name = path.substring(path.lastIndexOf('/') + 1);
-    return path.startsWith("data:") || name.isEmpty() ? Optional.empty() : Optional.of(name);
+    return path.startsWith("data:") || name.isEmpty()
+        ? Optional.empty()
+        : Optional.of(decoded(name));
+  }
+
+  private static String decoded(String name) {
+    try {
+      return URLDecoder.decode(name.replace("+", "%2B"), StandardCharsets.UTF_8);
+    } catch (IllegalArgumentException e) {
+      return name; // its percent sign is one
+    }
   }
 }

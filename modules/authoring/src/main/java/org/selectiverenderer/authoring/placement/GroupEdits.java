@@ -26,6 +26,8 @@ import org.selectiverenderer.x3d.source.TextEdit;
  * not stay as it is.
  */
 public final class GroupEdits {
+  private static final Set<String> DECLARATIONS = Set.of("ProtoDeclare", "ExternProtoDeclare");
+
   private static final Set<String> CHOOSING = Set.of("Switch", "LOD");
 
   private static final Set<String> GROUPS = Set.of("Transform", "Group", "StaticGroup");
@@ -61,12 +63,12 @@ public final class GroupEdits {
    * Puts siblings into a new Transform, in their order.
    *
    * @param nodes children of one group, in any order
-   * @param name the unused DEF name of the new Transform
+   * @param name the DEF name of the new Transform, unused in the scope of the nodes
    */
   public Edit group(List<DocumentElement> nodes, String name) {
-    new NodeEdits(document).check(name);
     List<DocumentElement> siblings =
         nodes.stream().sorted(Comparator.comparingInt(DocumentElement::start)).toList();
+    new NodeEdits(document).check(name, siblings.get(0));
     for (DocumentElement node : siblings) {
       if (!Placement.movable(catalogue, node)) {
         throw new EditRejectedException(
@@ -127,18 +129,34 @@ public final class GroupEdits {
       return last;
     }
     throw new EditRejectedException(
-        "between the selected nodes stand others that share nodes with them (DEF and USE);"
+        "between the selected nodes stand others that share nodes (DEF and USE) or a prototype with them;"
             + " move them together first");
   }
 
-  /** Returns whether a node of the first ones has a DEF that the other ones use. */
+  /**
+   * Returns whether the first nodes define what the others refer to: a DEF that they USE, or a
+   * prototype of which they have an instance.
+   */
   private static boolean meet(List<DocumentElement> defining, List<DocumentElement> using) {
     Set<String> names = new HashSet<>();
-    defining.forEach(node -> node.visit(each -> each.def().ifPresent(names::add)));
-    Set<String> used = new HashSet<>();
-    using.forEach(node -> node.visit(each -> each.use().ifPresent(used::add)));
-    used.retainAll(names);
-    return !used.isEmpty();
+    Set<String> prototypes = new HashSet<>();
+    defining.forEach(
+        node ->
+            node.visit(
+                each -> {
+                  each.def().ifPresent(names::add);
+                  if (DECLARATIONS.contains(each.name())) {
+                    each.text("name").ifPresent(prototypes::add);
+                  }
+                }));
+    List<DocumentElement> inside = new ArrayList<>();
+    using.forEach(node -> node.visit(inside::add));
+    return inside.stream()
+        .anyMatch(
+            each ->
+                each.use().filter(names::contains).isPresent()
+                    || each.name().equals("ProtoInstance")
+                        && each.text("name").filter(prototypes::contains).isPresent());
   }
 
   /** Returns whether an element is a group that may be replaced by what is in it. */

@@ -11,8 +11,8 @@ import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * Where a node stands in the scene, and which Transform places it: itself; the one around it that
- * holds nothing else; else a new one that has to be put around it.
+ * Tells where a node stands in the scene, and which Transform places it: itself; the one around it
+ * that holds nothing else; else a new one that has to be put around it.
  *
  * @param node the node to be placed
  * @param transform the Transform that is changed; empty if a new one is put around the node

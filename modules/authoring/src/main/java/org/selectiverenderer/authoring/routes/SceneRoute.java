@@ -27,7 +27,7 @@ public record SceneRoute(
     String toField,
     Optional<FieldType> type,
     Fault fault) {
-  /** What may be wrong with a ROUTE. */
+  /** Names what may be wrong with a ROUTE. */
   public enum Fault {
     /** Nothing is known to be wrong. */
     NONE,

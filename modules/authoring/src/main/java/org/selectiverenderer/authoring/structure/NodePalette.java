@@ -10,7 +10,7 @@ import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** What can be inserted into a document: templates, and all nodes of the catalogue. */
+/** Lists what can be inserted into a document: templates, and all nodes of the catalogue. */
 public final class NodePalette {
   private static final int PARENTS = 4;
 

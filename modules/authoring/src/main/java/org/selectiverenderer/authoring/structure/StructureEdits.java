@@ -151,6 +151,7 @@ public final class StructureEdits {
     int at = insertion(position, leaving, List.of("<N/>")).from();
     defined(pieces.open(), parent, at, leaving);
     usedAfter(pieces.defined(), parent, at, leaving);
+    declared(at, leaving);
     SourceFormatter layout = document.layout();
     List<TextEdit> changes = new ArrayList<>();
     all.forEach(each -> changes.add(layout.remove(each)));
@@ -267,6 +268,30 @@ public final class StructureEdits {
                     .formatted(each.use().orElse(""), document.location(each.start()).line()));
           }
         });
+  }
+
+  /** Refuses a move after which an instance would come before the declaration of its prototype. */
+  private void declared(int at, Set<DocumentElement> leaving) {
+    for (DocumentElement instance : tree().instances()) {
+      Optional<DocumentElement> declaration =
+          instance.text("name").flatMap(name -> tree().prototype(name.strip(), instance));
+      if (declaration.isEmpty()) {
+        continue;
+      }
+      String name = instance.text("name").orElse("").strip();
+      boolean moves = leaving.stream().anyMatch(each -> each.contains(instance));
+      boolean along = leaving.stream().anyMatch(each -> each.contains(declaration.get()));
+      if (moves && !along && declaration.get().start() >= at) {
+        throw new EditRejectedException(
+            "It has an instance of the prototype %s, which must be before it: choose a place after line %d"
+                .formatted(name, document.location(declaration.get().start()).line()));
+      }
+      if (along && !moves && instance.start() < at) {
+        throw new EditRejectedException(
+            "The prototype %s must stay before its instance in line %d"
+                .formatted(name, document.location(instance.start()).line()));
+      }
+    }
   }
 
   private TextEdit insertion(

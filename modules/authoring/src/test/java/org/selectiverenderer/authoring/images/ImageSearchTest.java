@@ -28,6 +28,12 @@ class ImageSearchTest {
   @TempDir Path folder;
 
   @Test
+  void theNameOfAFileIsThatBehindItsPercentSigns() {
+    assertThat(ImageReference.fileName("maps/my%20wood.png")).hasValue("my wood.png");
+    assertThat(ImageReference.fileName("a+b%2.png")).hasValue("a+b%2.png");
+  }
+
+  @Test
   void missingImagesAreFoundByNameAndNamedRelativeToTheScene() throws IOException {
     SceneDocument document = SceneDocument.of("a.x3d", SCENE.getBytes(StandardCharsets.UTF_8));
     List<ImageReference> references = ImageReference.in(document);

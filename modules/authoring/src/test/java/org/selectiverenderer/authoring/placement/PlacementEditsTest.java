@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import org.joml.Matrix4d;
@@ -32,7 +33,7 @@ class PlacementEditsTest {
     scene.perform(new PlacementEdits(scene.document).place(List.of(placed), "Move"));
   }
 
-  /** Where a point of a node is in the scene. */
+  /** Returns where a point of a node is in the scene. */
   private static Vector3d at(EnrichmentScenes scene, String def, double x, double y, double z) {
     Matrix4d world =
         new Matrix4d(LocalCoordinateSystem.of(named(scene, def)).orElseThrow().world());
@@ -258,6 +259,43 @@ class PlacementEditsTest {
         .isEqualTo(
             "<Shape DEF='B'/><Transform DEF='G'><Shape DEF='A'/><Group DEF='C'><Shape USE='B'/>"
                 + "</Group></Transform>\n");
+  }
+
+  @Test
+  void aDeclarationStaysBeforeItsInstanceWhenNodesAreGrouped() {
+    EnrichmentScenes scene =
+        EnrichmentScenes.with(
+            "<Shape DEF='A'/><ProtoDeclare name='P'><ProtoBody><Shape/></ProtoBody></ProtoDeclare>"
+                + "<ProtoInstance DEF='C' name='P'/>");
+    scene.perform(groups(scene).group(List.of(named(scene, "A"), named(scene, "C")), "G"));
+    assertThat(scene.nodes())
+        .isEqualToIgnoringWhitespace(
+            "<ProtoDeclare name='P'><ProtoBody><Shape/></ProtoBody></ProtoDeclare>"
+                + "<Transform DEF='G'><Shape DEF='A'/><ProtoInstance DEF='C' name='P'/></Transform>");
+  }
+
+  @Test
+  void aGroupInAPrototypeIsNamedInItsScope() {
+    EnrichmentScenes scene =
+        EnrichmentScenes.with(
+            "<Shape DEF='Outside'/><ProtoDeclare name='P'><ProtoBody><Group DEF='Inside'><Shape/>"
+                + "</Group></ProtoBody></ProtoDeclare>");
+    List<DocumentElement> shape = new ArrayList<>();
+    scene
+        .document
+        .tree()
+        .orElseThrow()
+        .root()
+        .visit(
+            each -> {
+              if (each.name().equals("Shape") && each.def().isEmpty()) {
+                shape.add(each);
+              }
+            });
+    assertThatThrownBy(() -> groups(scene).group(shape, "Inside"))
+        .isInstanceOf(EditRejectedException.class);
+    scene.perform(groups(scene).group(shape, "Outside"));
+    assertThat(scene.nodes()).contains("<Transform DEF='Outside'><Shape/></Transform>");
   }
 
   @Test

@@ -11,7 +11,7 @@ import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** What can be inserted where. */
+/** The palette lists what can be inserted where. */
 class NodePaletteTest {
   private final NodeCatalogue catalogue = NodeCatalogue.load();
   private final SceneDocument document;

@@ -239,6 +239,24 @@ class StructureEditsTest {
   }
 
   @Test
+  void aPrototypeStaysBeforeItsInstances() {
+    document =
+        open(
+            "<X3D><Scene><Group DEF='G'/><ProtoDeclare name='P'><ProtoBody><Shape/></ProtoBody>"
+                + "</ProtoDeclare><ProtoInstance DEF='I' name='P'/></Scene></X3D>");
+    DocumentElement declaration = scene().children().get(1);
+    assertThatThrownBy(() -> edits().move(List.of(named("I")), new ChildPosition(scene(), 0)))
+        .hasMessageContaining("prototype P")
+        .hasMessageContaining("must be before");
+    assertThatThrownBy(() -> edits().move(List.of(declaration), ChildPosition.last(scene())))
+        .hasMessageContaining("must stay before its instance in line 1");
+    perform(edits().move(List.of(declaration, named("I")), new ChildPosition(scene(), 0)));
+    assertThat(scene().children())
+        .extracting(DocumentElement::name)
+        .containsExactly("ProtoDeclare", "ProtoInstance", "Group");
+  }
+
+  @Test
   void siblingsMoveUpAndDownByOnePlace() {
     assertThat(perform(edits().step(List.of(named("Clock")), false)))
         .containsExactly("TimeSensor Clock");

@@ -47,7 +47,7 @@ public final class FormPanel extends JPanel {
   /**
    * @param pictures renders the thumbnails of versions; owned and closed by the caller
    */
-  /** What is shown in place of a form; empty while there is one. */
+  /** Returns what is shown in place of a form; empty while there is one. */
   private String hinted = "";
 
   public FormPanel(EnricherSession session, VersionImageRenderer pictures) {

@@ -22,7 +22,7 @@ import org.selectiverenderer.swing.WindowPacker;
 public final class ImportDialog extends JDialog {
   private static final long serialVersionUID = 1L;
 
-  /** What becomes of the model. */
+  /** Names what becomes of the model. */
   public enum Way {
     /** An X3D file beside the scene, with its pictures, is inlined. */
     COPY,

@@ -1,7 +1,6 @@
 package org.selectiverenderer.enricher.insert;
 
 import java.awt.Component;
-import java.io.File;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -19,6 +18,7 @@ import org.selectiverenderer.enricher.menu.StructureCommands;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.url.UrlRelativizer;
 import org.selectiverenderer.x3d.write.FieldValueFormatter;
 
 /** The commands that insert templates and nodes at the selection. */
@@ -103,10 +103,7 @@ public final class InsertCommands {
     Path folder = session.file().path().toAbsolutePath().getParent();
     Path path = file.toAbsolutePath().normalize();
     boolean near = folder != null && Objects.equals(folder.getRoot(), path.getRoot());
-    String url =
-        near
-            ? folder.normalize().relativize(path).toString().replace(File.separatorChar, '/')
-            : path.toUri().toString();
+    String url = near ? UrlRelativizer.between(folder, path) : path.toUri().toString();
     String name = String.valueOf(path.getFileName()).replaceFirst("\\.[^.]*$", "");
     NodeTemplate placed = inFront(template).with("Inline", "url", FieldValueFormatter.strings(url));
     return placed.with("Transform", "DEF", structure.free(name.isBlank() ? "Model" : name));

@@ -3,7 +3,7 @@ package org.selectiverenderer.enricher.placement;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What the handles of selected nodes do, and whether clicks measure; shared by all views. */
+/** Holds what the handles of selected nodes do, and whether clicks measure, for all views. */
 public final class HandleSettings {
   /** What the handles do. */
   public enum Mode {

@@ -192,13 +192,15 @@ public final class PlacementCommands {
   /** Puts each selected node on what is below it. */
   public void putOnFloor() {
     long revision = session.document().revision();
+    List<DocumentElement> nodes = outermost();
     probe.boxes(
-        outermost(),
+        nodes,
         boxes ->
             probe.support(
                 boxes,
                 heights -> {
-                  if (revision == session.document().revision()) {
+                  // Heights of nodes that are no longer those selected would move others.
+                  if (revision == session.document().revision() && nodes.equals(outermost())) {
                     putOnFloor(boxes, heights);
                   }
                 }));
@@ -255,12 +257,13 @@ public final class PlacementCommands {
     }
     session.attempt(
         () -> {
-          String name = new NodeEdits(session.document()).free("Group");
+          String name = new NodeEdits(session.document()).free("Group", nodes.get(0));
+          DocumentElement parent = nodes.get(0).parent().orElseThrow();
           session.document().perform(groups().group(nodes, name));
           session
               .document()
               .tree()
-              .flatMap(tree -> tree.named(name))
+              .flatMap(tree -> tree.named(name, parent.attached() ? parent : tree.root()))
               .ifPresent(group -> session.select(group, this));
         });
   }

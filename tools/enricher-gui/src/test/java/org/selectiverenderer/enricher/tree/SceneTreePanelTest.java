@@ -1,5 +1,7 @@
 package org.selectiverenderer.enricher.tree;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
 import java.awt.Rectangle;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -52,6 +54,9 @@ class SceneTreePanelTest {
                 Math.min(row.width, seen.width); // a theme's rows may be wider than the view
             return seen.contains(row);
           });
+      assertThat(GuiRobot.onEdt(() -> tree.getVisibleRect().x))
+          .as("how far it is scrolled sideways")
+          .isPositive();
       GuiRobot.picture(frame.getContentPane(), "tree-deep", 1);
     } finally {
       GuiRobot.onEdt(
