@@ -5,7 +5,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.authoring.packaging.PackageWriter;
 import org.selectiverenderer.authoring.packaging.PackagedFile;
@@ -21,7 +23,9 @@ import org.selectiverenderer.command.output.CommandException;
 import org.selectiverenderer.command.output.Console;
 import org.selectiverenderer.command.output.ExitStatus;
 import org.selectiverenderer.control.SelectiveController;
+import org.selectiverenderer.export.ExportedScene;
 import org.selectiverenderer.export.SceneExporter;
+import org.selectiverenderer.export.WebFolder;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.write.SceneFormat;
 import picocli.CommandLine.Command;
@@ -32,20 +36,23 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "export",
     description = {
-      "Writes a copy of an enriched scene that any X3D browser with Scripts renders selectively.",
+      "Writes a copy of an enriched scene that any X3D browser with Scripts renders selectively, or a"
+          + " web page that shows it.",
       "The controller becomes a Script of the scene, with ROUTEs from its ProximitySensors and to its"
           + " Switches. All files that the scene names are copied into DIR. Nothing is written when"
           + " something cannot be exported."
     },
     footer = {
       "  ./selective-renderer export scenes/trashcan.x3d --to x3d trashcan-export",
-      "  ./selective-renderer export scenes/apartment.x3d --to x3dv apartment-export"
+      "  ./selective-renderer export scenes/apartment.x3d --to x3dv apartment-export",
+      "  ./selective-renderer export scenes/apartment.x3d --to web apartment-web"
     })
 public final class ExportCommand extends CliCommand {
   private enum Form {
     x3d(SceneFormat.XML),
     x3dv(SceneFormat.CLASSIC),
-    json(SceneFormat.JSON);
+    json(SceneFormat.JSON),
+    web(SceneFormat.XML);
 
     private final SceneFormat format;
 
@@ -63,7 +70,9 @@ public final class ExportCommand extends CliCommand {
       names = "--to",
       paramLabel = "FORM",
       required = true,
-      description = "encoding of the scene: ${COMPLETION-CANDIDATES}; its files keep theirs")
+      description =
+          "what is written: the scene as x3d, x3dv or json, with its files in their encodings; or web,"
+              + " a page for web browsers")
   private @Nullable Form form;
 
   @Mixin private ConditionOptions condition = new ConditionOptions();
@@ -90,36 +99,42 @@ public final class ExportCommand extends CliCommand {
       throw CommandException.environment("DIR %s: is a file, not a folder".formatted(folder));
     }
     ProblemCollector problems = new ProblemCollector(console()::problem);
-    Optional<ScenePackage> exported =
+    Optional<ExportedScene> exported =
         new SceneExporter(NodeCatalogue.load(), access.access(), problems)
-            .export(scene.file(), settings.condition(), (int) settings.seed(), to.format, name(to));
+            .export(
+                scene.file(),
+                settings.condition(),
+                (int) settings.seed(),
+                to.format,
+                name(to),
+                to == Form.web ? WebFolder::name : UnaryOperator.identity());
     if (exported.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
-    for (ScenePackage.LeftOut left : exported.get().left()) {
+    for (ScenePackage.LeftOut left : exported.get().files().left()) {
       problems.error(
           SourceLocation.of(left.file()),
           "url '%s' %s; the export would lack it".formatted(left.url(), left.reason()));
     }
-    return problems.anyError() ? ExitStatus.PROBLEMS : write(exported.get());
+    if (problems.anyError()) {
+      return ExitStatus.PROBLEMS;
+    }
+    return to == Form.web
+        ? writePage(exported.get(), settings)
+        : writeScene(exported.get().files());
   }
 
   private String name(Form to) {
     String name = String.valueOf(scene.file().getFileName());
     int dot = name.indexOf('.', 1);
-    return (dot < 0 ? name : name.substring(0, dot)) + "." + to;
+    String stem = dot < 0 ? name : name.substring(0, dot);
+    return to == Form.web ? WebFolder.name(stem + ".x3d") : stem + "." + to;
   }
 
-  private ExitStatus write(ScenePackage exported) throws IOException {
+  private ExitStatus writeScene(ScenePackage exported) throws IOException {
     List<PackagedFile> files = new ArrayList<>(List.of(exported.scene()));
     files.addAll(exported.files());
-    List<Path> conflicts = PackageWriter.conflicts(files, folder);
-    if (!conflicts.isEmpty()) {
-      throw CommandException.environment(
-          "DIR %s: has another %s already; name a new or empty folder"
-              .formatted(folder, folder.relativize(conflicts.get(0))));
-    }
-    PackageWriter.intoFolder(files, folder, share -> {});
+    write(files);
     console()
         .line(
             "%s: %s"
@@ -127,5 +142,46 @@ public final class ExportCommand extends CliCommand {
                     folder.resolve(exported.scene().target()),
                     Pluralizer.of(exported.files().size(), "other file")));
     return ExitStatus.DONE;
+  }
+
+  private ExitStatus writePage(ExportedScene exported, SelectiveController.Settings settings)
+      throws IOException {
+    WebFolder web =
+        WebFolder.around(exported, settings.condition(), (int) settings.seed())
+            .orElseThrow(
+                () ->
+                    CommandException.environment(
+                        "--to web: this program was built without the page; install Node.js 20 or"
+                            + " later with npm, and build it again"));
+    List<PackagedFile> files = new ArrayList<>(web.page());
+    files.addAll(web.scene());
+    write(files);
+    console().line("%s: a page for any web server".formatted(folder.resolve("index.html")));
+    console()
+        .line(
+            "  the scene: %s in %s; its texts had %s before compression"
+                .formatted(
+                    megabytes(web.sceneBytes()),
+                    Pluralizer.of(web.scene().size(), "file"),
+                    megabytes(web.plainBytes())));
+    console()
+        .line(
+            "  the page: %s, and %s that are loaded where a scene needs them"
+                .formatted(megabytes(web.pageBytes()), megabytes(web.partBytes())));
+    return ExitStatus.DONE;
+  }
+
+  private static String megabytes(long bytes) {
+    return String.format(Locale.ROOT, "%.1f MB", bytes / 1e6);
+  }
+
+  private void write(List<PackagedFile> files) throws IOException {
+    List<Path> conflicts = PackageWriter.conflicts(files, folder);
+    if (!conflicts.isEmpty()) {
+      throw CommandException.environment(
+          "DIR %s: has another %s already; name a new or empty folder"
+              .formatted(folder, folder.relativize(conflicts.get(0))));
+    }
+    PackageWriter.intoFolder(files, folder, share -> {});
   }
 }

@@ -9,6 +9,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.authoring.UniqueNameGenerator;
@@ -63,11 +64,17 @@ public final class SceneExporter {
    * @param seed the random seed of the condition {@code random}
    * @param format the encoding of the scene; files that it names keep theirs
    * @param name the file name of the exported scene
+   * @param names gives the other files their names
    * @return empty if it cannot be exported, which is reported as an error
    * @throws IOException if a file cannot be read, with a sentence
    */
-  public Optional<ScenePackage> export(
-      Path scene, Condition condition, int seed, SceneFormat format, String name)
+  public Optional<ExportedScene> export(
+      Path scene,
+      Condition condition,
+      int seed,
+      SceneFormat format,
+      String name,
+      UnaryOperator<String> names)
       throws IOException {
     Path folder = Objects.requireNonNull(scene.toRealPath().getParent());
     UrlResolver resolver = new UrlResolver(folder, access);
@@ -82,11 +89,32 @@ public final class SceneExporter {
       return Optional.empty();
     }
     nameNodes(document, enrichment);
-    addScript(document, ControlledNodes.of(enrichment), condition, seed);
-    ScenePackager packager =
-        new ScenePackager(catalogue, folder, access, PackageLayout.around(folder), () -> false);
+    String script = addScript(document, ControlledNodes.of(enrichment), condition, seed);
+    PackageLayout layout = PackageLayout.around(folder, names);
+    ScenePackager packager = new ScenePackager(catalogue, folder, access, layout, () -> false);
     ScenePackage files = packager.collect(scene, document.snapshot(), Path.of(name));
-    return format == SceneFormat.XML ? Optional.of(files) : encoded(files, format);
+    return Optional.of(
+        new ExportedScene(
+            format == SceneFormat.XML ? files : encoded(files, format),
+            script,
+            title(document).orElse(stem(scene))));
+  }
+
+  /** Returns the title that the head of a document names (X3D 4.0, 7.2.6). */
+  private static Optional<String> title(SceneDocument document) {
+    return document.tree().orElseThrow().root().children().stream()
+        .filter(element -> element.name().equals("head"))
+        .flatMap(head -> head.children().stream())
+        .filter(meta -> meta.text("name").filter("title"::equals).isPresent())
+        .flatMap(meta -> meta.text("content").filter(text -> !text.isBlank()).stream())
+        .findFirst();
+  }
+
+  /** Returns the name of a file without its ending. */
+  private static String stem(Path file) {
+    String name = String.valueOf(file.getFileName());
+    int dot = name.indexOf('.', 1);
+    return dot < 0 ? name : name.substring(0, dot);
   }
 
   private boolean exportable(SceneDocument document, DocumentEnrichment enrichment, Path scene) {
@@ -147,16 +175,18 @@ public final class SceneExporter {
     return document.layout().attribute(element, "DEF", name);
   }
 
-  private static void addScript(
+  /** Adds the Script, and returns its name. */
+  private static String addScript(
       SceneDocument document, ControlledNodes nodes, Condition condition, int seed) {
     var tree = document.tree().orElseThrow();
     DocumentElement scene = tree.scene().orElseThrow();
     String def = new UniqueNameGenerator(tree, scene).unused(SCRIPT);
     List<String> lines = new ControllerScript(nodes, def).lines(condition, seed);
     document.perform(new Edit("Script", List.of(document.layout().insertLast(scene, lines))));
+    return def;
   }
 
-  private Optional<ScenePackage> encoded(ScenePackage files, SceneFormat format)
+  private ScenePackage encoded(ScenePackage files, SceneFormat format)
       throws IOException {
     byte[] xml = files.scene().changed().orElseThrow();
     XmlDocument document =
@@ -165,6 +195,6 @@ public final class SceneExporter {
     byte[] bytes = format.text(document, catalogue, problems).getBytes(StandardCharsets.UTF_8);
     PackagedFile scene =
         new PackagedFile(files.scene().target(), files.scene().source(), Optional.of(bytes));
-    return Optional.of(new ScenePackage(scene, files.files(), files.left(), List.of()));
+    return new ScenePackage(scene, files.files(), files.left(), List.of());
   }
 }

@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -67,7 +68,8 @@ class SceneExporterTest {
   private Optional<ScenePackage> export(String content, SceneFormat format) throws IOException {
     Path file = Files.writeString(folder.resolve("house.x3d"), content);
     return new SceneExporter(NodeCatalogue.load(), ContentAccessPolicy.none(), problems)
-        .export(file, Condition.SELECTIVE, 0, format, "house.x3d");
+        .export(file, Condition.SELECTIVE, 0, format, "house.x3d", UnaryOperator.identity())
+        .map(ExportedScene::files);
   }
 
   private String exported(String content) throws IOException {

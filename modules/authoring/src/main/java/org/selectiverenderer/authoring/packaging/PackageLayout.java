@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.UnaryOperator;
 
 /**
  * Places files in a target folder as they lie around the scene: a file beside or below it keeps its
@@ -19,11 +20,14 @@ public final class PackageLayout {
   private final Path folder;
   private final Path into;
   private final Optional<Path> kept;
+  private final UnaryOperator<String> names;
   private final Map<Path, Path> places = new HashMap<>();
   private final Set<String> taken = new HashSet<>();
 
-  private PackageLayout(Path folder, Path into, Optional<Path> kept) {
+  private PackageLayout(
+      Path folder, Path into, Optional<Path> kept, UnaryOperator<String> names) {
     this.folder = folder;
+    this.names = names;
     this.into = into;
     this.kept = kept;
   }
@@ -34,7 +38,17 @@ public final class PackageLayout {
    * @param folder the real path of the scene's folder
    */
   public static PackageLayout around(Path folder) {
-    return new PackageLayout(folder, Path.of(""), Optional.empty());
+    return around(folder, UnaryOperator.identity());
+  }
+
+  /**
+   * Creates a layout of all files around a scene that gives them other names.
+   *
+   * @param folder the real path of the scene's folder
+   * @param names turns the name of a file into that which it gets
+   */
+  public static PackageLayout around(Path folder, UnaryOperator<String> names) {
+    return new PackageLayout(folder, Path.of(""), Optional.empty(), names);
   }
 
   /**
@@ -45,7 +59,7 @@ public final class PackageLayout {
    * @param into the relative path of the folder for the others
    */
   public static PackageLayout beside(Path folder, Path target, Path into) {
-    return new PackageLayout(folder, into, Optional.of(target));
+    return new PackageLayout(folder, into, Optional.of(target), UnaryOperator.identity());
   }
 
   /** Reserves a place. */
@@ -62,7 +76,11 @@ public final class PackageLayout {
   /** Returns the place of a file relative to the target folder. */
   Path of(Path real) {
     return places.computeIfAbsent(
-        real, file -> stays(file) ? kept.get().relativize(file) : free(into.resolve(own(file))));
+        real, file -> stays(file) ? kept.get().relativize(file) : free(into.resolve(named(own(file)))));
+  }
+
+  private Path named(Path place) {
+    return place.resolveSibling(names.apply(String.valueOf(place.getFileName())));
   }
 
   private Path own(Path real) {

@@ -1,0 +1,12 @@
+package org.selectiverenderer.export;
+
+import org.selectiverenderer.authoring.packaging.ScenePackage;
+
+/**
+ * A scene that needs nothing of this program.
+ *
+ * @param files the scene and all that it names
+ * @param controller DEF name of the Script that sets the choices
+ * @param title the scene's title for people: that of its head, or else its file name
+ */
+public record ExportedScene(ScenePackage files, String controller, String title) {}

@@ -1,0 +1,131 @@
+import { Input } from '../scene/input.js';
+import { Walker } from '../scene/walker.js';
+import { CONDITIONS, World, type Condition } from '../scene/world.js';
+import { description, request, type Description, type Request } from './description.js';
+import { Details } from './details.js';
+import { Progress } from './progress.js';
+import { words, type Words } from './words.js';
+
+declare global {
+  interface Window {
+    /** The scene of the page once it is shown, for programs that drive the page. */
+    selectiveRenderer?: World;
+  }
+  interface Navigator {
+    readonly xr?: { isSessionSupported(mode: 'immersive-vr'): Promise<boolean> };
+  }
+}
+
+function element(id: string): HTMLElement;
+function element<T extends HTMLElement>(id: string, type: new () => T): T;
+function element(id: string, type: new () => HTMLElement = HTMLElement): HTMLElement {
+  const found = document.getElementById(id);
+  if (!(found instanceof type)) {
+    throw new Error(`the page lacks the element ${id}`);
+  }
+  return found;
+}
+
+async function show(): Promise<void> {
+  const status = element('status');
+  let text: Words = words(navigator.language);
+  try {
+    const exported = await description('scene.json');
+    const asked = request(location.search, exported, navigator.language);
+    text = words(asked.language);
+    document.documentElement.lang = asked.language.toLowerCase().startsWith('el') ? 'el' : 'en';
+    document.title = exported.title;
+    const world = await open(exported, text, status);
+    world.setCondition(asked.condition, asked.seed);
+    status.hidden = true;
+    const details = new Details(element('details'), world, text);
+    controls(world, asked, text);
+    window.selectiveRenderer = world;
+    await walk(world, details);
+  } catch (error) {
+    status.hidden = false;
+    status.classList.add('failed');
+    status.textContent = `${text.failed} ${error instanceof Error ? error.message : String(error)}`;
+  }
+}
+
+async function open(exported: Description, text: Words, status: HTMLElement): Promise<World> {
+  const loaded = new AbortController();
+  new Progress(exported.files, location.href, (percent) => { status.textContent = text.loading(percent); })
+    .follow(loaded.signal);
+  try {
+    return await World.open(element('scene'), exported);
+  } finally {
+    loaded.abort();
+  }
+}
+
+async function walk(world: World, details: Details): Promise<void> {
+  const input = new Input(element('scene'), new AbortController().signal);
+  const walker = new Walker(world, input);
+  const hint = element('hint');
+  for (;;) {
+    await world.nextFrame();
+    walker.move();
+    details.frame();
+    const intent = input.intent();
+    if (intent.forward !== 0 || intent.sideways !== 0) {
+      hint.hidden = true;
+    }
+  }
+}
+
+function controls(world: World, asked: Request, text: Words): void {
+  const touch = window.matchMedia('(pointer: coarse)').matches;
+  element('hint').textContent = touch ? text.walkByTouch : text.walk;
+
+  const condition = element('condition', HTMLSelectElement);
+  condition.setAttribute('aria-label', text.condition);
+  condition.append(...CONDITIONS.map((name) => new Option(text.conditions[name], name, false, name === asked.condition)));
+  condition.addEventListener('change', () => { world.setCondition(condition.value as Condition, asked.seed); });
+
+  const viewpoint = element('viewpoint', HTMLSelectElement);
+  const views = world.viewpoints();
+  viewpoint.hidden = views.length < 2;
+  viewpoint.append(new Option(text.viewpoint, ''), ...views.map((name, i) => new Option(name, String(i))));
+  viewpoint.setAttribute('aria-label', text.viewpoint);
+  viewpoint.addEventListener('change', () => {
+    if (viewpoint.value !== '') {
+      world.visit(Number(viewpoint.value));
+      viewpoint.value = '';
+      viewpoint.blur(); // the arrow keys walk again
+    }
+  });
+
+  const details = element('details');
+  details.hidden = !asked.details;
+  const toggle = element('toggle-details', HTMLButtonElement);
+  toggle.textContent = text.details;
+  const flip = (): void => {
+    details.hidden = !details.hidden;
+    toggle.setAttribute('aria-pressed', String(!details.hidden));
+  };
+  toggle.setAttribute('aria-pressed', String(!details.hidden));
+  toggle.addEventListener('click', flip);
+  document.addEventListener('keydown', (event) => {
+    if (event.key === 'F1') {
+      event.preventDefault();
+      flip();
+    }
+  });
+
+  const full = element('full-screen', HTMLButtonElement);
+  full.textContent = text.fullScreen;
+  full.hidden = !document.fullscreenEnabled;
+  full.addEventListener('click', () => {
+    void (document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen());
+  });
+
+  const headset = element('headset', HTMLButtonElement);
+  headset.textContent = text.headset;
+  void navigator.xr?.isSessionSupported('immersive-vr').then((supported) => { headset.hidden = !supported; });
+  headset.addEventListener('click', () => { world.browser.setBrowserOption('XRSessionMode', 'IMMERSIVE_VR'); });
+  element('bar').hidden = false;
+}
+
+void show();

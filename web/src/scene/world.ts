@@ -1,0 +1,245 @@
+import { angles, orientation, type Pose } from './pose.js';
+import { named, xite, type Browser, type FieldNode, type Namespace, type Scene } from './xite.js';
+
+/** The conditions in which a scene can be shown, as of the command run. */
+export const CONDITIONS = ['selective', 'high', 'high-low', 'random'] as const;
+export type Condition = (typeof CONDITIONS)[number];
+
+/** An entry into an area, an exit, or an object that changes its version. */
+export type WorldEvent =
+  | { readonly kind: 'enter' | 'exit'; readonly area: string }
+  | { readonly kind: 'switch'; readonly object: string; readonly choice: number };
+
+/** Names of what the page needs to know of an exported scene. */
+export interface ExportedScene {
+  /** The scene's address, relative to the page. */
+  readonly file: string;
+  /** DEF name of the Script that controls the versions. */
+  readonly controller: string;
+}
+
+interface Vector {
+  readonly x: number;
+  readonly y: number;
+  readonly z: number;
+}
+
+/** A box about everything, in metres: the sensor in it tells where the viewer is, in a headset too. */
+const EVERYWHERE = 1e6;
+
+/** An exported scene that X_ITE shows. */
+export class World {
+  /** DEF names of the areas' sensors, in the order of the scene. */
+  readonly areas: readonly string[];
+  /** DEF names of the objects' Switches, in the order of the scene. */
+  readonly objects: readonly string[];
+
+  private readonly listeners = new Set<(event: WorldEvent) => void>();
+  private readonly inside = new Set<string>();
+  private readonly viewpoint: FieldNode;
+  private bound: FieldNode | undefined;
+  private head: Pose;
+
+  private constructor(
+    private readonly x3d: Namespace,
+    readonly browser: Browser,
+    private readonly scene: Scene,
+    private readonly controller: FieldNode,
+  ) {
+    this.areas = strings(controller.areaNames);
+    this.objects = strings(controller.objectNames);
+    this.viewpoint = scene.createNode('Viewpoint') as unknown as FieldNode;
+    scene.addRootNode(this.viewpoint);
+    this.head = this.adopt();
+    this.watch();
+  }
+
+  /**
+   * Opens a scene.
+   *
+   * @param canvas X_ITE's element of the page
+   * @throws Error with a sentence if the scene cannot be read or has no controller
+   */
+  static async open(canvas: HTMLElement, exported: ExportedScene): Promise<World> {
+    const x3d = xite();
+    const browser = x3d.getBrowser(canvas as never) as unknown as Browser;
+    try {
+      await browser.loadURL(new x3d.MFString(exported.file));
+    } catch (error) {
+      throw new Error(`${exported.file} cannot be loaded: ${reason(error)}`, { cause: error });
+    }
+    const scene = browser.currentScene;
+    let controller: FieldNode;
+    try {
+      controller = named(scene, exported.controller);
+    } catch (error) {
+      throw new Error(`${exported.file} has no Script ${exported.controller}; export the scene anew`, { cause: error });
+    }
+    const world = new World(x3d, browser, scene, controller);
+    await browser.nextFrame();
+    return world;
+  }
+
+  /** Calls a listener with all events from now on; returns what ends that. */
+  listen(listener: (event: WorldEvent) => void): () => void {
+    this.listeners.add(listener);
+    return () => { this.listeners.delete(listener); };
+  }
+
+  /** Returns the areas that the viewer is in, in the order of the scene. */
+  entered(): string[] {
+    return this.areas.filter((area) => this.inside.has(area));
+  }
+
+  /** Returns the choice that the Switch of an object shows; -1 for none. */
+  choice(object: string): number {
+    return Number(named(this.scene, object).whichChoice);
+  }
+
+  /** Shows the objects as a condition says; the seed draws those of the condition random. */
+  setCondition(condition: Condition, seed: number): void {
+    this.controller.setSeed = seed;
+    this.controller.setCondition = condition;
+  }
+
+  /** Returns the descriptions of the scene's viewpoints, in its order; the first is the one it begins with. */
+  viewpoints(): string[] {
+    return this.views().map((view, i) => String(view.description) || `Viewpoint ${i + 1}`);
+  }
+
+  /** Takes the viewer to a viewpoint of the scene, by its place in the order. */
+  visit(index: number): void {
+    const view = this.views()[index];
+    if (view) {
+      this.bound = view;
+      this.setPose(poseOf(view));
+    }
+  }
+
+  /** Returns where the viewer's eyes are, and where they look. */
+  pose(): Pose {
+    return this.head;
+  }
+
+  /** Places the viewer. */
+  setPose(pose: Pose): void {
+    this.head = pose;
+    const turn = orientation(pose);
+    this.viewpoint.position = new this.x3d.SFVec3f(pose.x, pose.y, pose.z);
+    this.viewpoint.orientation = new this.x3d.SFRotation(turn.x, turn.y, turn.z, turn.angle);
+  }
+
+  /** Returns the part of a horizontal way, in metres, that walls and furniture leave open. */
+  free(x: number, z: number): { x: number; z: number } {
+    const way = this.browser.constrainTranslation(new this.x3d.SFVec3f(x, 0, z)) as Vector | null;
+    return way ? { x: way.x, z: way.z } : { x, z };
+  }
+
+  /** Returns the distance from the eyes down to the floor, in metres; undefined where none is near. */
+  floor(): number | undefined {
+    const below = this.browser.getClosestObject(new this.x3d.SFVec3f(0, -1, 0)) as { distance: number } | null;
+    return below && Number.isFinite(below.distance) && below.distance < 2 * this.walker().eyes
+      ? below.distance
+      : undefined;
+  }
+
+  /** Returns how the scene wants to be walked: metres per second, height of eyes and of the highest step in metres. */
+  walker(): { speed: number; eyes: number; stairs: number } {
+    const info = this.browser.activeNavigationInfo as unknown as FieldNode | null;
+    const size = numbers(info?.avatarSize);
+    return { speed: Number(info?.speed ?? 1), eyes: size[1] ?? 1.6, stairs: size[2] ?? 0.75 };
+  }
+
+  /** Waits for the next frame, and takes over what the scene itself binds. */
+  async nextFrame(): Promise<void> {
+    await this.browser.nextFrame();
+    const info = this.browser.activeNavigationInfo as unknown as FieldNode | null;
+    if (info && strings(info.type).join() !== 'NONE') {
+      // The page moves the viewer itself; X_ITE would do so as well.
+      info.type = new this.x3d.MFString('NONE');
+    }
+    const active = this.browser.activeViewpoint as unknown as FieldNode | null;
+    if (active && !same(active, this.viewpoint)) {
+      this.head = this.adopt();
+    }
+  }
+
+  /** Begins at the viewpoint that the scene has bound, with a viewpoint of the page's own. */
+  private adopt(): Pose {
+    const active = this.browser.activeViewpoint as unknown as FieldNode | null;
+    if (active && !same(active, this.viewpoint)) {
+      this.bound = active;
+      this.viewpoint.fieldOfView = active.fieldOfView ?? Math.PI / 4;
+    }
+    const pose = this.bound ? poseOf(this.bound) : { x: 0, y: 0, z: 10, yaw: 0, pitch: 0, roll: 0 };
+    this.viewpoint.jump = true;
+    this.setPose(pose);
+    this.viewpoint.set_bind = true;
+    return pose;
+  }
+
+  private views(): FieldNode[] {
+    const found: FieldNode[] = [];
+    for (const node of this.scene.rootNodes as unknown as Iterable<FieldNode | null>) {
+      if (node?.getNodeTypeName() === 'Viewpoint' && !same(node, this.viewpoint)) {
+        found.push(node);
+      }
+    }
+    return found;
+  }
+
+  private watch(): void {
+    for (const area of this.areas) {
+      named(this.scene, area).addFieldCallback(this, 'isActive', (active) => {
+        if (active) {
+          this.inside.add(area);
+        } else {
+          this.inside.delete(area);
+        }
+        this.tell({ kind: active ? 'enter' : 'exit', area });
+      });
+    }
+    for (const object of this.objects) {
+      named(this.scene, object).addFieldCallback(this, 'whichChoice', (choice) => {
+        this.tell({ kind: 'switch', object, choice: Number(choice) });
+      });
+    }
+    const sensor = this.scene.createNode('ProximitySensor') as unknown as FieldNode;
+    sensor.size = new this.x3d.SFVec3f(EVERYWHERE, EVERYWHERE, EVERYWHERE);
+    this.scene.addRootNode(sensor);
+    sensor.addFieldCallback(this, 'position_changed', (value) => {
+      const { x, y, z } = value as Vector;
+      this.head = { ...this.head, x, y, z };
+    });
+    sensor.addFieldCallback(this, 'orientation_changed', (value) => {
+      this.head = { ...this.head, ...angles(value as Vector & { angle: number }) };
+    });
+  }
+
+  private tell(event: WorldEvent): void {
+    for (const listener of this.listeners) {
+      listener(event);
+    }
+  }
+}
+
+function poseOf(view: FieldNode): Pose {
+  const at = view.position as Vector;
+  return { x: at.x, y: at.y, z: at.z, ...angles(view.orientation as Vector & { angle: number }) };
+}
+
+function same(one: FieldNode, other: FieldNode): boolean {
+  return one === other || (one as unknown as { equals?: (node: unknown) => boolean }).equals?.(other) === true;
+}
+
+function strings(field: unknown): string[] {
+  return [...(field as Iterable<unknown>)].map(String);
+}
+
+function numbers(field: unknown): number[] {
+  return field === undefined ? [] : [...(field as Iterable<unknown>)].map(Number);
+}
+
+function reason(error: unknown): string {
+  return error instanceof Error ? error.message : String(error);
+}
