@@ -8,8 +8,8 @@ import { words, type Words } from './words.js';
 
 declare global {
   interface Window {
-    /** The scene of the page once it is shown, for programs that drive the page. */
-    selectiveRenderer?: World;
+    /** The scene of the page and what walks in it, once it is shown, for programs that drive the page. */
+    selectiveRenderer?: { readonly world: World; readonly walker: Walker };
   }
   interface Navigator {
     readonly xr?: { isSessionSupported(mode: 'immersive-vr'): Promise<boolean> };
@@ -40,8 +40,10 @@ async function show(): Promise<void> {
     status.hidden = true;
     const details = new Details(element('details'), world, text);
     controls(world, asked, text);
-    window.selectiveRenderer = world;
-    await walk(world, details);
+    const input = new Input(element('scene'), new AbortController().signal);
+    const walker = new Walker(world, input);
+    window.selectiveRenderer = { world, walker };
+    await walk(world, walker, input, details);
   } catch (error) {
     status.hidden = false;
     status.classList.add('failed');
@@ -60,9 +62,7 @@ async function open(exported: Description, text: Words, status: HTMLElement): Pr
   }
 }
 
-async function walk(world: World, details: Details): Promise<void> {
-  const input = new Input(element('scene'), new AbortController().signal);
-  const walker = new Walker(world, input);
+async function walk(world: World, walker: Walker, input: Input, details: Details): Promise<void> {
   const hint = element('hint');
   for (;;) {
     await world.nextFrame();

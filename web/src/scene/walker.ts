@@ -7,6 +7,9 @@ const LONGEST = 0.1;
 
 /** Moves the viewer of a world as keys, mouse and fingers want. */
 export class Walker {
+  /** Whether the viewer is moved; a path that is replayed switches this off. */
+  walks = true;
+
   private last = performance.now();
   private still = 0;
 
@@ -22,6 +25,9 @@ export class Walker {
     this.last = now;
     const intent = this.input.intent();
     const drag = this.input.dragged();
+    if (!this.walks) {
+      return;
+    }
     const moves = intent.forward !== 0 || intent.sideways !== 0;
     const turns = intent.turning !== 0 || drag.left !== 0 || drag.up !== 0;
     // Looking for the floor draws the scene once more: after a step, and until the eyes are at their height.

@@ -100,14 +100,20 @@ public final class SceneExporter {
             title(document).orElse(stem(scene))));
   }
 
-  /** Returns the title that the head of a document names (X3D 4.0, 7.2.6). */
+  /** Returns the title that the first WorldInfo with one tells (X3D 4.0, 10.4.5). */
   private static Optional<String> title(SceneDocument document) {
-    return document.tree().orElseThrow().root().children().stream()
-        .filter(element -> element.name().equals("head"))
-        .flatMap(head -> head.children().stream())
-        .filter(meta -> meta.text("name").filter("title"::equals).isPresent())
-        .flatMap(meta -> meta.text("content").filter(text -> !text.isBlank()).stream())
-        .findFirst();
+    List<String> titles = new ArrayList<>();
+    document
+        .tree()
+        .orElseThrow()
+        .root()
+        .visit(
+            element -> {
+              if (element.name().equals("WorldInfo")) {
+                element.text("title").filter(text -> !text.isBlank()).ifPresent(titles::add);
+              }
+            });
+    return titles.stream().findFirst();
   }
 
   /** Returns the name of a file without its ending. */
