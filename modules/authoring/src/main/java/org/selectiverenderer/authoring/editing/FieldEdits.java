@@ -49,10 +49,20 @@ public final class FieldEdits {
     };
   }
 
+  /** Returns why a field cannot be without a written value; empty if it can. */
+  public Optional<String> wrongReset(DocumentElement element, NodeField field) {
+    boolean named =
+        field.name().equals("DEF")
+            || field.name().equals("name") && InterfaceFieldList.applies(element);
+    return named && field.ofPrototype().isEmpty() ? wrong(element, field, "") : field.readOnly();
+  }
+
   private Optional<String> wrongPrototype(DocumentElement instance, String name) {
     return InterfaceFieldList.declaration(document, name.strip(), instance).isPresent()
         ? Optional.empty()
-        : Optional.of("No prototype before this instance has the name " + name + ".");
+        : Optional.of(name.isBlank()
+                ? "An instance needs the name of its prototype."
+                : "No prototype before this instance has the name " + name + ".");
   }
 
   private Optional<String> wrongInstance(

@@ -147,7 +147,8 @@ class PrototypeFieldsTest {
 
   @Test
   void theDeclarationIsThatOfTheScope() {
-    assertThat(declared(at("<ProtoInstance name=\"Leg\" DEF=\"InnerLeg\""))).containsExactly("inner");
+    assertThat(declared(at("<ProtoInstance name=\"Leg\" DEF=\"InnerLeg\"")))
+        .containsExactly("inner");
     assertThat(declared(named("OuterLeg"))).containsExactly("outer");
     assertThat(declared(named("U"))).containsExactly("a");
     assertThat(wrong("U", "a", "2")).isEmpty(); // nobody knows
@@ -228,6 +229,8 @@ class PrototypeFieldsTest {
     NodeField name = fields(named("Plain")).get(0);
     assertThat(edits().wrong(named("Plain"), name, "Lamp")).isEmpty();
     assertThat(edits().wrong(named("Plain"), name, "Sofa").orElseThrow()).contains("Sofa");
+    assertThat(edits().wrongReset(named("Plain"), name).orElseThrow()).contains("needs the name");
+    assertThat(edits().wrongReset(named("Plain"), field(named("Plain"), "DEF"))).isEmpty();
   }
 
   @Test
@@ -280,7 +283,8 @@ class PrototypeFieldsTest {
             <x:field name='c' type='SFColor' accessType='inputOutput'/>
             </x:ProtoInterface><x:ProtoBody><x:Group/></x:ProtoBody></x:ProtoDeclare>
             <x:ProtoInstance name='P' DEF='A'/>
-            <x:ProtoInstance name='P' DEF='B'><x:fieldValue name='c' value='&red;'/></x:ProtoInstance>
+            <x:ProtoInstance name='P' DEF='B'>
+            <x:fieldValue name='c' value='&red;'/></x:ProtoInstance>
             </x:Scene></x:X3D>
             """);
     set("A", "c", "0 0 1");
