@@ -17,6 +17,8 @@ import javax.swing.text.JTextComponent;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.ResourceLock;
+import org.junit.jupiter.api.parallel.Resources;
 import org.selectiverenderer.enricher.EventThread;
 import org.selectiverenderer.testing.ShowsWindows;
 import org.selectiverenderer.x3d.source.DocumentElement;
@@ -180,6 +182,7 @@ class PrototypeFormTest {
   }
 
   @Test
+  @ResourceLock(Resources.LOCALE)
   void picturesInGreek() throws Exception {
     Locale before = Locale.getDefault(Locale.Category.DISPLAY);
     Locale.setDefault(Locale.Category.DISPLAY, Locale.forLanguageTag("el"));
