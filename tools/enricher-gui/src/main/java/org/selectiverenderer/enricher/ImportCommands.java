@@ -123,7 +123,7 @@ final class ImportCommands {
     }
     try {
       InlineEdits.Added added =
-          new InlineEdits(session.document())
+          new InlineEdits(session.document(), session.catalogue())
               .add(session.file().path(), model.file(), model.onto(point));
       session.document().perform(added.edit(), model.files());
       bench.lookAtFilesAgain();
