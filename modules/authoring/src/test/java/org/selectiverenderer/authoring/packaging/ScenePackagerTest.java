@@ -331,4 +331,83 @@ class ScenePackagerTest {
     assertThat(again.files()).hasSize(5);
     assertThat(again.edits()).isEmpty();
   }
+
+  /** Returns all files below a folder with their contents. */
+  private static List<String> tree(Path folder) throws IOException {
+    try (var all = Files.walk(folder)) {
+      return all.map(
+              path -> {
+                try {
+                  return folder.relativize(path)
+                      + (Files.isRegularFile(path) ? "=" + Files.readString(path) : "");
+                } catch (IOException e) {
+                  throw new java.io.UncheckedIOException(e);
+                }
+              })
+          .sorted()
+          .toList();
+    }
+  }
+
+  @Test
+  void aCancelledOrFailedPackageLeavesNothingBehindAndRestoresWhatItReplaced()
+      throws IOException {
+    ScenePackage packed =
+        collect("<ImageTexture url='\"textures/wood.png\"'/><ImageTexture url='\"sky.png\"'/>");
+    Path target = Files.createDirectories(folder.resolve("target"));
+    Files.writeString(target.resolve("sky.png"), "mine");
+    List<String> before = tree(target);
+    assertThatThrownBy(
+            () ->
+                PackageWriter.intoFolder(
+                    packed.files(),
+                    target,
+                    done -> {
+                      if (done > 0.5) {
+                        throw new java.util.concurrent.CancellationException();
+                      }
+                    }))
+        .isInstanceOf(java.util.concurrent.CancellationException.class);
+    assertThat(tree(target)).isEqualTo(before);
+
+    Path fresh = folder.resolve("deep/er");
+    assertThatThrownBy(
+            () ->
+                PackageWriter.intoFolder(
+                    packed.files(),
+                    fresh,
+                    done -> {
+                      throw new java.util.concurrent.CancellationException();
+                    }))
+        .isInstanceOf(java.util.concurrent.CancellationException.class);
+    assertThat(folder.resolve("deep")).doesNotExist();
+
+    // The last file finds a folder in its place when the others are written.
+    Path full = Files.createDirectories(folder.resolve("full"));
+    Files.createDirectories(full.resolve("sky.png/in"));
+    List<String> was = tree(full);
+    assertThatThrownBy(() -> PackageWriter.intoFolder(packed.files(), full, done -> {}))
+        .isInstanceOf(IOException.class)
+        .hasMessageContaining("sky.png");
+    assertThat(tree(full)).isEqualTo(was);
+
+    Path zip = folder.resolve("room.zip");
+    assertThatThrownBy(
+            () ->
+                PackageWriter.intoZip(
+                    packed.files(),
+                    zip,
+                    done -> {
+                      throw new java.util.concurrent.CancellationException();
+                    }))
+        .isInstanceOf(java.util.concurrent.CancellationException.class);
+    assertThat(zip).doesNotExist();
+
+    WrittenFiles written = PackageWriter.intoFolder(packed.files(), target, done -> {});
+    assertThat(target.resolve("sky.png")).hasContent("sky");
+    Files.writeString(target.resolve("textures/other.txt"), "another program's");
+    written.withdraw();
+    assertThat(tree(target)).contains("textures/other.txt=another program's", "sky.png=sky");
+    assertThat(target.resolve("textures/wood.png")).doesNotExist();
+  }
 }
