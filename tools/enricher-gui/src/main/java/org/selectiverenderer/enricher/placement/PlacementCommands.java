@@ -20,7 +20,6 @@ import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.geometry.BoundingBox;
 import org.selectiverenderer.x3d.source.DocumentElement;
-import org.selectiverenderer.x3d.source.TextEdit;
 
 /**
  * The commands that place the selected nodes: move, turn, scale, align, distribute, group, ungroup.
@@ -102,42 +101,46 @@ public final class PlacementCommands {
    */
   private boolean perform(Making making) {
     List<DocumentElement> selected = session.selectedElements();
-    List<Integer> starts = selected.stream().map(DocumentElement::start).toList();
     boolean[] changed = {false};
     session.attempt(
         () -> {
           Edit edit = making.make();
           if (!edit.isEmpty()) {
+            List<List<Integer>> paths = selected.stream().map(each -> path(each, edit)).toList();
             session.document().perform(edit);
             changed[0] = true;
             List<DocumentElement> now = new ArrayList<>();
-            for (int i = 0; i < selected.size(); i++) {
-              found(selected.get(i), starts.get(i), edit).ifPresent(now::add);
-            }
+            paths.forEach(path -> found(path).ifPresent(now::add));
             session.selectAll(now, this);
           }
         });
     return changed[0];
   }
 
-  private Optional<DocumentElement> found(DocumentElement before, int start, Edit edit) {
-    if (before.attached()) {
-      return Optional.of(before);
+  /** Returns the child indices from the root by which an element is found after an edit. */
+  private static List<Integer> path(DocumentElement element, Edit edit) {
+    List<Integer> path = new ArrayList<>();
+    Optional<DocumentElement> at = Optional.of(element);
+    while (at.flatMap(DocumentElement::parent).isPresent()) {
+      DocumentElement node = at.get();
+      boolean wrapped =
+          edit.changes().stream()
+              .anyMatch(each -> each.from() == node.start() && each.to() == node.end());
+      if (wrapped) {
+        path.add(0, 0); // the only child of its new Transform
+      }
+      at = node.parent();
+      path.add(0, at.get().children().indexOf(node));
     }
-    int at = start;
-    for (TextEdit change : edit.changes()) {
-      at += change.from() < start ? change.growth() : 0;
+    return path;
+  }
+
+  private Optional<DocumentElement> found(List<Integer> path) {
+    Optional<DocumentElement> at = session.document().tree().map(tree -> tree.root());
+    for (int index : path) {
+      at = at.filter(node -> index < node.children().size()).map(node -> node.children().get(index));
     }
-    int inside = at + 1;
-    return session
-        .document()
-        .tree()
-        .flatMap(tree -> tree.at(inside))
-        .map(
-            element ->
-                !element.name().equals(before.name()) && !element.children().isEmpty()
-                    ? element.children().get(0)
-                    : element);
+    return at;
   }
 
   private interface Shifting {
