@@ -181,23 +181,13 @@ class BatchVersionsDialogTest {
   @Test
   void aPlanOfNothingSaysWhyAndWhatToDo() throws IOException {
     TestSessions.theme(false);
-    EnricherSession session =
-        TestSessions.with(folder, "<Shape DEF='Crate'><Box size='1 1 1'/></Shape>\n");
-    GuiRobot.onEdt(
-        () -> {
-          session.selectAll(
-              List.of(
-                  session.document().tree().orElseThrow().named("Crate").orElseThrow(),
-                  session.document().tree().orElseThrow().scene().orElseThrow()),
-              this);
-          return null;
-        });
+    EnricherSession session = TestSessions.with(folder, OFFICE);
     BatchVersionsDialog dialog = dialog(session);
     JTable table = GuiRobot.named(dialog, "Objects to make versions of", JTable.class);
     JButton make = GuiRobot.named(dialog, "Make Versions", JButton.class);
     JLabel state = GuiRobot.named(dialog, "Result for the versions", JLabel.class);
     JTextField goal = GuiRobot.named(dialog, "Goal of all objects", JTextField.class);
-    hands.await("the objects", () -> table.getRowCount() > 0 && make.isEnabled());
+    hands.await("the objects", () -> table.getRowCount() == 4 && make.isEnabled());
     GuiRobot.onEdt(
         () -> {
           goal.setText("100");
