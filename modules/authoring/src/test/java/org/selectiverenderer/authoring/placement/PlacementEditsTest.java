@@ -474,4 +474,30 @@ class PlacementEditsTest {
         .contains("<Transform translation='1 0 0'>\n  <Sound/>\n</Transform>")
         .containsOnlyOnce("<Shape DEF='Box'/>");
   }
+
+  @Test
+  void typedValuesAreAPose() {
+    EnrichmentScenes scene =
+        EnrichmentScenes.with("<Switch DEF='W'><Group/></Switch><Group DEF='G'><Shape/></Group>\n");
+    Placement of = placement(scene, "G");
+    assertThat(PoseField.TRANSLATION.written(of)).isEmpty();
+    place(scene, PoseField.TRANSLATION.set(of, " 1.5, 0 -2 "));
+    of = placement(scene, "G");
+    assertThat(PoseField.TRANSLATION.written(of)).isEqualTo("1.5 0 -2");
+    place(scene, PoseField.ROTATION.set(of, "0 2 0 1.5"));
+    place(scene, PoseField.SCALE.set(placement(scene, "G"), "2 2 2"));
+    assertThat(scene.nodes())
+        .contains(
+            "<Transform translation='1.5 0 -2' rotation='0 1 0 1.5' scale='2 2 2'><Group DEF='G'>");
+    place(scene, PoseField.ROTATION.set(placement(scene, "G"), "0 0 0 3"));
+    assertThat(scene.nodes()).doesNotContain("NaN");
+    Placement now = placement(scene, "G");
+    place(scene, PoseField.SCALE.set(now, " "));
+    assertThat(scene.nodes()).contains("scale='1 1 1'");
+    for (String wrong : List.of("1", "1 2", "a b c", "1 2 3 4", "0 1 1", "1 NaN 1")) {
+      assertThatThrownBy(() -> PoseField.SCALE.set(now, wrong))
+          .as(wrong)
+          .isInstanceOf(EditRejectedException.class);
+    }
+  }
 }

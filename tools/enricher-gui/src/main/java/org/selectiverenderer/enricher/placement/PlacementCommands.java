@@ -7,12 +7,10 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Function;
 import org.joml.Vector3d;
-import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.nodes.NodeEdits;
 import org.selectiverenderer.authoring.placement.Arrangement;
 import org.selectiverenderer.authoring.placement.GroupEdits;
 import org.selectiverenderer.authoring.placement.Placement;
-import org.selectiverenderer.authoring.placement.PlacementEdits;
 import org.selectiverenderer.enricher.area.AsyncSceneQueries;
 import org.selectiverenderer.enricher.area.ObjectBox;
 import org.selectiverenderer.enricher.menu.NodeCommand;
@@ -28,6 +26,7 @@ import org.selectiverenderer.x3d.source.DocumentElement;
 public final class PlacementCommands {
   private final EnricherSession session;
   private final AsyncSceneQueries probe;
+  private final PlacementEditor editor;
 
   /**
    * @param probe measures nodes in the running scene
@@ -35,6 +34,7 @@ public final class PlacementCommands {
   public PlacementCommands(EnricherSession session, AsyncSceneQueries probe) {
     this.session = session;
     this.probe = probe;
+    editor = new PlacementEditor(session);
   }
 
   /** The selected nodes that are in no other selected one. */
@@ -47,7 +47,7 @@ public final class PlacementCommands {
   }
 
   private Optional<Placement> placement(DocumentElement node) {
-    return Placement.of(session.document(), session.catalogue(), node);
+    return editor.placement(node);
   }
 
   /**
@@ -78,69 +78,7 @@ public final class PlacementCommands {
    * @return whether anything was changed
    */
   public boolean place(List<Placement> placed, String verb) {
-    String what =
-        placed.size() == 1
-            ? name(placed.get(0).node())
-            : Texts.of("placement.nodes", String.valueOf(placed.size()));
-    return perform(
-        () ->
-            new PlacementEdits(session.document())
-                .place(placed, Texts.of("placement." + verb, what)));
-  }
-
-  private static String name(DocumentElement node) {
-    return node.def().or(node::use).orElse(node.name());
-  }
-
-  private interface Making {
-    Edit make();
-  }
-
-  /**
-   * Makes an edit after which the selected nodes, perhaps with a Transform around, are selected.
-   */
-  private boolean perform(Making making) {
-    List<DocumentElement> selected = session.selectedElements();
-    boolean[] changed = {false};
-    session.attempt(
-        () -> {
-          Edit edit = making.make();
-          if (!edit.isEmpty()) {
-            List<List<Integer>> paths = selected.stream().map(each -> path(each, edit)).toList();
-            session.document().perform(edit);
-            changed[0] = true;
-            List<DocumentElement> now = new ArrayList<>();
-            paths.forEach(path -> found(path).ifPresent(now::add));
-            session.selectAll(now, this);
-          }
-        });
-    return changed[0];
-  }
-
-  /** Returns the child indices from the root by which an element is found after an edit. */
-  private static List<Integer> path(DocumentElement element, Edit edit) {
-    List<Integer> path = new ArrayList<>();
-    Optional<DocumentElement> at = Optional.of(element);
-    while (at.flatMap(DocumentElement::parent).isPresent()) {
-      DocumentElement node = at.get();
-      boolean wrapped =
-          edit.changes().stream()
-              .anyMatch(each -> each.from() == node.start() && each.to() == node.end());
-      if (wrapped) {
-        path.add(0, 0); // the only child of its new Transform
-      }
-      at = node.parent();
-      path.add(0, at.get().children().indexOf(node));
-    }
-    return path;
-  }
-
-  private Optional<DocumentElement> found(List<Integer> path) {
-    Optional<DocumentElement> at = session.document().tree().map(tree -> tree.root());
-    for (int index : path) {
-      at = at.filter(node -> index < node.children().size()).map(node -> node.children().get(index));
-    }
-    return at;
+    return editor.place(placed, verb);
   }
 
   private interface Shifting {
