@@ -84,7 +84,8 @@ public final class GeometryRepair {
             document.tree().orElseThrow(() -> refused(faces, "are in a text with a fault")),
             faces);
     if (welding.welded() == 0) {
-      throw new EditRejectedException("No points of " + faces + " are equal; there is nothing to do");
+      throw new EditRejectedException(
+          "No points of " + faces + " are equal; there is nothing to do");
     }
     return new Edit(
         "Weld %d points of %s".formatted(welding.welded(), faces), welding.changes());

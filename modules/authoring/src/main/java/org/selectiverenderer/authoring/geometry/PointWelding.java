@@ -18,7 +18,8 @@ import org.selectiverenderer.x3d.source.TextEdit;
 /**
  * Welds the points of indexed faces: points that are equal within a tolerance, with equal normals,
  * colours and texture coordinates, become one. What has an index of its own keeps it. Faces are
- * welded only where the picture stays: not where normals are computed from which faces share points.
+ * welded only where the picture stays: not where normals are computed from which faces share
+ * points.
  *
  * @param changes the changes of the text
  * @param welded how many points are left out
@@ -29,7 +30,7 @@ record PointWelding(List<TextEdit> changes, int welded, int points, double toler
   /** The tolerance as a share of the diagonal of all points. */
   private static final double SHARE = 1e-6;
 
-  /** Nodes with a value for each point, with the attribute that has them and its numbers a value. */
+  /** The values that points have alongside, each of some numbers. */
   private record Values(NumberTokens numbers, int width) {}
 
   private static final Map<String, Integer> WIDTHS =

@@ -14,8 +14,8 @@ import org.selectiverenderer.x3d.source.ElementScope;
 
 /**
  * Tells where a node stands in the scene, and which Transform places it: itself; the one around it
- * that holds nothing else; else a new one that has to be put around it. A Transform whose pose a ROUTE
- * changes, as an animation does, places nothing: what is written in it would be overwritten.
+ * that holds nothing else; else a new one that has to be put around it. A Transform whose pose a
+ * ROUTE changes, as an animation does, places nothing: what is written in it would be overwritten.
  *
  * @param node the node to be placed
  * @param transform the Transform that is changed; empty if a new one is put around the node
@@ -90,7 +90,9 @@ public record Placement(
             .find(parent.name())
             .flatMap(type -> type.field("children"))
             .filter(
-                field -> ContainerFieldRules.accepts(field, catalogue.find("Transform").orElseThrow()))
+                field ->
+                    ContainerFieldRules.accepts(
+                        field, catalogue.find("Transform").orElseThrow()))
             .isPresent();
   }
 

@@ -463,7 +463,8 @@ class PlacementEditsTest {
         """;
     EnrichmentScenes scene =
         EnrichmentScenes.with(
-            "<ProtoDeclare name='Tick'><ProtoBody><TimeSensor/><Shape/></ProtoBody></ProtoDeclare>\n"
+            "<ProtoDeclare name='Tick'><ProtoBody><TimeSensor/><Shape/></ProtoBody>"
+                + "</ProtoDeclare>\n"
                 + "<Transform DEF='G' translation='1 0 0'>\n"
                 + placeless
                 + "  <Viewpoint/>\n  <Shape DEF='Box'/>\n  <Sound/>\n</Transform>\n");

@@ -12,8 +12,8 @@ import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * Gives nodes of the session's document other poses, and keeps what is selected selected, also where
- * a node gets a Transform around it.
+ * Gives nodes of the session's document other poses, and keeps what is selected selected, also
+ * where a node gets a Transform around it.
  */
 public final class PlacementEditor {
   private final EnricherSession session;
@@ -91,7 +91,9 @@ public final class PlacementEditor {
   private Optional<DocumentElement> found(List<Integer> path) {
     Optional<DocumentElement> at = session.document().tree().map(tree -> tree.root());
     for (int index : path) {
-      at = at.filter(node -> index < node.children().size()).map(node -> node.children().get(index));
+      at =
+          at.filter(node -> index < node.children().size())
+              .map(node -> node.children().get(index));
     }
     return at;
   }

@@ -152,8 +152,8 @@ final class BatchTableModel extends AbstractTableModel {
   }
 
   /**
-   * Takes what the author has set; a name or goal that is not valid leaves the cell as it was, which
-   * is told.
+   * Takes what the author has set; a name or goal that is not valid leaves the cell as it was,
+   * which is told.
    */
   @Override
   public void setValueAt(Object value, int index, int column) {
