@@ -484,9 +484,11 @@ final class Workbench {
     problems.fix();
   }
 
+  /** Shows a view and gives it the focus, so that its keys work at once. */
   void showTab(int index) {
     if (index < tabs.getTabCount()) {
       tabs.setSelectedIndex(index);
+      new FocusCycler(List.of((Container) tabs.getSelectedComponent())).next();
     }
   }
 
@@ -500,7 +502,7 @@ final class Workbench {
   }
 
   void showHelp() {
-    showTab(tabs.getTabCount() - 1);
+    tabs.setSelectedIndex(tabs.getTabCount() - 1); // The focus says what is explained.
   }
 
   /** Moves the focus to the next pane: tree, view, form, problems. */
