@@ -23,9 +23,11 @@ import org.selectiverenderer.command.output.CommandException;
 import org.selectiverenderer.command.output.Console;
 import org.selectiverenderer.command.output.ExitStatus;
 import org.selectiverenderer.control.SelectiveController;
+import org.selectiverenderer.export.ExportSettings;
 import org.selectiverenderer.export.ExportedScene;
 import org.selectiverenderer.export.SceneExporter;
 import org.selectiverenderer.export.WebFolder;
+import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.write.SceneFormat;
 import picocli.CommandLine.Command;
@@ -75,6 +77,13 @@ public final class ExportCommand extends CliCommand {
               + " a page for web browsers")
   private @Nullable Form form;
 
+  @Option(
+      names = "--without-script",
+      description =
+          "controls the scene by filters, triggers and ROUTEs instead of a Script, for browsers that"
+              + " run none; areas that decide on the same object must not overlap")
+  private boolean withoutScript;
+
   @Mixin private ConditionOptions condition = new ConditionOptions();
 
   @Mixin private AccessOptions access = new AccessOptions();
@@ -92,6 +101,14 @@ public final class ExportCommand extends CliCommand {
           "--seed %d: the field of the exported Script holds whole numbers of 32 bits, from %d to %d"
               .formatted(settings.seed(), Integer.MIN_VALUE, Integer.MAX_VALUE));
     }
+    if (withoutScript && to == Form.web) {
+      throw CommandException.usage(
+          "--without-script: the page is for X_ITE, which runs the Script; leave the option out");
+    }
+    if (withoutScript && settings.condition() != Condition.SELECTIVE) {
+      throw CommandException.usage(
+          "--without-script: only the condition selective can do without; leave --condition out");
+    }
     if (!Files.exists(scene.file())) {
       throw CommandException.environment(scene.file() + ": there is no such file");
     }
@@ -99,15 +116,16 @@ public final class ExportCommand extends CliCommand {
       throw CommandException.environment("DIR %s: is a file, not a folder".formatted(folder));
     }
     ProblemCollector problems = new ProblemCollector(console()::problem);
+    ExportSettings how =
+        new ExportSettings(
+            settings.condition(),
+            (int) settings.seed(),
+            to.format,
+            to == Form.web ? WebFolder::name : UnaryOperator.identity(),
+            !withoutScript);
     Optional<ExportedScene> exported =
         new SceneExporter(NodeCatalogue.load(), access.access(), problems)
-            .export(
-                scene.file(),
-                settings.condition(),
-                (int) settings.seed(),
-                to.format,
-                name(to),
-                to == Form.web ? WebFolder::name : UnaryOperator.identity());
+            .export(scene.file(), how, name(to));
     if (exported.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }

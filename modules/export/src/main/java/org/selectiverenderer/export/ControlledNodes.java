@@ -9,6 +9,7 @@ import java.util.Set;
 import org.selectiverenderer.authoring.enrichment.DocumentEnrichment;
 import org.selectiverenderer.authoring.enrichment.EnrichedSensor;
 import org.selectiverenderer.authoring.enrichment.EnrichedSwitch;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.schema.SensorSchemas;
 import org.selectiverenderer.schema.SwitchSchemas;
@@ -20,6 +21,8 @@ import org.selectiverenderer.schema.SwitchSchemas;
  * @param objects the Switches whose metadata describe versions
  */
 record ControlledNodes(List<Area> areas, List<VersionedObject> objects) {
+  private static final Set<String> CHOICE_FIELDS = Set.of("whichChoice", "set_whichChoice");
+
   ControlledNodes {
     areas = List.copyOf(areas);
     objects = List.copyOf(objects);
@@ -29,31 +32,55 @@ record ControlledNodes(List<Area> areas, List<VersionedObject> objects) {
    * An area.
    *
    * @param def DEF of the ProximitySensor
+   * @param location where it stands
    */
-  record Area(String def, SensorSchemas schemas) {}
+  record Area(String def, SensorSchemas schemas, SourceLocation location) {}
 
   /**
    * An object in versions.
    *
    * @param def DEF of the Switch
    * @param whichChoice the choice that the file names; -1 for none
+   * @param routed whether a ROUTE of the scene sets the choice, too
    */
-  record VersionedObject(String def, SwitchSchemas schemas, int whichChoice) {}
+  record VersionedObject(String def, SwitchSchemas schemas, int whichChoice, boolean routed) {}
 
   /** Returns the enriched nodes of a document, all of which have DEF names. */
   static ControlledNodes of(DocumentEnrichment enrichment) {
     List<Area> areas =
         enrichment.sensors().stream()
             .filter(EnrichedSensor::enriched)
-            .map(sensor -> new Area(sensor.name(), sensor.schemas()))
+            .map(sensor -> new Area(sensor.name(), sensor.schemas(), sensor.element().location()))
             .toList();
     List<VersionedObject> objects = new ArrayList<>();
+    Set<String> routed = routed(enrichment);
     for (EnrichedSwitch node : enrichment.switches()) {
       node.schemas()
-          .map(schemas -> new VersionedObject(node.name(), schemas, node.whichChoice()))
+          .map(
+              schemas ->
+                  new VersionedObject(
+                      node.name(), schemas, node.whichChoice(), routed.contains(node.name())))
           .ifPresent(objects::add);
     }
     return new ControlledNodes(areas, objects);
+  }
+
+  /** Returns the names of the nodes whose choice a ROUTE sets. */
+  private static Set<String> routed(DocumentEnrichment enrichment) {
+    Set<String> names = new LinkedHashSet<>();
+    enrichment
+        .document()
+        .tree()
+        .orElseThrow()
+        .root()
+        .visit(
+            element -> {
+              String field = element.text("toField").orElse("");
+              if (element.name().equals("ROUTE") && CHOICE_FIELDS.contains(field)) {
+                element.text("toNode").ifPresent(names::add);
+              }
+            });
+    return names;
   }
 
   /** Returns the choice of each object, in their order, under a condition that never changes it. */

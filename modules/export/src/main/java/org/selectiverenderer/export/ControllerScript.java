@@ -77,6 +77,9 @@ final class ControllerScript {
     }
     for (int i = 0; i < objects.size(); i++) {
       fields.add(event("choice" + i, "SFInt32", "outputOnly"));
+      if (objects.get(i).routed()) {
+        fields.add(event("changed" + i, "SFInt32", "inputOnly"));
+      }
     }
     return fields;
   }
@@ -115,6 +118,11 @@ final class ControllerScript {
                 .formatted(way, i, i, way.equals("enter")));
       }
     }
+    for (int i = 0; i < nodes.objects().size(); i++) {
+      if (nodes.objects().get(i).routed()) {
+        lines.add("function changed%d(choice) { now[%d] = choice; }".formatted(i, i));
+      }
+    }
     lines.add("");
     lines.add("function send(object, choice) {");
     lines.add("  switch (object) {");
@@ -134,12 +142,18 @@ final class ControllerScript {
       lines.add(route(area, "exitTime", def, "exit" + i));
     }
     for (int i = 0; i < nodes.objects().size(); i++) {
-      lines.add(route(def, "choice" + i, nodes.objects().get(i).def(), "whichChoice"));
+      VersionedObject object = nodes.objects().get(i);
+      lines.add(route(def, "choice" + i, object.def(), "whichChoice"));
+      if (object.routed()) {
+        // What another ROUTE shows is what the next step compares with.
+        lines.add(route(object.def(), "whichChoice", def, "changed" + i));
+      }
     }
     return lines;
   }
 
-  private static String route(String from, String output, String to, String input) {
+  /** Returns a ROUTE in X3D XML. */
+  static String route(String from, String output, String to, String input) {
     return "<ROUTE fromField=\"%s\" fromNode=\"%s\" toField=\"%s\" toNode=\"%s\"/>"
         .formatted(output, MarkupEscaper.attribute(from), input, MarkupEscaper.attribute(to));
   }

@@ -9,10 +9,11 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.function.UnaryOperator;
+import java.util.Set;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.authoring.UniqueNameGenerator;
+import org.selectiverenderer.authoring.area.AreaLocator;
 import org.selectiverenderer.authoring.enrichment.DocumentEnrichment;
 import org.selectiverenderer.authoring.enrichment.EnrichedSensor;
 import org.selectiverenderer.authoring.enrichment.EnrichedSwitch;
@@ -20,9 +21,9 @@ import org.selectiverenderer.authoring.packaging.PackageLayout;
 import org.selectiverenderer.authoring.packaging.PackagedFile;
 import org.selectiverenderer.authoring.packaging.ScenePackage;
 import org.selectiverenderer.authoring.packaging.ScenePackager;
+import org.selectiverenderer.authoring.structure.NeededComponents;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
-import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.read.X3dReader;
 import org.selectiverenderer.x3d.source.DocumentElement;
@@ -60,21 +61,11 @@ public final class SceneExporter {
   /**
    * Exports a scene; nothing is written.
    *
-   * @param condition the condition that the Script begins with
-   * @param seed the random seed of the condition {@code random}
-   * @param format the encoding of the scene; files that it names keep theirs
    * @param name the file name of the exported scene
-   * @param names gives the other files their names
    * @return empty if it cannot be exported, which is reported as an error
    * @throws IOException if a file cannot be read, with a sentence
    */
-  public Optional<ExportedScene> export(
-      Path scene,
-      Condition condition,
-      int seed,
-      SceneFormat format,
-      String name,
-      UnaryOperator<String> names)
+  public Optional<ExportedScene> export(Path scene, ExportSettings settings, String name)
       throws IOException {
     Path folder = Objects.requireNonNull(scene.toRealPath().getParent());
     UrlResolver resolver = new UrlResolver(folder, access);
@@ -89,13 +80,19 @@ public final class SceneExporter {
       return Optional.empty();
     }
     nameNodes(document, enrichment);
-    String script = addScript(document, ControlledNodes.of(enrichment), condition, seed);
-    PackageLayout layout = PackageLayout.around(folder, names);
+    ControlledNodes nodes = ControlledNodes.of(enrichment);
+    Optional<String> script = Optional.empty();
+    if (settings.script()) {
+      script = Optional.of(addScript(document, nodes, settings));
+    } else if (!addRoutes(document, nodes, enrichment)) {
+      return Optional.empty();
+    }
+    PackageLayout layout = PackageLayout.around(folder, settings.names());
     ScenePackager packager = new ScenePackager(catalogue, folder, access, layout, () -> false);
     ScenePackage files = packager.collect(scene, document.snapshot(), Path.of(name));
     return Optional.of(
         new ExportedScene(
-            format == SceneFormat.XML ? files : encoded(files, format),
+            settings.format() == SceneFormat.XML ? files : encoded(files, settings.format()),
             script,
             title(document).orElse(stem(scene))));
   }
@@ -182,14 +179,41 @@ public final class SceneExporter {
   }
 
   /** Adds the Script, and returns its name. */
-  private static String addScript(
-      SceneDocument document, ControlledNodes nodes, Condition condition, int seed) {
-    var tree = document.tree().orElseThrow();
-    DocumentElement scene = tree.scene().orElseThrow();
-    String def = new UniqueNameGenerator(tree, scene).unused(SCRIPT);
-    List<String> lines = new ControllerScript(nodes, def).lines(condition, seed);
-    document.perform(new Edit("Script", List.of(document.layout().insertLast(scene, lines))));
+  private String addScript(
+      SceneDocument document, ControlledNodes nodes, ExportSettings settings) {
+    String def = names(document).unused(SCRIPT);
+    add(
+        document,
+        Set.of("Script"),
+        new ControllerScript(nodes, def).lines(settings.condition(), settings.seed()));
     return def;
+  }
+
+  /** Adds what controls the scene without a Script; returns whether that could be done. */
+  private boolean addRoutes(
+      SceneDocument document, ControlledNodes nodes, DocumentEnrichment enrichment) {
+    UniqueNameGenerator names = names(document);
+    ControllerRoutes routes = new ControllerRoutes(nodes, names::unused);
+    if (!routes.decided(AreaLocator.of(enrichment), problems)) {
+      return false;
+    }
+    add(document, ControllerRoutes.types(), routes.lines());
+    return true;
+  }
+
+  private static UniqueNameGenerator names(SceneDocument document) {
+    var tree = document.tree().orElseThrow();
+    return new UniqueNameGenerator(tree, tree.scene().orElseThrow());
+  }
+
+  /** Adds nodes at the end of the scene, and the components that they need. */
+  private void add(SceneDocument document, Set<String> types, List<String> lines) {
+    DocumentElement scene = document.tree().orElseThrow().scene().orElseThrow();
+    List<TextEdit> edits =
+        new ArrayList<>(new NeededComponents(document, catalogue).of(types));
+    edits.add(document.layout().insertLast(scene, lines));
+    edits.sort(Comparator.comparingInt(TextEdit::from));
+    document.perform(new Edit("Controller", edits));
   }
 
   private ScenePackage encoded(ScenePackage files, SceneFormat format)

@@ -122,7 +122,7 @@ public record WebFolder(List<PackagedFile> page, List<PackagedFile> scene, long 
     ObjectNode json = JsonNodeFactory.instance.objectNode();
     json.put("title", exported.title());
     json.put("file", url(scene.get(0)));
-    json.put("controller", exported.controller());
+    json.put("controller", exported.controller().orElseThrow());
     json.put("condition", condition.spelling());
     json.put("seed", seed);
     ObjectNode files = json.putObject("files");

@@ -68,7 +68,11 @@ class SceneExporterTest {
   private Optional<ScenePackage> export(String content, SceneFormat format) throws IOException {
     Path file = Files.writeString(folder.resolve("house.x3d"), content);
     return new SceneExporter(NodeCatalogue.load(), ContentAccessPolicy.none(), problems)
-        .export(file, Condition.SELECTIVE, 0, format, "house.x3d", UnaryOperator.identity())
+        .export(
+            file,
+            new ExportSettings(
+                Condition.SELECTIVE, 0, format, UnaryOperator.identity(), true),
+            "house.x3d")
         .map(ExportedScene::files);
   }
 
