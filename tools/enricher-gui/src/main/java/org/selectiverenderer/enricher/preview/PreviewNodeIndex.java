@@ -43,6 +43,14 @@ final class PreviewNodeIndex {
 
   PreviewNodeIndex(World world) {
     this.world = world;
+    collect();
+  }
+
+  /** Finds the nodes again, after groups have got other children. */
+  void collect() {
+    all.clear();
+    instances.clear();
+    switches.clear();
     collect(world.instances().root(), null);
     index();
     switches(world.instances().root());
@@ -157,15 +165,19 @@ final class PreviewNodeIndex {
   }
 
   /** Updates the positions after an edit that has moved start tags. */
-  void move(Map<Place, Place> places) {
-    if (places.isEmpty()) {
+  void move(ScenePatch patch) {
+    if (patch.moved().isEmpty() && patch.shift().isEmpty()) {
       return;
     }
     Map<Node, Place> now = new HashMap<>();
     for (Node node : NodeSubgraphCollector.of(world.scene().root())) {
       Place before = place(node);
-      now.put(node, places.getOrDefault(before, before));
+      Place after = patch.after(before);
+      if (moved.containsKey(node) || !after.equals(before)) {
+        now.put(node, after);
+      }
     }
+    moved.clear();
     moved.putAll(now);
     index();
   }

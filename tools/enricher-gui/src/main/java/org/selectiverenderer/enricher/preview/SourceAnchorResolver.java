@@ -52,7 +52,8 @@ final class SourceAnchorResolver {
 
   /** Returns an element as the running scene finds it. */
   SelectedNode node(DocumentElement element) {
-    return new SelectedNode(element, of(element), Placement.transforms(element), use(element));
+    boolean inside = Placement.transforms(document, element);
+    return new SelectedNode(element, of(element), inside, use(element));
   }
 
   /** Returns the elements as the running scene finds them; those that are gone are left out. */
