@@ -56,7 +56,7 @@ class MergeDialogTest {
       GuiRobot hands = new GuiRobot();
       MergeDialog dialog = GuiRobot.onEdt(() -> new MergeDialog(null, moved));
       hands.show(dialog);
-      JTable table = GuiRobot.named(dialog, "Merge", JTable.class);
+      JTable table = GuiRobot.named(dialog, Texts.of("merge.table"), JTable.class);
       int row = GuiRobot.onEdt(table::getSelectedRow);
       for (int column = 0; column < 2; column++) {
         int at = column;

@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
 import javax.swing.JFrame;
+import javax.swing.text.BadLocationException;
 import org.fife.ui.rsyntaxtextarea.RSyntaxDocument;
 import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
 import org.fife.ui.rsyntaxtextarea.Token;
@@ -49,7 +50,8 @@ class LongLinesTest {
           window.setBounds(10, 10, 900, 600);
         });
     hands.show(window);
-    hands.click(area);
+    edt(() -> area.requestFocusInWindow()); // its middle is far outside of the window
+    hands.await("the focus", area::isFocusOwner);
     return text();
   }
 
@@ -83,16 +85,13 @@ class LongLinesTest {
         });
   }
 
-  private boolean folds(String words) {
-    int line = lineOf(words);
-    return get(() -> area.getFoldManager().getFoldForLine(line) != null);
-  }
-
   private void theRestIsColoredAndFolded() {
     for (String words : new String[] {"<Shape DEF='Cup'", "<Shape DEF='Pot'"}) {
       assertThat(hasType(words, TokenTypes.MARKUP_TAG_NAME)).as(words).isTrue();
       assertThat(hasType(words, TokenTypes.MARKUP_TAG_ATTRIBUTE_VALUE)).as(words).isTrue();
-      hands.await("a fold of " + words, () -> folds(words));
+      int line = lineOf(words);
+      hands.await(
+          "a fold of " + words, () -> area.getFoldManager().getFoldForLine(line) != null);
     }
   }
 
@@ -103,9 +102,9 @@ class LongLinesTest {
     hands.press(KeyEvent.VK_END);
     int end = get(() -> area.getText().indexOf("'/>\n<Shape DEF='Pot'") + 3);
     hands.await("the caret at the end", () -> area.getCaretPosition() == end);
-    hands.await("the end in view", () -> caretIsSeen());
+    hands.await("the end in view", this::caretIsSeen);
     edt(() -> area.replaceSelection(" "));
-    hands.await("the caret in view", () -> caretIsSeen());
+    hands.await("the caret in view", this::caretIsSeen);
     edt(panel::flush);
     return before.replace("'/>\n<Shape DEF='Pot'", "'/> \n<Shape DEF='Pot'");
   }
@@ -114,7 +113,7 @@ class LongLinesTest {
     try {
       return area.getVisibleRect()
           .contains(area.modelToView2D(area.getCaretPosition()).getBounds());
-    } catch (javax.swing.text.BadLocationException e) {
+    } catch (BadLocationException e) {
       throw new IllegalStateException(e);
     }
   }
