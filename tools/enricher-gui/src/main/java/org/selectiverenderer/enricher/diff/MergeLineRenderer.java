@@ -5,6 +5,8 @@ import java.awt.Component;
 import java.awt.Font;
 import java.awt.FontMetrics;
 import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.font.FontRenderContext;
 import java.util.Optional;
 import java.util.function.IntPredicate;
 import javax.swing.JTable;
@@ -82,13 +84,17 @@ final class MergeLineRenderer extends DefaultTableCellRenderer {
     g.setColor(back);
     g.fillRect(0, 0, getWidth(), getHeight());
     if (shown.from() < shown.to()) {
-      FontMetrics letters = getFontMetrics(getFont());
-      String before = sign + shown.text().substring(0, shown.from());
-      int x = getInsets().left + letters.stringWidth(before);
+      int x = getInsets().left + width(g, sign + shown.text().substring(0, shown.from()));
       g.setColor(mark);
       g.fillRect(
-          x, 0, letters.stringWidth(shown.text().substring(shown.from(), shown.to())), getHeight());
+          x, 0, width(g, shown.text().substring(shown.from(), shown.to())), getHeight());
     }
     super.paintComponent(g);
+  }
+
+  /** Returns the width of a text as it is painted, which the scale of the screen changes a bit. */
+  private int width(Graphics g, String text) {
+    FontRenderContext scale = ((Graphics2D) g).getFontRenderContext();
+    return (int) Math.round(getFont().getStringBounds(text, scale).getWidth());
   }
 }
