@@ -46,7 +46,8 @@ class MergeDialogTest {
 
   @Test
   void aLongLineShowsWhereItDiffersAndIsWholeInATip() throws Exception {
-    String point = "  <Coordinate point='" + "1 2.5 -3 ".repeat(40) + "4" + " 5 6".repeat(40) + "'/>\n";
+    String point = "  <Coordinate point='" + "1 2.5 -3 ".repeat(40) + "4"
+        + " 5 6".repeat(40) + "'/>\n";
     String base = BASE.replace("  <Shape DEF='Pot'/>\n", point);
     ThreeWayMerge moved =
         ThreeWayMerge.of(
@@ -62,7 +63,8 @@ class MergeDialogTest {
         int at = column;
         JLabel cell =
             (JLabel)
-                GuiRobot.onEdt(() -> table.prepareRenderer(table.getCellRenderer(row, at), row, at));
+                GuiRobot.onEdt(
+                    () -> table.prepareRenderer(table.getCellRenderer(row, at), row, at));
         assertThat(cell.getText()).contains(column == 0 ? "7.75" : "8.25").contains("\u2026");
         assertThat(cell.getPreferredSize().width)
             .isLessThanOrEqualTo(table.getColumnModel().getColumn(column).getWidth());
