@@ -17,12 +17,16 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.selectiverenderer.authoring.DocumentSnapshot;
 import org.selectiverenderer.authoring.SceneDocument;
+import org.selectiverenderer.authoring.editing.FieldEdits;
+import org.selectiverenderer.authoring.editing.NodeField;
+import org.selectiverenderer.authoring.editing.NodeFieldList;
 import org.selectiverenderer.browser.nodes.group.SwitchNode;
 import org.selectiverenderer.browser.scene.Node;
 import org.selectiverenderer.browser.scene.NodeSubgraphCollector;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.field.FieldType;
+import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 
 /** A running scene that takes over an edit is the same as one that is loaded after it. */
@@ -174,6 +178,37 @@ class ScenePatchTest {
           """)
   void whatIsMoreThanAValueMeansLoading(String what, String by) throws IOException {
     assertThat(patch(edited(what, by))).isEmpty();
+  }
+
+  @Test
+  void aValueOfAPrototypesInstanceIsInTheSceneThatIsLoadedNext() throws IOException {
+    String scene =
+        """
+        <X3D profile='Immersive' version='4.0'><Scene>
+          <ProtoDeclare name='Chair'><ProtoInterface>
+            <field name='colour' type='SFColor' accessType='inputOutput' value='1 0 0'/>
+          </ProtoInterface><ProtoBody><Shape><Appearance><Material>
+            <IS><connect nodeField='diffuseColor' protoField='colour'/></IS>
+          </Material></Appearance><Box/></Shape></ProtoBody></ProtoDeclare>
+          <ProtoInstance name='Chair' DEF='Chair1'/>
+        </Scene></X3D>
+        """;
+    SceneDocument document = SceneDocument.of("scene.x3d", scene.getBytes(StandardCharsets.UTF_8));
+    DocumentSnapshot before = document.snapshot();
+    DocumentElement chair = document.tree().orElseThrow().named("Chair1").orElseThrow();
+    NodeField colour =
+        NodeFieldList.of(document, NodeCatalogue.load(), chair).stream()
+            .filter(field -> field.name().equals("colour"))
+            .findFirst()
+            .orElseThrow();
+    document.perform(new FieldEdits(document).set(chair, colour, "0 0 1"));
+    DocumentSnapshot after = document.snapshot();
+    assertThat(patch(new DocumentSnapshot[] {before, after})).isEmpty();
+    try (PreviewScene old = load(before);
+        PreviewScene now = load(after)) {
+      assertThat(told(old)).contains("diffuseColor=[[1.0, 0.0, 0.0]]");
+      assertThat(told(now)).contains("diffuseColor=[[0.0, 0.0, 1.0]]");
+    }
   }
 
   @Test
