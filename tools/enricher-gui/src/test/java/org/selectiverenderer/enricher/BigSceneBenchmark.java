@@ -297,7 +297,7 @@ class BigSceneBenchmark {
     }
     System.out.printf(
         Locale.ROOT,
-        "%-18s whole %5.0f (most %5.0f) ms, longest event %4.0f (most %4.0f) ms, CPU %4.0f (%4.0f)%n",
+        "%-18s whole %5.0f (%5.0f) ms, longest event %4.0f (%4.0f) ms, CPU %4.0f (%4.0f) ms%n",
         kind,
         median(whole),
         most(whole),
