@@ -49,6 +49,10 @@ public final class SourcePanel {
   private final SelectionListener selecting = this::follow;
   private final DocumentListener changing = this::changed;
   private final PropertyChangeListener restyling = event -> restyle();
+
+  /** Whether another part is to be shown as soon as the panel is, as its element is selected. */
+  private boolean behind;
+
   private final Timer moved = new Timer(REACH_MILLISECONDS, event -> caretMoved());
 
   public SourcePanel(EnricherSession session) {
@@ -78,6 +82,7 @@ public final class SourcePanel {
           }
         });
     SourceAreaSetup.key(area, "ctrl SPACE", completion::propose);
+    panel.addHierarchyListener(event -> catchUp());
     UIManager.addPropertyChangeListener(restyling);
     session.addSelectionListener(selecting);
     session.document().addListener(changing);
@@ -167,10 +172,20 @@ public final class SourcePanel {
 
   private void follow(Optional<DocumentElement> element, Object origin) {
     boolean typingHere = origin == session && area.isFocusOwner();
+    behind = !panel.isShowing() && page.shown().length() < document().text().length();
+    if (behind) {
+      return;
+    }
     if (origin != this && !typingHere && !page.following()) {
       element.filter(DocumentElement::attached).ifPresent(each -> reveal(each.start()));
     }
     marks.element(document(), element);
+  }
+
+  private void catchUp() {
+    if (behind && panel.isShowing()) {
+      follow(session.selection(), session);
+    }
   }
 
   /** Opens the find bar, with or without the line for replacing. */
