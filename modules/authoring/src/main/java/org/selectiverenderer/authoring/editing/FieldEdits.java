@@ -1,7 +1,12 @@
 package org.selectiverenderer.authoring.editing;
 
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.function.Function;
+import java.util.stream.Collectors;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.authoring.SceneDocument;
@@ -204,6 +209,67 @@ public final class FieldEdits {
         InterfaceFieldList.values(element, field.name()).stream()
             .map(document.layout()::remove)
             .toList());
+  }
+
+  /**
+   * Returns an element and those others that have the same fields: of its type, for an instance of
+   * the same prototype. What refers to a node by USE, or lies in another of them, is left out.
+   */
+  public List<DocumentElement> alike(DocumentElement element, List<DocumentElement> others) {
+    List<DocumentElement> found = new ArrayList<>(List.of(element));
+    if (element.use().isEmpty()) {
+      Optional<DocumentElement> prototype = prototype(element);
+      Set<DocumentElement> kind =
+          others.stream()
+              .filter(other -> other.attached() && other.name().equals(element.name()))
+              .filter(other -> other.use().isEmpty() && prototype(other).equals(prototype))
+              .filter(other -> !other.contains(element))
+              .collect(Collectors.toCollection(LinkedHashSet::new));
+      kind.stream()
+          .filter(other -> !element.contains(other) && !within(other, kind))
+          .forEach(found::add);
+    }
+    return found;
+  }
+
+  private static boolean within(DocumentElement element, Set<DocumentElement> any) {
+    Optional<DocumentElement> around = element.parent();
+    while (around.isPresent() && !any.contains(around.get())) {
+      around = around.get().parent();
+    }
+    return around.isPresent();
+  }
+
+  private Optional<DocumentElement> prototype(DocumentElement of) {
+    return InterfaceFieldList.applies(of)
+        ? InterfaceFieldList.declaration(document, of.text("name").orElse("").strip(), of)
+        : Optional.empty();
+  }
+
+  /** Sets a field of {@link #alike} elements in one step; a name only of the first. */
+  public Edit set(List<DocumentElement> elements, NodeField field, String value) {
+    return together("Set ", elements, field, each -> set(each, field, value));
+  }
+
+  /** Resets a field of {@link #alike} elements in one step; a name only of the first. */
+  public Edit unset(List<DocumentElement> elements, NodeField field) {
+    return together("Reset ", elements, field, each -> unset(each, field));
+  }
+
+  private static Edit together(
+      String verb,
+      List<DocumentElement> elements,
+      NodeField field,
+      Function<DocumentElement, Edit> edit) {
+    boolean name =
+        field.ofPrototype().isEmpty()
+            && (field.name().equals("DEF") || field.name().equals("USE"));
+    if (name || elements.size() == 1) {
+      return edit.apply(elements.get(0));
+    }
+    return new Edit(
+        verb + field.name() + " of " + elements.size() + " nodes",
+        elements.stream().flatMap(each -> edit.apply(each).changes().stream()).toList());
   }
 
   private static String setting(DocumentElement element, String name) {
