@@ -94,6 +94,7 @@ class ScenePatchTest {
           |"DeskSchema"|,                     |"DeskSchema" "OfficeSchema"|
           <Scene>,                            <Scene><!-- a line -->
           DEF='Enter',                        DEF='Entering'
+          DEF='Place',                        DEF='There'
           """)
   void whatMayChangeIsTakenOverAndLeavesTheSceneAsIfItWereLoaded(String what, String by)
       throws IOException {
@@ -166,7 +167,7 @@ class ScenePatchTest {
           """
           radius='2',             radius='3'
           <Group/>,               <Group/><Group/>
-          DEF='Place',            DEF='There'
+          DEF='Paint',            DEF='Colour'
           |url='"other.x3d"'|,    |url='"another.x3d"'|
           intensity='0.5',        intensity='0.6'
           function in_,           function in_to
@@ -221,7 +222,7 @@ class ScenePatchTest {
   }
 
   /** All fields of all nodes, metadata too. */
-  private static String told(PreviewScene scene) {
+  static String told(PreviewScene scene) {
     StringBuilder text =
         new StringBuilder(new TreeSet<>(scene.world().scene().named().keySet()) + "\n");
     for (Node node : NodeSubgraphCollector.of(scene.world().scene().root())) {
