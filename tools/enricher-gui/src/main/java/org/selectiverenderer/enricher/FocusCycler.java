@@ -10,6 +10,7 @@ import javax.swing.JTextArea;
 import javax.swing.JTree;
 import javax.swing.LayoutFocusTraversalPolicy;
 import javax.swing.SwingUtilities;
+import org.selectiverenderer.enricher.component.AccessibleCanvas;
 
 /** Moves the keyboard focus from pane to pane of a window (F6). */
 record FocusCycler(List<Container> parts) {
@@ -33,11 +34,15 @@ record FocusCycler(List<Container> parts) {
         .ifPresent(Component::requestFocusInWindow);
   }
 
-  /** The main component of a pane: its tree, table or text area. */
+  /** The main component of a pane: its tree, table, text area or picture. */
   private static Stream<Component> main(Container part) {
     return controls(part)
         .filter(
-            each -> each instanceof JTree || each instanceof JTable || each instanceof JTextArea);
+            each ->
+                each instanceof JTree
+                    || each instanceof JTable
+                    || each instanceof JTextArea
+                    || each instanceof AccessibleCanvas);
   }
 
   /** All focusable components of a pane, in the order of its layout. */

@@ -13,6 +13,7 @@ import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
 import javax.swing.KeyStroke;
 import org.selectiverenderer.authoring.file.CrashRecovery;
+import org.selectiverenderer.authoring.geometry.RepeatedPointsCheck;
 import org.selectiverenderer.authoring.structure.ChildPosition;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.browser.viewer.Pose;
@@ -117,7 +118,9 @@ final class Workbench {
             () -> session.file().path(),
             settings,
             (read, found) -> trust.limited(read, found, this::settingsAreOther));
-    problems = new ProblemsPanel(session, List.of(validator(session, budgets)));
+    problems =
+        new ProblemsPanel(
+            session, List.of(validator(session, budgets), new RepeatedPointsCheck()));
     tree = new SceneTreePanel(session, problems::faulty);
     problems.onCounts(
         now -> {
@@ -481,9 +484,11 @@ final class Workbench {
     problems.fix();
   }
 
+  /** Shows a view and gives it the focus, so that its keys work at once. */
   void showTab(int index) {
     if (index < tabs.getTabCount()) {
       tabs.setSelectedIndex(index);
+      new FocusCycler(List.of((Container) tabs.getSelectedComponent())).next();
     }
   }
 
@@ -497,7 +502,7 @@ final class Workbench {
   }
 
   void showHelp() {
-    showTab(tabs.getTabCount() - 1);
+    tabs.setSelectedIndex(tabs.getTabCount() - 1); // The focus says what is explained.
   }
 
   /** Moves the focus to the next pane: tree, view, form, problems. */

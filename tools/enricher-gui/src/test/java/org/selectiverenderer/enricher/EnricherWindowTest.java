@@ -38,6 +38,7 @@ import org.selectiverenderer.authoring.enrichment.DocumentEnrichment;
 import org.selectiverenderer.authoring.file.DocumentFile;
 import org.selectiverenderer.authoring.headless.HeadlessEnrichment;
 import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.enricher.component.AccessibleCanvas;
 import org.selectiverenderer.enricher.diff.DiffDialog;
 import org.selectiverenderer.enricher.ratings.RatingsDialog;
 import org.selectiverenderer.enricher.robot.TestSessions;
@@ -247,6 +248,22 @@ class EnricherWindowTest {
     hands.await("the problems", () -> hasFocus(problems));
     hands.press(KeyEvent.VK_F6);
     hands.await("the tree", tree::isFocusOwner);
+  }
+
+  /** The keys of a view (M, F, arrows) work at once, and are not typed into its tool bar. */
+  @Test
+  void theKeyOfAViewGivesItsPictureTheFocus() throws IOException {
+    open(scene(), "light");
+    clickRow(0);
+    for (int key : new int[] {KeyEvent.VK_4, KeyEvent.VK_1, KeyEvent.VK_4}) {
+      hands.press(KeyEvent.VK_CONTROL, key);
+      hands.await(
+          "the picture",
+          () ->
+              KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner()
+                  instanceof AccessibleCanvas picture
+                  && picture.isShowing());
+    }
   }
 
   private static boolean hasFocus(Container part) {

@@ -1,6 +1,7 @@
 package org.selectiverenderer.enricher.preview;
 
 import org.joml.Quaterniond;
+import org.joml.Quaterniondc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.selectiverenderer.browser.viewer.CameraFraming;
@@ -85,6 +86,11 @@ final class OrbitCamera {
   void frame(BoundingBox box) {
     pivot.set(box.min()).add(box.max()).mul(0.5);
     pivot.fma(-CameraFraming.distance(box, orientation, fieldOfView), forward(), position);
+  }
+
+  /** Sets the orientation. */
+  void face(Quaterniondc direction) {
+    orientation.set(direction);
   }
 
   /**

@@ -16,6 +16,9 @@ final class PreviewCameraController {
   /** Distance of the pivot in metres where nothing is hit straight ahead. */
   private static final double NO_DEPTH = 5;
 
+  /** Radians up of the first look at a scene without a viewpoint. */
+  private static final double FROM_ABOVE = Math.toRadians(-35);
+
   private final OrbitCamera orbit = new OrbitCamera();
   private int width;
   private int height;
@@ -46,6 +49,7 @@ final class PreviewCameraController {
     if (start.isPresent()) {
       place(scene, start.get());
     } else {
+      orbit.face(0, FROM_ABOVE); // A room without a ceiling is looked into, over its walls.
       scene.look(orbit.pose());
       scene.bounds().ifPresent(orbit::frame);
     }
@@ -63,13 +67,17 @@ final class PreviewCameraController {
     orbit.place(pose, distance);
   }
 
-  /** Frames elements, or the whole scene where they show nothing. */
+  /**
+   * Frames elements, from where walls and other objects do not hide them, or the whole scene where
+   * they show nothing.
+   */
   void frame(PreviewScene scene, List<List<SourceAnchor>> elements) {
-    elements.stream()
-        .flatMap(each -> scene.nodes().find(each).flatMap(scene::bounds).stream())
-        .reduce(BoundingBox::union)
-        .or(scene::bounds)
-        .ifPresent(orbit::frame);
+    Optional<BoundingBox> box =
+        elements.stream()
+            .flatMap(each -> scene.nodes().find(each).flatMap(scene::bounds).stream())
+            .reduce(BoundingBox::union);
+    box.ifPresent(each -> orbit.face(new UnobstructedView(scene, each, orbit.pose()).orientation()));
+    box.or(scene::bounds).ifPresent(orbit::frame);
   }
 
   /** Returns the nearest hit of the ray through a pixel. */
