@@ -441,7 +441,7 @@ monado() { # WHAT .ci/openxr does; its reason where it cannot
 }
 
 driven() { # NAME OUT WIDTH: the enricher's window
-  tested EnricherPictures 1 "-Dpictures=$driving"
+  tested EnricherPictures 2 "-Dpictures=$driving"
   small "target/pictures/$1.png" "$2" -resize "$3" +dither -colors 255
 }
 

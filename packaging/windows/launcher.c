@@ -51,6 +51,8 @@ static void write_error(const wchar_t *text) {
   }
 }
 
+static void close_picture(void);
+
 /* Says in one sentence why the program cannot start, in a window where nobody sees a terminal, and ends. */
 static void fail(const wchar_t *format, ...) {
   wchar_t text[4096] = L"selective-renderer: ";
@@ -60,6 +62,7 @@ static void fail(const wchar_t *format, ...) {
   _vsnwprintf(text + prefix, 4096 - prefix - 2, format, values);
   va_end(values);
   if (DESKTOP != NULL) {
+    close_picture(); /* It would lie above the window. */
     MessageBoxW(NULL, text + prefix, L"Selective Renderer", MB_OK | MB_ICONERROR | MB_SETFOREGROUND);
   }
   wcscat(text, L"\n");
@@ -211,6 +214,80 @@ static wchar_t *home_folder(void) {
        L" program to a folder with a plain name",
        path);
   return NULL;
+}
+
+/* --- A picture that is seen at once ------------------------------------------------------------------------------- */
+
+/* Java's library for it, once it shows one. */
+static HMODULE picture_library;
+
+/* A function of that library. The types are those of Java's own launcher, which alone knows the flag -splash. */
+#define SPLASH(type, name) ((type)(void *)GetProcAddress(picture_library, name))
+
+/*
+ * Shows a picture until Java shows a window. The library needs jvm.dll, which is loaded. Where it cannot be shown,
+ * nothing but the picture is lost.
+ */
+static void show_picture(const wchar_t *home, const wchar_t *path) {
+  char *file = narrow(path);
+  char scaled[PATH];
+  float scale = 1;
+  int (*init)(void);
+  int (*load)(const char *);
+  unsigned char (*find_scaled)(const char *, const char *, float *, char *, size_t);
+  void (*set_scale)(float);
+  void (*set_names)(const char *, const char *);
+  if (file == NULL || !is_file(path)) {
+    return;
+  }
+  picture_library = LoadLibraryW(text(L"%ls\\runtime\\bin\\splashscreen.dll", home));
+  init = SPLASH(int (*)(void), "SplashInit");
+  load = SPLASH(int (*)(const char *), "SplashLoadFile");
+  find_scaled =
+      SPLASH(unsigned char (*)(const char *, const char *, float *, char *, size_t), "SplashGetScaledImageName");
+  set_scale = SPLASH(void (*)(float), "SplashSetScaleFactor");
+  set_names = SPLASH(void (*)(const char *, const char *), "SplashSetFileJarName");
+  if (picture_library == NULL || init == NULL || load == NULL || find_scaled == NULL || set_scale == NULL ||
+      set_names == NULL) {
+    return;
+  }
+  if (!find_scaled(NULL, file, &scale, scaled, sizeof scaled)) {
+    strcpy(scaled, file);
+  }
+  init();
+  set_scale(scale);
+  load(scaled);
+  set_names(file, NULL);
+}
+
+static void close_picture(void) {
+  void (*close)(void) = picture_library == NULL ? NULL : SPLASH(void (*)(void), "SplashClose");
+  if (close != NULL) {
+    close();
+  }
+}
+
+/* Whether a command opens a window of Swing's, and only that: the viewer's is none of Swing's. */
+static int opens_window(const wchar_t *command, int count, wchar_t **arguments) {
+  static const wchar_t *const none[] = {L"--apply", L"--ratings"};
+  static const wchar_t *const plain[] = {L"--help", L"-h", L"--version", L"-V"};
+  const wchar_t *next = count > 2 ? arguments[2] : L"";
+  size_t i;
+  int at;
+  for (at = 1; at < count; at++) {
+    for (i = 0; i < sizeof none / sizeof *none; i++) {
+      if (wcsncmp(arguments[at], none[i], wcslen(none[i])) == 0) {
+        return 0;
+      }
+    }
+    for (i = 0; i < sizeof plain / sizeof *plain; i++) {
+      if (wcscmp(arguments[at], plain[i]) == 0) {
+        return 0;
+      }
+    }
+  }
+  return wcscmp(command, L"start") == 0 || wcscmp(command, L"enrich") == 0 ||
+         (wcscmp(command, L"experiment") == 0 && (*next == 0 || wcsncmp(next, L"--study", 7) == 0));
 }
 
 /* --- The archive of classes --------------------------------------------------------------------------------------- */
@@ -496,13 +573,15 @@ static void prepare(const wchar_t *home, const wchar_t *command, const wchar_t *
   }
 }
 
-/* As java.exe reads them, flags, the main class and its arguments; returns the place of the class. */
-static int prepare_java(int count, wchar_t **arguments) {
+/* As java.exe reads them, flags, the main class and its arguments; returns the place of the class. Sets the picture. */
+static int prepare_java(int count, wchar_t **arguments, wchar_t **picture) {
   int at;
   for (at = 1; at < count && arguments[at][0] == L'-'; at++) {
     int path = wcscmp(arguments[at], L"-cp") == 0 || wcscmp(arguments[at], L"-classpath") == 0;
     if (path && at + 1 < count) {
       option(text(L"-Djava.class.path=%ls", arguments[++at]));
+    } else if (wcsncmp(arguments[at], L"-splash:", 8) == 0) {
+      *picture = arguments[at] + 8;
     } else {
       option(arguments[at]);
     }
@@ -513,31 +592,41 @@ static int prepare_java(int count, wchar_t **arguments) {
 int wmain(int count, wchar_t **arguments) {
   wchar_t *home = home_folder();
   wchar_t *library = text(L"%ls\\runtime\\bin\\server\\jvm.dll", home);
+  wchar_t *picture = NULL;
   struct program program = {MAIN, count - 1, arguments + 1};
   HANDLE thread;
 
-  raw_option("vfprintf", on_vm_message);
-  raw_option("exit", on_vm_exit);
-  raw_option("abort", on_vm_abort);
-  if (java) {
-    int at = prepare_java(count, arguments);
-    program.main = at < count ? arguments[at] : L"";
-    program.count = at < count ? count - at - 1 : 0;
-    program.arguments = arguments + at + 1;
-  } else {
-    const wchar_t *first = count > 1 ? arguments[1] : L"";
-    const wchar_t *desktop = DESKTOP;
-    const wchar_t *empty = desktop != NULL && wcscmp(desktop, L"run") == 0 ? L"start" : desktop;
-    const wchar_t *command = desktop == NULL ? first : count > 1 ? desktop : empty;
-    prepare(home, command, count > 2 ? arguments[2] : L"");
-    speak_utf8();
-  }
   /* Where jvm.dll and what it loads find each other; the folder that the user is in is no such place. */
   SetDllDirectoryW(text(L"%ls\\runtime\\bin", home));
   if (LoadLibraryW(library) == NULL) {
     fail(is_file(library) ? L"%ls cannot be loaded; install the program again"
                           : L"%ls is missing; install the program again",
          library);
+  }
+  raw_option("vfprintf", on_vm_message);
+  raw_option("exit", on_vm_exit);
+  raw_option("abort", on_vm_abort);
+  if (java) {
+    int at = prepare_java(count, arguments, &picture);
+    program.main = at < count ? arguments[at] : L"";
+    program.count = at < count ? count - at - 1 : 0;
+    program.arguments = arguments + at + 1;
+    if (picture != NULL) {
+      show_picture(home, picture);
+    }
+  } else {
+    const wchar_t *first = count > 1 ? arguments[1] : L"";
+    const wchar_t *desktop = DESKTOP;
+    const wchar_t *empty = desktop != NULL && wcscmp(desktop, L"run") == 0 ? L"start" : desktop;
+    const wchar_t *command = desktop == NULL ? first : count > 1 ? desktop : empty;
+    picture = text(L"%ls\\app\\splash.png", home);
+    if (opens_window(command, count, arguments)) {
+      show_picture(home, picture); /* Before the archive of classes is made, which takes its time. */
+    }
+    /* What the window starts in turn shows it too. */
+    option(text(L"-Dselective-renderer.splash=%ls", picture));
+    prepare(home, command, count > 2 ? arguments[2] : L"");
+    speak_utf8();
   }
   /* As java.exe does: main has a thread of its own, with a stack of the size that Java's flags ask for. */
   thread = CreateThread(NULL, stack_size(), run, &program, STACK_SIZE_PARAM_IS_A_RESERVATION, NULL);

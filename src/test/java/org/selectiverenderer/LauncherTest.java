@@ -192,6 +192,57 @@ class LauncherTest {
     }
   }
 
+  /** Else a first start would show nothing until the archive is made, which takes many seconds. */
+  @Test
+  void aFirstStartWithAWindowDoesNotWaitForTheArchive() throws Exception {
+    aPackage();
+    Files.writeString(home.resolve("app/classes.list"), "java/lang/Object");
+    Files.writeString(home.resolve("app/splash.png"), "a picture");
+    // Makes the archive once there is a window, or too late.
+    tool(
+        "runtime/bin/java",
+        """
+        case "$*" in
+          *-Xshare:dump*)
+            for turn in $(seq 100); do [ -e "$WINDOW" ] || sleep 0.1; done
+            echo dumped >>"$NOTES"
+            for word in "$@"; do
+              case $word in -XX:SharedArchiveFile=*) echo classes >"${word#*=}" ;; esac
+            done
+            ;;
+          *)
+            echo window >>"$NOTES"
+            for word in "$@"; do
+              case $word in -*) echo "flag $word" >>"$NOTES" ;; esac
+            done
+            touch "$WINDOW"
+            ;;
+        esac
+        """);
+    Files.move(
+        tools.resolve("runtime/bin/java"),
+        home.resolve("runtime/bin/java"),
+        StandardCopyOption.REPLACE_EXISTING);
+    environment.put("WINDOW", folder.resolve("window").toString());
+
+    assertThat(launch("start").status()).isZero();
+    Path archive = home.resolve("app/selective-renderer-17.0.2.jsa");
+    long end = System.nanoTime() + 60_000_000_000L;
+    while (!Files.exists(archive) && System.nanoTime() < end) {
+      Thread.onSpinWait();
+    }
+    assertThat(notes())
+        .containsSubsequence(
+            "window", "flag -splash:" + home.resolve("app/splash.png"), "dumped")
+        .doesNotContain("flag -XX:SharedArchiveFile=" + archive);
+
+    launch("start");
+    assertThat(notes())
+        .filteredOn("dumped"::equals)
+        .hasSize(1);
+    assertThat(notes()).contains("flag -XX:SharedArchiveFile=" + archive);
+  }
+
   /** Else it would change where it is installed, which macOS may ask the user about. */
   @Test
   void anApplicationOfMacOsKeepsItsArchiveInTheUsersCaches() throws Exception {

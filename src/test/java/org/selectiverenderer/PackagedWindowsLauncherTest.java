@@ -89,6 +89,22 @@ class PackagedWindowsLauncherTest {
         .isEqualTo(wanted);
   }
 
+  /** Java itself only knows the flag -splash in its own launcher. */
+  @Test
+  void showsThePictureForTheCommandsOfTheOtherLauncher() throws IOException {
+    String source = Files.readString(Path.of("packaging/windows/launcher.c"));
+    String own =
+        source.substring(source.indexOf("static int opens_window("), source.indexOf("SharedArchive"));
+    Set<String> opening = found("[\\w/*| -]+(?=\\) splash=yes ;;\n  run)", script());
+    Set<String> plain = found("[\\w*| -]+(?=\\) splash= ;;)", script());
+    assertThat(opening).hasSize(1);
+    assertThat(plain).hasSize(1);
+    Set<String> words = found("[\\w-]+", opening + " " + plain);
+    assertThat(words).contains("start", "enrich", "--study", "--apply", "-h");
+    assertThat(found("(?<=L\")[\\w-]+(?=\")", own)).containsAll(words);
+    assertThat(source).contains("app\\\\splash.png", "L\"-Dselective-renderer.splash=%ls\"");
+  }
+
   /** Their sums are checked before anything is unpacked. */
   @Test
   void everyPlatformHasAPinnedJava() throws IOException {

@@ -191,8 +191,16 @@ class EnricherPictures {
     open(theme, 1280, 860, APARTMENT);
     drawn();
     select(selected);
+    await(part("Preview", PreviewPanel.class));
     tab(tab);
     write(content());
+  }
+
+  /** Waits until the preview shows what is selected, at the size that the window now leaves it. */
+  private void await(PreviewPanel preview) {
+    hands.await(
+        "the picture of the selected node",
+        () -> PreviewImageProbe.selected(preview) && PreviewImageProbe.fits(preview));
   }
 
   /** Waits for the first picture of the preview, from which the plan is made, too. */
@@ -267,7 +275,7 @@ class EnricherPictures {
     drawn();
     PreviewPanel preview = part("Preview", PreviewPanel.class);
     select("DeskProx");
-    hands.await("the area", () -> PreviewImageProbe.selected(preview));
+    await(preview);
     AbstractButton frame = part("Bring the selected object into view (F)", AbstractButton.class);
     edt(frame::doClick);
     write(preview);
