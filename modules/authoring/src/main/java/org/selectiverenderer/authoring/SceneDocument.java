@@ -188,8 +188,18 @@ public final class SceneDocument {
     if (files.isEmpty()) {
       history.perform(edit);
     } else {
-      history.perform(edit, UndoableFileWrites.write(files));
+      history.perform(edit, UndoableFileWrites.write(files, () -> {}));
     }
+  }
+
+  /**
+   * Performs an edit as one step together with files that have been written for it.
+   *
+   * @throws EditRejectedException if the document is locked; the files stay
+   */
+  public void perform(Edit edit, UndoableFileWrites written) {
+    unlocked();
+    history.perform(edit, written);
   }
 
   /**

@@ -6,21 +6,30 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import org.selectiverenderer.x3d.source.TextEdit;
 
 /** The undo and redo steps of a document. */
 public final class UndoHistory {
   /** An undo step; it is a list of sets of changes, each in the offsets after the previous set. */
-  private record Step(String name, List<List<TextEdit>> undo, Optional<UndoableFileWrites> files) {}
+  private record Step(String name, List<List<TextEdit>> undo, Optional<UndoableFileWrites> files) {
+    long characters() {
+      return undo.stream().flatMap(List::stream).mapToLong(edit -> edit.text().length()).sum();
+    }
+  }
 
   /**
    * The largest memory for contents of files; older steps beyond it leave their files as they are.
    */
   private static final long MOST_KEPT = 256L << 20;
 
+  /** Most characters that steps hold; the oldest steps beyond are forgotten, but never the last. */
+  private static final long MOST_CHARACTERS = 128L << 20;
+
   private final Function<List<TextEdit>, List<TextEdit>> text;
   private final List<Step> done = new ArrayList<>();
   private final List<Step> undone = new ArrayList<>();
+  private final long most;
   private int saved;
   private boolean typing;
 
@@ -28,7 +37,16 @@ public final class UndoHistory {
    * @param text applies changes and returns their inverse
    */
   UndoHistory(Function<List<TextEdit>, List<TextEdit>> text) {
+    this(text, MOST_CHARACTERS);
+  }
+
+  /**
+   * @param text applies changes and returns their inverse
+   * @param most the most characters that the steps may hold
+   */
+  UndoHistory(Function<List<TextEdit>, List<TextEdit>> text, long most) {
     this.text = text;
+    this.most = most;
   }
 
   /** Performs an edit; one that changes nothing is not a step. */
@@ -87,6 +105,30 @@ public final class UndoHistory {
     }
     undone.clear();
     done.add(new Step(name, undo, files));
+    forgetOldest();
+  }
+
+  /** Forgets the oldest steps beyond the memory that steps may take. */
+  private void forgetOldest() {
+    long held = 0;
+    int kept = 0;
+    for (int i = done.size() - 1; i >= 0; i--) {
+      held += done.get(i).characters();
+      if (held > most && kept > 0) {
+        break;
+      }
+      kept++;
+    }
+    int gone = done.size() - kept;
+    done.subList(0, gone).clear();
+    saved = saved < gone ? -1 : saved - gone;
+  }
+
+  /**
+   * Returns how many characters all steps hold: those that their edits have replaced, not the text.
+   */
+  public long characters() {
+    return Stream.concat(done.stream(), undone.stream()).mapToLong(Step::characters).sum();
   }
 
   /** Returns the name of the step that {@link #undo()} reverts. */

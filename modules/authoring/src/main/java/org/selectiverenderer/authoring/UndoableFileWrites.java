@@ -20,7 +20,7 @@ import org.selectiverenderer.x3d.source.Gzip;
  *
  * <p>The contents are kept compressed in memory; {@link UndoHistory} limits their total size.
  */
-final class UndoableFileWrites {
+public final class UndoableFileWrites {
   /** A file with its compressed contents before and after; empty where there is no file. */
   private record Both(Path file, Optional<byte[]> before, Optional<byte[]> after) {}
 
@@ -33,15 +33,18 @@ final class UndoableFileWrites {
   }
 
   /**
-   * Writes files, all or none.
+   * Writes files, all or none, and keeps their contents; this may take long.
    *
+   * @param check runs between the files and may throw to end the work before any is written
    * @throws IOException if one cannot be read or written, with a one-line message that names it;
    *     nothing has changed then
    */
-  static UndoableFileWrites write(List<UndoableFileWrite> wanted) throws IOException {
+  public static UndoableFileWrites write(List<UndoableFileWrite> wanted, Runnable check)
+      throws IOException {
     List<Both> files = new ArrayList<>();
     List<Path> folders = new ArrayList<>();
     for (UndoableFileWrite file : wanted) {
+      check.run();
       Path folder = file.file().toAbsolutePath().getParent();
       if (folder != null && !Files.exists(folder) && !folders.contains(folder)) {
         folders.add(folder);
@@ -54,9 +57,19 @@ final class UndoableFileWrites {
           new Both(
               file.file(), before.map(Gzip::packed), Optional.of(Gzip.packed(file.content()))));
     }
+    check.run();
     UndoableFileWrites step = new UndoableFileWrites(files, folders);
     step.write(false);
     return step;
+  }
+
+  /**
+   * Undoes the writing where no step comes of it.
+   *
+   * @throws IOException if a file cannot be removed or restored, or another program has changed it
+   */
+  public void withdraw() throws IOException {
+    move(true, false);
   }
 
   /** Returns the size of the compressed contents in bytes. */

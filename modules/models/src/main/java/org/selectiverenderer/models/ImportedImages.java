@@ -26,7 +26,13 @@ final class ImportedImages {
    */
   String url(String texture) {
     if (!texture.startsWith("*")) {
-      String url = texture.replace('\\', '/');
+      // A name is no url: what ends its path, and a percent sign that escapes nothing, is encoded.
+      String url =
+          texture
+              .replace('\\', '/')
+              .replaceAll("%(?![0-9A-Fa-f]{2})", "%25")
+              .replace("#", "%23")
+              .replace("?", "%3F");
       // a drive of the author's machine
       return url.length() > 2 && url.charAt(1) == ':' && url.charAt(2) == '/'
           ? url.substring(url.lastIndexOf('/') + 1)

@@ -164,12 +164,14 @@ final class DocumentSaver {
         .takeAlong(
             session,
             other,
-            () ->
+            withdraw ->
                 write(
                     session.file().writing(other),
                     saved,
-                    // The urls fit the other folder only.
-                    () -> session.document().history().undo()),
+                    () -> {
+                      session.document().history().undo(); // the urls fit the other folder only
+                      withdraw.run();
+                    }),
             () -> {
               writing = false;
               goOn();

@@ -3,6 +3,7 @@ package org.selectiverenderer.enricher;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.selectiverenderer.base.files.AtomicFileWriter;
@@ -38,7 +39,8 @@ final class FileCommands {
         .ifPresent(this::create);
   }
 
-  private void create(NewSceneDialog.Answer scene) {
+  /** Writes a scene and opens it. A file that has appeared since the answer is asked about. */
+  void create(NewSceneDialog.Answer scene) {
     if (window.windows().showOther(scene.file(), window)) {
       window.say(Texts.of("window.taken", String.valueOf(scene.file().getFileName())));
       return;
@@ -48,13 +50,32 @@ final class FileCommands {
         .leaving(
             () -> {
               try {
-                AtomicFileWriter.replace(
-                    scene.file(), scene.text().getBytes(StandardCharsets.UTF_8));
-                window.openUnasked(scene.file());
+                if (written(scene)) {
+                  window.openUnasked(scene.file());
+                }
               } catch (IOException e) {
                 questions.tell(String.valueOf(e.getMessage()));
               }
             });
+  }
+
+  /** Returns whether the file was written; else the author wants to keep the one that is there. */
+  private boolean written(NewSceneDialog.Answer scene) throws IOException {
+    if (!scene.replace()) {
+      try {
+        AtomicFileWriter.writeOnce(scene.file(), scene.text());
+        return true;
+      } catch (IOException e) {
+        if (!Files.exists(scene.file(), LinkOption.NOFOLLOW_LINKS)) {
+          throw e;
+        }
+      }
+      if (!questions.overwrite(Texts.of("keep.exists", scene.file().toString()))) {
+        return false;
+      }
+    }
+    AtomicFileWriter.replace(scene.file(), scene.text().getBytes(StandardCharsets.UTF_8));
+    return true;
   }
 
   /** Returns an unused file beside the open scene, else in the user's home folder. */

@@ -6,17 +6,21 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
 import java.util.function.Consumer;
 import org.joml.Vector3dc;
 import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.authoring.UndoableFileWrite;
+import org.selectiverenderer.authoring.UndoableFileWrites;
 import org.selectiverenderer.authoring.importing.ImportedModel;
 import org.selectiverenderer.authoring.importing.InlineEdits;
 import org.selectiverenderer.authoring.importing.ModelImporter;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.enricher.importing.ImportDialog;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.task.TaskProgress;
 import org.selectiverenderer.enricher.text.Texts;
 
 /**
@@ -70,9 +74,11 @@ final class ImportCommands {
             .mayLink(file);
     // Where the mouse is now, as the picture may change while the dialog is open.
     place.accept(
-        point ->
+        point -> {
+          if (present(bench)) {
             new ImportDialog(window.frame(), file, mayLink, mayOpen)
                 .ask()
+                .filter(way -> present(bench))
                 .ifPresent(
                     way -> {
                       if (way == ImportDialog.Way.OPEN) {
@@ -80,7 +86,9 @@ final class ImportCommands {
                       } else {
                         read(bench, file, way, point);
                       }
-                    }));
+                    });
+          }
+        });
   }
 
   private void read(Workbench bench, Path file, ImportDialog.Way way, Vector3dc point) {
@@ -115,17 +123,75 @@ final class ImportCommands {
   private void add(Workbench bench, ImportedModel model, Vector3dc point) {
     EnricherSession session = bench.session();
     bench.commit();
-    for (UndoableFileWrite file : model.files()) {
+    if (model.files().isEmpty()) {
+      perform(bench, model, point, Optional.empty());
+      return;
+    }
+    Path scene = session.file().path();
+    session
+        .tasks()
+        .runWriting(
+            Texts.of("import.writing", String.valueOf(model.file().getFileName())),
+            progress -> write(model.files(), progress),
+            written -> {
+              if (present(bench) && session.file().path().equals(scene)) {
+                perform(bench, model, point, Optional.of(written));
+              } else {
+                withdraw(written);
+              }
+            },
+            failed -> {
+              if (present(bench)) {
+                tell(failed);
+              }
+            });
+  }
+
+  /** Writes the new files of a model, off the event dispatch thread. */
+  private static UndoableFileWrites write(List<UndoableFileWrite> files, TaskProgress progress)
+      throws IOException {
+    for (UndoableFileWrite file : files) {
       if (Files.exists(file.file(), LinkOption.NOFOLLOW_LINKS)) {
-        questions.tell(Texts.of("import.taken", file.file().toString()));
-        return;
+        throw new IOException(Texts.of("import.taken", file.file().toString()));
       }
     }
+    UndoableFileWrites written = UndoableFileWrites.write(files, progress::check);
+    if (progress.cancelled()) {
+      written.withdraw();
+      progress.check();
+    }
+    return written;
+  }
+
+  private void withdraw(UndoableFileWrites written) {
+    try {
+      written.withdraw();
+    } catch (IOException e) {
+      questions.tell(String.valueOf(e.getMessage()));
+    }
+  }
+
+  private void tell(Exception failed) {
+    if (failed instanceof CancellationException) {
+      window.say(Texts.of("import.cancelled"));
+    } else {
+      questions.tell(String.valueOf(failed.getMessage()));
+    }
+  }
+
+  private void perform(
+      Workbench bench, ImportedModel model, Vector3dc point, Optional<UndoableFileWrites> written) {
+    EnricherSession session = bench.session();
+    bench.commit();
     try {
       InlineEdits.Added added =
-          new InlineEdits(session.document())
+          new InlineEdits(session.document(), session.catalogue())
               .add(session.file().path(), model.file(), model.onto(point));
-      session.document().perform(added.edit(), model.files());
+      if (written.isPresent()) {
+        session.document().perform(added.edit(), written.get());
+      } else {
+        session.document().perform(added.edit());
+      }
       bench.lookAtFilesAgain();
       session
           .document()
@@ -142,7 +208,8 @@ final class ImportCommands {
                   left,
                   DecimalFormatter.grouped(left),
                   model.problems().get(0).toString()));
-    } catch (EditRejectedException | IOException e) {
+    } catch (EditRejectedException e) {
+      written.ifPresent(this::withdraw);
       questions.tell(String.valueOf(e.getMessage()));
     }
   }

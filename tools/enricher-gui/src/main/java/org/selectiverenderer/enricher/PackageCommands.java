@@ -1,10 +1,14 @@
 package org.selectiverenderer.enricher;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
 import java.util.function.Consumer;
+import java.util.function.DoubleConsumer;
 import org.selectiverenderer.authoring.DocumentSnapshot;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.packaging.PackageLayout;
@@ -12,6 +16,7 @@ import org.selectiverenderer.authoring.packaging.PackageWriter;
 import org.selectiverenderer.authoring.packaging.PackagedFile;
 import org.selectiverenderer.authoring.packaging.ScenePackage;
 import org.selectiverenderer.authoring.packaging.ScenePackager;
+import org.selectiverenderer.authoring.packaging.WrittenFiles;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.enricher.importing.PackageDialog;
 import org.selectiverenderer.enricher.session.EnricherSession;
@@ -45,9 +50,9 @@ final class PackageCommands {
           all.add(packed.scene());
           all.addAll(packed.files());
           if (target.zip()) {
-            write(session, all, target, () -> {}, () -> {});
+            write(session, all, target, back -> {}, () -> {});
           } else {
-            intoFolder(session, all, target.path(), () -> {}, () -> {});
+            intoFolder(session, all, target.path(), back -> {}, () -> {});
           }
         },
         () -> {});
@@ -57,10 +62,10 @@ final class PackageCommands {
    * Copies the files that a scene names to where the scene will be saved, and changes its urls.
    *
    * @param target the scene's future file
-   * @param then runs when the files are there
+   * @param then runs when the files are there, with what removes them again
    * @param ended runs instead if they could not be copied, or the author does not want it
    */
-  void takeAlong(EnricherSession session, Path target, Runnable then, Runnable ended) {
+  void takeAlong(EnricherSession session, Path target, Consumer<Runnable> then, Runnable ended) {
     long revision = session.document().revision();
     collect(
         session,
@@ -70,21 +75,22 @@ final class PackageCommands {
                 session,
                 packed.files(),
                 target.toAbsolutePath().getParent(),
-                () -> {
+                withdraw -> {
                   if (session.document().revision() != revision) {
+                    withdraw.run();
                     questions.tell(Texts.of("package.changed"));
                     ended.run();
                     return;
                   }
                   session.perform(new Edit(Texts.of("package.step"), packed.edits()));
-                  then.run();
+                  then.accept(withdraw);
                 },
                 ended),
         ended);
   }
 
   /**
-   * Collects the files. This cannot be cancelled, so that one of the callbacks always runs.
+   * Collects the files; one of the callbacks always runs, also when it is cancelled.
    *
    * @param ended runs if nothing is collected
    */
@@ -95,16 +101,16 @@ final class PackageCommands {
     ContentAccessPolicy access = session.access();
     session
         .tasks()
-        .runToEnd(
+        .runWriting(
             Texts.of("package.collecting", String.valueOf(scene.getFileName())),
-            () -> {
+            progress -> {
               Path folder = scene.getParent();
               return new ScenePackager(
                       session.catalogue(),
                       folder,
                       access,
                       PackageLayout.around(folder.toRealPath()),
-                      () -> false)
+                      progress::cancelled)
                   .collect(scene, snapshot, place);
             },
             packed -> {
@@ -114,7 +120,7 @@ final class PackageCommands {
                 ended.run();
               }
             },
-            failed -> tell(failed, ended));
+            failed -> tell(session, failed, ended));
   }
 
   private static String sentence(ScenePackage packed) {
@@ -132,13 +138,13 @@ final class PackageCommands {
       EnricherSession session,
       List<PackagedFile> files,
       Path folder,
-      Runnable written,
+      Consumer<Runnable> written,
       Runnable ended) {
     session
         .tasks()
-        .runToEnd(
+        .runWriting(
             Texts.of("package.comparing", folder.toString()),
-            () -> PackageWriter.conflicts(files, folder),
+            progress -> PackageWriter.conflicts(files, folder),
             conflicts -> {
               if (conflicts.isEmpty()
                   || questions.replace(
@@ -153,41 +159,58 @@ final class PackageCommands {
                 ended.run();
               }
             },
-            failed -> tell(failed, ended));
+            failed -> tell(session, failed, ended));
   }
 
   private void write(
       EnricherSession session,
       List<PackagedFile> files,
       PackageDialog.Target target,
-      Runnable written,
+      Consumer<Runnable> written,
       Runnable ended) {
     session
         .tasks()
-        .runToEnd(
+        .runWriting(
             Texts.of("package.writing", String.valueOf(target.path().getFileName())),
-            () -> {
+            progress -> {
+              DoubleConsumer share =
+                  done -> {
+                    progress.check();
+                    progress.done(done);
+                  };
               if (target.zip()) {
-                PackageWriter.intoZip(files, target.path(), share -> {});
-              } else {
-                PackageWriter.intoFolder(files, target.path(), share -> {});
+                PackageWriter.intoZip(files, target.path(), share);
+                return Optional.<WrittenFiles>empty();
               }
-              return files.size();
+              return Optional.of(PackageWriter.intoFolder(files, target.path(), share));
             },
-            count -> {
+            now -> {
+              int count = files.size();
               session.message(
                   Texts.of(
                       "package.done",
                       count,
                       DecimalFormatter.grouped(count),
                       target.path().toString()));
-              written.run();
+              written.accept(() -> now.ifPresent(this::withdraw));
             },
-            failed -> tell(failed, ended));
+            failed -> tell(session, failed, ended));
   }
 
-  private void tell(Exception failed, Runnable ended) {
-    questions.tell(String.valueOf(failed.getMessage()));
+  private void withdraw(WrittenFiles files) {
+    try {
+      files.withdraw();
+    } catch (IOException e) {
+      questions.tell(String.valueOf(e.getMessage()));
+    }
+  }
+
+  private void tell(EnricherSession session, Exception failed, Runnable ended) {
+    if (failed instanceof CancellationException) {
+      session.message(Texts.of("package.cancelled"));
+    } else {
+      questions.tell(String.valueOf(failed.getMessage()));
+    }
     ended.run();
   }
 }

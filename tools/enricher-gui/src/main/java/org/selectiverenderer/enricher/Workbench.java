@@ -13,6 +13,7 @@ import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
 import javax.swing.KeyStroke;
 import org.selectiverenderer.authoring.file.CrashRecovery;
+import org.selectiverenderer.authoring.geometry.RepeatedPointsCheck;
 import org.selectiverenderer.authoring.structure.ChildPosition;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.browser.viewer.Pose;
@@ -117,7 +118,9 @@ final class Workbench {
             () -> session.file().path(),
             settings,
             (read, found) -> trust.limited(read, found, this::settingsAreOther));
-    problems = new ProblemsPanel(session, List.of(validator(session, budgets)));
+    problems =
+        new ProblemsPanel(
+            session, List.of(validator(session, budgets), new RepeatedPointsCheck()));
     tree = new SceneTreePanel(session, problems::faulty);
     problems.onCounts(
         now -> {

@@ -5,6 +5,7 @@ import java.util.Optional;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.authoring.SceneDocument;
+import org.selectiverenderer.authoring.SourceFormatter;
 import org.selectiverenderer.authoring.nodes.NodeEdits;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
@@ -16,8 +17,8 @@ import org.selectiverenderer.x3d.source.SourceAttribute;
 import org.selectiverenderer.x3d.source.TextEdit;
 
 /**
- * Creates edits of single fields: each edit changes one attribute; an edit of a DEF name also
- * changes all references to it.
+ * Creates edits of single fields: each edit changes one attribute, or the fieldValue of one field
+ * of a prototype's instance; an edit of a DEF name also changes all references to it.
  */
 public final class FieldEdits {
   private final SceneDocument document;
@@ -35,11 +36,41 @@ public final class FieldEdits {
     if (field.readOnly().isPresent()) {
       return field.readOnly();
     }
+    if (field.ofPrototype().isPresent()) {
+      return wrongInstance(element, field, field.ofPrototype().get(), text);
+    }
     return switch (field.name()) {
       case "DEF" -> wrongName(element, text);
       case "USE" -> wrongUse(element, text);
-      default -> field.definition().flatMap(of -> wrongValue(element, of, text));
+      default ->
+          field.name().equals("name") && InterfaceFieldList.applies(element)
+              ? wrongPrototype(element, text)
+              : field.definition().flatMap(of -> wrongValue(element, of, text));
     };
+  }
+
+  /** Returns why a field cannot be without a written value; empty if it can. */
+  public Optional<String> wrongReset(DocumentElement element, NodeField field) {
+    boolean named =
+        field.name().equals("DEF")
+            || field.name().equals("name") && InterfaceFieldList.applies(element);
+    return named && field.ofPrototype().isEmpty() ? wrong(element, field, "") : field.readOnly();
+  }
+
+  private Optional<String> wrongPrototype(DocumentElement instance, String name) {
+    return InterfaceFieldList.declaration(document, name.strip(), instance).isPresent()
+        ? Optional.empty()
+        : Optional.of(name.isBlank()
+                ? "An instance needs the name of its prototype."
+                : "No prototype before this instance has the name " + name + ".");
+  }
+
+  private Optional<String> wrongInstance(
+      DocumentElement instance, NodeField field, InterfaceField declared, String text) {
+    return declared.declared()
+        ? field.definition().flatMap(of -> wrongValue(instance, of, text))
+        : Optional.of(
+            "The prototype %s has no field %s.".formatted(declared.prototype(), field.name()));
   }
 
   private Optional<String> wrongValue(DocumentElement element, FieldDefinition field, String text) {
@@ -122,7 +153,69 @@ public final class FieldEdits {
   }
 
   /**
-   * Sets the value of a field. A DEF name is changed together with all references.
+   * Sets the value of a field: an attribute, or a field of a prototype's instance.
+   *
+   * @param value the unescaped value
+   * @throws EditRejectedException if the value or the element comes from an entity
+   */
+  public Edit set(DocumentElement element, NodeField field, String value) {
+    String name = field.name();
+    if (field.ofPrototype().isEmpty()) {
+      return set(element, name, value);
+    }
+    List<DocumentElement> given = InterfaceFieldList.values(element, name);
+    if (!given.isEmpty()) {
+      DocumentElement last = given.get(given.size() - 1);
+      boolean same = document.attribute(last, "value").filter(value::equals).isPresent();
+      return new Edit(
+          setting(element, name),
+          same ? List.of() : List.of(document.layout().attribute(last, "value", value)));
+    }
+    return new Edit(setting(element, name), List.of(added(element, name, value)));
+  }
+
+  /** Adds a fieldValue behind the others, which follow IS and metadata of an instance. */
+  private TextEdit added(DocumentElement instance, String name, String value) {
+    SourceFormatter layout = document.layout();
+    char quote = layout.quote(instance);
+    String tag = document.text(instance.start() + 1, instance.tagEnd());
+    String prefix = tag.substring(0, Math.max(0, tag.indexOf(instance.name())));
+    String line =
+        "<"
+            + prefix
+            + "fieldValue"
+            + SourceFormatter.written("name", name, quote)
+            + SourceFormatter.written("value", value, quote)
+            + "/>";
+    List<DocumentElement> before =
+        instance.children().stream().filter(child -> child.name().equals("fieldValue")).toList();
+    return before.isEmpty()
+        ? layout.insertLast(instance, List.of(line))
+        : layout.insertAfter(before.get(before.size() - 1), List.of(line));
+  }
+
+  /** Returns the edit that lets the default of a field apply; an empty one if it does. */
+  public Edit unset(DocumentElement element, NodeField field) {
+    if (field.ofPrototype().isEmpty()) {
+      return unset(element, field.name());
+    }
+    return new Edit(
+        resetting(element, field.name()),
+        InterfaceFieldList.values(element, field.name()).stream()
+            .map(document.layout()::remove)
+            .toList());
+  }
+
+  private static String setting(DocumentElement element, String name) {
+    return "Set " + name + " of " + element;
+  }
+
+  private static String resetting(DocumentElement element, String name) {
+    return "Reset " + name + " of " + element;
+  }
+
+  /**
+   * Sets the value of an attribute. A DEF name is changed together with all references.
    *
    * @param value the unescaped value
    */
@@ -132,7 +225,7 @@ public final class FieldEdits {
     }
     boolean same = document.attribute(element, name).filter(value::equals).isPresent();
     return new Edit(
-        "Set " + name + " of " + element,
+        setting(element, name),
         same ? List.of() : List.of(document.layout().attribute(element, name, value)));
   }
 
@@ -140,7 +233,7 @@ public final class FieldEdits {
   public Edit unset(DocumentElement element, String name) {
     List<TextEdit> changes =
         document.tag(element).attribute(name).stream().map(this::removed).toList();
-    return new Edit("Reset " + name + " of " + element, changes);
+    return new Edit(resetting(element, name), changes);
   }
 
   /** Returns the removal of an attribute with its preceding white space. */

@@ -14,7 +14,10 @@ import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.SourceAttribute;
 
-/** Lists the fields of an element that can be edited as attributes, with their written values. */
+/**
+ * Lists the fields of an element with their written values: those that are attributes, and behind
+ * them those that the prototype of an instance declares.
+ */
 public final class NodeFieldList {
   /**
    * The largest length of a value that is edited in a form; longer ones are edited in the source.
@@ -28,8 +31,8 @@ public final class NodeFieldList {
 
   /**
    * Returns all fields of an element: first the written ones in the order of the text, then the
-   * others of the catalogue. For an element unknown to the catalogue only the written ones are
-   * returned.
+   * others of the catalogue, and those of the interface of an instance's prototype. For an element
+   * unknown to the catalogue only the written ones are returned.
    */
   public static List<NodeField> of(
       SceneDocument document, NodeCatalogue catalogue, DocumentElement element) {
@@ -52,6 +55,10 @@ public final class NodeFieldList {
             }
           }
         });
+    if (InterfaceFieldList.applies(element)) {
+      add(fields, given, "DEF", Optional.empty(), element);
+      fields.addAll(InterfaceFieldList.of(document, catalogue, element));
+    }
     return fields;
   }
 
@@ -72,7 +79,8 @@ public final class NodeFieldList {
               element.use().isPresent()
                   ? Optional.of(
                       "A USE reference has no fields of its own; change the original node.")
-                  : Optional.empty()));
+                  : Optional.empty(),
+              Optional.empty()));
     }
   }
 
@@ -84,26 +92,46 @@ public final class NodeFieldList {
     Optional<FieldDefinition> field =
         type.flatMap(of -> of.field(written.name()))
             .filter(found -> found.access().initialisable() && !found.type().isNode());
-    boolean longer = written.valueTo() - written.valueFrom() > LONG;
     boolean use = written.name().equals("USE");
     List<String> choices = use ? names(document, element) : choices(field);
-    NodeField.Kind kind = use ? NodeField.Kind.CHOICE : longer ? NodeField.Kind.TEXT : kind(field);
-    Optional<String> readOnly = Optional.empty();
+    NodeField.Kind kind =
+        use
+            ? NodeField.Kind.CHOICE
+            : isLong(Optional.of(written)) ? NodeField.Kind.TEXT : kind(field);
+    return new NodeField(
+        written.name(),
+        kind,
+        field,
+        Optional.of(shown(written)),
+        choices,
+        readOnly(written),
+        Optional.empty());
+  }
+
+  /** Returns whether a value is too long for a form. */
+  static boolean isLong(Optional<SourceAttribute> written) {
+    return written.filter(of -> of.valueTo() - of.valueFrom() > LONG).isPresent();
+  }
+
+  /** Returns why a value cannot be changed in a form; empty if it can. */
+  static Optional<String> readOnly(SourceAttribute written) {
     if (written.fromEntity()) {
-      readOnly =
-          Optional.of("The value comes from an entity of the DOCTYPE; change it in the source.");
-    } else if (longer) {
-      readOnly = Optional.of("The value is long; change it in the source.");
+      return Optional.of(
+          "The value comes from an entity of the DOCTYPE; change it in the source.");
     }
-    String value = longer ? shortened(written) : written.value();
-    return new NodeField(written.name(), kind, field, Optional.of(value), choices, readOnly);
+    return isLong(Optional.of(written))
+        ? Optional.of("The value is long; change it in the source.")
+        : Optional.empty();
   }
 
-  private static String shortened(SourceAttribute written) {
-    return written.text().subSequence(written.valueFrom(), written.valueFrom() + 60) + " ...";
+  /** Returns a value as a form shows it: a long one shortened. */
+  static String shown(SourceAttribute written) {
+    return isLong(Optional.of(written))
+        ? written.text().subSequence(written.valueFrom(), written.valueFrom() + 60) + " ..."
+        : written.value();
   }
 
-  private static NodeField.Kind kind(Optional<FieldDefinition> field) {
+  static NodeField.Kind kind(Optional<FieldDefinition> field) {
     return field
         .map(
             of ->
@@ -117,7 +145,7 @@ public final class NodeFieldList {
         .orElse(NodeField.Kind.TEXT);
   }
 
-  private static List<String> choices(Optional<FieldDefinition> field) {
+  static List<String> choices(Optional<FieldDefinition> field) {
     return field
         .filter(of -> of.type() == FieldType.SFString)
         .map(of -> List.copyOf(FieldValueConstraints.words(of)))

@@ -10,8 +10,10 @@
  *
  * <p>Fields: {@link org.selectiverenderer.authoring.editing.NodeFieldList} lists the fields of a
  * node (types, defaults and ranges of the catalogue) with their written values; {@link
- * org.selectiverenderer.authoring.editing.FieldEdits} validates and writes a value. A value that
- * comes from an entity of the DOCTYPE is shown but not written.
+ * org.selectiverenderer.authoring.editing.FieldEdits} validates and writes a value. Behind them are
+ * the fields that the prototype of an instance declares in the instance's scope; their values are
+ * fieldValues. The file of an EXTERNPROTO is not read, so that its defaults are unknown. A value
+ * that comes from an entity of the DOCTYPE is shown but not written.
  *
  * <p>Uses {@code authoring}, {@code authoring.nodes}, {@code x3d.catalogue}, {@code x3d.field} and
  * {@code x3d.source}. For the thread that owns the document.

@@ -23,7 +23,9 @@ public final class GeometryRepair {
     /** Gives normals the length 1. */
     NORMALIZE,
     /** Takes out faces that have no area. */
-    REMOVE_EMPTY_FACES
+    REMOVE_EMPTY_FACES,
+    /** Makes one of points that are equal. */
+    WELD
   }
 
   /** Normals within this of length 1 are left alone. */
@@ -32,7 +34,7 @@ public final class GeometryRepair {
   /** Six digits after the point: normals are no more exact. */
   private static final double DIGITS = 1e6;
 
-  private static final Set<String> INDEXED =
+  static final Set<String> INDEXED =
       Set.of("IndexedFaceSet", "IndexedTriangleSet", "IndexedQuadSet");
 
   private final SceneDocument document;
@@ -59,12 +61,34 @@ public final class GeometryRepair {
     };
   }
 
+  /** Returns the repair of what {@link RepeatedPointsCheck} finds; empty for another problem. */
+  public static Optional<Kind> ofMessage(String message, DocumentElement element) {
+    return message.endsWith(RepeatedPointsCheck.ADVICE) && INDEXED.contains(element.name())
+        ? Optional.of(Kind.WELD)
+        : Optional.empty();
+  }
+
   /** Returns the edit of a repair. */
   public Edit edit(Kind kind, DocumentElement element) {
     return switch (kind) {
       case NORMALIZE -> normalize(element);
       case REMOVE_EMPTY_FACES -> removeEmptyFaces(element);
+      case WELD -> weld(element);
     };
+  }
+
+  private Edit weld(DocumentElement faces) {
+    PointWelding welding =
+        PointWelding.of(
+            document.text(),
+            document.tree().orElseThrow(() -> refused(faces, "are in a text with a fault")),
+            faces);
+    if (welding.welded() == 0) {
+      throw new EditRejectedException(
+          "No points of " + faces + " are equal; there is nothing to do");
+    }
+    return new Edit(
+        "Weld %d points of %s".formatted(welding.welded(), faces), welding.changes());
   }
 
   private Edit normalize(DocumentElement normal) {

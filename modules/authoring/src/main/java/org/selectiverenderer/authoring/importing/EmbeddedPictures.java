@@ -1,10 +1,13 @@
 package org.selectiverenderer.authoring.importing;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Base64;
 import java.util.Collections;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -16,6 +19,7 @@ public final class EmbeddedPictures {
 
   private final Path scene;
   private final Map<String, Path> files = new LinkedHashMap<>();
+  private final List<String> faults = new ArrayList<>();
   private final Map<Path, byte[]> contents = new LinkedHashMap<>();
 
   /**
@@ -33,21 +37,38 @@ public final class EmbeddedPictures {
     Matcher matcher = URL.matcher(text);
     StringBuilder taken = new StringBuilder();
     while (matcher.find()) {
-      String data = matcher.group(2);
-      Path file = files.get(data);
-      if (file == null) {
-        String ending = matcher.group(1).equals("jpeg") ? "jpg" : matcher.group(1);
-        file = scene.resolveSibling("%s-%d.%s".formatted(stem, files.size() + 1, ending));
-        files.put(data, file);
-        contents.put(file, Base64.getDecoder().decode(data));
-      }
-      matcher.appendReplacement(taken, Matcher.quoteReplacement(url(file)));
+      Optional<Path> file = file(stem, matcher.group(1), matcher.group(2));
+      String url = file.map(EmbeddedPictures::url).orElse(matcher.group());
+      matcher.appendReplacement(taken, Matcher.quoteReplacement(url));
     }
     return matcher.appendTail(taken).toString();
   }
 
+  /** Returns the file of a picture; empty if its data are not base64. */
+  private Optional<Path> file(String stem, String type, String data) {
+    if (!files.containsKey(data)) {
+      byte[] content;
+      try {
+        content = Base64.getDecoder().decode(data);
+      } catch (IllegalArgumentException e) {
+        faults.add("a picture in the text is not base64, and stays there: " + e.getMessage());
+        return Optional.empty();
+      }
+      String ending = type.equals("jpeg") ? "jpg" : type;
+      Path file = scene.resolveSibling("%s-%d.%s".formatted(stem, files.size() + 1, ending));
+      files.put(data, file);
+      contents.put(file, content);
+    }
+    return Optional.ofNullable(files.get(data));
+  }
+
   private static String url(Path file) {
     return String.valueOf(file.getFileName()).replace(" ", "%20");
+  }
+
+  /** Returns a sentence for each picture that stays in the text, as it cannot be read. */
+  public List<String> faults() {
+    return List.copyOf(faults);
   }
 
   /** Returns the files of the pictures with their contents. */

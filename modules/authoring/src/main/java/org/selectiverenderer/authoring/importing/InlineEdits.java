@@ -1,6 +1,7 @@
 package org.selectiverenderer.authoring.importing;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -10,9 +11,12 @@ import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.authoring.SourceFormatter;
 import org.selectiverenderer.authoring.UniqueNameGenerator;
+import org.selectiverenderer.authoring.structure.NeededComponents;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.ElementTree;
+import org.selectiverenderer.x3d.source.TextEdit;
 import org.selectiverenderer.x3d.url.UrlRelativizer;
 
 /** Creates edits that inline a file in a scene. */
@@ -21,9 +25,12 @@ public final class InlineEdits {
   private static final int DECIMALS = 4;
 
   private final SceneDocument document;
+  private final NodeCatalogue catalogue;
 
-  public InlineEdits(SceneDocument document) {
+  /** Creates edits of a document with nodes of a catalogue. */
+  public InlineEdits(SceneDocument document, NodeCatalogue catalogue) {
     this.document = document;
+    this.catalogue = catalogue;
   }
 
   /**
@@ -73,13 +80,13 @@ public final class InlineEdits {
         top.children().stream()
             .filter(child -> !STATEMENTS.contains(child.name()))
             .reduce((one, other) -> other);
-    return new Added(
-        new Edit(
-            "Import " + name,
-            List.of(
-                last.map(child -> layout.insertAfter(child, lines))
-                    .orElseGet(() -> layout.insertFirst(top, lines)))),
-        name);
+    List<TextEdit> changes =
+        new ArrayList<>(
+            new NeededComponents(document, catalogue).of(Set.of("Transform", "Inline")));
+    changes.add(
+        last.map(child -> layout.insertAfter(child, lines))
+            .orElseGet(() -> layout.insertFirst(top, lines)));
+    return new Added(new Edit("Import " + name, changes), name);
   }
 
   /** Returns a name that begins with a letter, as names of nodes do. */

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -20,6 +21,7 @@ import org.selectiverenderer.authoring.packaging.PackageLayout;
 import org.selectiverenderer.authoring.packaging.PackagedFile;
 import org.selectiverenderer.authoring.packaging.ScenePackage;
 import org.selectiverenderer.authoring.packaging.ScenePackager;
+import org.selectiverenderer.base.files.FileNameLength;
 import org.selectiverenderer.base.files.InputFileReader;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
@@ -35,6 +37,9 @@ import org.selectiverenderer.x3d.url.UrlResolver;
 public final class ModelImporter {
   /** The largest size of all files of a copy, as an undo step keeps them. */
   private static final long MOST_BYTES = 1L << 30;
+
+  /** The bytes for what is added to the beginning of names, such as {@code _2-files}. */
+  private static final int LONGEST_ENDING = 24;
 
   private final NodeCatalogue catalogue;
   private final Path folder;
@@ -84,6 +89,7 @@ public final class ModelImporter {
    */
   public ImportedModel copy(Path model) throws IOException {
     InputFileReader.requireRegular(model);
+    requireFew(model, Files.size(model));
     ProblemCollector problems = new ProblemCollector();
     String stem = freeStem(model);
     Path target = folder.resolve(stem + ".x3d");
@@ -103,10 +109,16 @@ public final class ModelImporter {
       problems.warning(
           SourceLocation.of(left.file()), "url '%s' %s".formatted(left.url(), left.reason()));
     }
+    long size = Files.size(model);
+    for (PackagedFile file : packed.files()) {
+      size += file.size();
+      requireFew(model, size); // before any of them is read
+    }
     byte[] x3d = packed.scene().changed().orElseThrow();
     if (converted) {
       String taken = pictures.takenFrom(new String(x3d, StandardCharsets.UTF_8));
       x3d = taken.getBytes(StandardCharsets.UTF_8);
+      pictures.faults().forEach(fault -> problems.warning(SourceLocation.of(model.toString()), fault));
     }
     List<UndoableFileWrite> files = new ArrayList<>();
     files.add(new UndoableFileWrite(target, x3d, false));
@@ -114,14 +126,20 @@ public final class ModelImporter {
       files.add(new UndoableFileWrite(picture.getKey(), picture.getValue(), false));
     }
     for (PackagedFile file : packed.files()) {
+      if (cancelled.getAsBoolean()) {
+        throw new CancellationException();
+      }
       files.add(new UndoableFileWrite(folder.resolve(file.target()), bytes(file), false));
     }
-    long size = files.stream().mapToLong(file -> file.content().length).sum();
-    if (size > MOST_BYTES) {
+    requireFew(model, files.stream().mapToLong(file -> file.content().length).sum());
+    return new ImportedModel(target, files, bounds(model, new ProblemCollector()), problems.list());
+  }
+
+  private static void requireFew(Path model, long bytes) throws IOException {
+    if (bytes > MOST_BYTES) {
       throw new IOException(
           model + ": with its files it has more than 1 GB; link to it instead of copying it");
     }
-    return new ImportedModel(target, files, bounds(model, new ProblemCollector()), problems.list());
   }
 
   private static byte[] bytes(PackagedFile file) throws IOException {
@@ -197,6 +215,7 @@ public final class ModelImporter {
     try (Stream<Path> all = Files.list(folder)) {
       there = all.map(path -> String.valueOf(path.getFileName())).toList();
     }
+    wanted = FileNameLength.shortened(wanted, LONGEST_ENDING);
     String stem = wanted;
     for (int i = 2; taken(stem, there); i++) {
       stem = wanted + "_" + i;

@@ -1,5 +1,6 @@
 package org.selectiverenderer.authoring.packaging;
 
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -8,6 +9,9 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import java.util.regex.Pattern;
+import org.selectiverenderer.base.files.FileNameLength;
+import org.selectiverenderer.base.files.WindowsDeviceName;
 
 /**
  * Places files in a target folder as they lie around the scene: a file beside or below it keeps its
@@ -16,6 +20,11 @@ import java.util.Set;
  * also where upper and lower case are the same.
  */
 public final class PackageLayout {
+  /** What Windows takes in no name: characters, and a dot or blank at the end. */
+  private static final Pattern FORBIDDEN = Pattern.compile("[<>:\"|?*\\\\\\x00-\\x1f]|[. ]+$");
+
+  private static final int LONGEST_ENDING = 32;
+
   private final Path folder;
   private final Path into;
   private final Optional<Path> kept;
@@ -78,26 +87,44 @@ public final class PackageLayout {
     return visible(relative.subpath(up, relative.getNameCount()));
   }
 
-  /** Returns a path without leading dots, as scenes may not name hidden files. */
+  /**
+   * Returns a path without leading dots, as scenes may not name hidden files, and of names that
+   * every system takes, Windows too.
+   */
   private static Path visible(Path relative) {
     Path shown = Path.of("");
     for (Path part : relative) {
       String name = part.toString();
-      shown = shown.resolve(name.startsWith(".") ? "_" + name.substring(1) : name);
+      shown = shown.resolve(portable(name.startsWith(".") ? "_" + name.substring(1) : name));
     }
     return shown;
+  }
+
+  /** Returns a name without what Windows forbids in names (Microsoft, "Naming Files"). */
+  private static String portable(String name) {
+    String plain = FORBIDDEN.matcher(name).replaceAll("_");
+    return WindowsDeviceName.matches(plain) ? fitted("_" + plain, "") : plain;
   }
 
   private Path free(Path wanted) {
     Path place = wanted;
     String name = wanted.getFileName().toString();
-    int dot = name.indexOf('.', 1);
     for (int i = 2; !taken.add(key(place)); i++) {
-      String other =
-          dot < 0 ? name + "-" + i : name.substring(0, dot) + "-" + i + name.substring(dot);
-      place = wanted.resolveSibling(other);
+      place = wanted.resolveSibling(fitted(name, "-" + i));
     }
     return place;
+  }
+
+  /** Returns a name with a part added before its ending, so that file systems take it. */
+  private static String fitted(String name, String added) {
+    int dot = name.indexOf('.', 1);
+    String ending = dot < 0 ? "" : name.substring(dot);
+    if (ending.length() > LONGEST_ENDING) {
+      ending = "";
+    }
+    String stem = name.substring(0, name.length() - ending.length());
+    int more = (added + ending).getBytes(StandardCharsets.UTF_8).length;
+    return FileNameLength.shortened(stem, more) + added + ending;
   }
 
   private static String key(Path place) {

@@ -4,6 +4,7 @@ import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
@@ -16,11 +17,14 @@ import java.util.Set;
 import java.util.function.DoubleConsumer;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
+import org.selectiverenderer.base.files.FileWriteException;
 
 /** Writes the files of a package into a folder or a zip archive. */
 public final class PackageWriter {
   /** The time of all entries of archives, so that the same files give the same archive. */
   private static final long TIME = 315_619_200_000L;
+
+  private static final int CHUNK = 1 << 20;
 
   private PackageWriter() {}
 
@@ -40,33 +44,24 @@ public final class PackageWriter {
   }
 
   /**
-   * Writes files into a folder, which is created. Files with the same content stay as they are.
+   * Writes files into a folder, which is created; all or none. Files with the same content stay as
+   * they are.
    *
-   * @param progress receives the share that is done, from 0 to 1
+   * @param progress receives the share that is done, from 0 to 1, and may throw to end the work
    * @throws IOException if one cannot be written, or would come to lie outside of the folder by a
    *     link; with a sentence
    */
-  public static void intoFolder(List<PackagedFile> files, Path folder, DoubleConsumer progress)
-      throws IOException {
-    Files.createDirectories(folder);
-    Path real = folder.toRealPath();
-    keepSources(files, real);
-    for (int i = 0; i < files.size(); i++) {
-      PackagedFile file = files.get(i);
-      Path place = real.resolve(file.target()).normalize();
-      if (!place.startsWith(real)) {
-        throw outside(place, folder);
-      }
-      createParents(place, real, folder);
-      if (!Files.exists(place, LinkOption.NOFOLLOW_LINKS) || !same(file, place)) {
-        copy(file, place);
-      }
-      progress.accept((i + 1.0) / files.size());
+  public static WrittenFiles intoFolder(
+      List<PackagedFile> files, Path folder, DoubleConsumer progress) throws IOException {
+    try {
+      return new FolderTransaction(folder, progress).write(files);
+    } catch (FileSystemException e) {
+      throw FileWriteException.named(folder, e);
     }
   }
 
   /** Refuses a folder in which a file would be replaced that is itself still to be copied. */
-  private static void keepSources(List<PackagedFile> files, Path real) throws IOException {
+  static void keepSources(List<PackagedFile> files, Path real) throws IOException {
     Set<Path> sources = new HashSet<>();
     for (PackagedFile file : files) {
       if (file.changed().isEmpty()) {
@@ -82,42 +77,11 @@ public final class PackageWriter {
     }
   }
 
-  /** Creates the folders of a file one by one; none of them may be a link that leads outside. */
-  private static void createParents(Path place, Path real, Path folder) throws IOException {
-    Path at = real;
-    for (Path part : real.relativize(place.getParent())) {
-      at = at.resolve(part);
-      if (!Files.isDirectory(at) && !part.toString().isEmpty()) {
-        Files.createDirectory(at);
-      }
-      if (!at.toRealPath().startsWith(real)) {
-        throw outside(at, folder);
-      }
-    }
-  }
-
-  private static IOException outside(Path place, Path folder) {
-    return new IOException(place + ": lies outside of " + folder + ", and is not written");
-  }
-
-  private static void copy(PackagedFile file, Path place) throws IOException {
-    Path next = part(place);
-    try {
-      try (InputStream in = file.open();
-          OutputStream out = Files.newOutputStream(next, StandardOpenOption.CREATE_NEW)) {
-        in.transferTo(out);
-      }
-      Files.move(next, place, StandardCopyOption.REPLACE_EXISTING);
-    } finally {
-      Files.deleteIfExists(next);
-    }
-  }
-
   /**
    * Returns an unused name for a file that is not complete. Unlike a temporary file of Java it is
    * not for the user alone.
    */
-  private static Path part(Path place) {
+  static Path part(Path place) {
     Path next = place.resolveSibling(".package.part");
     for (int i = 2; Files.exists(next, LinkOption.NOFOLLOW_LINKS); i++) {
       next = place.resolveSibling(".package-" + i + ".part");
@@ -125,7 +89,7 @@ public final class PackageWriter {
     return next;
   }
 
-  private static boolean same(PackagedFile file, Path place) throws IOException {
+  static boolean same(PackagedFile file, Path place) throws IOException {
     if (!Files.isRegularFile(place, LinkOption.NOFOLLOW_LINKS)
         || Files.size(place) != file.size()) {
       return false;
@@ -146,7 +110,7 @@ public final class PackageWriter {
   /**
    * Writes files into a zip archive, which takes the place of an existing file when it is complete.
    *
-   * @param progress receives the share that is done, from 0 to 1
+   * @param progress receives the share that is done, from 0 to 1, and may throw to end the work
    */
   public static void intoZip(List<PackagedFile> files, Path zip, DoubleConsumer progress)
       throws IOException {
@@ -159,7 +123,11 @@ public final class PackageWriter {
           entry.setTime(TIME);
           out.putNextEntry(entry);
           try (InputStream in = files.get(i).open()) {
-            in.transferTo(out);
+            byte[] chunk = new byte[CHUNK];
+            for (int read = in.read(chunk); read >= 0; read = in.read(chunk)) {
+              out.write(chunk, 0, read);
+              progress.accept((double) i / files.size());
+            }
           }
           out.closeEntry();
           progress.accept((i + 1.0) / files.size());

@@ -42,9 +42,9 @@ final class SceneFileReader {
   /**
    * A scene as text with its elements.
    *
-   * @param xml whether it is X3D XML, whose attributes have places in the text
+   * @param encoding the encoding; attributes of XML have places in the text
    */
-  record SceneFile(DocumentSnapshot text, List<DocumentElement> elements, boolean xml) {
+  record SceneFile(DocumentSnapshot text, List<DocumentElement> elements, SceneEncoding encoding) {
     /** Returns the bytes of the file after changes. */
     byte[] bytes(List<TextEdit> edits) {
       return text.bytes(new Edit("", edits));
@@ -55,43 +55,21 @@ final class SceneFileReader {
       if (text.locked().isPresent()) {
         return Optional.empty();
       }
-      if (xml) {
-        List<String> written = urls.stream().map(SceneFile::quoted).toList();
+      if (encoding == SceneEncoding.XML) {
+        List<String> written = urls.stream().map(UrlLiterals::plainlyQuoted).toList();
         return Optional.of(
             List.of(
                 text.layout()
                     .attribute(field.element(), field.attribute(), String.join(" ", written))));
       }
-      return literals(field, urls);
-    }
-
-    /** Replaces the string literals of the urls after the place of their element. */
-    private Optional<List<TextEdit>> literals(UrlField field, List<String> urls) {
-      List<TextEdit> edits = new ArrayList<>();
-      int from = field.element().start();
-      for (int i = 0; i < urls.size(); i++) {
-        String literal = quoted(field.urls().get(i));
-        int at = text.text().indexOf(literal, Math.max(0, from));
-        if (at < 0) {
-          return Optional.empty();
-        }
-        if (!urls.get(i).equals(field.urls().get(i))) {
-          edits.add(new TextEdit(at, at + literal.length(), quoted(urls.get(i))));
-        }
-        from = at + literal.length();
-      }
-      return Optional.of(edits);
-    }
-
-    private static String quoted(String url) {
-      return '"' + url.replace("\\", "\\\\").replace("\"", "\\\"") + '"';
+      return new UrlLiterals(text.text(), encoding == SceneEncoding.JSON).changed(field, urls);
     }
   }
 
   /** Returns a text in X3D XML as a scene; empty if it is not well-formed. */
   Optional<SceneFile> text(Path file, DocumentSnapshot text) {
     try {
-      return Optional.of(new SceneFile(text, elements(text.elements()), true));
+      return Optional.of(new SceneFile(text, elements(text.elements()), SceneEncoding.XML));
     } catch (XmlParseException e) {
       return Optional.empty();
     }
@@ -129,7 +107,7 @@ final class SceneFileReader {
       var document = reader.document(file.toString(), in, Files.size(file));
       return document.broken()
           ? Optional.empty()
-          : Optional.of(new SceneFile(text, document.elements(), false));
+          : Optional.of(new SceneFile(text, document.elements(), encoding.get()));
     }
   }
 

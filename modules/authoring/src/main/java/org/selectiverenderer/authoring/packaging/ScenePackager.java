@@ -117,7 +117,7 @@ public final class ScenePackager {
             new LeftOut(
                 resolver.display(real),
                 resolver.display(own),
-                "lies elsewhere than beside or below the model that names it"));
+                "does not keep its name, or its place beside or below the model that names it"));
       }
     }
   }

@@ -6,7 +6,6 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import java.util.stream.Stream;
 import org.joml.Matrix4d;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.EditRejectedException;
@@ -50,6 +49,7 @@ public final class GroupEdits {
 
   private final SceneDocument document;
   private final NodeCatalogue catalogue;
+  private final ChildSemantics children;
 
   /**
    * @param catalogue the node types
@@ -57,6 +57,7 @@ public final class GroupEdits {
   public GroupEdits(SceneDocument document, NodeCatalogue catalogue) {
     this.document = document;
     this.catalogue = catalogue;
+    children = new ChildSemantics(document, catalogue);
   }
 
   /**
@@ -168,8 +169,8 @@ public final class GroupEdits {
   public Edit ungroup(DocumentElement group) {
     refuseChoices(group);
     check(group);
-    List<DocumentElement> children = group.children();
-    if (children.isEmpty()) {
+    List<DocumentElement> content = group.children();
+    if (content.isEmpty()) {
       throw new EditRejectedException(group + " is empty; delete it instead");
     }
     TransformPose pose =
@@ -177,14 +178,14 @@ public final class GroupEdits {
     List<TextEdit> inside = new ArrayList<>();
     Matrix4d around =
         LocalCoordinateSystem.of(group).map(at -> new Matrix4d(at.world())).orElse(new Matrix4d());
-    for (DocumentElement child : children) {
+    for (DocumentElement child : content) {
       if (!pose.equals(TransformPose.IDENTITY)) {
         inside.addAll(moved(child, pose, around.scale(FINER, new Matrix4d())));
       }
     }
     inside.sort(Comparator.comparingInt(TextEdit::from));
-    int from = children.get(0).start();
-    int to = children.get(children.size() - 1).end();
+    int from = content.get(0).start();
+    int to = content.get(content.size() - 1).end();
     String head = document.text(group.tagEnd(), from);
     String foot = document.text(to, group.end());
     foot = foot.substring(0, foot.lastIndexOf('<'));
@@ -197,7 +198,7 @@ public final class GroupEdits {
             .toList();
     String text = TextEdit.applied(relative, document.text(from, to)).toString();
     SourceFormatter layout = document.layout();
-    DocumentElement first = children.get(0);
+    DocumentElement first = content.get(0);
     String inner = layout.indentation(first);
     String outer = layout.indentation(group);
     String step =
@@ -239,7 +240,7 @@ public final class GroupEdits {
       }
     }
     for (DocumentElement child : group.children()) {
-      if (scoped(child)) {
+      if (children.scoped(child)) {
         throw new EditRejectedException(
             "%s holds a %s, which belongs to this group alone; move it out first"
                 .formatted(name(group), child.name()));
@@ -247,30 +248,10 @@ public final class GroupEdits {
     }
   }
 
-  /** Returns whether a child acts on the group that it is in, or describes it. */
-  private boolean scoped(DocumentElement child) {
-    boolean light =
-        child.text("global").map(text -> text.strip().equalsIgnoreCase("false")).orElse(false)
-            || child.name().equals("DirectionalLight") && child.text("global").isEmpty();
-    return light
-        || child.text("containerField").filter(field -> !field.equals("children")).isPresent()
-        || catalogue
-            .find(child.name())
-            .filter(
-                type ->
-                    Stream.of("X3DPointingDeviceSensorNode", "X3DMetadataObject")
-                        .anyMatch(type::is))
-            .isPresent()
-        || Set.of("LocalFog", "ClipPlane").contains(child.name());
-  }
-
   private List<TextEdit> moved(DocumentElement child, TransformPose pose, Matrix4d around) {
     SourceFormatter layout = document.layout();
-    boolean known =
-        child.name().equals("ProtoInstance")
-            || catalogue.find(child.name()).filter(type -> type.is("X3DChildNode")).isPresent();
-    if (!known) {
-      return List.of(); // a ROUTE or a prototype's declaration
+    if (!children.placed(child)) {
+      return List.of();
     }
     boolean free =
         child.name().equals("Transform")

@@ -59,7 +59,11 @@ public record TransformPose(
   }
 
   private static Quaterniond rotation(DocumentElement of, String field) {
-    float[] r = LocalCoordinateSystem.numbers(of, field, FieldType.SFRotation, 0, 0, 1, 0);
+    return rotation(LocalCoordinateSystem.numbers(of, field, FieldType.SFRotation, 0, 0, 1, 0));
+  }
+
+  /** Returns the rotation of a value of type SFRotation: an axis and an angle. */
+  static Quaterniond rotation(float[] r) {
     double length = Math.sqrt(r[0] * (double) r[0] + r[1] * (double) r[1] + r[2] * (double) r[2]);
     return length > 0 // An axis 0 0 0 means no rotation.
         ? new Quaterniond().fromAxisAngleRad(r[0] / length, r[1] / length, r[2] / length, r[3])

@@ -7,6 +7,7 @@
  * org.selectiverenderer.authoring.placement.TransformPose} are the five fields of a Transform and
  * what moves, turns and scales them; {@link
  * org.selectiverenderer.authoring.placement.PlacementEdits} writes a pose with few decimals, {@link
+ * org.selectiverenderer.authoring.placement.PoseField} reads what an author types of one, {@link
  * org.selectiverenderer.authoring.placement.Arrangement} computes where aligned and distributed
  * boxes go, {@link org.selectiverenderer.authoring.placement.GroupEdits} groups and ungroups.
  *

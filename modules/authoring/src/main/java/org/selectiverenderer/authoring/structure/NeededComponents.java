@@ -1,9 +1,11 @@
 package org.selectiverenderer.authoring.structure;
 
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.authoring.SourceFormatter;
@@ -16,17 +18,25 @@ import org.selectiverenderer.x3d.source.TextEdit;
  * The component statements that a file needs for nodes beyond its profile (X3D 4.0, 7.2.5.3). A
  * file that declares no profile, or an unknown one, gets none.
  */
-final class NeededComponents {
+public final class NeededComponents {
   private final SceneDocument document;
   private final NodeCatalogue catalogue;
 
-  NeededComponents(SceneDocument document, NodeCatalogue catalogue) {
+  /** Creates statements for a document with nodes of a catalogue. */
+  public NeededComponents(SceneDocument document, NodeCatalogue catalogue) {
     this.document = document;
     this.catalogue = catalogue;
   }
 
   /** Returns the changes of the head that declare what elements need. */
   List<TextEdit> of(List<DocumentElement> elements) {
+    Set<String> names = new LinkedHashSet<>();
+    elements.forEach(element -> element.visit(each -> names.add(each.name())));
+    return of(names);
+  }
+
+  /** Returns the changes of the head that declare what nodes need. */
+  public List<TextEdit> of(Set<String> names) {
     Optional<DocumentElement> root =
         document.tree().map(tree -> tree.root()).filter(found -> found.name().equals("X3D"));
     Optional<Profile> profile = root.flatMap(found -> found.text("profile")).flatMap(Profile::of);
@@ -34,15 +44,12 @@ final class NeededComponents {
       return List.of();
     }
     Map<String, Integer> levels = new TreeMap<>();
-    elements.forEach(
-        element ->
-            element.visit(
-                each ->
-                    catalogue
-                        .find(each.name())
-                        .filter(type -> profile.get().level(type.component()) < type.level())
-                        .ifPresent(
-                            type -> levels.merge(type.component(), type.level(), Math::max))));
+    names.forEach(
+        name ->
+            catalogue
+                .find(name)
+                .filter(type -> profile.get().level(type.component()) < type.level())
+                .ifPresent(type -> levels.merge(type.component(), type.level(), Math::max)));
     return levels.isEmpty() ? List.of() : declared(root.get(), levels);
   }
 

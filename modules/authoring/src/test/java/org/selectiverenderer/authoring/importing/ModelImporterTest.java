@@ -66,13 +66,13 @@ class ModelImporterTest {
     write(again);
     SceneDocument document = SceneDocument.of("room.x3d", Files.readAllBytes(scene));
     InlineEdits.Added added =
-        new InlineEdits(document).add(scene, chair.file(), chair.onto(new Vector3d()));
+        new InlineEdits(document, NodeCatalogue.load()).add(scene, chair.file(), chair.onto(new Vector3d()));
     document.perform(added.edit());
     assertThat(document.text().toString())
         .contains(
             "  <Group/>\n  <Transform DEF='Old_chair' translation='-3 -1 -1'>\n"
                 + "    <Inline url='\"Old_chair.x3d\"'/>\n  </Transform>\n  <ROUTE/>");
-    assertThat(new InlineEdits(document).add(scene, chair.file(), new Vector3d()).name())
+    assertThat(new InlineEdits(document, NodeCatalogue.load()).add(scene, chair.file(), new Vector3d()).name())
         .isEqualTo("Old_chair_2");
   }
 
@@ -168,5 +168,70 @@ class ModelImporterTest {
     try (var there = Files.list(scene.getParent())) {
       assertThat(there).containsExactly(scene);
     }
+  }
+
+  @Test
+  void aPictureThatIsNoBase64StaysAndTheRestComesAlong() {
+    EmbeddedPictures pictures = new EmbeddedPictures(scene);
+    String text = "<a url='data:image/png;base64,A'/><b url='data:image/png;base64,AAAA'/>";
+    assertThat(pictures.takenFrom(text))
+        .isEqualTo("<a url='data:image/png;base64,A'/><b url='room-1.png'/>");
+    assertThat(pictures.contents()).hasSize(1);
+    assertThat(pictures.faults()).hasSize(1);
+  }
+
+  @Test
+  void anInlineDeclaresItsComponent() throws IOException {
+    Path chair = scene.resolveSibling("chair.x3d");
+    SceneDocument document =
+        SceneDocument.of(
+            "room.x3d",
+            "<X3D profile='Core' version='4.0'>\n<Scene>\n</Scene>\n</X3D>\n".getBytes());
+    document.perform(
+        new InlineEdits(document, NodeCatalogue.load()).add(scene, chair, new Vector3d()).edit());
+    assertThat(document.text().toString())
+        .contains("<component name='Networking' level='2'/>")
+        .contains("<component name='Grouping' level='1'/>");
+  }
+
+  @Test
+  void aModelThatIsTooLargeWithItsFilesIsRefusedBeforeTheyAreRead() throws IOException {
+    Files.writeString(
+        models.resolve("wall.x3d"),
+        "<X3D version='4.0'><Scene><Shape><Appearance><ImageTexture url='\"big.png\"'/>"
+            + "</Appearance><Box/></Shape></Scene></X3D>");
+    try (var big = new java.io.RandomAccessFile(models.resolve("big.png").toFile(), "rw")) {
+      big.setLength(3L << 30); // sparse, and more than an array can hold
+    }
+    assertThatThrownBy(() -> importer().copy(models.resolve("wall.x3d")))
+        .isInstanceOf(IOException.class)
+        .hasMessageContaining("more than 1 GB");
+    try (var big = new java.io.RandomAccessFile(models.resolve("big.obj").toFile(), "rw")) {
+      big.setLength(3L << 30);
+    }
+    assertThatThrownBy(() -> importer().copy(models.resolve("big.obj")))
+        .isInstanceOf(IOException.class)
+        .hasMessageContaining("more than 1 GB");
+  }
+
+  @Test
+  void namesOfAllKindsComeAlong() throws IOException {
+    String longest = "m".repeat(251);
+    Files.createDirectories(models.resolve("Äpfel #1"));
+    Files.write(models.resolve("Äpfel #1/50% grün.png"), HexFormat.of().parseHex(PNG));
+    Files.writeString(models.resolve(longest + ".mtl"), "newmtl a\nmap_Kd Äpfel #1/50% grün.png\n");
+    Files.writeString(
+        models.resolve(longest + ".obj"),
+        "mtllib "
+            + longest
+            + ".mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl a\n"
+            + "f 1/1 2/2 3/3\n");
+    ImportedModel model = importer().copy(models.resolve(longest + ".obj"));
+    assertThat(model.problems()).isEmpty();
+    write(model);
+    assertThat(model.files()).hasSize(2);
+    ImportedModel again = importer().copy(model.file());
+    assertThat(again.problems()).isEmpty();
+    assertThat(importer().link(model.file()).problems()).isEmpty();
   }
 }

@@ -241,4 +241,173 @@ class ScenePackagerTest {
       assertThat(left.map(p -> p.getFileName().toString())).noneMatch(n -> n.contains(".part"));
     }
   }
+
+  private String packed(String name, String text) throws IOException {
+    write("project/other/" + name, text);
+    write("project/tex/wood.png", "wood");
+    write("project/scenes/tex/wood.png", "other wood");
+    ScenePackage packed =
+        collect(
+            "<ImageTexture url='\"tex/wood.png\"'/><Inline url='\"../other/%s\"'/>".formatted(name),
+            folder.resolve("project"));
+    assertThat(packed.left()).isEmpty();
+    return packed.files().stream()
+        .filter(file -> file.target().endsWith(name))
+        .findFirst()
+        .map(file -> new String(file.changed().orElseThrow()))
+        .orElseThrow();
+  }
+
+  @Test
+  void onlyTheUrlItselfIsChangedInVrml() throws IOException {
+    String url = "\"../tex/wood.png\"";
+    String vrml =
+        """
+        #VRML V2.0 utf8
+        # URL
+        DEF url Group { children [
+          Shape { appearance DEF A Appearance {
+            texture DEF T ImageTexture { # url URL
+              repeatS FALSE metadata MetadataString { name URL value [ URL ] }
+              url [ # URL
+                "http://example.org/x.png", URL ] } }
+            geometry Text { string [ "url" URL "url [" URL ] } }
+        ] }
+        WorldInfo { title URL }
+        PROTO P [ field MFString skinUrl [ URL ] ] { Group { } }
+        P { skinUrl URL }
+        """
+            .replace("URL", url);
+    String now = packed("house.wrl", vrml);
+    assertThat(now)
+        .isEqualTo(
+            vrml.replace("\"http://example.org/x.png\", " + url, "\"http://example.org/x.png\", NEW")
+                .replace("skinUrl [ " + url, "skinUrl [ NEW")
+                .replace("skinUrl " + url, "skinUrl NEW")
+                .replace("NEW", "\"../tex/wood-2.png\""));
+  }
+
+  @Test
+  void onlyTheUrlItselfIsChangedInJson() throws IOException {
+    String json =
+        """
+        {"X3D": {"@version": "4.0", "Scene": {"-children": [
+          {"WorldInfo": {"@title": "../scenes/sky.png"}},
+          {"Shape": {"-appearance": {"Appearance": {"-texture": {"ImageTexture": {
+            "@DEF": "../scenes/sky.png",
+            "-metadata": {"MetadataString": {"@value": ["../scenes/sky.png"]}},
+            "@url": ["http:\\/\\/example.org\\/x.png", "..\\/scenes\\/sky.png"]}}}},
+            "-geometry": {"Text": {"@string": ["@url", "../scenes/sky.png"]}}}}
+        ]}}}
+        """;
+    write("project/scenes/sky.png", "sky");
+    String now = packed("house.json", json);
+    assertThat(now).isEqualTo(json.replace("..\\/scenes\\/sky.png", "../sky.png"));
+  }
+
+  @Test
+  void namesThatWindowsForbidsBecomeOthers() throws IOException {
+    write("project/scenes/con.png", "1");
+    write("project/scenes/a:b?.png", "2");
+    write("project/scenes/dir./x.png", "3");
+    write("project/scenes/" + "ü".repeat(125) + ".png", "4");
+    write("project/scenes/50% of #1.png", "5");
+    ScenePackage packed =
+        collect(
+            "<ImageTexture url='\"con.png\"'/><ImageTexture url='\"./a:b%3F.png\"'/>"
+                + "<ImageTexture url='\"dir./x.png\"'/>"
+                + "<ImageTexture url='\"" + "ü".repeat(125) + ".png\"'/>"
+                + "<ImageTexture url='\"50%25 of %231.png\"'/>");
+    assertThat(packed.left()).isEmpty();
+    assertThat(places(packed))
+        .containsExactly(
+            "_con.png", "a_b_.png", "dir_/x.png", "ü".repeat(125) + ".png", "50% of #1.png");
+    Path target = folder.resolve("windows");
+    List<PackagedFile> all = new ArrayList<>(packed.files());
+    all.add(packed.scene());
+    PackageWriter.intoFolder(all, target, done -> {});
+    ScenePackage again = repack(target);
+    assertThat(again.left()).isEmpty();
+    assertThat(again.files()).hasSize(5);
+    assertThat(again.edits()).isEmpty();
+  }
+
+  /** Returns all files below a folder with their contents. */
+  private static List<String> tree(Path folder) throws IOException {
+    try (var all = Files.walk(folder)) {
+      return all.map(
+              path -> {
+                try {
+                  return folder.relativize(path)
+                      + (Files.isRegularFile(path) ? "=" + Files.readString(path) : "");
+                } catch (IOException e) {
+                  throw new java.io.UncheckedIOException(e);
+                }
+              })
+          .sorted()
+          .toList();
+    }
+  }
+
+  @Test
+  void aCancelledOrFailedPackageLeavesNothingBehindAndRestoresWhatItReplaced()
+      throws IOException {
+    ScenePackage packed =
+        collect("<ImageTexture url='\"textures/wood.png\"'/><ImageTexture url='\"sky.png\"'/>");
+    Path target = Files.createDirectories(folder.resolve("target"));
+    Files.writeString(target.resolve("sky.png"), "mine");
+    List<String> before = tree(target);
+    assertThatThrownBy(
+            () ->
+                PackageWriter.intoFolder(
+                    packed.files(),
+                    target,
+                    done -> {
+                      if (done > 0.5) {
+                        throw new java.util.concurrent.CancellationException();
+                      }
+                    }))
+        .isInstanceOf(java.util.concurrent.CancellationException.class);
+    assertThat(tree(target)).isEqualTo(before);
+
+    Path fresh = folder.resolve("deep/er");
+    assertThatThrownBy(
+            () ->
+                PackageWriter.intoFolder(
+                    packed.files(),
+                    fresh,
+                    done -> {
+                      throw new java.util.concurrent.CancellationException();
+                    }))
+        .isInstanceOf(java.util.concurrent.CancellationException.class);
+    assertThat(folder.resolve("deep")).doesNotExist();
+
+    // The last file finds a folder in its place when the others are written.
+    Path full = Files.createDirectories(folder.resolve("full"));
+    Files.createDirectories(full.resolve("sky.png/in"));
+    List<String> was = tree(full);
+    assertThatThrownBy(() -> PackageWriter.intoFolder(packed.files(), full, done -> {}))
+        .isInstanceOf(IOException.class)
+        .hasMessageContaining("sky.png");
+    assertThat(tree(full)).isEqualTo(was);
+
+    Path zip = folder.resolve("room.zip");
+    assertThatThrownBy(
+            () ->
+                PackageWriter.intoZip(
+                    packed.files(),
+                    zip,
+                    done -> {
+                      throw new java.util.concurrent.CancellationException();
+                    }))
+        .isInstanceOf(java.util.concurrent.CancellationException.class);
+    assertThat(zip).doesNotExist();
+
+    WrittenFiles written = PackageWriter.intoFolder(packed.files(), target, done -> {});
+    assertThat(target.resolve("sky.png")).hasContent("sky");
+    Files.writeString(target.resolve("textures/other.txt"), "another program's");
+    written.withdraw();
+    assertThat(tree(target)).contains("textures/other.txt=another program's", "sky.png=sky");
+    assertThat(target.resolve("textures/wood.png")).doesNotExist();
+  }
 }

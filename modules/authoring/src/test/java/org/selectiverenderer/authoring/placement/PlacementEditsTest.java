@@ -361,4 +361,144 @@ class PlacementEditsTest {
                         List.of(named(scene, "Lit"), named(scene, "Lit").children().get(1)), "N"))
         .hasMessageContaining("another group");
   }
+
+  @Test
+  void aTransformDrivenByARouteStaysAndANewOneIsPutAroundIt() {
+    EnrichmentScenes scene =
+        EnrichmentScenes.with(
+            """
+            <Group><Transform DEF='Fan' translation='0 2 0'><Shape DEF='Blades'/></Transform></Group>
+            <Transform DEF='Lift'><Shape DEF='Cabin'/></Transform>
+            <Transform DEF='Faded'><Shape/></Transform>
+            <OrientationInterpolator DEF='Turn'/><PositionInterpolator DEF='Rise'/>
+            <ROUTE fromNode='Turn' fromField='value_changed' toNode='Fan' toField='set_rotation'/>
+            <ROUTE fromNode='Rise' fromField='value_changed' toNode='Lift' toField='translation'/>
+            <ROUTE fromNode='Rise' fromField='x' toNode='Faded' toField='visible'/>
+            """);
+    assertThat(placement(scene, "Faded").transform()).isPresent();
+    Placement fan = placement(scene, "Fan");
+    assertThat(fan.transform()).isEmpty();
+    assertThat(fan.pose()).isEqualTo(TransformPose.IDENTITY);
+    place(scene, fan.with(fan.pose().movedBy(new Vector3d(1, 0, 0))));
+    assertThat(scene.nodes())
+        .contains(
+            "<Group><Transform translation='1 0 0'><Transform DEF='Fan' translation='0 2 0'>"
+                + "<Shape DEF='Blades'/></Transform></Transform></Group>");
+    Placement again = placement(scene, "Fan");
+    assertThat(again.transform()).containsSame(named(scene, "Fan").parent().orElseThrow());
+    place(scene, again.with(again.pose().movedBy(new Vector3d(1, 0, 0))));
+    assertThat(scene.nodes()).contains("<Group><Transform translation='2 0 0'><Transform DEF");
+    Placement cabin = placement(scene, "Cabin");
+    place(scene, cabin.with(cabin.pose().movedBy(new Vector3d(0, 0, 3))));
+    assertThat(scene.nodes())
+        .contains(
+            "<Transform DEF='Lift'><Transform translation='0 0 3'><Shape DEF='Cabin'/>"
+                + "</Transform></Transform>");
+  }
+
+  @Test
+  void aRouteInAPrototypeDrivesNoTransformOfTheSceneWithThatName() {
+    EnrichmentScenes scene =
+        EnrichmentScenes.with(
+            "<ProtoDeclare name='P'><ProtoBody><Transform DEF='T'/><ROUTE fromNode='I'"
+                + " fromField='value_changed' toNode='T' toField='translation'/></ProtoBody>"
+                + "</ProtoDeclare><Transform DEF='T'><Shape/></Transform>");
+    assertThat(placement(scene, "T").transform()).containsSame(named(scene, "T"));
+  }
+
+  @Test
+  void whereNoTransformMayStandNoneIsPut() {
+    EnrichmentScenes scene =
+        EnrichmentScenes.with(
+            """
+            <HAnimHumanoid name='h'><HAnimJoint name='root' containerField='skeleton'>
+              <HAnimSegment DEF='Pelvis' name='pelvis'/>
+              <HAnimJoint DEF='Knee' name='l_knee'/>
+              <HAnimJoint DEF='Hip' name='l_hip'/></HAnimJoint></HAnimHumanoid>
+            <ROUTE fromNode='I' fromField='value_changed' toNode='Hip' toField='rotation'/>
+            """);
+    assertThat(placement(scene, "Knee").transform()).isPresent();
+    for (String name : List.of("Pelvis", "Hip")) {
+      assertThat(Placement.of(scene.document, CATALOGUE, named(scene, name))).as(name).isEmpty();
+    }
+  }
+
+  @Test
+  void lightsOfAGroupAloneBarItsUngrouping() {
+    EnrichmentScenes scene =
+        EnrichmentScenes.with(
+            """
+            <PointLight DEF='Lamp' global='false'/>
+            <ProtoDeclare name='Spot'><ProtoBody><SpotLight global='false'/></ProtoBody></ProtoDeclare>
+            <Group DEF='Sky'><EnvironmentLight/><Shape/></Group>
+            <Group DEF='Again'><PointLight USE='Lamp'/><Shape/></Group>
+            <Group DEF='Instance'><ProtoInstance name='Spot'/><Shape/></Group>
+            <Group DEF='Near'><PointLight global='FALSE'/><Shape/></Group>
+            <Group DEF='Everywhere'><PointLight/><DirectionalLight global='true'/><Shape/></Group>
+            """);
+    for (String name : List.of("Sky", "Again", "Instance", "Near")) {
+      assertThatThrownBy(() -> groups(scene).ungroup(named(scene, name)))
+          .as(name)
+          .isInstanceOf(EditRejectedException.class)
+          .hasMessageContaining("belongs to this group alone");
+    }
+    scene.perform(groups(scene).ungroup(named(scene, "Everywhere")));
+    assertThat(scene.nodes()).doesNotContain("Everywhere");
+  }
+
+  @Test
+  void whatHasNoPlaceGetsNoTransformWhenUngrouped() {
+    String placeless =
+        """
+          <TimeSensor DEF='Clock'/>
+          <Script DEF='S'/>
+          <PositionInterpolator DEF='P'/>
+          <PositionDamper DEF='D'/>
+          <BooleanFilter DEF='F'/>
+          <NurbsPositionInterpolator DEF='N'/>
+          <WorldInfo title='t'/>
+          <KeySensor/>
+          <ProtoInstance name='Tick'/>
+          <ROUTE fromNode='Clock' fromField='fraction_changed' toNode='P' toField='set_fraction'/>
+        """;
+    EnrichmentScenes scene =
+        EnrichmentScenes.with(
+            "<ProtoDeclare name='Tick'><ProtoBody><TimeSensor/><Shape/></ProtoBody>"
+                + "</ProtoDeclare>\n"
+                + "<Transform DEF='G' translation='1 0 0'>\n"
+                + placeless
+                + "  <Viewpoint/>\n  <Shape DEF='Box'/>\n  <Sound/>\n</Transform>\n");
+    scene.perform(groups(scene).ungroup(named(scene, "G")));
+    assertThat(scene.nodes())
+        .contains(placeless.replaceAll("(?m)^  ", ""))
+        .contains("<Transform translation='1 0 0'>\n  <Viewpoint/>\n</Transform>")
+        .contains("<Transform translation='1 0 0'>\n  <Sound/>\n</Transform>")
+        .containsOnlyOnce("<Shape DEF='Box'/>");
+  }
+
+  @Test
+  void typedValuesAreAPose() {
+    EnrichmentScenes scene =
+        EnrichmentScenes.with("<Switch DEF='W'><Group/></Switch><Group DEF='G'><Shape/></Group>\n");
+    Placement of = placement(scene, "G");
+    assertThat(PoseField.TRANSLATION.written(of)).isEmpty();
+    place(scene, PoseField.TRANSLATION.set(of, " 1.5, 0 -2 "));
+    of = placement(scene, "G");
+    assertThat(PoseField.TRANSLATION.written(of)).isEqualTo("1.5 0 -2");
+    place(scene, PoseField.ROTATION.set(of, "0 2 0 1.5"));
+    place(scene, PoseField.SCALE.set(placement(scene, "G"), "2 2 2"));
+    assertThat(scene.nodes())
+        .contains(
+            "<Transform translation='1.5 0 -2' rotation='0 1 0 1.5' scale='2 2 2'><Group DEF='G'>");
+    place(scene, PoseField.ROTATION.set(placement(scene, "G"), "0 0 0 3"));
+    assertThat(scene.nodes()).doesNotContain("NaN");
+    Placement now = placement(scene, "G");
+    place(scene, PoseField.SCALE.set(now, " "));
+    assertThat(scene.nodes()).contains("scale='1 1 1'");
+    for (String wrong : List.of("1", "1 2", "a b c", "1 2 3 4", "0 1 1", "1 NaN 1")) {
+      assertThatThrownBy(() -> PoseField.SCALE.set(now, wrong))
+          .as(wrong)
+          .isInstanceOf(EditRejectedException.class);
+    }
+  }
 }

@@ -79,6 +79,7 @@ final class PrototypeInstanceBuilder {
               }
             });
     return new PrototypeInstance(
+        instance.location(),
         body,
         List.copyOf(beside),
         instance.type(),

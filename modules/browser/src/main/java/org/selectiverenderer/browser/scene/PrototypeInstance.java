@@ -4,7 +4,9 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
@@ -24,6 +26,7 @@ public final class PrototypeInstance {
   public record Link(
       int field, Node node, int nodeField, boolean takes, boolean sends, boolean holds) {}
 
+  private final SourceLocation location;
   private final Node body;
   private final List<Node> others;
   private final NodeType type;
@@ -37,18 +40,21 @@ public final class PrototypeInstance {
    * Makes an instance and attaches it to the first node of its body. If the body itself starts with
    * an instance, the outermost is attached and leads to the inner ones.
    *
+   * @param location the ProtoInstance in the file
    * @param body the first node of the instance's body
    * @param others the other nodes of the body that take part in the scene by routes only
    * @param within the instance whose body contains this one, if any
    * @param values the values of fields that no body node holds, by their indices
    */
   public PrototypeInstance(
+      SourceLocation location,
       Node body,
       List<Node> others,
       NodeType type,
       @Nullable PrototypeInstance within,
       Map<Integer, Object> values,
       List<Link> links) {
+    this.location = location;
     this.body = body;
     this.others = others;
     this.type = type;
@@ -88,6 +94,16 @@ public final class PrototypeInstance {
    */
   public static Node body(Node seen) {
     return seen instanceof PrototypeInstanceNode node ? node.shown().body : seen;
+  }
+
+  /**
+   * Returns the location of the ProtoInstance whose place in a scene a node takes, as the first node
+   * of its body; empty for other nodes, and those of instances in the bodies of others.
+   */
+  public static Optional<SourceLocation> location(Node node) {
+    return Optional.ofNullable(node.face())
+        .filter(outermost -> outermost.within == null)
+        .map(outermost -> outermost.location);
   }
 
   /** Returns the present value of a field of a result of {@link #seen}. */

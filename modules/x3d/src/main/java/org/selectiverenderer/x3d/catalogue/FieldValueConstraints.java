@@ -5,6 +5,7 @@ import java.util.LinkedHashSet;
 import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.x3d.field.FieldType;
 
 /** The constraints of the standard on field values beyond their type: bounds and keywords. */
 public final class FieldValueConstraints {
@@ -54,7 +55,7 @@ public final class FieldValueConstraints {
   /** Returns whether the numbers of a field have bounds. */
   public static boolean bounded(FieldDefinition field) {
     boolean any = !field.min().isEmpty() || !field.max().isEmpty();
-    return field.name().equals("bboxSize") || any && !ANY_LENGTH.contains(field.name());
+    return boxSize(field) || any && !ANY_LENGTH.contains(field.name());
   }
 
   /**
@@ -64,7 +65,7 @@ public final class FieldValueConstraints {
    *     represents it
    */
   public static Optional<Beyond> beyond(FieldDefinition field, Object value) {
-    if (field.name().equals("bboxSize")) {
+    if (boxSize(field)) {
       return value instanceof float[] size && !isBoxSize(size)
           ? Optional.of(new Beyond(size[0] + " " + size[1] + " " + size[2], BOX_SIZE))
           : Optional.empty();
@@ -86,6 +87,11 @@ public final class FieldValueConstraints {
       }
     }
     return Optional.empty();
+  }
+
+  /** Returns whether a field is the size of a box; an author's own may have its name only. */
+  private static boolean boxSize(FieldDefinition field) {
+    return field.name().equals("bboxSize") && field.type() == FieldType.SFVec3f;
   }
 
   /** Returns whether this is a box size, or -1 -1 -1 for unknown (X3D 4.0, 10.2.2). */

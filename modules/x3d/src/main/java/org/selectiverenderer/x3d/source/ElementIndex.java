@@ -32,6 +32,8 @@ final class ElementIndex {
           "ExternProtoDeclare",
           new Kind(),
           "ProtoInstance",
+          new Kind(),
+          "ROUTE",
           new Kind());
 
   /** The names of one scope, and how often each is used. */

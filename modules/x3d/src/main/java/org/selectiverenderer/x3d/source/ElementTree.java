@@ -99,6 +99,11 @@ public final class ElementTree {
     return names.ofType("ProtoInstance");
   }
 
+  /** Returns all ROUTEs, as {@link #switches} does. */
+  public List<DocumentElement> routes() {
+    return names.ofType("ROUTE");
+  }
+
   /**
    * Returns the ProtoDeclare or ExternProtoDeclare that a prototype's name means at an element: the
    * last one before it in its scope, else in the scopes around (X3D 4.0, 4.4.4.3).

@@ -3,6 +3,7 @@ package org.selectiverenderer.enricher.form;
 import java.awt.Component;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
+import java.util.List;
 import java.util.Optional;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
@@ -13,6 +14,7 @@ import javax.swing.JPanel;
 import javax.swing.JTextField;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.authoring.editing.FieldEdits;
+import org.selectiverenderer.authoring.editing.InterfaceField;
 import org.selectiverenderer.authoring.editing.NodeField;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
@@ -34,6 +36,7 @@ final class FieldRow {
   private final @Nullable FieldBinding typed;
   private @Nullable JCheckBox check;
   private @Nullable ColorSwatch swatch;
+  private @Nullable NodeLinks links;
   private NodeField field;
   private boolean busy;
 
@@ -60,9 +63,14 @@ final class FieldRow {
         typed = FieldBinding.of(box, complaint, source);
         control = box;
       }
+      case NODES -> {
+        NodeLinks held = new NodeLinks(session);
+        links = held;
+        control = held;
+        typed = null;
+      }
       default -> {
         JTextField text = new JTextField();
-        text.putClientProperty("JTextField.placeholderText", field.defaultText());
         text.setEditable(free);
         typed = FieldBinding.of(text, complaint, source);
         control = text;
@@ -74,22 +82,29 @@ final class FieldRow {
         }
       }
     }
-    String why = field.readOnly().orElse(field.about());
-    control.setName("field " + field.name());
-    control.setToolTipText(why.isEmpty() ? null : PlainText.of(why));
-    control.getAccessibleContext().setAccessibleName(field.name());
+    String spoken =
+        field
+            .ofPrototype()
+            .map(of -> Texts.of("fields.ofPrototype", field.name(), of.prototype()))
+            .orElse(field.name());
+    control.setName(key(field));
+    control.getAccessibleContext().setAccessibleName(spoken);
     label = LabelFactory.of(field.name(), control);
-    label.setToolTipText(control.getToolTipText());
-    reset.setName("reset " + field.name());
+    reset.setName("reset " + (field.ofPrototype().isPresent() ? key(field) : field.name()));
     reset.setToolTipText(Texts.of("fields.reset", field.name()));
-    reset.getAccessibleContext().setAccessibleName(Texts.of("fields.reset", field.name()));
+    reset.getAccessibleContext().setAccessibleName(Texts.of("fields.reset", spoken));
     reset.putClientProperty("JButton.buttonType", "borderless");
     reset.addActionListener(event -> unset());
     follow(field);
   }
 
-  String name() {
-    return field.name();
+  /** Returns what tells a field from others of its node: an attribute may have the same name. */
+  static String key(NodeField field) {
+    return (field.ofPrototype().isPresent() ? "fieldValue " : "field ") + field.name();
+  }
+
+  String key() {
+    return key(field);
   }
 
   NodeField field() {
@@ -97,7 +112,7 @@ final class FieldRow {
   }
 
   void addTo(JPanel rows) {
-    rows.add(label);
+    rows.add(label, "wmax 50%");
     rows.add(control, "wmin 0");
     rows.add(reset, "w 26!, hidemode 2, wrap");
     rows.add(complaint, "skip 1, span 2, wmin 0, wrap");
@@ -125,25 +140,48 @@ final class FieldRow {
     if (busy || text.equals(read())) {
       return Optional.empty();
     }
-    boolean emptied = text.isBlank() && !field.name().equals("USE");
+    boolean emptied = text.isBlank() && !key().equals("field USE");
     if (emptied) {
       unset();
       return Optional.empty();
     }
     Optional<String> wrong = edits.wrong(element, field, text);
     if (wrong.isEmpty()) {
-      session.attempt(() -> session.document().perform(edits.set(element, field.name(), text)));
+      session.attempt(() -> session.document().perform(edits.set(element, field, text)));
     }
     return wrong;
   }
 
   private void unset() {
-    Optional<String> wrong =
-        field.name().equals("DEF") ? edits.wrong(element, field, "") : field.readOnly();
+    Optional<String> wrong = edits.wrongReset(element, field);
     if (wrong.isPresent()) {
       session.message(wrong.get());
     } else {
-      session.attempt(() -> session.document().perform(edits.unset(element, field.name())));
+      session.attempt(() -> session.document().perform(edits.unset(element, field)));
+    }
+  }
+
+  /** Tells type, default and range, what the author of a prototype says, and why it is locked. */
+  private void describe() {
+    Optional<InterfaceField> own = field.ofPrototype();
+    String elsewhere = Texts.of("fields.elsewhere");
+    boolean external = own.filter(InterfaceField::external).isPresent();
+    String about = field.about() + (external ? ", " + elsewhere : "");
+    String info = own.map(InterfaceField::info).filter(text -> !text.isEmpty()).orElse("");
+    String described = about.isEmpty() || info.isEmpty() ? about + info : about + " \u2013 " + info;
+    String why =
+        field.kind() == NodeField.Kind.NODES ? described : field.readOnly().orElse(described);
+    control.setToolTipText(why.isEmpty() ? null : PlainText.of(why));
+    label.setToolTipText(control.getToolTipText());
+    String initial = external ? elsewhere : field.defaultText();
+    if (control instanceof JTextField text) {
+      text.putClientProperty("JTextField.placeholderText", initial);
+    }
+    NodeLinks held = links;
+    if (held != null) {
+      held.show(
+          own.map(InterfaceField::nodes).orElse(List.of()),
+          external && field.written().isEmpty() ? elsewhere : Texts.of("fields.noNodes"));
     }
   }
 
@@ -152,6 +190,7 @@ final class FieldRow {
     field = now;
     boolean free = session.document().locked().isEmpty() && field.readOnly().isEmpty();
     reset.setVisible(free && field.written().isPresent());
+    describe();
     busy = true;
     try {
       JCheckBox box = check;

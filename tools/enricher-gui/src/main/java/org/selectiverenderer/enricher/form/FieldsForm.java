@@ -2,26 +2,33 @@ package org.selectiverenderer.enricher.form;
 
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import javax.swing.JCheckBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JSeparator;
 import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.authoring.editing.InterfaceField;
 import org.selectiverenderer.authoring.editing.NodeField;
 import org.selectiverenderer.authoring.editing.NodeFieldList;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.swing.PlainText;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
  * The form of the fields of any node: those that are written in the source, and on request all that
- * its type has, with types, defaults and ranges of the node catalogue. Each change is one edit of
- * one attribute.
+ * its type has, with types, defaults and ranges of the node catalogue; then those that the
+ * prototype of an instance declares. Each change is one edit of one attribute or fieldValue.
  */
 final class FieldsForm implements Form {
+  /** Most fields of a prototype that are shown while the form is to show written ones only. */
+  private static final int MANY = 60;
+
   private final EnricherSession session;
   private final DocumentElement element;
   private final JPanel rows =
@@ -60,13 +67,39 @@ final class FieldsForm implements Form {
   }
 
   private List<NodeField> wanted() {
-    return NodeFieldList.of(session.document(), session.catalogue(), element).stream()
-        .filter(field -> choice.all || field.written().isPresent())
+    List<NodeField> fields = NodeFieldList.of(session.document(), session.catalogue(), element);
+    Set<String> offered = new HashSet<>();
+    fields.stream()
+        .filter(field -> field.ofPrototype().isPresent())
+        .limit(choice.all ? Long.MAX_VALUE : MANY)
+        .forEach(field -> offered.add(FieldRow.key(field)));
+    return fields.stream()
+        .filter(
+            field ->
+                choice.all
+                    || field.written().isPresent()
+                    || offered.contains(FieldRow.key(field)))
         .toList();
   }
 
+  /** Returns what decides which rows there are, and with which controls. */
   private static List<String> names(List<NodeField> fields) {
-    return fields.stream().map(NodeField::name).sorted().toList();
+    return fields.stream()
+        .map(field -> FieldRow.key(field) + " " + field.kind() + " " + prototype(field))
+        .sorted()
+        .toList();
+  }
+
+  private static String prototype(NodeField field) {
+    return field.ofPrototype().map(InterfaceField::prototype).orElse("");
+  }
+
+  /** Tells where the rows begin that are fields of a prototype, not attributes. */
+  private void head(String prototype) {
+    JLabel title = PlainText.only(new JLabel(Texts.of("fields.prototype", prototype)));
+    title.setName("fields of prototype");
+    title.putClientProperty("FlatLaf.styleClass", "h4");
+    rows.add(title, "span, wmin 0, gaptop 6, wrap");
   }
 
   private void build() {
@@ -75,7 +108,12 @@ final class FieldsForm implements Form {
     List<NodeField> fields = wanted();
     names = names(fields);
     List<FieldRow> made = new ArrayList<>();
+    boolean headed = false;
     for (NodeField field : fields) {
+      if (field.ofPrototype().isPresent() && !headed) {
+        head(prototype(field));
+        headed = true;
+      }
       FieldRow row = new FieldRow(session, element, field);
       row.addTo(rows);
       made.add(row);
@@ -102,9 +140,9 @@ final class FieldsForm implements Form {
   public void follow() {
     Map<String, NodeField> now = new HashMap<>();
     List<NodeField> fields = wanted();
-    fields.forEach(field -> now.put(field.name(), field));
+    fields.forEach(field -> now.put(FieldRow.key(field), field));
     if (names(fields).equals(names)) {
-      shown.forEach(row -> row.follow(now.getOrDefault(row.name(), row.field())));
+      shown.forEach(row -> row.follow(now.getOrDefault(row.key(), row.field())));
     } else {
       build();
     }

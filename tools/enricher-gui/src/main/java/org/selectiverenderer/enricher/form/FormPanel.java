@@ -36,6 +36,7 @@ public final class FormPanel extends JPanel {
   private final transient DocumentListener onChange = change -> changed();
   private transient Consumer<DocumentElement> makeVersions = element -> {};
   private final transient FieldsForm.Choice allFields = new FieldsForm.Choice();
+  private final transient PlacementForm.Keyboard keyboard = new PlacementForm.Keyboard();
   private final JPanel body =
       new ScrollablePanel(new MigLayout("insets 8, wrap 1, hidemode 3", "[grow,fill]"));
   private final JLabel title = PlainText.only(new JLabel());
@@ -44,12 +45,12 @@ public final class FormPanel extends JPanel {
   private transient @Nullable DocumentElement element;
   private transient @Nullable Form form;
 
+  /** What is shown in place of a form; empty while there is one. */
+  private String hinted = "";
+
   /**
    * @param pictures renders the thumbnails of versions; owned and closed by the caller
    */
-  /** Returns what is shown in place of a form; empty while there is one. */
-  private String hinted = "";
-
   public FormPanel(EnricherSession session, VersionImageRenderer pictures) {
     super(new MigLayout("insets 0, wrap 1, hidemode 3, gapy 0", "[grow,fill]", "[grow,fill][]"));
     this.session = session;
@@ -158,6 +159,9 @@ public final class FormPanel extends JPanel {
       parts.add(new MaterialForm(session, of));
     } else if (TextureForm.shows(of)) {
       parts.add(new TextureForm(session, of));
+    }
+    if (PlacementForm.shows(session, of)) {
+      parts.add(new PlacementForm(session, of, keyboard));
     }
     parts.add(new FieldsForm(session, of, allFields));
     return parts;

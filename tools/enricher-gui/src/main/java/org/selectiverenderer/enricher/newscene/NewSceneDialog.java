@@ -37,8 +37,12 @@ public final class NewSceneDialog extends JDialog {
   private static final long serialVersionUID = 1L;
   private static final String ENDING = ".x3d";
 
-  /** A scene to be written. */
-  public record Answer(Path file, String text) {}
+  /**
+   * A scene to be written.
+   *
+   * @param replace whether the author agreed to replace the file that is there
+   */
+  public record Answer(Path file, String text, boolean replace) {}
 
   private final JRadioButton room =
       Mnemonics.on(new JRadioButton("", true), Texts.of("create.room"));
@@ -172,10 +176,12 @@ public final class NewSceneDialog extends JDialog {
       wrong.setText(Texts.of("create.nofile"));
     } else if (!Files.isDirectory(target.get().getParent())) {
       wrong.setText(Texts.of("create.nofolder", String.valueOf(target.get().getParent())));
-    } else if (!Files.exists(target.get())
-        || overwrite.test(this, Texts.of("keep.exists", target.get().toString()))) {
-      answer = new Answer(target.get(), text(String.valueOf(target.get().getFileName())));
-      dispose();
+    } else {
+      boolean there = Files.exists(target.get());
+      if (!there || overwrite.test(this, Texts.of("keep.exists", target.get().toString()))) {
+        answer = new Answer(target.get(), text(String.valueOf(target.get().getFileName())), there);
+        dispose();
+      }
     }
   }
 

@@ -7,12 +7,10 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Function;
 import org.joml.Vector3d;
-import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.nodes.NodeEdits;
 import org.selectiverenderer.authoring.placement.Arrangement;
 import org.selectiverenderer.authoring.placement.GroupEdits;
 import org.selectiverenderer.authoring.placement.Placement;
-import org.selectiverenderer.authoring.placement.PlacementEdits;
 import org.selectiverenderer.enricher.area.AsyncSceneQueries;
 import org.selectiverenderer.enricher.area.ObjectBox;
 import org.selectiverenderer.enricher.menu.NodeCommand;
@@ -20,7 +18,6 @@ import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.geometry.BoundingBox;
 import org.selectiverenderer.x3d.source.DocumentElement;
-import org.selectiverenderer.x3d.source.TextEdit;
 
 /**
  * The commands that place the selected nodes: move, turn, scale, align, distribute, group, ungroup.
@@ -29,6 +26,7 @@ import org.selectiverenderer.x3d.source.TextEdit;
 public final class PlacementCommands {
   private final EnricherSession session;
   private final AsyncSceneQueries probe;
+  private final PlacementEditor editor;
 
   /**
    * @param probe measures nodes in the running scene
@@ -36,6 +34,7 @@ public final class PlacementCommands {
   public PlacementCommands(EnricherSession session, AsyncSceneQueries probe) {
     this.session = session;
     this.probe = probe;
+    editor = new PlacementEditor(session);
   }
 
   /** The selected nodes that are in no other selected one. */
@@ -48,7 +47,7 @@ public final class PlacementCommands {
   }
 
   private Optional<Placement> placement(DocumentElement node) {
-    return Placement.of(session.document(), session.catalogue(), node);
+    return editor.placement(node);
   }
 
   /**
@@ -79,65 +78,7 @@ public final class PlacementCommands {
    * @return whether anything was changed
    */
   public boolean place(List<Placement> placed, String verb) {
-    String what =
-        placed.size() == 1
-            ? name(placed.get(0).node())
-            : Texts.of("placement.nodes", String.valueOf(placed.size()));
-    return perform(
-        () ->
-            new PlacementEdits(session.document())
-                .place(placed, Texts.of("placement." + verb, what)));
-  }
-
-  private static String name(DocumentElement node) {
-    return node.def().or(node::use).orElse(node.name());
-  }
-
-  private interface Making {
-    Edit make();
-  }
-
-  /**
-   * Makes an edit after which the selected nodes, perhaps with a Transform around, are selected.
-   */
-  private boolean perform(Making making) {
-    List<DocumentElement> selected = session.selectedElements();
-    List<Integer> starts = selected.stream().map(DocumentElement::start).toList();
-    boolean[] changed = {false};
-    session.attempt(
-        () -> {
-          Edit edit = making.make();
-          if (!edit.isEmpty()) {
-            session.document().perform(edit);
-            changed[0] = true;
-            List<DocumentElement> now = new ArrayList<>();
-            for (int i = 0; i < selected.size(); i++) {
-              found(selected.get(i), starts.get(i), edit).ifPresent(now::add);
-            }
-            session.selectAll(now, this);
-          }
-        });
-    return changed[0];
-  }
-
-  private Optional<DocumentElement> found(DocumentElement before, int start, Edit edit) {
-    if (before.attached()) {
-      return Optional.of(before);
-    }
-    int at = start;
-    for (TextEdit change : edit.changes()) {
-      at += change.from() < start ? change.growth() : 0;
-    }
-    int inside = at + 1;
-    return session
-        .document()
-        .tree()
-        .flatMap(tree -> tree.at(inside))
-        .map(
-            element ->
-                !element.name().equals(before.name()) && !element.children().isEmpty()
-                    ? element.children().get(0)
-                    : element);
+    return editor.place(placed, verb);
   }
 
   private interface Shifting {

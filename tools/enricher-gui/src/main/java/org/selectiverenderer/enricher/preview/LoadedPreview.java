@@ -16,9 +16,11 @@ import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 /**
  * A loaded world that is ready to be shown. Its owner closes it.
  *
+ * @param folder against which its urls are resolved
  * @param revision the document's revision; 0 for a file
  */
-record LoadedPreview(World world, SceneLoader loader, long revision) implements AutoCloseable {
+record LoadedPreview(World world, SceneLoader loader, Path folder, long revision)
+    implements AutoCloseable {
   /**
    * Loads a document's snapshot and the files that it names.
    *
@@ -47,7 +49,7 @@ record LoadedPreview(World world, SceneLoader loader, long revision) implements 
       LoadedScene loaded = loader.load(name, new ByteArrayInputStream(bytes), folder);
       World world = new World(loaded, problems);
       world.instances().update();
-      return new LoadedPreview(world, loader, revision);
+      return new LoadedPreview(world, loader, folder, revision);
     } catch (IOException | RuntimeException | Error e) {
       loader.close();
       throw e;

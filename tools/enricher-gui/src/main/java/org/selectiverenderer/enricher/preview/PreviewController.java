@@ -135,7 +135,7 @@ final class PreviewController implements AutoCloseable {
     Pose before = of.pose();
     of.stand();
     boolean taken = of.patch(patch);
-    if (taken && patch.fields().isEmpty() && schemas.isEmpty()) {
+    if (taken && patch.metadataOnly() && schemas.isEmpty()) {
       told = true; // Metadata show in the labels only.
     } else {
       changed = true;

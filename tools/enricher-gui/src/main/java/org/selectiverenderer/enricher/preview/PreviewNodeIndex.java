@@ -4,12 +4,14 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.browser.World;
 import org.selectiverenderer.browser.instance.GroupInstance;
 import org.selectiverenderer.browser.instance.Instance;
@@ -33,11 +35,24 @@ final class PreviewNodeIndex {
   private final Map<Node, Place> moved = new HashMap<>();
 
   private final Set<Node> all = new LinkedHashSet<>();
+
+  /** The ProtoInstance of the document that has made a node. */
+  private final Map<Node, ProtoInstanceOrigin> instances = new LinkedHashMap<>();
+
   private final Set<SwitchNode> switches = new LinkedHashSet<>();
 
   PreviewNodeIndex(World world) {
     this.world = world;
-    collect(world.instances().root());
+    collect();
+  }
+
+  /** Finds the nodes again, after groups have got other children. */
+  void collect() {
+    all.clear();
+    instances.clear();
+    switches.clear();
+    collect(world.instances().root(), null);
+    index();
     switches(world.instances().root());
   }
 
@@ -57,31 +72,78 @@ final class PreviewNodeIndex {
     return Collections.unmodifiableSet(switches);
   }
 
-  private void collect(GroupInstance group) {
+  /**
+   * Collects the nodes below a group.
+   *
+   * @param within the ProtoInstance whose body the group is in; null in the scene
+   */
+  private void collect(GroupInstance group, @Nullable ProtoInstanceOrigin within) {
     if (group.node() instanceof InlineNode) {
       return; // Its content is in another file.
     }
     for (Instance child : group.children()) {
       Node node = child.node();
       if (all.add(node)) {
-        byPlace.putIfAbsent(place(node), node);
+        ProtoInstanceOrigin body =
+            within == null || within.given(node.location())
+                ? ProtoInstanceOrigin.of(node)
+                : within;
+        if (body != null) {
+          instances.put(node, body);
+        }
         if (child instanceof GroupInstance below) {
-          collect(below);
+          collect(below, body);
         }
       }
     }
   }
 
-  /** The position of a node's start tag in the present text. */
-  private Place place(Node node) {
-    Place since = moved.get(node);
-    return since != null ? since : new Place(node.location().line(), node.location().column());
+  /** Assigns the positions of the nodes: those of the scene come before those of bodies. */
+  private void index() {
+    byPlace.clear();
+    all.stream()
+        .filter(node -> written(node) == node)
+        .forEach(node -> byPlace.putIfAbsent(place(node), node));
+    instances.forEach(
+        (node, instance) -> {
+          if (instance.first() != node && instance.ofItsFile(node.location())) {
+            byPlace.putIfAbsent(place(node), node);
+          }
+        });
   }
 
-  /** The anchor of a node in the present text. */
+  /** Returns the node that stands for one of the document: for one of a body, the instance's. */
+  private Node written(Node node) {
+    ProtoInstanceOrigin instance = instances.get(node);
+    return instance == null ? node : instance.first();
+  }
+
+  /** The position of a node's start tag in the present text; for an instance, its own. */
+  private Place place(Node node) {
+    Place since = moved.get(node);
+    if (since != null) {
+      return since;
+    }
+    ProtoInstanceOrigin instance = instances.get(node);
+    SourceLocation at =
+        instance != null && instance.first() == node ? instance.location() : node.location();
+    return new Place(at.line(), at.column());
+  }
+
+  /** The anchor of a node in the present text; for a node of a body, that of the instance. */
   SourceAnchor anchor(Node node) {
-    Place at = place(node);
-    return new SourceAnchor(Optional.ofNullable(node.name()), at.line(), at.column());
+    Node written = written(node);
+    Place at = place(written);
+    return new SourceAnchor(name(written), at.line(), at.column());
+  }
+
+  /** Returns the name of a node in the scene; the names in a prototype's body are none. */
+  private Optional<String> name(Node node) {
+    return Optional.ofNullable(node.name())
+        .filter(
+            name ->
+                !instances.containsKey(node)
+                    || world.scene().find(name).filter(found -> found == node).isPresent());
   }
 
   /**
@@ -91,6 +153,9 @@ final class PreviewNodeIndex {
   Map<Place, Node> at(Set<Place> places) {
     Map<Place, Node> found = new HashMap<>();
     for (Node node : NodeSubgraphCollector.of(world.scene().root())) {
+      if (instances.containsKey(node)) {
+        continue; // An instance has other fields than the first node of its body.
+      }
       Place at = place(node);
       if (places.contains(at)) {
         found.putIfAbsent(at, node);
@@ -100,18 +165,21 @@ final class PreviewNodeIndex {
   }
 
   /** Updates the positions after an edit that has moved start tags. */
-  void move(Map<Place, Place> places) {
-    if (places.isEmpty()) {
+  void move(ScenePatch patch) {
+    if (patch.moved().isEmpty() && patch.shift().isEmpty()) {
       return;
     }
     Map<Node, Place> now = new HashMap<>();
     for (Node node : NodeSubgraphCollector.of(world.scene().root())) {
       Place before = place(node);
-      now.put(node, places.getOrDefault(before, before));
+      Place after = patch.after(before);
+      if (moved.containsKey(node) || !after.equals(before)) {
+        now.put(node, after);
+      }
     }
+    moved.clear();
     moved.putAll(now);
-    byPlace.clear();
-    all.forEach(node -> byPlace.putIfAbsent(place(node), node));
+    index();
   }
 
   /**
@@ -161,7 +229,8 @@ final class PreviewNodeIndex {
 
   /**
    * Returns the node that a click on a shape selects: the nearest Switch around it, else the
-   * nearest node with a name, else the nearest node of the document.
+   * nearest node with a name or instance of a prototype, else the nearest node of the document. An
+   * instance is meant as a whole, named or not: what it draws is not written in the scene.
    *
    * @param innermost whether to select the nearest node of the document in any case
    */
@@ -172,12 +241,12 @@ final class PreviewNodeIndex {
     }
     if (!innermost) {
       for (Node node : own) {
-        if (node instanceof SwitchNode) {
+        if (node instanceof SwitchNode && !instances.containsKey(node)) {
           return Optional.of(node);
         }
       }
       for (Node node : own) {
-        if (node.name() != null) {
+        if (node.name() != null || instances.containsKey(node)) {
           return Optional.of(node);
         }
       }
@@ -197,6 +266,6 @@ final class PreviewNodeIndex {
       }
     }
     own.removeIf(node -> !all.contains(node));
-    return own;
+    return own.stream().map(this::written).distinct().toList();
   }
 }

@@ -95,13 +95,19 @@ final class PreviewScene implements AutoCloseable {
     if (patch.from() != revision) {
       return false;
     }
-    Optional<ResolvedScenePatch> running = ResolvedScenePatch.of(patch, nodes, loaded.loader());
+    Optional<ResolvedScenePatch> running =
+        ResolvedScenePatch.of(patch, nodes, world.scene().root(), loaded);
     if (running.isEmpty()) {
       return false;
     }
     asIf.reset(); // The patch applies to the scene without simulated schemas.
+    nodes.move(patch); // Before new nodes come, which are where they are.
     running.get().apply(world);
-    nodes.move(patch.moved());
+    if (!patch.children().isEmpty()) {
+      world.instances().update();
+      nodes.collect();
+      versioned = nodes.switches().contains(versioned) ? versioned : null;
+    }
     revision = patch.revision();
     areas = new SensorBoxOverlay(world, nodes);
     asIf = new SchemaSimulator(nodes.switches(), world.cascade());

@@ -2,6 +2,9 @@ package org.selectiverenderer.enricher.preview;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -19,10 +22,11 @@ import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 
 /**
- * Brings the preview up to date with the document, saved or not, after every pause in editing: by a
- * patch where that is possible ({@link SceneTextDiff}), else by loading all of it. For the event
- * dispatch thread; loads on the thread {@code enricher-preview-loader}. A state that is outdated
- * while it is being loaded is dropped.
+ * Brings the preview up to date with the document, saved or not: by a patch where that is possible
+ * ({@link SceneTextDiff}), at once if what has changed tells enough ({@link ChangedPart}), else after
+ * a pause in editing by comparing or loading all of it. For the event dispatch thread; compares and
+ * loads on the thread {@code enricher-preview-loader}. A state that is outdated while it is being
+ * loaded is dropped.
  */
 final class PreviewUpdater implements AutoCloseable {
   /** Receives the progress of loading, on the event dispatch thread. */
@@ -50,7 +54,13 @@ final class PreviewUpdater implements AutoCloseable {
   /** A state that has been handed over, and the base folder of its urls. */
   private record Given(DocumentSnapshot snapshot, Path folder) {}
 
-  /** Milliseconds without an edit before the preview is updated. */
+  /** What an edit has changed, in the text of its revision. */
+  private record Edited(long revision, ChangedRange range) {}
+
+  /** Milliseconds without an edit before a patch of what has changed is tried. */
+  private static final int SOON = 40;
+
+  /** Milliseconds without an edit before the whole text is compared or loaded. */
   private static final int PAUSE = 400;
 
   private final SceneDocument document;
@@ -58,8 +68,13 @@ final class PreviewUpdater implements AutoCloseable {
   private final Supplier<ContentAccessPolicy> access;
   private final Target target;
   private final Listener listener;
-  private final DocumentListener onChange = change -> later();
+  private final DocumentListener onChange = this::later;
   private final Timer timer = new Timer(PAUSE, event -> follow());
+  private final Timer soon = new Timer(SOON, event -> patchSoon());
+
+  /** The edits since the last state that was handed over. */
+  private final Deque<Edited> edits = new ArrayDeque<>();
+
   private final AtomicLong wanted = new AtomicLong();
 
   /** The last state handed over; null where the next one has to be loaded as a whole. */
@@ -90,12 +105,66 @@ final class PreviewUpdater implements AutoCloseable {
     this.target = target;
     this.listener = listener;
     timer.setRepeats(false);
+    soon.setRepeats(false);
     document.addListener(onChange);
   }
 
-  private void later() {
+  private void later(DocumentListener.Change change) {
     wanted.incrementAndGet();
+    if (change.changes().isEmpty()) {
+      edits.clear();
+      given.set(null);
+    } else {
+      edits.add(new Edited(change.revision(), ChangedRange.of(change)));
+    }
     timer.restart();
+    soon.restart();
+  }
+
+  /** Compares what has changed since the state that is shown, if that is a small part. */
+  private void patchSoon() {
+    Given before = given.get();
+    edits.removeIf(edit -> before == null || edit.revision() <= before.snapshot().revision());
+    Optional<ChangedRange> change = edits.stream().map(Edited::range).reduce(ChangedRange::and);
+    if (before == null || change.isEmpty()) {
+      return;
+    }
+    List<ChangedPart> parts = ChangedPart.of(document, change.get(), NodeCatalogue.load());
+    if (parts.isEmpty()) {
+      return;
+    }
+    long mine = wanted.get();
+    DocumentSnapshot snapshot = document.snapshot();
+    Path folder = folder();
+    reader.execute(
+        () -> {
+          if (wanted.get() == mine && before.folder().equals(folder)) {
+            parts.stream()
+                .flatMap(part -> patch(before, snapshot, part).stream())
+                .findFirst()
+                .ifPresent(patch -> give(mine, before, new Given(snapshot, folder), patch));
+          }
+        });
+  }
+
+  private static Optional<ScenePatch> patch(
+      Given before, DocumentSnapshot snapshot, ChangedPart part) {
+    return SceneTextDiff.between(before.snapshot(), snapshot, part, NodeCatalogue.load());
+  }
+
+  /** Hands a patch over, unless its state is outdated; returns whether it is not. */
+  private boolean give(long mine, Given before, Given state, ScenePatch patch) {
+    boolean newest = given.compareAndSet(before, state);
+    if (newest) {
+      target.patch(patch, () -> SwingUtilities.invokeLater(this::now));
+      tell(mine, listener::loaded);
+    }
+    return newest;
+  }
+
+  private Path folder() {
+    Path path = file.get().toAbsolutePath();
+    return path.getParent() == null ? path : path.getParent();
   }
 
   /** Loads the whole document, without waiting for a pause. */
@@ -108,6 +177,7 @@ final class PreviewUpdater implements AutoCloseable {
   }
 
   private void follow() {
+    soon.stop();
     long mine = wanted.incrementAndGet();
     if (document.fault().isPresent()) {
       var fault = document.fault().get();
@@ -116,8 +186,7 @@ final class PreviewUpdater implements AutoCloseable {
       return;
     }
     DocumentSnapshot snapshot = document.snapshot();
-    Path path = file.get().toAbsolutePath();
-    Path folder = path.getParent() == null ? path : path.getParent();
+    Path folder = folder();
     reader.execute(() -> load(mine, snapshot, folder));
   }
 
@@ -127,11 +196,13 @@ final class PreviewUpdater implements AutoCloseable {
     }
     Given before = given.get();
     if (before != null && before.folder().equals(folder)) {
+      if (before.snapshot().revision() == snapshot.revision()) {
+        tell(mine, listener::loaded); // A patch has been handed over before the pause ended.
+        return;
+      }
       Optional<ScenePatch> patch =
           SceneTextDiff.between(before.snapshot(), snapshot, NodeCatalogue.load());
-      if (patch.isPresent() && given.compareAndSet(before, new Given(snapshot, folder))) {
-        target.patch(patch.get(), () -> SwingUtilities.invokeLater(this::now));
-        tell(mine, listener::loaded);
+      if (patch.isPresent() && give(mine, before, new Given(snapshot, folder), patch.get())) {
         return;
       }
     }
@@ -175,6 +246,7 @@ final class PreviewUpdater implements AutoCloseable {
   public void close() {
     document.removeListener(onChange);
     timer.stop();
+    soon.stop();
     wanted.incrementAndGet();
     reader.shutdown();
   }

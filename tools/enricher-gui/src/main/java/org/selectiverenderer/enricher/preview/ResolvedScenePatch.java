@@ -6,6 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -25,15 +26,21 @@ import org.selectiverenderer.enricher.preview.ScenePatch.Place;
  */
 final class ResolvedScenePatch {
   private static final String METADATA = "metadata";
+  private static final String CHILDREN = "children";
 
   private record Event(Node node, String field, @Nullable Object value) {}
 
   private final List<Event> events;
   private final Map<String, Node> names;
+  private final List<String> unnamed;
+  private final Set<String> types;
 
-  private ResolvedScenePatch(List<Event> events, Map<String, Node> names) {
+  private ResolvedScenePatch(
+      List<Event> events, Map<String, Node> names, List<String> unnamed, Set<String> types) {
     this.events = events;
     this.names = names;
+    this.unnamed = unnamed;
+    this.types = types;
   }
 
   /** The parsed metadata nodes, one per owner and null for none, and their DEF names. */
@@ -42,14 +49,21 @@ final class ResolvedScenePatch {
   /**
    * Resolves the nodes of a patch.
    *
-   * @param loader the scene's loader, which parses the metadata
+   * @param root the root node of the scene
+   * @param loaded the scene's loader, which parses the metadata and new nodes
    * @return empty if a node is missing or of another type
    */
   static Optional<ResolvedScenePatch> of(
-      ScenePatch patch, PreviewNodeIndex nodes, SceneLoader loader) {
+      ScenePatch patch, PreviewNodeIndex nodes, Node root, LoadedPreview loaded) {
     Set<Place> places = new HashSet<>();
     patch.fields().forEach(field -> places.add(field.place()));
     patch.metadata().forEach(metadata -> places.add(metadata.place()));
+    patch.names().forEach(name -> places.add(name.place()));
+    for (ScenePatch.Children children : patch.children()) {
+      children.owner().ifPresent(places::add);
+      children.sibling().ifPresent(places::add);
+      places.addAll(children.removed());
+    }
     Map<Place, Node> found = places.isEmpty() ? Map.of() : nodes.at(places);
     List<Event> events = new ArrayList<>();
     for (ScenePatch.Field field : patch.fields()) {
@@ -59,7 +73,8 @@ final class ResolvedScenePatch {
       }
       events.add(new Event(node, field.name(), field.value()));
     }
-    Optional<Read> read = read(patch.metadata(), loader);
+    Optional<Read> read =
+        patch.metadata().isEmpty() ? Optional.empty() : read(patch.metadata(), loaded.loader());
     for (int i = 0; i < patch.metadata().size(); i++) {
       ScenePatch.Metadata metadata = patch.metadata().get(i);
       Node node = found.get(metadata.place());
@@ -68,7 +83,77 @@ final class ResolvedScenePatch {
       }
       events.add(new Event(node, METADATA, read.get().nodes().get(i)));
     }
-    return Optional.of(new ResolvedScenePatch(events, read.map(Read::names).orElse(Map.of())));
+    Map<String, Node> names = new LinkedHashMap<>(read.map(Read::names).orElse(Map.of()));
+    List<String> unnamed = new ArrayList<>();
+    for (ScenePatch.Name name : patch.names()) {
+      Node node = found.get(name.place());
+      if (node == null || !node.type().name().equals(name.type())) {
+        return Optional.empty();
+      }
+      name.was().ifPresent(unnamed::add);
+      name.is().ifPresent(now -> names.put(now, node));
+    }
+    Set<String> types = new HashSet<>();
+    for (ScenePatch.Children children : patch.children()) {
+      Node owner = children.owner().map(found::get).orElse(root);
+      Optional<Scene> added = added(children, loaded);
+      Optional<List<Node>> now =
+          added.flatMap(scene -> children(owner, children, found, scene.root().nodes(CHILDREN)));
+      if (now.isEmpty()) {
+        return Optional.empty();
+      }
+      events.add(new Event(owner, CHILDREN, now.get()));
+      unnamed.addAll(children.unnamed());
+      names.putAll(added.get().named());
+      added.get().types().ifPresent(types::addAll);
+    }
+    return Optional.of(new ResolvedScenePatch(events, names, unnamed, types));
+  }
+
+  /** Reads new children; a scene without nodes where there are none. */
+  private static Optional<Scene> added(ScenePatch.Children children, LoadedPreview loaded) {
+    String text =
+        children.count() == 0 ? "<X3D version='4.0'><Scene/></X3D>" : children.added();
+    byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
+    ProblemCollector problems = new ProblemCollector(); // The document's own checks report them.
+    try {
+      Scene read =
+          loaded
+              .loader()
+              .load(CHILDREN, new ByteArrayInputStream(bytes), loaded.folder(), problems)
+              .scene();
+      return read.root().nodes(CHILDREN).size() == children.count()
+          ? Optional.of(read)
+          : Optional.empty();
+    } catch (IOException e) {
+      return Optional.empty();
+    }
+  }
+
+  /** Returns the children that a group has after the patch; empty if it has others before. */
+  private static Optional<List<Node>> children(
+      @Nullable Node owner, ScenePatch.Children children, Map<Place, Node> found, List<Node> added) {
+    boolean root = children.owner().isEmpty();
+    if (owner == null || !root && !owner.type().name().equals(children.type())) {
+      return Optional.empty();
+    }
+    List<Node> now = new ArrayList<>(owner.nodes(CHILDREN));
+    for (Place place : children.removed()) {
+      Node gone = found.get(place);
+      if (gone == null || !now.remove(gone) || now.contains(gone)) {
+        return Optional.empty();
+      }
+    }
+    int index = 0;
+    if (children.sibling().isPresent()) {
+      Node sibling = found.get(children.sibling().get());
+      index = now.lastIndexOf(sibling) + 1;
+      if (index == 0) {
+        return Optional.empty();
+      }
+    }
+    now.addAll(index, added);
+    return Optional.of(List.copyOf(now));
   }
 
   private static Optional<Read> read(List<ScenePatch.Metadata> texts, SceneLoader loader) {
@@ -98,7 +183,12 @@ final class ResolvedScenePatch {
       }
       cascade.send(event.node(), event.node().type().indexOf(event.field()), event.value());
     }
+    unnamed.forEach(world.scene()::unname);
     names.forEach(world.scene()::name);
+    Set<String> all = new HashSet<>(world.scene().types().orElse(Set.of()));
+    if (world.scene().types().isPresent() && all.addAll(types)) {
+      world.scene().types(all);
+    }
     cascade.run();
   }
 

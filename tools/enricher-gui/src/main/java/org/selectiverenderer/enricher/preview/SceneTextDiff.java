@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
 import org.selectiverenderer.authoring.DocumentSnapshot;
-import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.enricher.preview.ScenePatch.Place;
 import org.selectiverenderer.x3d.catalogue.AccessType;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
@@ -17,6 +17,7 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.source.DocumentAttribute;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.ElementTree;
+import org.selectiverenderer.x3d.source.TextSource;
 import org.selectiverenderer.x3d.source.XmlParseException;
 
 /**
@@ -36,21 +37,51 @@ final class SceneTextDiff {
   private static final Set<String> OF_ENCODING = Set.of("DEF", "USE", "containerField");
 
   private final NodeCatalogue catalogue;
+  private final DocumentSnapshot from;
+  private final DocumentSnapshot to;
+
+  /** The compared text before and after: all of it, or a part. */
   private final String before;
+
   private final String after;
   private final ElementTree oldTree;
   private final ElementTree tree;
+  private final PartPlaces places;
   private final List<ScenePatch.Field> fields = new ArrayList<>();
   private final List<ScenePatch.Metadata> metadata = new ArrayList<>();
+  private final List<ScenePatch.Name> names = new ArrayList<>();
+  private final List<ScenePatch.Children> replaced = new ArrayList<>();
   private final Map<Place, Place> moved = new HashMap<>();
 
   private SceneTextDiff(NodeCatalogue catalogue, DocumentSnapshot before, DocumentSnapshot after)
       throws XmlParseException {
     this.catalogue = catalogue;
+    from = before;
+    to = after;
     this.before = before.text();
     this.after = after.text();
     oldTree = before.elements();
     tree = after.elements();
+    places = PartPlaces.WHOLE;
+  }
+
+  /** Compares texts that stand for a part of the document, with what makes them well formed. */
+  private SceneTextDiff(
+      NodeCatalogue catalogue,
+      DocumentSnapshot before,
+      DocumentSnapshot after,
+      String old,
+      String now,
+      PartPlaces places)
+      throws XmlParseException {
+    this.catalogue = catalogue;
+    from = before;
+    to = after;
+    this.before = old;
+    this.after = now;
+    this.places = places;
+    oldTree = ElementTree.of(new TextSource(before.name(), old), before.revision());
+    tree = ElementTree.of(new TextSource(after.name(), now), after.revision());
   }
 
   /**
@@ -66,18 +97,106 @@ final class SceneTextDiff {
     try {
       SceneTextDiff comparison = new SceneTextDiff(catalogue, before, after);
       boolean same = comparison.same(comparison.oldTree.root(), comparison.tree.root());
-      return same
-          ? Optional.of(
-              new ScenePatch(
-                  before.revision(),
-                  after.revision(),
-                  comparison.fields,
-                  comparison.metadata,
-                  comparison.moved))
-          : Optional.empty();
+      return same ? Optional.of(comparison.patch(Optional.empty())) : Optional.empty();
     } catch (XmlParseException e) {
       return Optional.empty(); // Loading the text reports the fault.
     }
+  }
+
+  /**
+   * Compares a part of two snapshots that holds all that has changed.
+   *
+   * @return empty where the part does not tell enough
+   */
+  static Optional<ScenePatch> between(
+      DocumentSnapshot before, DocumentSnapshot after, ChangedPart part, NodeCatalogue catalogue) {
+    int start = part.range().from();
+    int end = part.range().to() - part.range().growth();
+    if (end < start) {
+      return Optional.empty();
+    }
+    String old = before.text().substring(start, end);
+    String now = after.text().substring(start, part.range().to());
+    String head = part.kind() == ChangedPart.Kind.CONTENT ? "<" + part.owner() + ">" : "";
+    String tail = "";
+    if (part.kind() == ChangedPart.Kind.TAG) {
+      if (old.endsWith("/>") != now.endsWith("/>")) {
+        return Optional.empty();
+      }
+      tail = now.endsWith("/>") ? "" : "</" + part.owner() + ">";
+    } else if (part.kind() == ChangedPart.Kind.CONTENT) {
+      tail = "</" + part.owner() + ">";
+    }
+    PartPlaces places = new PartPlaces(part.place(), head.length());
+    try {
+      SceneTextDiff comparison =
+          new SceneTextDiff(
+              catalogue, before, after, head + old + tail, head + now + tail, places);
+      ScenePatch.Shift shift =
+          new ScenePatch.Shift(
+              places.of(new TextSource("", comparison.before).location(head.length() + old.length())),
+              places.of(new TextSource("", comparison.after).location(head.length() + now.length())));
+      boolean taken =
+          part.kind() == ChangedPart.Kind.CONTENT
+              ? comparison.sameContent(part)
+              : comparison.same(comparison.oldTree.root(), comparison.tree.root());
+      return taken ? Optional.of(comparison.patch(Optional.of(shift))) : Optional.empty();
+    } catch (XmlParseException e) {
+      return Optional.empty(); // Loading the text reports the fault.
+    }
+  }
+
+  private ScenePatch patch(Optional<ScenePatch.Shift> shift) {
+    return new ScenePatch(
+        from.revision(), to.revision(), fields, metadata, names, replaced, moved, shift);
+  }
+
+  /** Compares the children of the root element, which stands for the owner of a part. */
+  private boolean sameContent(ChangedPart part) {
+    List<DocumentElement> old = oldTree.root().children();
+    List<DocumentElement> now = tree.root().children();
+    if (Stream.concat(old.stream(), now.stream()).anyMatch(SceneTextDiff::isMetadata)) {
+      return false;
+    }
+    int first = 0;
+    int most = Math.min(old.size(), now.size());
+    while (first < most && sameText(old.get(first), now.get(first))) {
+      placed(old.get(first), now.get(first));
+      first++;
+    }
+    int behind = 0;
+    while (behind < most - first
+        && sameText(old.get(old.size() - 1 - behind), now.get(now.size() - 1 - behind))) {
+      placed(old.get(old.size() - 1 - behind), now.get(now.size() - 1 - behind));
+      behind++;
+    }
+    List<DocumentElement> gone = old.subList(first, old.size() - behind);
+    List<DocumentElement> come = now.subList(first, now.size() - behind);
+    if (gone.size() == come.size() && sameAll(gone, come)) {
+      return true;
+    }
+    fields.clear();
+    metadata.clear();
+    names.clear();
+    return new ChildrenDiff(catalogue, from.text(), to.text(), places)
+        .of(part, old.subList(0, first), gone, come, after)
+        .map(replaced::add)
+        .orElse(false);
+  }
+
+  private boolean sameAll(List<DocumentElement> old, List<DocumentElement> now) {
+    for (int i = 0; i < old.size(); i++) {
+      if (!same(old.get(i), now.get(i))) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private boolean sameText(DocumentElement old, DocumentElement now) {
+    int length = old.end() - old.start();
+    return length == now.end() - now.start()
+        && before.regionMatches(old.start(), after, now.start(), length);
   }
 
   private boolean same(DocumentElement old, DocumentElement now) {
@@ -101,15 +220,10 @@ final class SceneTextDiff {
         || type.isPresent() && !sameMetadata(old, now)) {
       return false;
     }
-    for (int i = 0; i < children.size(); i++) {
-      if (!same(oldChildren.get(i), children.get(i))) {
-        return false;
-      }
-    }
-    return true;
+    return sameAll(oldChildren, children);
   }
 
-  private static boolean holdsCode(NodeType type) {
+  static boolean holdsCode(NodeType type) {
     return type.is("X3DScriptNode") || type.is("X3DShaderNode") || type.name().startsWith("Shader");
   }
 
@@ -156,6 +270,9 @@ final class SceneTextDiff {
       String name,
       Optional<DocumentAttribute> written) {
     Optional<FieldDefinition> field = type.flatMap(known -> known.field(name));
+    if (type.isPresent() && name.equals("DEF") && old.use().isEmpty()) {
+      return named(old, written.map(DocumentAttribute::text));
+    }
     if (type.isEmpty() || OF_ENCODING.contains(name) || NAMING.contains(name)) {
       return false;
     }
@@ -179,11 +296,24 @@ final class SceneTextDiff {
     return true;
   }
 
+  /** Adds another DEF name, unless anything else has the old name or the new one. */
+  private boolean named(DocumentElement old, Optional<String> now) {
+    boolean free =
+        old.def().filter(def -> quoted(def, to.text())).isEmpty()
+            && now.filter(def -> def.isBlank() || quoted(def, from.text())).isEmpty();
+    return free && names.add(new ScenePatch.Name(placeOf(old), old.name(), old.def(), now));
+  }
+
+  /** Whether a text has a name as a value of any attribute. */
+  static boolean quoted(String name, String text) {
+    return text.contains("'" + name + "'") || text.contains('"' + name + '"');
+  }
+
   private static List<DocumentElement> withoutMetadata(DocumentElement element) {
     return element.children().stream().filter(child -> !isMetadata(child)).toList();
   }
 
-  private static boolean isMetadata(DocumentElement element) {
+  static boolean isMetadata(DocumentElement element) {
     return element.name().startsWith("Metadata");
   }
 
@@ -193,7 +323,7 @@ final class SceneTextDiff {
     if (was.equals(is)) {
       return true;
     }
-    if (tied(old, before, oldTree) || tied(now, after, tree)) {
+    if (tied(old, from.text()) || tied(now, to.text())) {
       return false;
     }
     metadata.add(new ScenePatch.Metadata(placeOf(old), old.name(), is));
@@ -211,7 +341,7 @@ final class SceneTextDiff {
   }
 
   /** Whether metadata contain USE nodes, or nodes that are used elsewhere or routed to. */
-  private static boolean tied(DocumentElement owner, String text, ElementTree in) {
+  private static boolean tied(DocumentElement owner, String text) {
     boolean[] found = {false};
     for (DocumentElement child : owner.children()) {
       if (isMetadata(child)) {
@@ -219,14 +349,18 @@ final class SceneTextDiff {
             each ->
                 found[0] |=
                     each.use().isPresent()
-                        || each.def().filter(def -> in.used(def) || routed(def, text)).isPresent());
+                        || each.def().filter(def -> used(def, text)).isPresent());
       }
     }
     return found[0];
   }
 
-  private static boolean routed(String def, String text) {
-    return text.contains("Node='" + def + "'") || text.contains("Node=\"" + def + "\"");
+  private static boolean used(String def, String text) {
+    return Stream.of("USE=", "Node=")
+        .anyMatch(
+            attribute ->
+                text.contains(attribute + "'" + def + "'")
+                    || text.contains(attribute + '"' + def + '"'));
   }
 
   /** Compares two elements with equal text and records where their start tags have moved. */
@@ -250,8 +384,7 @@ final class SceneTextDiff {
     }
   }
 
-  private static Place placeOf(DocumentElement element) {
-    SourceLocation at = element.location();
-    return new Place(at.line(), at.column());
+  private Place placeOf(DocumentElement element) {
+    return places.of(element.location());
   }
 }

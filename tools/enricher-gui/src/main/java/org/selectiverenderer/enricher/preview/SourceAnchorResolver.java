@@ -7,6 +7,8 @@ import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.authoring.placement.Placement;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.ElementScope;
+import org.selectiverenderer.x3d.source.ElementTree;
 
 /**
  * Maps elements of the document to anchors, which the running scene resolves, and picked anchors
@@ -33,7 +35,7 @@ final class SourceAnchorResolver {
       SourceLocation place = document.location(around.start());
       anchors.add(
           new SourceAnchor(
-              around.def().isPresent() ? around.def() : around.use(),
+              name(around),
               place.line(),
               place.column()));
       at = around.parent();
@@ -41,9 +43,17 @@ final class SourceAnchorResolver {
     return anchors;
   }
 
+  /** Returns the name of an element in the scene; names in a prototype mean nothing there. */
+  private static Optional<String> name(DocumentElement element) {
+    return ElementScope.of(element).parent().isPresent()
+        ? Optional.empty()
+        : element.def().or(element::use);
+  }
+
   /** Returns an element as the running scene finds it. */
   SelectedNode node(DocumentElement element) {
-    return new SelectedNode(element, of(element), Placement.transforms(element), use(element));
+    boolean inside = Placement.transforms(document, element);
+    return new SelectedNode(element, of(element), inside, use(element));
   }
 
   /** Returns the elements as the running scene finds them; those that are gone are left out. */
@@ -58,35 +68,32 @@ final class SourceAnchorResolver {
       return 0;
     }
     int[] before = {0};
-    document
-        .tree()
-        .get()
-        .root()
-        .visit(
-            each -> {
-              if (each.start() < element.start()
-                  && (each.use().equals(name) || each.def().equals(name))) {
-                before[0]++;
-              }
-            });
+    ElementScope.visit(
+        element,
+        each -> {
+          if (each.start() < element.start()
+              && (each.use().equals(name) || each.def().equals(name))) {
+            before[0]++;
+          }
+        });
     return before[0];
   }
 
   /**
-   * Finds a picked element by its DEF name, or by its position while the text is still the one that
-   * was loaded.
+   * Finds a picked element: by its position while the text is still the one that was loaded, else
+   * by its name in the scene.
    */
   Optional<DocumentElement> element(PreviewController.Picked picked) {
     SourceAnchor anchor = picked.anchor();
-    return document
-        .tree()
-        .flatMap(
-            tree -> {
-              Optional<DocumentElement> named = anchor.def().flatMap(tree::named);
-              boolean sameText = document.revision() == picked.revision();
-              return named.isPresent() || !sameText
-                  ? named
-                  : tree.at(document.offset(anchor.line(), anchor.column()));
-            });
+    Optional<ElementTree> tree = document.tree();
+    Optional<DocumentElement> placed =
+        document.revision() == picked.revision()
+            ? tree.flatMap(found -> at(found, document.offset(anchor.line(), anchor.column())))
+            : Optional.empty();
+    return placed.or(() -> tree.flatMap(found -> anchor.def().flatMap(found::named)));
+  }
+
+  private static Optional<DocumentElement> at(ElementTree tree, int start) {
+    return tree.at(start).filter(element -> element.start() == start);
   }
 }

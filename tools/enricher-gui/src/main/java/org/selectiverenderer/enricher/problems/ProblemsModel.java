@@ -72,6 +72,7 @@ final class ProblemsModel {
                 entry
                     .rule()
                     .flatMap(rule -> GeometryRepair.of(rule, element))
+                    .or(() -> GeometryRepair.ofMessage(entry.message(), element))
                     .map(
                         kind ->
                             new ElementFinding.Fix(
@@ -79,6 +80,7 @@ final class ProblemsModel {
                                     switch (kind) {
                                       case NORMALIZE -> "problems.normalize";
                                       case REMOVE_EMPTY_FACES -> "problems.emptyfaces";
+                                      case WELD -> "problems.weld";
                                     }),
                                 () -> new GeometryRepair(document).edit(kind, element))));
   }

@@ -8,12 +8,17 @@ public final class BackgroundTask implements TaskProgress {
   private final String name;
   private final long begun;
   private final boolean stoppable;
+  private final boolean awaited;
   private volatile double fraction = -1;
   private volatile boolean cancelled;
   private volatile @Nullable Future<?> running;
   private volatile Runnable ended = () -> {};
 
-  BackgroundTask(String name, long begun, boolean stoppable) {
+  /**
+   * @param awaited whether its end is told even when it is cancelled
+   */
+  BackgroundTask(String name, long begun, boolean stoppable, boolean awaited) {
+    this.awaited = awaited;
     this.name = name;
     this.stoppable = stoppable;
     this.begun = begun;
@@ -47,6 +52,11 @@ public final class BackgroundTask implements TaskProgress {
   @Override
   public boolean cancelled() {
     return cancelled;
+  }
+
+  /** Whether its end is told even when it is cancelled. */
+  boolean awaited() {
+    return awaited;
   }
 
   /** Cancels the task as soon as possible; its result is dropped. */

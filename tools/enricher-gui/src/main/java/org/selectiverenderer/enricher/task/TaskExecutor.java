@@ -61,7 +61,7 @@ public final class TaskExecutor implements AutoCloseable {
   /** Runs work that reports its progress, otherwise as the other method. */
   public <T> BackgroundTask run(
       String name, Work<T> work, Consumer<T> done, Consumer<Exception> failed) {
-    BackgroundTask task = new BackgroundTask(name, System.nanoTime(), true);
+    BackgroundTask task = new BackgroundTask(name, System.nanoTime(), true, false);
     running.add(task);
     task.runs(workers.submit(() -> work(task, work, done, failed)));
     return task;
@@ -73,9 +73,24 @@ public final class TaskExecutor implements AutoCloseable {
    */
   public <T> BackgroundTask runToEnd(
       String name, Callable<T> work, Consumer<T> done, Consumer<Exception> failed) {
-    BackgroundTask task = new BackgroundTask(name, System.nanoTime(), false);
+    BackgroundTask task = new BackgroundTask(name, System.nanoTime(), false, true);
     running.add(task);
     writer.execute(() -> work(task, progress -> work.call(), done, failed));
+    return task;
+  }
+
+  /**
+   * Runs work that writes files and can be cancelled, but is not interrupted: it looks at its
+   * progress, removes what it has written and throws a {@link CancellationException}. It runs on
+   * the thread for writing, and its end is always told.
+   *
+   * @param failed called with the exception, also that of a cancelled task
+   */
+  public <T> BackgroundTask runWriting(
+      String name, Work<T> work, Consumer<T> done, Consumer<Exception> failed) {
+    BackgroundTask task = new BackgroundTask(name, System.nanoTime(), true, true);
+    running.add(task);
+    writer.execute(() -> work(task, work, done, failed));
     return task;
   }
 
@@ -86,7 +101,7 @@ public final class TaskExecutor implements AutoCloseable {
       T result = work.run(task);
       handOver = () -> done.accept(result);
     } catch (CancellationException e) {
-      handOver = task::cancel;
+      handOver = task.awaited() ? () -> failed.accept(e) : task::cancel;
     } catch (Exception e) {
       handOver = () -> failed.accept(e);
     } catch (LinkageError | OutOfMemoryError | StackOverflowError e) {
@@ -96,7 +111,7 @@ public final class TaskExecutor implements AutoCloseable {
     running.remove(task);
     eventThread.execute(
         () -> {
-          if (!closed && !task.cancelled()) {
+          if (!closed && (task.awaited() || !task.cancelled())) {
             last.run();
           }
         });
@@ -104,7 +119,7 @@ public final class TaskExecutor implements AutoCloseable {
 
   /** The running and waiting tasks, the oldest first. */
   public List<BackgroundTask> running() {
-    running.removeIf(BackgroundTask::cancelled);
+    running.removeIf(task -> task.cancelled() && !task.awaited());
     return List.copyOf(running);
   }
 

@@ -2,12 +2,17 @@ package org.selectiverenderer.enricher.versions;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
+import java.util.regex.Pattern;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.models.simplify.SimplificationTarget;
 
-/** The goals of an object's versions as the author types them: one number per version. */
-final class BatchGoal {
+/**
+ * The goals of an object's versions as the author types them: one number per version.
+ *
+ * @param targets the goals; empty if the text is none
+ * @param fault what is wrong with the text; empty if nothing is
+ */
+record BatchGoal(List<SimplificationTarget> targets, String fault) {
   /** What the numbers mean. */
   enum Kind {
     /** Shares of the vertices to keep, in percent. */
@@ -34,29 +39,53 @@ final class BatchGoal {
     }
   }
 
-  private BatchGoal() {}
+  private static final Pattern SEPARATORS = Pattern.compile("[;\\s]+|,(?=\\s|$)[;,\\s]*");
 
-  /**
-   * Reads the numbers, which commas, semicolons or spaces separate; empty if they are not numbers
-   * above 0 and at most 100, or are too many.
-   */
-  static Optional<List<SimplificationTarget>> read(Kind kind, String text) {
+  /** A comma between digits: a decimal number to some, two numbers to others. */
+  private static final Pattern EITHER = Pattern.compile("(\\d+),(\\d+)");
+
+  private static final Pattern DECIMAL = Pattern.compile("\\d{1,9}(\\.\\d{1,9})?|\\.\\d{1,9}");
+
+  /** Copies the list. */
+  BatchGoal {
+    targets = List.copyOf(targets);
+  }
+
+  /** Reads numbers above 0 and at most 100; semicolons, spaces, or commas with spaces separate. */
+  static BatchGoal read(Kind kind, String text) {
     List<SimplificationTarget> goals = new ArrayList<>();
-    for (String number : text.strip().split("[,;\\s]+")) {
-      double value;
-      try {
-        value = Double.parseDouble(number);
-      } catch (NumberFormatException e) {
-        return Optional.empty();
+    for (String number : SEPARATORS.split(text.strip())) {
+      if (EITHER.matcher(number).matches()) {
+        return wrong(
+            Texts.of(
+                "manyversions.either",
+                number,
+                number.replace(',', '.'),
+                number.replace(",", ", ")));
       }
+      double value = DECIMAL.matcher(number).matches() ? Double.parseDouble(number) : Double.NaN;
       if (!(value > 0 && value <= 100)) {
-        return Optional.empty();
+        return wrong(
+            number.isEmpty()
+                ? Texts.of("manyversions.goal.tip")
+                : Texts.of("manyversions.nonumber", number));
       }
       goals.add(
           kind == Kind.PERCENT
               ? new SimplificationTarget.VertexPercent(value)
               : new SimplificationTarget.LargestError(value / 100));
     }
-    return goals.size() > VersionsModel.MOST ? Optional.empty() : Optional.of(goals);
+    return goals.size() > VersionsModel.MOST
+        ? wrong(Texts.of("manyversions.toomany", String.valueOf(VersionsModel.MOST)))
+        : new BatchGoal(goals, "");
+  }
+
+  private static BatchGoal wrong(String sentence) {
+    return new BatchGoal(List.of(), sentence);
+  }
+
+  /** Returns whether the text was goals. */
+  boolean valid() {
+    return fault.isEmpty();
   }
 }

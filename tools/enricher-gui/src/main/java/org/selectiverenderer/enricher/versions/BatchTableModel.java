@@ -1,7 +1,10 @@
 package org.selectiverenderer.enricher.versions;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
 import javax.swing.table.AbstractTableModel;
 import org.selectiverenderer.authoring.UniqueNameGenerator;
 import org.selectiverenderer.authoring.versions.BatchVersionsEdit;
@@ -27,10 +30,20 @@ final class BatchTableModel extends AbstractTableModel {
   private record Row(VersionCandidate object, boolean chosen, String goal) {}
 
   private final List<Row> rows = new ArrayList<>();
+
+  /** The rows that the author has changed, by where their objects start, shown or not. */
+  private final Map<Integer, Row> changed = new HashMap<>();
+
+  private transient Consumer<String> onRefused = sentence -> {};
   private BatchGoal.Kind kind = BatchGoal.Kind.PERCENT;
 
+  /** Sets what is told why a name or goal was not taken. */
+  void onRefused(Consumer<String> listener) {
+    onRefused = listener;
+  }
+
   /**
-   * Shows objects.
+   * Shows objects, as the author has changed them.
    *
    * @param fewest objects with fewer polygons are left out
    * @param goal the goals of all
@@ -39,7 +52,8 @@ final class BatchTableModel extends AbstractTableModel {
     rows.clear();
     for (VersionCandidate object : objects) {
       if (object.polygons() >= fewest) {
-        rows.add(new Row(object, object.proposed(fewest), goal));
+        Row fresh = new Row(object, object.proposed(fewest), goal);
+        rows.add(changed.getOrDefault(object.start(), fresh));
       }
     }
     fireTableDataChanged();
@@ -49,6 +63,7 @@ final class BatchTableModel extends AbstractTableModel {
   void goals(BatchGoal.Kind ofAll, String goal) {
     kind = ofAll;
     rows.replaceAll(row -> new Row(row.object(), row.chosen(), goal));
+    changed.replaceAll((start, row) -> new Row(row.object(), row.chosen(), goal));
     if (!rows.isEmpty()) {
       fireTableRowsUpdated(0, rows.size() - 1);
     }
@@ -57,6 +72,7 @@ final class BatchTableModel extends AbstractTableModel {
   /** Ticks or unticks all objects that can have versions. */
   void choose(boolean all) {
     rows.replaceAll(row -> new Row(row.object(), all && row.object().possible(), row.goal()));
+    rows.forEach(row -> changed.put(row.object().start(), row));
     if (!rows.isEmpty()) {
       fireTableRowsUpdated(0, rows.size() - 1);
     }
@@ -69,7 +85,7 @@ final class BatchTableModel extends AbstractTableModel {
         .map(
             row ->
                 new BatchVersionsEdit.Item(
-                    row.object(), BatchGoal.read(kind, row.goal()).orElse(List.of())))
+                    row.object(), BatchGoal.read(kind, row.goal()).targets()))
         .toList();
   }
 
@@ -135,25 +151,35 @@ final class BatchTableModel extends AbstractTableModel {
     return said.isEmpty() && object.def().isEmpty() ? Texts.of("manyversions.named") : said;
   }
 
-  /** Takes what the author has set; a name or goal that is not valid leaves the cell as it was. */
+  /**
+   * Takes what the author has set; a name or goal that is not valid leaves the cell as it was,
+   * which is told.
+   */
   @Override
   public void setValueAt(Object value, int index, int column) {
     Row row = rows.get(index);
     String text = String.valueOf(value).strip();
-    Row changed =
+    String refused =
         switch (column) {
-          case CHOSEN -> new Row(row.object(), Boolean.TRUE.equals(value), row.goal());
           case NAME ->
-              UniqueNameGenerator.allowed(text)
-                  ? new Row(row.object().named(text), row.chosen(), row.goal())
-                  : row;
-          case GOAL ->
-              BatchGoal.read(kind, text).isPresent()
-                  ? new Row(row.object(), row.chosen(), text)
-                  : row;
-          default -> row;
+              UniqueNameGenerator.allowed(text) ? "" : Texts.of("manyversions.noname", text);
+          case GOAL -> BatchGoal.read(kind, text).fault();
+          default -> "";
         };
-    rows.set(index, changed);
+    if (refused.isEmpty()) {
+      Row now =
+          switch (column) {
+            case CHOSEN -> new Row(row.object(), Boolean.TRUE.equals(value), row.goal());
+            case NAME -> new Row(row.object().named(text), row.chosen(), row.goal());
+            case GOAL -> new Row(row.object(), row.chosen(), text);
+            default -> row;
+          };
+      rows.set(index, now);
+      changed.put(now.object().start(), now);
+    }
     fireTableRowsUpdated(index, index);
+    if (!refused.isEmpty()) {
+      onRefused.accept(refused);
+    }
   }
 }

@@ -76,6 +76,9 @@ public final class BatchVersionsDialog extends JDialog {
   private List<VersionCandidate> found = List.of();
   private @Nullable BackgroundTask running;
 
+  /** What is said in place of the number of objects, until the author does something. */
+  private String notice = "";
+
   /** Creates the dialog; two or more selected elements are what it begins with. */
   public BatchVersionsDialog(Window owner, EnricherSession session) {
     super(owner, Texts.of("manyversions.title"), ModalityType.DOCUMENT_MODAL);
@@ -100,7 +103,12 @@ public final class BatchVersionsDialog extends JDialog {
         .registerKeyboardAction(
             e -> dispose(), KeyStroke.getKeyStroke("ESCAPE"), JComponent.WHEN_IN_FOCUSED_WINDOW);
     session.document().addListener(changes);
-    model.addTableModelListener(e -> refresh());
+    model.addTableModelListener(
+        e -> {
+          notice = "";
+          refresh();
+        });
+    model.onRefused(this::say);
     WindowPacker.pack(this);
     setLocationRelativeTo(owner);
     search();
@@ -185,6 +193,7 @@ public final class BatchVersionsDialog extends JDialog {
   /** Runs work in the background and shows its progress. */
   private <T> void run(String task, TaskWork<T> work, Consumer<T> done) {
     stop();
+    notice = "";
     progress.setValue(0);
     running =
         session
@@ -199,8 +208,7 @@ public final class BatchVersionsDialog extends JDialog {
                 },
                 failure -> {
                   running = null;
-                  refresh();
-                  state.setText(
+                  say(
                       failure.getMessage() == null
                           ? Texts.of("versions.failed", failure.toString())
                           : failure.getMessage());
@@ -246,16 +254,24 @@ public final class BatchVersionsDialog extends JDialog {
   private void fill() {
     int fewest = only.isSelected() ? 0 : ((Number) above.getValue()).intValue();
     above.setEnabled(!only.isSelected());
-    model.show(found, fewest, goal.getText().strip());
+    String typed = goal.getText().strip();
+    boolean valid = BatchGoal.read(kind(), typed).valid();
+    model.show(found, fewest, valid ? typed : kind().usual());
   }
 
   private void goalTyped() {
     String text = goal.getText().strip();
-    boolean valid = BatchGoal.read(kind(), text).isPresent();
-    goal.putClientProperty("JComponent.outline", valid ? null : "error");
-    if (valid) {
+    BatchGoal read = BatchGoal.read(kind(), text);
+    goal.putClientProperty("JComponent.outline", read.valid() ? null : "error");
+    if (read.valid()) {
       model.goals(kind(), text);
     }
+    say(read.fault());
+  }
+
+  /** Says a sentence in place of the number of objects; nothing for an empty one. */
+  private void say(String sentence) {
+    notice = sentence;
     refresh();
   }
 
@@ -264,14 +280,16 @@ public final class BatchVersionsDialog extends JDialog {
     progress.setVisible(busy);
     stop.setVisible(busy);
     int count = model.chosen().size();
-    make.setEnabled(!busy && count > 0 && BatchGoal.read(kind(), goal.getText()).isPresent());
+    make.setEnabled(!busy && count > 0 && BatchGoal.read(kind(), goal.getText()).valid());
     if (!busy) {
       state.setText(
-          Texts.of(
-              "manyversions.count",
-              count,
-              String.valueOf(count),
-              String.valueOf(model.getRowCount())));
+          notice.isEmpty()
+              ? Texts.of(
+                  "manyversions.count",
+                  count,
+                  String.valueOf(count),
+                  String.valueOf(model.getRowCount()))
+              : notice);
     }
   }
 
@@ -279,8 +297,7 @@ public final class BatchVersionsDialog extends JDialog {
     if (running != null) {
       running.cancel();
       running = null;
-      refresh();
-      state.setText(Texts.of("manyversions.stopped"));
+      say(Texts.of("manyversions.stopped"));
     }
   }
 
@@ -304,7 +321,11 @@ public final class BatchVersionsDialog extends JDialog {
     problems.setListData(said.toArray(String[]::new));
     problemPane.setVisible(!said.isEmpty());
     revalidate();
-    if (plan.isEmpty() || !confirmed(plan)) {
+    if (plan.isEmpty()) {
+      say(Texts.of("manyversions.nothing"));
+      return;
+    }
+    if (!confirmed(plan)) {
       return;
     }
     session.document().removeListener(changes);
@@ -322,7 +343,7 @@ public final class BatchVersionsDialog extends JDialog {
                   .collect(Collectors.joining(", "))));
     } catch (EditRejectedException | IOException e) {
       session.document().addListener(changes);
-      SwingUtilities.invokeLater(() -> state.setText(e.getMessage()));
+      say(String.valueOf(e.getMessage()));
     }
   }
 

@@ -117,6 +117,44 @@ class FormPanelTest {
   }
 
   @Test
+  void aNodeWithoutATransformGetsOneByItsRowsAndKeepsTheKeyboard() throws Exception {
+    try (FormWindowDriver window = open(false)) {
+      window.select("Table");
+      Component body = window.named("allFields").getParent().getParent();
+      assertThat(EventThread.get(() -> FormWindowDriver.all(body).toList()))
+          .noneMatch(each -> "placement translation".equals(each.getName()));
+      window.select("Low");
+      String before = window.text("Low");
+      window.fill(window.named("placement translation"), "1 0");
+      window.press(KeyEvent.VK_ENTER);
+      assertThat(outline(window.named("placement translation"))).isEqualTo("error");
+      assertThat(window.text("Low")).isEqualTo(before);
+      window.fill(window.named("placement translation"), "1 0 -2.5");
+      window.press(KeyEvent.VK_ENTER);
+      Eventually.await(
+          "the keyboard in the new form",
+          () -> window.named("placement translation").isFocusOwner());
+      String text = EventThread.get(() -> window.session.document().text().toString());
+      assertThat(text)
+          .containsPattern("<Transform translation='1 0 -2.5'>\\s+<Shape DEF='Low'");
+      assertThat(shown(window.named("placement translation"))).isEqualTo("1 0 -2.5");
+      assertThat(EventThread.get(() -> window.session.selection().orElseThrow().def()))
+          .contains("Low");
+      window.fill(window.named("placement rotation"), "0 1 0 0.5");
+      window.press(KeyEvent.VK_ENTER);
+      window.screenshot("form-placement", 1);
+      assertThat(EventThread.get(() -> window.session.document().text().toString()))
+          .contains("<Transform translation='1 0 -2.5' rotation='0 1 0 0.5'>");
+      assertThat(EventThread.get(() -> window.session.document().history().names()))
+          .containsExactly("Move Low", "Turn Low");
+      EventThread.edt(() -> window.session.document().history().undo());
+      EventThread.edt(() -> window.session.document().history().undo());
+      assertThat(EventThread.get(() -> window.session.document().text().toString()))
+          .isEqualTo(SCENE);
+    }
+  }
+
+  @Test
   void allSchemasAreListedOnCtrlSpaceInAnEmptyField() throws Exception {
     try (FormWindowDriver window = open(false)) {
       window.select("Switch_Bin");

@@ -8,28 +8,21 @@ import java.awt.datatransfer.Clipboard;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.OptionalDouble;
-import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.swing.JMenuItem;
 import javax.swing.JPopupMenu;
 import javax.swing.KeyStroke;
-import org.joml.Vector3dc;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.enricher.area.AreaCommands;
 import org.selectiverenderer.enricher.area.AsyncSceneQueries;
-import org.selectiverenderer.enricher.area.FloorPlanImage;
 import org.selectiverenderer.enricher.area.NamePrompt;
-import org.selectiverenderer.enricher.area.ObjectBox;
-import org.selectiverenderer.enricher.area.SurfacePoint;
+import org.selectiverenderer.enricher.robot.NoScene;
 import org.selectiverenderer.enricher.robot.TestSessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
-import org.selectiverenderer.geometry.BoundingBox;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** What can be done with the selected node. */
@@ -191,63 +184,9 @@ class NodeMenuTest {
           session.select(session.document().tree().orElseThrow().scene().orElseThrow(), this);
           item("addArea").doClick();
         });
-    assertThat(probe.asked).containsExactly("room");
+    assertThat(probe.asked()).containsExactly("room");
     choose("A", "addArea");
-    assertThat(probe.asked).containsExactly("room", "around Group A");
-  }
-
-  /** Where no preview runs. */
-  private static final class NoScene implements AsyncSceneQueries {
-    final List<String> asked = new ArrayList<>();
-
-    @Override
-    public void around(DocumentElement element, Consumer<Optional<BoundingBox>> answer) {
-      asked.add("around " + element);
-      answer.accept(Optional.empty());
-    }
-
-    @Override
-    public void room(Consumer<Optional<BoundingBox>> answer) {
-      asked.add("room");
-      answer.accept(Optional.empty());
-    }
-
-    @Override
-    public void raised(BoundingBox of, Consumer<Optional<BoundingBox>> answer) {
-      answer.accept(Optional.empty());
-    }
-
-    @Override
-    public void plan(
-        OptionalDouble cut,
-        List<DocumentElement> hidden,
-        Consumer<Optional<FloorPlanImage>> answer) {
-      answer.accept(Optional.empty());
-    }
-
-    @Override
-    public void boxes(List<DocumentElement> nodes, Consumer<List<ObjectBox>> answer) {
-      answer.accept(List.of());
-    }
-
-    @Override
-    public void below(
-        Vector3dc from, List<DocumentElement> hidden, Consumer<Optional<SurfacePoint>> answer) {
-      answer.accept(Optional.empty());
-    }
-
-    @Override
-    public void within(
-        BoundingBox footprint,
-        List<DocumentElement> hidden,
-        Consumer<List<DocumentElement>> answer) {
-      answer.accept(List.of());
-    }
-
-    @Override
-    public void support(List<ObjectBox> boxes, Consumer<List<OptionalDouble>> answer) {
-      answer.accept(boxes.stream().map(box -> OptionalDouble.of(0)).toList());
-    }
+    assertThat(probe.asked()).containsExactly("room", "around Group A");
   }
 
   private List<String> enabled() {

@@ -19,6 +19,11 @@ public final class PreviewImageProbe {
     return panel.view().frame().filter(frame -> frame.selected().isPresent()).isPresent();
   }
 
+  /** The document's revision that it shows; -1 while it shows nothing. */
+  public static long revision(PreviewPanel panel) {
+    return panel.view().frame().map(PreviewFrame::revision).orElse(-1L);
+  }
+
   /** Whether it is compared with all polygons, as if in schemas. */
   public static boolean comparedAsIf(PreviewPanel panel) {
     return panel

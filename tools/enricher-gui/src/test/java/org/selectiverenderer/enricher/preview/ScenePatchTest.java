@@ -17,12 +17,16 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.selectiverenderer.authoring.DocumentSnapshot;
 import org.selectiverenderer.authoring.SceneDocument;
+import org.selectiverenderer.authoring.editing.FieldEdits;
+import org.selectiverenderer.authoring.editing.NodeField;
+import org.selectiverenderer.authoring.editing.NodeFieldList;
 import org.selectiverenderer.browser.nodes.group.SwitchNode;
 import org.selectiverenderer.browser.scene.Node;
 import org.selectiverenderer.browser.scene.NodeSubgraphCollector;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.field.FieldType;
+import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 
 /** A running scene that takes over an edit is the same as one that is loaded after it. */
@@ -90,6 +94,7 @@ class ScenePatchTest {
           |"DeskSchema"|,                     |"DeskSchema" "OfficeSchema"|
           <Scene>,                            <Scene><!-- a line -->
           DEF='Enter',                        DEF='Entering'
+          DEF='Place',                        DEF='There'
           """)
   void whatMayChangeIsTakenOverAndLeavesTheSceneAsIfItWereLoaded(String what, String by)
       throws IOException {
@@ -162,7 +167,7 @@ class ScenePatchTest {
           """
           radius='2',             radius='3'
           <Group/>,               <Group/><Group/>
-          DEF='Place',            DEF='There'
+          DEF='Paint',            DEF='Colour'
           |url='"other.x3d"'|,    |url='"another.x3d"'|
           intensity='0.5',        intensity='0.6'
           function in_,           function in_to
@@ -176,6 +181,37 @@ class ScenePatchTest {
   }
 
   @Test
+  void aValueOfAPrototypesInstanceIsInTheSceneThatIsLoadedNext() throws IOException {
+    String scene =
+        """
+        <X3D profile='Immersive' version='4.0'><Scene>
+          <ProtoDeclare name='Chair'><ProtoInterface>
+            <field name='colour' type='SFColor' accessType='inputOutput' value='1 0 0'/>
+          </ProtoInterface><ProtoBody><Shape><Appearance><Material>
+            <IS><connect nodeField='diffuseColor' protoField='colour'/></IS>
+          </Material></Appearance><Box/></Shape></ProtoBody></ProtoDeclare>
+          <ProtoInstance name='Chair' DEF='Chair1'/>
+        </Scene></X3D>
+        """;
+    SceneDocument document = SceneDocument.of("scene.x3d", scene.getBytes(StandardCharsets.UTF_8));
+    DocumentSnapshot before = document.snapshot();
+    DocumentElement chair = document.tree().orElseThrow().named("Chair1").orElseThrow();
+    NodeField colour =
+        NodeFieldList.of(document, NodeCatalogue.load(), chair).stream()
+            .filter(field -> field.name().equals("colour"))
+            .findFirst()
+            .orElseThrow();
+    document.perform(new FieldEdits(document).set(chair, colour, "0 0 1"));
+    DocumentSnapshot after = document.snapshot();
+    assertThat(patch(new DocumentSnapshot[] {before, after})).isEmpty();
+    try (PreviewScene old = load(before);
+        PreviewScene now = load(after)) {
+      assertThat(told(old)).contains("diffuseColor=[[1.0, 0.0, 0.0]]");
+      assertThat(told(now)).contains("diffuseColor=[[0.0, 0.0, 1.0]]");
+    }
+  }
+
+  @Test
   void aStateThatTheSceneDoesNotShowIsRefused() throws IOException {
     DocumentSnapshot[] edited = edited("0 1 0", "1 1 0");
     ScenePatch patch = patch(edited).orElseThrow();
@@ -186,7 +222,7 @@ class ScenePatchTest {
   }
 
   /** All fields of all nodes, metadata too. */
-  private static String told(PreviewScene scene) {
+  static String told(PreviewScene scene) {
     StringBuilder text =
         new StringBuilder(new TreeSet<>(scene.world().scene().named().keySet()) + "\n");
     for (Node node : NodeSubgraphCollector.of(scene.world().scene().root())) {

@@ -12,6 +12,7 @@ import javax.swing.JFrame;
 import javax.swing.JTable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.authoring.geometry.RepeatedPointsCheck;
 import org.selectiverenderer.enricher.robot.TestSessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.testing.ShowsWindows;
@@ -103,6 +104,59 @@ class GeometryProblemsTest {
           frame.dispose();
           return null;
         });
+  }
+
+  @Test
+  void equalPointsAreWeldedFromTheList() throws IOException {
+    TestSessions.theme(false);
+    EnricherSession session =
+        TestSessions.with(
+            folder,
+            """
+              <Shape>
+                <IndexedFaceSet coordIndex='0 1 2 -1 3 4 5 -1'>
+                  <Coordinate point='0 0 0 1 0 0 0 1 0 0 1 0 1 0 0 1 1 0'/>
+                </IndexedFaceSet>
+              </Shape>
+            """);
+    String before = session.document().text().toString();
+    ProblemsPanel panel =
+        GuiRobot.onEdt(() -> new ProblemsPanel(session, List.of(new RepeatedPointsCheck())));
+    GuiRobot hands = new GuiRobot();
+    JFrame frame =
+        GuiRobot.onEdt(
+            () -> {
+              JFrame made = new JFrame();
+              made.add(panel);
+              made.setSize(1000, 300);
+              return made;
+            });
+    hands.show(frame);
+    JTable table = GuiRobot.named(frame, "Problems of the scene", JTable.class);
+    String finding = "2 of 6 points of IndexedFaceSet repeat another";
+    hands.await("the finding", () -> row(table, finding) >= 0);
+    GuiRobot.onEdt(
+        () -> {
+          int row = row(table, finding);
+          table.setRowSelectionInterval(row, row);
+          return null;
+        });
+    GuiRobot.picture(panel, "problems-weld", 1);
+    hands.click(GuiRobot.named(frame, "Weld the points", JButton.class));
+    hands.await("the repair", () -> row(table, finding) < 0);
+    assertThat(session.document().text().toString())
+        .contains("coordIndex='0 1 2 -1 2 1 3 -1'")
+        .contains("point='0 0 0 1 0 0 0 1 0 1 1 0'");
+    assertThat(session.document().history().names())
+        .containsExactly("Weld 2 points of IndexedFaceSet");
+    GuiRobot.onEdt(
+        () -> {
+          session.document().history().undo();
+          panel.dispose();
+          frame.dispose();
+          return null;
+        });
+    assertThat(session.document().text().toString()).isEqualTo(before);
   }
 
   private static int row(JTable table, String rule) {

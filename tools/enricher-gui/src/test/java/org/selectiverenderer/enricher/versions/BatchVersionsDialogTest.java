@@ -9,6 +9,9 @@ import java.util.List;
 import java.util.stream.IntStream;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
+import javax.swing.JLabel;
+import javax.swing.JList;
+import javax.swing.JSpinner;
 import javax.swing.JTable;
 import javax.swing.JTextField;
 import org.junit.jupiter.api.Test;
@@ -16,6 +19,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.enricher.robot.TestSessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.models.simplify.SimplificationTarget;
 import org.selectiverenderer.testing.ShowsWindows;
 import org.selectiverenderer.testing.robot.GuiRobot;
 import org.selectiverenderer.x3d.source.DocumentElement;
@@ -106,10 +110,115 @@ class BatchVersionsDialogTest {
   }
 
   @Test
+  void whatTheAuthorTypedStaysWhenFewerObjectsAreShown() throws IOException {
+    TestSessions.theme(false);
+    BatchVersionsDialog dialog = dialog(TestSessions.with(folder, OFFICE));
+    JTable table = GuiRobot.named(dialog, "Objects to make versions of", JTable.class);
+    JSpinner fewest = GuiRobot.named(dialog, "Fewest polygons of an object", JSpinner.class);
+    hands.await("the objects", () -> table.getRowCount() == 4);
+    GuiRobot.onEdt(
+        () -> {
+          table.setValueAt("Vase", 0, BatchTableModel.NAME);
+          table.setValueAt("30, 10", 0, BatchTableModel.GOAL);
+          table.setValueAt(false, 2, BatchTableModel.CHOSEN);
+          fewest.setValue(100_000);
+          return null;
+        });
+    assertThat(column(table, BatchTableModel.NAME)).isEmpty();
+    GuiRobot.onEdt(
+        () -> {
+          fewest.setValue(100);
+          return null;
+        });
+    assertThat(column(table, BatchTableModel.NAME))
+        .containsExactly("Vase", "Bowl", "Shared", "Ball_2");
+    assertThat(column(table, BatchTableModel.GOAL)).containsExactly("30, 10", "50", "50", "50");
+    assertThat(column(table, BatchTableModel.CHOSEN))
+        .containsExactly("true", "true", "false", "false");
+    hands.press(KeyEvent.VK_ESCAPE);
+    hands.await("the end", () -> !dialog.isShowing());
+  }
+
+  @Test
+  void whatIsNoGoalOrNameIsToldInASentence() throws IOException {
+    TestSessions.theme(false);
+    BatchVersionsDialog dialog = dialog(TestSessions.with(folder, OFFICE));
+    JTable table = GuiRobot.named(dialog, "Objects to make versions of", JTable.class);
+    JButton make = GuiRobot.named(dialog, "Make Versions", JButton.class);
+    JTextField goal = GuiRobot.named(dialog, "Goal of all objects", JTextField.class);
+    JLabel state = GuiRobot.named(dialog, "Result for the versions", JLabel.class);
+    hands.await("the objects", () -> table.getRowCount() == 4 && make.isEnabled());
+    GuiRobot.onEdt(
+        () -> {
+          goal.setText("1,5");
+          return null;
+        });
+    assertThat(GuiRobot.onEdt(state::getText))
+        .isEqualTo("1,5 may be one number or two: write 1.5, or 1, 5 with a space");
+    assertThat(GuiRobot.onEdt(make::isEnabled)).isFalse();
+    assertThat(column(table, BatchTableModel.GOAL)).containsOnly("50");
+    GuiRobot.picture(dialog.getContentPane(), "versions-many-refused", 1);
+    GuiRobot.onEdt(
+        () -> {
+          goal.setText("40");
+          table.setValueAt("50f", 1, BatchTableModel.GOAL);
+          return null;
+        });
+    assertThat(GuiRobot.onEdt(state::getText))
+        .isEqualTo("50f is no number above 0 and at most 100");
+    assertThat(column(table, BatchTableModel.GOAL)).containsOnly("40");
+    assertThat(GuiRobot.onEdt(make::isEnabled)).isTrue();
+    GuiRobot.onEdt(
+        () -> {
+          table.setValueAt("two words", 0, BatchTableModel.NAME);
+          return null;
+        });
+    assertThat(GuiRobot.onEdt(state::getText)).startsWith("two words is no name");
+    hands.press(KeyEvent.VK_ESCAPE);
+    hands.await("the end", () -> !dialog.isShowing());
+  }
+
+  @Test
+  void aPlanOfNothingSaysWhyAndWhatToDo() throws IOException {
+    TestSessions.theme(false);
+    EnricherSession session = TestSessions.with(folder, OFFICE);
+    BatchVersionsDialog dialog = dialog(session);
+    JTable table = GuiRobot.named(dialog, "Objects to make versions of", JTable.class);
+    JButton make = GuiRobot.named(dialog, "Make Versions", JButton.class);
+    JLabel state = GuiRobot.named(dialog, "Result for the versions", JLabel.class);
+    JTextField goal = GuiRobot.named(dialog, "Goal of all objects", JTextField.class);
+    hands.await("the objects", () -> table.getRowCount() == 4 && make.isEnabled());
+    GuiRobot.onEdt(
+        () -> {
+          goal.setText("100");
+          return null;
+        });
+    hands.click(make);
+    hands.await("the reason", () -> state.getText().startsWith("Nothing was made"));
+    assertThat(GuiRobot.onEdt(state::getText))
+        .isEqualTo(
+            "Nothing was made, for the reasons below; set a lower goal or tick other objects");
+    JList<?> reasons = GuiRobot.named(dialog, "Problems of the versions", JList.class);
+    assertThat(GuiRobot.onEdt(() -> String.valueOf(reasons.getModel().getElementAt(0))))
+        .contains("cannot have fewer polygons");
+    assertThat(session.document().modified()).isFalse();
+    hands.press(KeyEvent.VK_ESCAPE);
+    hands.await("the end", () -> !dialog.isShowing());
+  }
+
+  @Test
   void aGoalIsOneNumberForEachVersion() {
-    assertThat(BatchGoal.read(BatchGoal.Kind.PERCENT, "50, 20;10 5").orElseThrow()).hasSize(4);
-    for (String wrong : List.of("", "x", "0", "-1", "101", "NaN", "1 2 3 4 5 6 7 8 9")) {
-      assertThat(BatchGoal.read(BatchGoal.Kind.TOLERANCE, wrong)).as(wrong).isEmpty();
+    BatchGoal goals = BatchGoal.read(BatchGoal.Kind.PERCENT, "50, 20;10 5.5");
+    assertThat(goals.targets()).hasSize(4);
+    assertThat(goals.targets().get(3)).isEqualTo(new SimplificationTarget.VertexPercent(5.5));
+    assertThat(goals.fault()).isEmpty();
+    for (String wrong :
+        List.of(
+            "", "x", "0", "-1", "101", "NaN", "50f", "50d", "0x1p3", "1e1", "1,5", "50,20", "5 %",
+            "1 2 3 4 5 6 7 8 9")) {
+      BatchGoal read = BatchGoal.read(BatchGoal.Kind.TOLERANCE, wrong);
+      assertThat(read.targets()).as(wrong).isEmpty();
+      assertThat(read.fault()).as(wrong).isNotEmpty();
     }
     assertThat(Texts.of("manyversions.count", 1, "1", "3")).isEqualTo("1 object of 3 is ticked");
   }

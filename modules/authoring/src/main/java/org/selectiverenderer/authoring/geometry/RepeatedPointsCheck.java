@@ -1,0 +1,46 @@
+package org.selectiverenderer.authoring.geometry;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.selectiverenderer.authoring.DocumentCheck;
+import org.selectiverenderer.authoring.DocumentSnapshot;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.ElementTree;
+import org.selectiverenderer.x3d.source.XmlParseException;
+
+/** A check that finds faces whose points repeat others and could be welded. */
+public final class RepeatedPointsCheck implements DocumentCheck {
+  /** The end of each message, by which the fix is known. */
+  static final String ADVICE = "; welded, the file is smaller and looks the same";
+
+  /** Faces with more text than this are not searched, so that a large scene is checked soon. */
+  private static final int MOST = 4_000_000;
+
+  @Override
+  public List<Problem> check(DocumentSnapshot snapshot) {
+    ElementTree tree;
+    try {
+      tree = snapshot.elements();
+    } catch (XmlParseException e) {
+      return List.of(); // reported by others
+    }
+    List<DocumentElement> faces = new ArrayList<>();
+    tree.root()
+        .visit(
+            element -> {
+              if (GeometryRepair.INDEXED.contains(element.name())
+                  && element.end() - element.start() < MOST) {
+                faces.add(element);
+              }
+            });
+    List<Problem> problems = new ArrayList<>();
+    for (DocumentElement each : faces) {
+      PointWelding.finding(snapshot.text(), tree, each)
+          .ifPresent(
+              message ->
+                  problems.add(new Problem(Problem.Severity.INFO, each.location(), message)));
+    }
+    return problems;
+  }
+}

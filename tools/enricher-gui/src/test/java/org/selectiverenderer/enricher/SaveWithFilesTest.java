@@ -1,0 +1,122 @@
+package org.selectiverenderer.enricher;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assumptions.assumeThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.selectiverenderer.enricher.importing.PackageDialog;
+import org.selectiverenderer.enricher.task.BackgroundTask;
+
+/** Save As with files, and packages: each end of them, and what is on the disk then. */
+class SaveWithFilesTest extends DocumentSaverFixture {
+  private void begin(String target) throws IOException {
+    Files.writeString(folder.resolve("sky.png"), "sky");
+    session.document().type(0, 0, "");
+    int at = session.document().text().toString().indexOf("<Scene>") + "<Scene>".length();
+    session.document().type(at, at, "<Background backUrl='\"sky.png\"'/>");
+    answers.target = Path.of(target);
+    answers.agree = false;
+    answers.take = true;
+    saving.saveAs(() -> done++);
+  }
+
+  private void end() throws InterruptedException {
+    while (!session.tasks().running().isEmpty() || !results.isEmpty()) {
+      result();
+    }
+  }
+
+  private List<String> there(Path in) throws IOException {
+    try (var all = Files.list(in)) {
+      return all.map(path -> path.getFileName().toString()).sorted().toList();
+    }
+  }
+
+  private void nothingIsHeldBack() throws InterruptedException {
+    answers.unsaved = UserPrompts.Unsaved.DISCARD;
+    int before = done;
+    saving.leaving(false, () -> done++);
+    end();
+    assertThat(done).isEqualTo(before + 1);
+  }
+
+  @Test
+  void itCanBeCancelledAndIsLeftOnlyAfterItsEnd() throws IOException, InterruptedException {
+    Path other = Files.createDirectories(folder.resolve("other"));
+    begin("other/room.x3d");
+    List<BackgroundTask> running = session.tasks().running();
+    assertThat(running).hasSize(1);
+    assertThat(running.get(0).stoppable()).isTrue();
+    answers.unsaved = UserPrompts.Unsaved.DISCARD;
+    int[] left = {0};
+    saving.leaving(false, () -> left[0]++);
+    assertThat(left[0]).as("not while it is written").isZero();
+    running.get(0).cancel();
+    end();
+    assertThat(left[0]).isOne();
+    assertThat(done).isZero();
+    assertThat(there(other)).isEmpty();
+    assertThat(session.file().path()).isEqualTo(folder.resolve("scene.x3d"));
+  }
+
+  @Test
+  void aFolderThatMayNotBeWrittenIsToldAndNothingIsChanged()
+      throws IOException, InterruptedException {
+    Path other = Files.createDirectories(folder.resolve("locked"));
+    assumeThat(other.toFile().setWritable(false)).isTrue();
+    assumeThat(Files.isWritable(other)).as("not as the administrator").isFalse();
+    begin("locked/room.x3d");
+    end();
+    assertThat(done).isZero();
+    assertThat(answers.asked).anyMatch(sentence -> sentence.contains("locked"));
+    assertThat(session.document().text().toString()).contains("sky.png");
+    nothingIsHeldBack();
+  }
+
+  @Test
+  void aFolderInTheWayIsToldAndWhatWasWrittenIsRemoved() throws IOException, InterruptedException {
+    Path other = Files.createDirectories(folder.resolve("other"));
+    Files.createDirectories(other.resolve("Cup_v1.x3d/in"));
+    begin("other/room.x3d");
+    end();
+    assertThat(done).isZero();
+    assertThat(answers.asked).anyMatch(sentence -> sentence.contains("Cup_v1.x3d"));
+    assertThat(there(other)).containsExactly("Cup_v1.x3d");
+    nothingIsHeldBack();
+  }
+
+  @Test
+  void editsMeanwhileEndItAndItsFilesAreRemoved() throws IOException, InterruptedException {
+    Path other = Files.createDirectories(folder.resolve("other"));
+    begin("other/room.x3d");
+    result(); // collected
+    type();
+    end();
+    assertThat(done).isZero();
+    assertThat(there(other)).isEmpty();
+    nothingIsHeldBack();
+  }
+
+  @Test
+  void aPackageInTheScenesOwnFolderIsAskedAboutAndKeepsItsFiles()
+      throws IOException, InterruptedException {
+    Files.writeString(folder.resolve("Cup_v1.x3d"), "mine");
+    List<String> before = there(folder);
+    new PackageCommands(answers).write(session, new PackageDialog.Target(folder, false));
+    end();
+    assertThat(there(folder)).isEqualTo(before);
+    assertThat(folder.resolve("Cup_v1.x3d")).hasContent("mine");
+    Path made = folder.resolve("made");
+    new PackageCommands(answers).write(session, new PackageDialog.Target(made, false));
+    session.tasks().running().forEach(BackgroundTask::cancel);
+    end();
+    assertThat(made).doesNotExist();
+    new PackageCommands(answers).write(session, new PackageDialog.Target(made, false));
+    end();
+    assertThat(made.resolve("scene.x3d")).hasSameTextualContentAs(folder.resolve("scene.x3d"));
+  }
+}
