@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Function;
 import java.util.stream.Stream;
 import org.selectiverenderer.x3d.source.TextEdit;
@@ -12,7 +13,8 @@ import org.selectiverenderer.x3d.source.TextEdit;
 /** The undo and redo steps of a document. */
 public final class UndoHistory {
   /** An undo step; it is a list of sets of changes, each in the offsets after the previous set. */
-  private record Step(String name, List<List<TextEdit>> undo, Optional<UndoableFileWrites> files) {
+  private record Step(
+      long number, String name, List<List<TextEdit>> undo, Optional<UndoableFileWrites> files) {
     long characters() {
       return undo.stream().flatMap(List::stream).mapToLong(edit -> edit.text().length()).sum();
     }
@@ -30,6 +32,8 @@ public final class UndoHistory {
   private final List<Step> done = new ArrayList<>();
   private final List<Step> undone = new ArrayList<>();
   private final long most;
+  private final List<UndoListener> listeners = new CopyOnWriteArrayList<>();
+  private long numbers;
   private int saved;
   private boolean typing;
 
@@ -52,16 +56,30 @@ public final class UndoHistory {
   /** Performs an edit; one that changes nothing is not a step. */
   void perform(Edit edit) {
     if (!edit.isEmpty()) {
-      push(edit.name(), List.of(text.apply(edit.changes())), Optional.empty());
-      typing = false;
+      make(edit, Optional.empty());
     }
   }
 
   /** Performs an edit whose files have been written; they belong to its step. */
   void perform(Edit edit, UndoableFileWrites files) {
-    push(edit.name(), List.of(text.apply(edit.changes())), Optional.of(files));
-    typing = false;
+    make(edit, Optional.of(files));
     forgetFiles();
+  }
+
+  private void make(Edit edit, Optional<UndoableFileWrites> files) {
+    long number = ++numbers;
+    listeners.forEach(listener -> listener.begins(UndoListener.Move.MAKE, number));
+    push(new Step(number, edit.name(), List.of(text.apply(edit.changes())), files));
+    typing = false;
+    listeners.forEach(listener -> listener.ended(UndoListener.Move.MAKE, number));
+  }
+
+  public void addListener(UndoListener listener) {
+    listeners.add(listener);
+  }
+
+  public void removeListener(UndoListener listener) {
+    listeners.remove(listener);
   }
 
   private void forgetFiles() {
@@ -70,7 +88,10 @@ public final class UndoHistory {
       Step step = done.get(i);
       kept += step.files().map(UndoableFileWrites::size).orElse(0L);
       if (step.files().isPresent() && kept > MOST_KEPT) {
-        done.set(i, new Step(step.name() + " (its files stay)", step.undo(), Optional.empty()));
+        done.set(
+            i,
+            new Step(
+                step.number(), step.name() + " (its files stay)", step.undo(), Optional.empty()));
       }
     }
   }
@@ -82,9 +103,9 @@ public final class UndoHistory {
       Step step = done.remove(done.size() - 1);
       List<List<TextEdit>> undo = new ArrayList<>(List.of(inverse));
       undo.addAll(step.undo());
-      done.add(new Step(step.name(), undo, step.files()));
+      done.add(new Step(step.number(), step.name(), undo, step.files()));
     } else {
-      push(name, List.of(inverse), Optional.empty());
+      push(new Step(++numbers, name, List.of(inverse), Optional.empty()));
     }
     typing = true;
   }
@@ -99,12 +120,12 @@ public final class UndoHistory {
     typing = false;
   }
 
-  private void push(String name, List<List<TextEdit>> undo, Optional<UndoableFileWrites> files) {
+  private void push(Step step) {
     if (saved > done.size()) {
       saved = -1; // what was saved can be reached no more
     }
     undone.clear();
-    done.add(new Step(name, undo, files));
+    done.add(step);
     forgetOldest();
   }
 
@@ -220,12 +241,15 @@ public final class UndoHistory {
         throw new EditRejectedException(String.valueOf(e.getMessage()));
       }
     }
+    UndoListener.Move way = back ? UndoListener.Move.UNDO : UndoListener.Move.REDO;
+    listeners.forEach(listener -> listener.begins(way, step.number()));
     from.remove(from.size() - 1);
     List<List<TextEdit>> inverse = new ArrayList<>();
     for (List<TextEdit> part : step.undo()) {
       inverse.add(0, text.apply(part));
     }
-    to.add(new Step(step.name(), inverse, step.files()));
+    to.add(new Step(step.number(), step.name(), inverse, step.files()));
+    listeners.forEach(listener -> listener.ended(way, step.number()));
     return true;
   }
 

@@ -3,30 +3,20 @@ package org.selectiverenderer.enricher;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.Queue;
-import java.util.function.Consumer;
 import java.util.function.Predicate;
-import org.selectiverenderer.authoring.DocumentSnapshot;
-import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.file.BrokenRelativeUrls;
 import org.selectiverenderer.authoring.file.DocumentFile;
-import org.selectiverenderer.authoring.file.ExternalFileVersion;
 import org.selectiverenderer.authoring.file.FileChangedException;
 import org.selectiverenderer.authoring.file.FileState;
 import org.selectiverenderer.authoring.file.SaveOperation;
-import org.selectiverenderer.authoring.file.ThreeWayMerge;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
-import org.selectiverenderer.base.files.FileFinder;
 import org.selectiverenderer.base.files.FileTransaction;
-import org.selectiverenderer.enricher.UserPrompts.OnDisk;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentError;
-import org.selectiverenderer.x3d.source.TextEdit;
 
 /**
  * Saves a document in the background, and resolves conflicts with changes of the file by other
@@ -39,7 +29,7 @@ final class DocumentSaver {
   private final Predicate<Path> elsewhere;
   private final Queue<Runnable> waiting = new ArrayDeque<>();
   private boolean writing;
-  private FileState known = FileState.SAME;
+  private final OutsideChanges outside;
 
   /**
    * @param elsewhere brings another window to the front that has a file; false if none has it
@@ -48,6 +38,7 @@ final class DocumentSaver {
     this.session = session;
     this.elsewhere = elsewhere;
     this.questions = questions;
+    this.outside = new OutsideChanges(session, questions);
   }
 
   /**
@@ -86,7 +77,7 @@ final class DocumentSaver {
                 waiting.add(() -> save(true, saved));
               } else if (state == FileState.CHANGED) {
                 String path = session.file().path().toString();
-                conflict(
+                outside.conflict(
                     Texts.of("merge.outside", path),
                     () -> reviewed(session.file().writing().over(), saved),
                     () -> save(true, saved));
@@ -235,7 +226,7 @@ final class DocumentSaver {
             },
             done -> {
               session.file().written(done);
-              known = FileState.SAME;
+              outside.taken();
               session.message(Texts.of("window.saved", done.target().toString()));
               writing = false;
               saved.run();
@@ -261,21 +252,7 @@ final class DocumentSaver {
       questions.tell(sentence);
       return;
     }
-    conflict(sentence, () -> write(what.over(), saved), () -> save(false, saved));
-  }
-
-  /** Asks what becomes of a file that another program has changed and that is to be saved. */
-  private void conflict(String sentence, Runnable over, Runnable merged) {
-    known = FileState.CHANGED; // asked here, so not again when the window gets the focus
-    List<OnDisk> possible = new ArrayList<>(List.of(OnDisk.KEEP, OnDisk.OVERWRITE));
-    if (session.document().locked().isEmpty()) {
-      possible.add(OnDisk.MERGE);
-    }
-    switch (questions.changedOnDisk(sentence, possible)) {
-      case OVERWRITE -> over.run();
-      case MERGE -> merge(merged);
-      case KEEP, TAKE -> session.message(Texts.of("merge.kept"));
-    }
+    outside.conflict(sentence, () -> write(what.over(), saved), () -> save(false, saved));
   }
 
   /** Merges the document with its file, which another program may have changed. */
@@ -283,41 +260,8 @@ final class DocumentSaver {
     if (writing) {
       waiting.add(this::merge);
     } else {
-      merge(() -> session.message(Texts.of("merge.done")));
+      outside.merge(() -> session.message(Texts.of("merge.done")));
     }
-  }
-
-  private void merge(Runnable merged) {
-    Optional<String> common = session.file().common();
-    withDisk(
-        copy -> {
-          String mine = session.document().text().toString();
-          ThreeWayMerge merge = ThreeWayMerge.of(common, mine, copy.text());
-          if (merge.count(ThreeWayMerge.Kind.THEIRS) + merge.count(ThreeWayMerge.Kind.CONFLICT)
-              == 0) {
-            if (take(copy, merge.edit(Texts.of("merge.step"), List.of()))) {
-              session.message(Texts.of("merge.nothing"));
-              merged.run();
-            }
-            return;
-          }
-          questions
-              .merge(merge)
-              .ifPresent(
-                  choices -> {
-                    if (take(copy, merge.edit(Texts.of("merge.step"), choices))) {
-                      merged.run();
-                    }
-                  });
-        });
-  }
-
-  /**
-   * Takes the text of the file in place of the document's: as one undo step where the document
-   * would then be saved as the same bytes, else by reloading.
-   */
-  private void takeDisk(Runnable reload) {
-    takeDisk(Texts.of("merge.step.take"), reload);
   }
 
   /**
@@ -332,45 +276,8 @@ final class DocumentSaver {
     } else if (!Files.isRegularFile(path)) {
       questions.tell(Texts.of("window.nosaved", path.toString()));
     } else if (questions.revert(Texts.of("window.revert", String.valueOf(path.getFileName())))) {
-      takeDisk(Texts.of("window.revert.step"), reload);
+      outside.take(Texts.of("window.revert.step"), reload);
     }
-  }
-
-  private void takeDisk(String step, Runnable reload) {
-    withDisk(
-        copy -> {
-          DocumentSnapshot now = session.document().snapshot();
-          if (now.locked().isPresent() || !copy.sameForm(now)) {
-            reload.run(); // in another encoding it is another document
-            return;
-          }
-          ThreeWayMerge all = ThreeWayMerge.of(Optional.of(now.text()), now.text(), copy.text());
-          Edit edit =
-              all.text(List.of()).equals(copy.text())
-                  ? all.edit(step, List.of())
-                  : new Edit(step, List.of(new TextEdit(0, now.text().length(), copy.text())));
-          take(copy, edit);
-        });
-  }
-
-  /** Makes the edit and returns whether it was made; else the author has been told why not. */
-  private boolean take(ExternalFileVersion copy, Edit edit) {
-    boolean taken = session.attempt(() -> session.file().take(copy, edit));
-    if (taken) {
-      known = FileState.SAME;
-    }
-    return taken;
-  }
-
-  private void withDisk(Consumer<ExternalFileVersion> use) {
-    Path path = session.file().path();
-    session
-        .tasks()
-        .run(
-            Texts.of("merge.reading", String.valueOf(path.getFileName())),
-            () -> ExternalFileVersion.read(path),
-            use,
-            failed -> questions.tell(String.valueOf(failed.getMessage())));
   }
 
   /**
@@ -406,66 +313,14 @@ final class DocumentSaver {
           .run(
               Texts.of("window.looking", String.valueOf(session.file().path().getFileName())),
               guard::state,
-              state -> heard(state, reload),
+              state -> {
+                if (!writing) {
+                  outside.heard(state, reload);
+                }
+              },
               failed -> session.message(String.valueOf(failed.getMessage())));
     }
   }
 
-  private void heard(FileState now, Runnable reload) {
-    if (writing || now == known) {
-      return;
-    }
-    known = now;
-    Path path = session.file().path();
-    if (now == FileState.GONE) {
-      session.message(Texts.of("window.gone", path.toString()));
-    } else if (now == FileState.CHANGED) {
-      boolean mergeable = session.document().locked().isEmpty();
-      List<OnDisk> possible =
-          mergeable
-              ? List.of(OnDisk.KEEP, OnDisk.TAKE, OnDisk.MERGE)
-              : List.of(OnDisk.KEEP, OnDisk.TAKE);
-      switch (questions.changedOnDisk(Texts.of("merge.changed", path.toString()), possible)) {
-        case TAKE -> takeDisk(reload);
-        case MERGE -> merge();
-        case KEEP, OVERWRITE -> session.message(Texts.of("merge.kept"));
-      }
-    }
-  }
 
-  /** The file extensions of scenes. */
-  private static final class SceneFileExtension {
-    private static final String PLAIN = ".x3d";
-    private static final String PACKED = ".x3dz";
-
-    /** Further extensions that are accepted where the author says that a file is a scene. */
-    private static final List<String> OTHERS = List.of(".x3d.gz", ".xml", ".json", ".html");
-
-    private SceneFileExtension() {}
-
-    /**
-     * Returns a file with the extension of a scene added where it has none: without it other
-     * programs, and file dialogs, would not take it for a scene.
-     *
-     * @param named the file that the author names
-     * @param now the scene's present file; a compressed scene gets the extension of compressed ones
-     */
-    static Path added(Path named, Path now) {
-      if (known(named) || named.toAbsolutePath().equals(now) || FileTransaction.sink(named)) {
-        return named;
-      }
-      boolean packed = lower(now).endsWith(PACKED);
-      return named.resolveSibling(named.getFileName() + (packed ? PACKED : PLAIN));
-    }
-
-    private static boolean known(Path file) {
-      String name = lower(file);
-      return FileFinder.SCENES.endings().stream().anyMatch(name::endsWith)
-          || OTHERS.stream().anyMatch(name::endsWith);
-    }
-
-    private static String lower(Path file) {
-      return String.valueOf(file.getFileName()).toLowerCase(Locale.ROOT);
-    }
-  }
 }

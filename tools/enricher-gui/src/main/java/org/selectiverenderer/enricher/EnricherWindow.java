@@ -141,7 +141,7 @@ final class EnricherWindow {
             saves.lookAtDisk(opening::reload);
           }
         });
-    WindowIcon.dress(frame);
+    EventQueue.invokeLater(() -> WindowIcon.dress(frame)); // Drawing it must not delay the window.
     frame.setTransferHandler(new FileDropHandler(this::dropped));
     content.add(welcome, BorderLayout.CENTER);
     frame.add(content, BorderLayout.CENTER);

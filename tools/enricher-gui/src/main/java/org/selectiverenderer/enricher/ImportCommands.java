@@ -133,6 +133,7 @@ final class ImportCommands {
         .runWriting(
             Texts.of("import.writing", String.valueOf(model.file().getFileName())),
             progress -> write(model.files(), progress),
+            this::withdraw,
             written -> {
               if (present(bench) && session.file().path().equals(scene)) {
                 perform(bench, model, point, Optional.of(written));
@@ -155,12 +156,7 @@ final class ImportCommands {
         throw new IOException(Texts.of("import.taken", file.file().toString()));
       }
     }
-    UndoableFileWrites written = UndoableFileWrites.write(files, progress::check);
-    if (progress.cancelled()) {
-      written.withdraw();
-      progress.check();
-    }
-    return written;
+    return UndoableFileWrites.write(files, progress::check);
   }
 
   private void withdraw(UndoableFileWrites written) {

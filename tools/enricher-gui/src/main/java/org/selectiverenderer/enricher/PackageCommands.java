@@ -5,7 +5,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
@@ -113,6 +112,7 @@ final class PackageCommands {
                       progress::cancelled)
                   .collect(scene, snapshot, place);
             },
+            packed -> {},
             packed -> {
               if (packed.left().isEmpty() || questions.without(sentence(packed), lines(packed))) {
                 collected.accept(packed);
@@ -145,6 +145,7 @@ final class PackageCommands {
         .runWriting(
             Texts.of("package.comparing", folder.toString()),
             progress -> PackageWriter.conflicts(files, folder),
+            conflicts -> {},
             conflicts -> {
               if (conflicts.isEmpty()
                   || questions.replace(
@@ -179,11 +180,11 @@ final class PackageCommands {
                     progress.done(done);
                   };
               if (target.zip()) {
-                PackageWriter.intoZip(files, target.path(), share);
-                return Optional.<WrittenFiles>empty();
+                return PackageWriter.intoZip(files, target.path(), share);
               }
-              return Optional.of(PackageWriter.intoFolder(files, target.path(), share));
+              return PackageWriter.intoFolder(files, target.path(), share);
             },
+            this::withdraw,
             now -> {
               int count = files.size();
               session.message(
@@ -192,7 +193,7 @@ final class PackageCommands {
                       count,
                       DecimalFormatter.grouped(count),
                       target.path().toString()));
-              written.accept(() -> now.ifPresent(this::withdraw));
+              written.accept(() -> withdraw(now));
             },
             failed -> tell(session, failed, ended));
   }

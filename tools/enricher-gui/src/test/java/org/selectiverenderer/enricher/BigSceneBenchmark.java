@@ -192,6 +192,7 @@ class BigSceneBenchmark {
     each("redo", i -> session().document().history().redo());
     source();
     each("type in Source", this::type);
+    each("half a tag", this::halfTag);
     memory("after edits");
   }
 
@@ -261,6 +262,18 @@ class BigSceneBenchmark {
     window.bench().orElseThrow().commit();
   }
 
+  /** Types what makes the text not well formed, and takes it away again. */
+  private void halfTag(int number) {
+    RSyntaxTextArea area = find(window.frame(), RSyntaxTextArea.class);
+    int at = area.getText().indexOf("<Appearance>");
+    if (number % 2 == 0) {
+      area.insert("<Group ", at);
+    } else {
+      area.replaceRange("", at - "<Group ".length(), at);
+    }
+    window.bench().orElseThrow().commit();
+  }
+
   private interface Work {
     void run(int number);
   }
@@ -284,7 +297,7 @@ class BigSceneBenchmark {
     }
     System.out.printf(
         Locale.ROOT,
-        "%-18s whole %5.0f (most %5.0f) ms, longest event %4.0f (most %4.0f) ms, CPU %4.0f (%4.0f)%n",
+        "%-18s whole %5.0f (%5.0f) ms, longest event %4.0f (%4.0f) ms, CPU %4.0f (%4.0f) ms%n",
         kind,
         median(whole),
         most(whole),
@@ -297,12 +310,15 @@ class BigSceneBenchmark {
   /** Whether text, tree, form and preview show the same state; the first three follow at once. */
   private boolean agree() {
     return !preview.isShowing()
+        || session().document().fault().isPresent()
         || PreviewImageProbe.revision(preview) == session().document().revision();
   }
 
   /** Undoes all, step by step, and says what the steps hold. */
   private void undone() throws InterruptedException {
     int steps = onEdt(() -> session().document().history().names().size());
+    long held = onEdt(() -> session().document().history().characters());
+    System.out.printf(Locale.ROOT, "%d steps of undo hold %,d characters%n", steps, held);
     long from = System.nanoTime();
     onEdt(
         () -> {

@@ -249,11 +249,15 @@ class EnricherPictures {
 
   private void cost() throws IOException {
     limits = limits();
-    open("LIGHT", 1500, 1000, APARTMENT);
+    open("LIGHT", 1500, 1190, APARTMENT);
     tab(SCHEMAS);
     JTable states = part("Polygons by area and schemas", JTable.class);
     hands.await("the count", () -> states.getRowCount() > 0);
-    edt(() -> states.setRowSelectionInterval(10, 10));
+    edt(
+        () -> {
+          states.setRowSelectionInterval(10, 10);
+          states.scrollRectToVisible(states.getCellRect(10, 0, true));
+        });
     write(part("Polygons and limits", JPanel.class));
   }
 

@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
+import javax.swing.JDialog;
 import javax.swing.JRadioButton;
 import javax.swing.JTree;
 import org.junit.jupiter.api.AfterEach;
@@ -17,6 +18,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.enricher.importing.ImportDialog;
 import org.selectiverenderer.enricher.importing.PackageDialog;
+import org.selectiverenderer.enricher.newscene.NewSceneDialog;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.testing.ShowsWindows;
 import org.selectiverenderer.testing.robot.AccessibleNameCheck;
@@ -156,5 +158,22 @@ class ImportCommandsTest {
         () -> Files.exists(packed.resolve("room.x3d")) && Files.exists(packed.resolve("sky.png")));
     assertThat(packed.resolve("sky.png")).hasContent("sky");
     assertThat(packed.resolve("room.x3d")).content().contains("sky.png");
+  }
+
+  @Test
+  void aNewSceneReplacesNoFileThatHasAppearedSinceItsDialog() throws IOException {
+    open();
+    Path theirs = Files.writeString(work().resolve("theirs.x3d"), "theirs");
+    boolean[] ended = {false};
+    later(
+        () -> {
+          window.files().create(new NewSceneDialog.Answer(theirs, "<X3D/>", false));
+          ended[0] = true;
+        });
+    JDialog dialog = hands.dialog(JDialog.class);
+    hands.choose(dialog, "Cancel");
+    hands.await("the end", () -> ended[0]);
+    assertThat(theirs).hasContent("theirs");
+    assertThat(window.has(theirs)).isFalse();
   }
 }

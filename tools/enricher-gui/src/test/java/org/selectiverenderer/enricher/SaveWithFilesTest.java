@@ -1,12 +1,12 @@
 package org.selectiverenderer.enricher;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assumptions.assumeThat;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.enricher.importing.PackageDialog;
 import org.selectiverenderer.enricher.task.BackgroundTask;
@@ -15,13 +15,31 @@ import org.selectiverenderer.enricher.task.BackgroundTask;
 class SaveWithFilesTest extends DocumentSaverFixture {
   private void begin(String target) throws IOException {
     Files.writeString(folder.resolve("sky.png"), "sky");
-    session.document().type(0, 0, "");
+    if (!target.startsWith("bare")) {
+      Files.writeString(folder.resolve("Cup_v1.x3d"), "<X3D version='4.0'><Scene/></X3D>");
+    }
     int at = session.document().text().toString().indexOf("<Scene>") + "<Scene>".length();
     session.document().type(at, at, "<Background backUrl='\"sky.png\"'/>");
     answers.target = Path.of(target);
     answers.agree = false;
     answers.take = true;
     saving.saveAs(() -> done++);
+  }
+
+  /** Keeps the thread for writing busy, so that what follows can be cancelled in time. */
+  private CountDownLatch hold() {
+    CountDownLatch hold = new CountDownLatch(1);
+    session
+        .tasks()
+        .runToEnd(
+            "hold",
+            () -> {
+              hold.await();
+              return true;
+            },
+            ended -> {},
+            failed -> {});
+    return hold;
   }
 
   private void end() throws InterruptedException {
@@ -47,15 +65,17 @@ class SaveWithFilesTest extends DocumentSaverFixture {
   @Test
   void itCanBeCancelledAndIsLeftOnlyAfterItsEnd() throws IOException, InterruptedException {
     Path other = Files.createDirectories(folder.resolve("other"));
+    CountDownLatch hold = hold();
     begin("other/room.x3d");
     List<BackgroundTask> running = session.tasks().running();
-    assertThat(running).hasSize(1);
-    assertThat(running.get(0).stoppable()).isTrue();
+    assertThat(running).hasSize(2);
+    assertThat(running.get(1).stoppable()).isTrue();
     answers.unsaved = UserPrompts.Unsaved.DISCARD;
     int[] left = {0};
     saving.leaving(false, () -> left[0]++);
     assertThat(left[0]).as("not while it is written").isZero();
-    running.get(0).cancel();
+    running.get(1).cancel();
+    hold.countDown();
     end();
     assertThat(left[0]).isOne();
     assertThat(done).isZero();
@@ -64,16 +84,15 @@ class SaveWithFilesTest extends DocumentSaverFixture {
   }
 
   @Test
-  void aFolderThatMayNotBeWrittenIsToldAndNothingIsChanged()
+  void aFolderThatCannotBeWrittenIsToldAndNothingIsChanged()
       throws IOException, InterruptedException {
-    Path other = Files.createDirectories(folder.resolve("locked"));
-    assumeThat(other.toFile().setWritable(false)).isTrue();
-    assumeThat(Files.isWritable(other)).as("not as the administrator").isFalse();
+    Path locked = Files.writeString(folder.resolve("locked"), "a file, also for the administrator");
     begin("locked/room.x3d");
     end();
     assertThat(done).isZero();
-    assertThat(answers.asked).anyMatch(sentence -> sentence.contains("locked"));
-    assertThat(session.document().text().toString()).contains("sky.png");
+    assertThat(answers.asked).anyMatch(sentence -> sentence.contains(locked.toString()));
+    assertThat(session.file().path()).isEqualTo(folder.resolve("scene.x3d"));
+    assertThat(locked).isRegularFile();
     nothingIsHeldBack();
   }
 
@@ -87,6 +106,15 @@ class SaveWithFilesTest extends DocumentSaverFixture {
     assertThat(answers.asked).anyMatch(sentence -> sentence.contains("Cup_v1.x3d"));
     assertThat(there(other)).containsExactly("Cup_v1.x3d");
     nothingIsHeldBack();
+  }
+
+  @Test
+  void thePictureOfABackgroundIsAskedAbout() throws IOException, InterruptedException {
+    Path other = Files.createDirectories(folder.resolve("bare"));
+    begin("bare/room.x3d");
+    end();
+    assertThat(done).isOne();
+    assertThat(there(other)).containsExactly("room.x3d", "sky.png");
   }
 
   @Test
@@ -111,8 +139,10 @@ class SaveWithFilesTest extends DocumentSaverFixture {
     assertThat(there(folder)).isEqualTo(before);
     assertThat(folder.resolve("Cup_v1.x3d")).hasContent("mine");
     Path made = folder.resolve("made");
+    CountDownLatch hold = hold();
     new PackageCommands(answers).write(session, new PackageDialog.Target(made, false));
     session.tasks().running().forEach(BackgroundTask::cancel);
+    hold.countDown();
     end();
     assertThat(made).doesNotExist();
     new PackageCommands(answers).write(session, new PackageDialog.Target(made, false));

@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
 import org.selectiverenderer.authoring.MFStringParser;
 import org.selectiverenderer.authoring.SceneDocument;
@@ -30,7 +31,8 @@ public final class BrokenRelativeUrls {
           "ShaderProgram",
           "PackagedShader",
           "ExternProtoDeclare",
-          "Anchor");
+          "Anchor",
+          "Background");
 
   private BrokenRelativeUrls() {}
 
@@ -54,7 +56,9 @@ public final class BrokenRelativeUrls {
     }
     return elements.stream()
         .filter(element -> WITH_URL.contains(element.name()))
-        .map(element -> MFStringParser.strings(element.text("url").orElse("")))
+        .flatMap(element -> element.attributes().stream())
+        .filter(attribute -> attribute.name().toLowerCase(Locale.ROOT).endsWith("url"))
+        .map(attribute -> MFStringParser.strings(attribute.text()))
         .distinct()
         .filter(urls -> urls.stream().noneMatch(url -> found(to, url)))
         .flatMap(urls -> urls.stream().filter(url -> found(from, url)).limit(1))

@@ -11,7 +11,7 @@ import org.selectiverenderer.x3d.source.DocumentElement;
  * Renames metadata along with the object or area that it is called after, where its names follow
  * the convention of {@link MetadataNames}.
  */
-public final class MetadataNaming {
+final class MetadataNaming {
   private static final String METADATA = "Metadata";
   private static final String SET = "MetadataSet";
 
@@ -28,7 +28,7 @@ public final class MetadataNaming {
    *
    * @param renamed returns the new DEF name for an old one, or the old one
    */
-  public static String def(DocumentElement element, String def, UnaryOperator<String> renamed) {
+  static String def(DocumentElement element, String def, UnaryOperator<String> renamed) {
     return owner(element)
         .map(owner -> following("(?:MetadataSet_?|[A-Za-z]+Definition)", owner, def, renamed))
         .orElse(def);
@@ -40,7 +40,7 @@ public final class MetadataNaming {
    *
    * @param renamed returns the new DEF name for an old one, or the old one
    */
-  public static String name(DocumentElement element, String name, UnaryOperator<String> renamed) {
+  static String name(DocumentElement element, String name, UnaryOperator<String> renamed) {
     // The name of a MetadataString is that of a field, whatever the node is called.
     return element.name().equals(SET)
         ? owner(element).map(owner -> following("", owner, name, renamed)).orElse(name)

@@ -2,14 +2,12 @@ package org.selectiverenderer.authoring.nodes;
 
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
-import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.EditRejectedException;
@@ -17,9 +15,7 @@ import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.authoring.SourceFormatter;
 import org.selectiverenderer.authoring.UniqueNameGenerator;
 import org.selectiverenderer.x3d.source.DocumentElement;
-import org.selectiverenderer.x3d.source.ElementScope;
 import org.selectiverenderer.x3d.source.ElementTree;
-import org.selectiverenderer.x3d.source.SourceAttribute;
 import org.selectiverenderer.x3d.source.TextEdit;
 
 /**
@@ -150,40 +146,8 @@ public final class NodeEdits {
     }
     UniqueNameGenerator free = new UniqueNameGenerator(tree(), node);
     free.unused(name);
-    Map<String, String> renamed = new HashMap<>();
-    node.def().ifPresent(def -> renamed.put(def, name));
-    ElementScope.visitWithin(
-        node,
-        each ->
-            each.def()
-                .filter(def -> !renamed.containsKey(def))
-                .ifPresent(
-                    def ->
-                        renamed.put(
-                            def, free.unused(MetadataNaming.def(each, def, now(renamed))))));
     List<TextEdit> changes = new ArrayList<>(more);
-    if (node.def().isEmpty()) {
-      changes.add(layout.attribute(node, "DEF", name));
-    }
-    ElementScope.visitWithin(
-        node,
-        each -> {
-          each.tag()
-              .attribute("name")
-              .ifPresent(
-                  said -> {
-                    String now = MetadataNaming.name(each, said.value(), now(renamed));
-                    if (!now.equals(said.value())) {
-                      changes.add(layout.attribute(each, "name", now));
-                    }
-                  });
-          for (String attribute : List.of("DEF", "USE", "fromNode", "toNode")) {
-            each.tag()
-                .attribute(attribute)
-                .filter(written -> renamed.containsKey(written.value()))
-                .ifPresent(written -> changes.add(replaced(written, renamed.get(written.value()))));
-          }
-        });
+    changes.addAll(CopyNaming.changes(document, List.of(node), free, Map.of(node, name)));
     changes.sort(Comparator.comparingInt(TextEdit::from));
     List<TextEdit> moved =
         changes.stream()
@@ -193,14 +157,6 @@ public final class NodeEdits {
             .toList();
     String text = TextEdit.applied(moved, document.text(node)).toString();
     return layout.insertAfter(node, List.of(text));
-  }
-
-  private static UnaryOperator<String> now(Map<String, String> renamed) {
-    return name -> renamed.getOrDefault(name, name);
-  }
-
-  private static TextEdit replaced(SourceAttribute attribute, String value) {
-    return new TextEdit(attribute.valueFrom(), attribute.valueTo(), value);
   }
 
   /**

@@ -112,8 +112,9 @@ public final class PackageWriter {
    *
    * @param progress receives the share that is done, from 0 to 1, and may throw to end the work
    */
-  public static void intoZip(List<PackagedFile> files, Path zip, DoubleConsumer progress)
-      throws IOException {
+  public static WrittenFiles intoZip(
+      List<PackagedFile> files, Path zip, DoubleConsumer progress) throws IOException {
+    boolean there = Files.exists(zip, LinkOption.NOFOLLOW_LINKS);
     Path next = part(zip.toAbsolutePath());
     try {
       try (ZipOutputStream out =
@@ -134,6 +135,7 @@ public final class PackageWriter {
         }
       }
       Files.move(next, zip, StandardCopyOption.REPLACE_EXISTING);
+      return new WrittenFiles(there ? List.of() : List.of(zip));
     } finally {
       Files.deleteIfExists(next);
     }

@@ -2,7 +2,6 @@ package org.selectiverenderer.authoring.structure;
 
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
@@ -11,18 +10,14 @@ import java.util.Set;
 import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.authoring.UniqueNameGenerator;
-import org.selectiverenderer.authoring.nodes.MetadataNaming;
+import org.selectiverenderer.authoring.nodes.CopyNaming;
 import org.selectiverenderer.x3d.catalogue.ContainerFieldRules;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.ElementScope;
-import org.selectiverenderer.x3d.source.SourceAttribute;
 import org.selectiverenderer.x3d.source.TextEdit;
 
 /** The texts of elements that go to another place, with the changes that they need there. */
 final class Pieces {
-  private static final Set<String> NAMING = Set.of("DEF", "USE");
-  private static final Set<String> ROUTED = Set.of("fromNode", "toNode");
-
   private final SceneDocument source;
   private final List<DocumentElement> elements;
   private final List<TextEdit> changes = new ArrayList<>();
@@ -47,56 +42,7 @@ final class Pieces {
    * @param wanted other names for some of the elements, given first
    */
   void rename(UniqueNameGenerator names, Map<DocumentElement, String> wanted) {
-    Map<String, String> renamed = new HashMap<>();
-    wanted.forEach(
-        (element, name) -> {
-          if (element.def().isPresent()) {
-            renamed.put(element.def().get(), name);
-          } else {
-            change(source.layout().attribute(element, "DEF", name));
-          }
-        });
-    elements.forEach(
-        element ->
-            ElementScope.visitWithin(
-                element,
-                each ->
-                    each.def()
-                        .filter(def -> !renamed.containsKey(def))
-                        .ifPresent(
-                            def ->
-                                renamed.put(
-                                    def,
-                                    names.unused(
-                                        MetadataNaming.def(
-                                            each, def, old -> now(old, renamed)))))));
-    elements.forEach(element -> ElementScope.visitWithin(element, each -> follow(each, renamed)));
-  }
-
-  private static String now(String name, Map<String, String> renamed) {
-    return renamed.getOrDefault(name, name);
-  }
-
-  private void follow(DocumentElement element, Map<String, String> renamed) {
-    source
-        .tag(element)
-        .attribute("name")
-        .ifPresent(
-            name -> {
-              String now = MetadataNaming.name(element, name.value(), old -> now(old, renamed));
-              if (!now.equals(name.value())) {
-                change(source.layout().attribute(element, "name", now));
-              }
-            });
-    for (SourceAttribute written : source.tag(element).attributes()) {
-      boolean reference =
-          NAMING.contains(written.name())
-              || ROUTED.contains(written.name()) && element.name().equals("ROUTE");
-      String now = renamed.get(written.value());
-      if (reference && now != null && !now.equals(written.value())) {
-        change(new TextEdit(written.valueFrom(), written.valueTo(), now));
-      }
-    }
+    changes.addAll(CopyNaming.changes(source, elements, names, wanted));
   }
 
   /** Writes the field that takes an element where it is not the one that the element says. */

@@ -299,6 +299,37 @@ class PrototypeFieldsTest {
   }
 
   @Test
+  void severalOfAKindGetAValueInOneStep() {
+    List<DocumentElement> selected =
+        List.of(named("OuterLeg"), named("Given"), named("Lamp1"), named("Plain"));
+    List<DocumentElement> chairs = edits().alike(named("Plain"), selected);
+    assertThat(chairs).containsExactly(named("Plain"), named("Given"));
+    document.perform(edits().set(chairs, field(named("Plain"), "colour"), "0 0 1"));
+    assertThat(document.history().names()).containsExactly("Set colour of 2 nodes");
+    assertThat(field(named("Plain"), "colour").written()).contains("0 0 1");
+    assertThat(field(named("Given"), "colour").written()).contains("0 0 1");
+    document.perform(edits().unset(chairs, field(named("Plain"), "colour")));
+    assertThat(document.text()).doesNotContain("0 0 1");
+    document.history().undo();
+    document.history().undo();
+    reads(SCENE);
+    NodeField def = fields(named("Plain")).get(1);
+    document.perform(edits().set(chairs, def, "Other")); // a name is of one node
+    reads(SCENE.replace("\"Plain\"", "\"Other\""));
+  }
+
+  @Test
+  void whatLiesInAnotherOfTheSelectedIsLeftOut() {
+    document =
+        document(
+            "<X3D><Scene><Group DEF='A'><Group DEF='B'/></Group><Group DEF='C'/>"
+                + "<Group USE='C'/></Scene></X3D>");
+    List<DocumentElement> all =
+        List.of(named("A"), named("B"), at("<Group USE='C'/>"), named("C"));
+    assertThat(edits().alike(named("C"), all)).containsExactly(named("C"), named("A"));
+  }
+
+  @Test
   void aHugeInterfaceIsCut() {
     String many =
         IntStream.range(0, 5000)

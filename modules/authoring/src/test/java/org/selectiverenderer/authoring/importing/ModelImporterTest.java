@@ -9,12 +9,14 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Base64;
 import java.util.HexFormat;
+import java.util.concurrent.CancellationException;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.authoring.UndoableFileWrite;
+import org.selectiverenderer.authoring.UndoableFileWrites;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 
@@ -233,5 +235,25 @@ class ModelImporterTest {
     ImportedModel again = importer().copy(model.file());
     assertThat(again.problems()).isEmpty();
     assertThat(importer().link(model.file()).problems()).isEmpty();
+  }
+
+  @Test
+  void aCancelledImportLeavesNothing() throws IOException {
+    Path obj =
+        Files.writeString(models.resolve("chair.obj"), "v 2 1 0\nv 4 1 0\nv 4 3 2\nf 1 2 3\n");
+    ImportedModel chair = importer().copy(obj);
+    assertThatThrownBy(
+            () ->
+                UndoableFileWrites.write(
+                    chair.files(),
+                    () -> {
+                      throw new CancellationException();
+                    }))
+        .isInstanceOf(CancellationException.class);
+    assertThat(chair.file()).doesNotExist();
+    UndoableFileWrites written = UndoableFileWrites.write(chair.files(), () -> {});
+    assertThat(chair.file()).exists();
+    written.withdraw();
+    assertThat(chair.file()).doesNotExist();
   }
 }

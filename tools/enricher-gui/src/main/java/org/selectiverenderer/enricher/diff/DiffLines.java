@@ -10,6 +10,9 @@ import org.selectiverenderer.enricher.text.Texts;
  * @param changes indices of the first line of each run of added and removed lines, in order
  */
 record DiffLines(List<Line> lines, List<Integer> changes) {
+  /** Most lines of a run that are looked through for a partner, as a run can be a whole file. */
+  private static final int RUN = 1000;
+
   /** The kind of a line of a diff. */
   enum Kind {
     FILE("diff.line.file"),
@@ -78,6 +81,44 @@ record DiffLines(List<Line> lines, List<Integer> changes) {
 
   long removed() {
     return lines.stream().filter(line -> line.kind() == Kind.REMOVED).count();
+  }
+
+  /**
+   * Returns the line of the same number in the run of added lines behind a removed one, or of
+   * removed lines before an added one; empty without one.
+   */
+  String beside(int line) {
+    Kind kind = lines.get(line).kind();
+    if (kind != Kind.REMOVED && kind != Kind.ADDED) {
+      return "";
+    }
+    int begin = begin(line, kind);
+    int number = line - begin;
+    Kind partner = kind == Kind.ADDED ? Kind.REMOVED : Kind.ADDED;
+    int first;
+    if (kind == Kind.ADDED) {
+      first = begin(begin, partner);
+    } else {
+      first = line;
+      while (is(first, kind) && first - line < RUN) {
+        first++;
+      }
+    }
+    int at = first + number;
+    return is(at, partner) ? lines.get(at).text() : "";
+  }
+
+  /** Returns the first line of the run of a kind that ends before a line. */
+  private int begin(int line, Kind kind) {
+    int begin = line;
+    while (is(begin - 1, kind) && line - begin < RUN) {
+      begin--;
+    }
+    return begin;
+  }
+
+  private boolean is(int line, Kind kind) {
+    return line >= 0 && line < lines.size() && lines.get(line).kind() == kind;
   }
 
   /** The first change after a line; after the last change the first of all. */

@@ -22,6 +22,9 @@ final class DiffView extends JList<DiffLines.Line> {
   /** Longer lines are cut: an IndexedFaceSet can have all its numbers in one. */
   private static final int LONGEST = 400;
 
+  /** Characters of a cut line, which has its difference in the first third of them. */
+  private static final int EXCERPT = 180;
+
   private DiffLines diff = DiffLines.of("");
 
   DiffView() {
@@ -78,7 +81,18 @@ final class DiffView extends JList<DiffLines.Line> {
     }
   }
 
-  private static final class LineRenderer extends DefaultListCellRenderer {
+  /** Returns a line as it is shown: a long one is cut around what differs. */
+  private String cut(String line, int index) {
+    String text = line.replace("\t", "  ");
+    if (text.length() <= LONGEST) {
+      return text;
+    }
+    String other = diff.beside(index).replace("\t", "  ");
+    String without = other.isEmpty() ? "" : other.substring(1);
+    return text.charAt(0) + LineExcerpt.of(text.substring(1), without, EXCERPT).text();
+  }
+
+  private final class LineRenderer extends DefaultListCellRenderer {
     private static final long serialVersionUID = 1L;
 
     LineRenderer() {
@@ -89,8 +103,7 @@ final class DiffView extends JList<DiffLines.Line> {
     public Component getListCellRendererComponent(
         JList<?> list, Object value, int index, boolean selected, boolean focused) {
       DiffLines.Line line = (DiffLines.Line) value;
-      String text = line.text().replace("\t", "  ");
-      String cut = text.length() > LONGEST ? text.substring(0, LONGEST) + "\u2026" : text;
+      String cut = cut(line.text(), index);
       super.getListCellRendererComponent(list, cut, index, false, false);
       setBackground(DiffColors.background(line.kind()));
       setFont(

@@ -1,7 +1,5 @@
 package org.selectiverenderer.enricher.diff;
 
-import java.awt.Color;
-import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Font;
 import java.awt.Window;
@@ -21,14 +19,12 @@ import javax.swing.JTable;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
 import javax.swing.table.AbstractTableModel;
-import javax.swing.table.DefaultTableCellRenderer;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.authoring.file.ThreeWayMerge;
 import org.selectiverenderer.authoring.file.ThreeWayMerge.Choice;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.enricher.text.Texts;
-import org.selectiverenderer.swing.PlainText;
 import org.selectiverenderer.swing.WindowPacker;
 import org.selectiverenderer.x3d.source.DocumentError;
 
@@ -84,7 +80,10 @@ public final class MergeDialog extends JDialog {
     made.setName("Merge");
     made.getAccessibleContext().setAccessibleName(Texts.of("merge.table"));
     made.setFont(new Font(Font.MONOSPACED, Font.PLAIN, made.getFont().getSize()));
-    made.setDefaultRenderer(Object.class, new LineRenderer());
+    made.setDefaultRenderer(Object.class, 
+        new MergeLineRenderer(
+            rows,
+            conflict -> selected().filter(row -> row.conflict() == conflict).isPresent()));
     made.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
     made.setShowGrid(false);
     made.setIntercellSpacing(new Dimension(1, 0));
@@ -236,39 +235,7 @@ public final class MergeDialog extends JDialog {
     @Override
     public Object getValueAt(int row, int column) {
       MergeRows.Row line = rows.rows().get(row);
-      return (column == 0 ? line.mine() : line.theirs()).replace("\t", "  ");
-    }
-  }
-
-  /**
-   * Renders taken lines green with a plus, dropped lines red with a minus, and undecided lines
-   * blue.
-   */
-  private final class LineRenderer extends DefaultTableCellRenderer {
-    private static final long serialVersionUID = 1L;
-
-    @Override
-    public Component getTableCellRendererComponent(
-        JTable shown, Object value, boolean selected, boolean focused, int row, int column) {
-      MergeRows.Row line = rows.rows().get(row);
-      Optional<Boolean> taken = rows.taken(line, column == 0);
-      boolean same = line.kind() == ThreeWayMerge.Kind.SAME;
-      String sign = same ? "  " : taken.map(is -> is ? "+ " : "\u2212 ").orElse("? ");
-      boolean empty = String.valueOf(value).isEmpty();
-      super.getTableCellRendererComponent(
-          shown, empty ? "" : sign + value, false, focused, row, column);
-      Color color =
-          DiffColors.background(
-              same || empty
-                  ? DiffLines.Kind.SAME
-                  : taken
-                      .map(is -> is ? DiffLines.Kind.ADDED : DiffLines.Kind.REMOVED)
-                      .orElse(DiffLines.Kind.PLACE));
-      boolean marked = selected().filter(at -> at.conflict() == line.conflict()).isPresent();
-      setBackground(color);
-      setFont(marked ? shown.getFont().deriveFont(Font.BOLD) : shown.getFont());
-      PlainText.only(this); // a line may begin with <html>
-      return this;
+      return column == 0 ? line.mine() : line.theirs();
     }
   }
 }

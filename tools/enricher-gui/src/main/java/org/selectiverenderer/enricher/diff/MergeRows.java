@@ -29,7 +29,7 @@ final class MergeRows {
     for (int i = 0; i < parts.size(); i++) {
       ThreeWayMerge.Part part = parts.get(i);
       if (part.kind() == Kind.SAME) {
-        same(i, part.mine().lines().toList(), i == 0, i == parts.size() - 1);
+        same(i, lines(part.mine()), i == 0, i == parts.size() - 1);
       } else {
         boolean open = part.kind() == Kind.CONFLICT;
         add(i, part, open ? choices.size() : -1);
@@ -38,6 +38,11 @@ final class MergeRows {
         }
       }
     }
+  }
+
+  /** Splits a text into lines as they are shown: with spaces for tabs. */
+  private static List<String> lines(String text) {
+    return text.lines().map(line -> line.replace("\t", "  ")).toList();
   }
 
   private void same(int part, List<String> lines, boolean first, boolean last) {
@@ -56,8 +61,8 @@ final class MergeRows {
   }
 
   private void add(int index, ThreeWayMerge.Part part, int conflict) {
-    List<String> mine = part.mine().lines().toList();
-    List<String> theirs = part.theirs().lines().toList();
+    List<String> mine = lines(part.mine());
+    List<String> theirs = lines(part.theirs());
     for (int i = 0; i < Math.max(mine.size(), theirs.size()); i++) {
       rows.add(
           new Row(

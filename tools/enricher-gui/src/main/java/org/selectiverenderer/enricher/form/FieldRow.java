@@ -5,6 +5,7 @@ import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
@@ -28,6 +29,7 @@ import org.selectiverenderer.x3d.source.DocumentElement;
 final class FieldRow {
   private final EnricherSession session;
   private final DocumentElement element;
+  private final Supplier<List<DocumentElement>> targets;
   private final FieldEdits edits;
   private final JLabel label;
   private final JLabel complaint = LabelFactory.complaint();
@@ -40,8 +42,16 @@ final class FieldRow {
   private NodeField field;
   private boolean busy;
 
-  FieldRow(EnricherSession session, DocumentElement element, NodeField field) {
+  /**
+   * @param targets the elements that get the value, the element first
+   */
+  FieldRow(
+      EnricherSession session,
+      DocumentElement element,
+      NodeField field,
+      Supplier<List<DocumentElement>> targets) {
     this.session = session;
+    this.targets = targets;
     this.element = element;
     this.field = field;
     this.edits = new FieldEdits(session.document());
@@ -147,7 +157,7 @@ final class FieldRow {
     }
     Optional<String> wrong = edits.wrong(element, field, text);
     if (wrong.isEmpty()) {
-      session.attempt(() -> session.document().perform(edits.set(element, field, text)));
+      session.attempt(() -> session.document().perform(edits.set(targets.get(), field, text)));
     }
     return wrong;
   }
@@ -157,7 +167,7 @@ final class FieldRow {
     if (wrong.isPresent()) {
       session.message(wrong.get());
     } else {
-      session.attempt(() -> session.document().perform(edits.unset(element, field)));
+      session.attempt(() -> session.document().perform(edits.unset(targets.get(), field)));
     }
   }
 

@@ -12,6 +12,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JSeparator;
 import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.authoring.editing.FieldEdits;
 import org.selectiverenderer.authoring.editing.InterfaceField;
 import org.selectiverenderer.authoring.editing.NodeField;
 import org.selectiverenderer.authoring.editing.NodeFieldList;
@@ -34,7 +35,8 @@ final class FieldsForm implements Form {
   private final JPanel rows =
       new JPanel(new MigLayout("insets 0, gapy 3, hidemode 3", "[][grow,fill][]"));
   private final JCheckBox all = new JCheckBox(Texts.of("fields.all"));
-  private final JPanel panel = new JPanel(new MigLayout("insets 8 0 0 0, wrap 1", "[grow,fill]"));
+  private final JCheckBox others = new JCheckBox();
+  private final JPanel panel = new JPanel(new MigLayout("insets 8 0 0 0, wrap 1, hidemode 3", "[grow,fill]"));
   private final Choice choice;
   private List<FieldRow> shown = List.of();
   private List<String> names = List.of();
@@ -62,8 +64,26 @@ final class FieldsForm implements Form {
     head.add(all);
     panel.add(new JSeparator());
     panel.add(head);
+    others.setName("otherNodes");
+    panel.add(others, "wmin 0");
     panel.add(rows, "wmin 0");
     build();
+  }
+
+  /** Returns the elements that get what is typed: the element, and others if the author says so. */
+  private List<DocumentElement> targets() {
+    return others.isSelected() && others.isVisible() ? alike() : List.of(element);
+  }
+
+  private List<DocumentElement> alike() {
+    return new FieldEdits(session.document()).alike(element, session.selectedElements());
+  }
+
+  /** Offers to set fields of the other selected nodes, too, if there are some of this type. */
+  private void offerOthers() {
+    int more = alike().size() - 1;
+    others.setVisible(more > 0);
+    others.setText(Texts.of("fields.others", more, Integer.toString(more)));
   }
 
   private List<NodeField> wanted() {
@@ -103,6 +123,7 @@ final class FieldsForm implements Form {
   }
 
   private void build() {
+    offerOthers();
     dispose();
     rows.removeAll();
     List<NodeField> fields = wanted();
@@ -114,7 +135,7 @@ final class FieldsForm implements Form {
         head(prototype(field));
         headed = true;
       }
-      FieldRow row = new FieldRow(session, element, field);
+      FieldRow row = new FieldRow(session, element, field, this::targets);
       row.addTo(rows);
       made.add(row);
     }
@@ -138,6 +159,7 @@ final class FieldsForm implements Form {
 
   @Override
   public void follow() {
+    offerOthers();
     Map<String, NodeField> now = new HashMap<>();
     List<NodeField> fields = wanted();
     fields.forEach(field -> now.put(FieldRow.key(field), field));

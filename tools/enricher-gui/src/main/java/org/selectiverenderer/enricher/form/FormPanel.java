@@ -89,6 +89,8 @@ public final class FormPanel extends JPanel {
     if (session.selection().orElse(null) != element) {
       commit();
       rebuild();
+    } else if (form != null && form.fits()) {
+      form.follow(); // others may be selected besides
     }
   }
 

@@ -147,7 +147,9 @@ final class PlacementForm implements Form {
   @Override
   public void follow() {
     boolean made = editor.placement(element).flatMap(Placement::transform).isPresent();
-    about.setText(Texts.of(made ? "placement.form.around" : "placement.form.new"));
+    String sentence = Texts.of(made ? "placement.form.around" : "placement.form.new");
+    about.setText(sentence);
+    about.getAccessibleContext().setAccessibleName(sentence);
     rows.forEach(FieldBinding::follow);
   }
 

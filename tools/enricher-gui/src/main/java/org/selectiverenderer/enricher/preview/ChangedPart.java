@@ -99,7 +99,8 @@ record ChangedPart(
     for (DocumentElement at = element; at != null; at = at.parent().orElse(null)) {
       inScene |= at.name().equals(SCENE);
       boolean frame = at.name().equals(SCENE) || at.parent().isEmpty();
-      if (!frame && nodes.find(at.name()).filter(each -> !SceneTextDiff.holdsCode(each)).isEmpty()) {
+      Optional<NodeType> type = nodes.find(at.name());
+      if (!frame && type.filter(each -> !SceneTextDiff.holdsCode(each)).isEmpty()) {
         return false;
       }
     }

@@ -134,7 +134,8 @@ final class ChildrenDiff {
   /** Whether what stays refers to a name that is gone, or has been given again within the part. */
   private boolean outside(ChangedRange part, String name, boolean again) {
     return again
-        ? quotedIn(name, after.substring(0, part.from())) || quotedIn(name, after.substring(part.to()))
+        ? quotedIn(name, after.substring(0, part.from()))
+            || quotedIn(name, after.substring(part.to()))
         : quotedIn(name, after);
   }
 

@@ -23,10 +23,10 @@ import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 
 /**
  * Brings the preview up to date with the document, saved or not: by a patch where that is possible
- * ({@link SceneTextDiff}), at once if what has changed tells enough ({@link ChangedPart}), else after
- * a pause in editing by comparing or loading all of it. For the event dispatch thread; compares and
- * loads on the thread {@code enricher-preview-loader}. A state that is outdated while it is being
- * loaded is dropped.
+ * ({@link SceneTextDiff}), at once if what has changed tells enough ({@link ChangedPart}), else
+ * after a pause in editing by comparing or loading all of it. For the event dispatch thread;
+ * compares and loads on the thread {@code enricher-preview-loader}. A state that is outdated while
+ * it is being loaded is dropped.
  */
 final class PreviewUpdater implements AutoCloseable {
   /** Receives the progress of loading, on the event dispatch thread. */

@@ -132,7 +132,10 @@ final class ResolvedScenePatch {
 
   /** Returns the children that a group has after the patch; empty if it has others before. */
   private static Optional<List<Node>> children(
-      @Nullable Node owner, ScenePatch.Children children, Map<Place, Node> found, List<Node> added) {
+      @Nullable Node owner,
+      ScenePatch.Children children,
+      Map<Place, Node> found,
+      List<Node> added) {
     boolean root = children.owner().isEmpty();
     if (owner == null || !root && !owner.type().name().equals(children.type())) {
       return Optional.empty();

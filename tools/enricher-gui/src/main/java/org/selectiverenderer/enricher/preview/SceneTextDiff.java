@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 import org.selectiverenderer.authoring.DocumentSnapshot;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.enricher.preview.ScenePatch.Place;
 import org.selectiverenderer.x3d.catalogue.AccessType;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
@@ -134,8 +135,7 @@ final class SceneTextDiff {
               catalogue, before, after, head + old + tail, head + now + tail, places);
       ScenePatch.Shift shift =
           new ScenePatch.Shift(
-              places.of(new TextSource("", comparison.before).location(head.length() + old.length())),
-              places.of(new TextSource("", comparison.after).location(head.length() + now.length())));
+              places.of(end(comparison.before, tail)), places.of(end(comparison.after, tail)));
       boolean taken =
           part.kind() == ChangedPart.Kind.CONTENT
               ? comparison.sameContent(part)
@@ -144,6 +144,11 @@ final class SceneTextDiff {
     } catch (XmlParseException e) {
       return Optional.empty(); // Loading the text reports the fault.
     }
+  }
+
+  /** Returns where a part ends, before what was added to make it well formed. */
+  private static SourceLocation end(String text, String tail) {
+    return new TextSource("", text).location(text.length() - tail.length());
   }
 
   private ScenePatch patch(Optional<ScenePatch.Shift> shift) {

@@ -12,7 +12,8 @@
  * the text that was loaded.
  *
  * <p>An edit that only changes what may change in a running scene becomes a {@code ScenePatch}:
- * {@code SceneTextDiff} finds it from the two texts on the loader's thread, and it is sent as
+ * {@code SceneTextDiff} finds it on the loader's thread, from the {@code ChangedPart} that holds
+ * all that has changed or, where that does not tell enough, from the two texts, and it is sent as
  * events on the preview's thread; where one of its nodes is missing, the document is loaded
  * instead.
  *

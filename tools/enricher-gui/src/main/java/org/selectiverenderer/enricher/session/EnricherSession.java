@@ -23,7 +23,8 @@ import org.selectiverenderer.x3d.url.ContentAccessPolicy;
  *
  * <p>Several elements may be selected. The selection outlives edits: when the document is parsed
  * again, the elements with the same DEF name or path are selected again; while the text is not well
- * formed, nothing is selected.
+ * formed, nothing is selected. Undoing a step selects what was selected before it, redoing it what
+ * was selected after it.
  */
 public final class EnricherSession {
   private final DocumentFile file;
@@ -34,6 +35,8 @@ public final class EnricherSession {
   private final EnrichmentEdits edits;
   private final List<SelectionListener> listeners = new CopyOnWriteArrayList<>();
   private final DocumentListener following = this::follow;
+  private final SelectionHistory history =
+      new SelectionHistory(this::selectedElements, this::again);
   private volatile ContentAccessPolicy access;
   private List<DocumentElement> selected = List.of();
   private List<DocumentElement> lost = List.of();
@@ -63,6 +66,7 @@ public final class EnricherSession {
     this.enrichment = new DocumentEnrichment(file.document(), catalogue);
     this.edits = new EnrichmentEdits(enrichment);
     file.document().addListener(following);
+    file.document().history().addListener(history);
   }
 
   public DocumentFile file() {
@@ -200,8 +204,18 @@ public final class EnricherSession {
     return element.attached() ? Optional.of(element) : ElementPath.of(element).find(tree);
   }
 
+  /** Selects the elements of paths as far as they are found. */
+  private void again(List<ElementPath> paths) {
+    document()
+        .tree()
+        .map(tree -> paths.stream().flatMap(path -> path.find(tree).stream()).toList())
+        .filter(found -> !found.isEmpty())
+        .ifPresent(found -> selectAll(found, this));
+  }
+
   /** Stops following the document. */
   public void dispose() {
+    document().history().removeListener(history);
     document().removeListener(following);
     listeners.clear();
   }

@@ -3,6 +3,7 @@ package org.selectiverenderer.enricher.source;
 import java.util.ArrayList;
 import java.util.List;
 import javax.swing.text.BadLocationException;
+import org.fife.ui.rsyntaxtextarea.RSyntaxDocument;
 import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
 import org.fife.ui.rsyntaxtextarea.SyntaxConstants;
 import org.selectiverenderer.authoring.DocumentListener;
@@ -17,12 +18,14 @@ import org.selectiverenderer.x3d.source.TextEdit;
  */
 final class SourceAreaBinding {
   /**
-   * Most characters of a text with code folding, for which all tags are parsed after each pause.
+   * Most coloured characters of a text with code folding, for which all tags are parsed after each
+   * pause.
    */
   private static final int FOLDED = 400_000;
 
   private final EnricherSession session;
   private final RSyntaxTextArea area;
+  private final LongLineTokenMaker tokens = new LongLineTokenMaker();
   private final List<Runnable> listeners = new ArrayList<>();
   private VisibleSourceRange page = new VisibleSourceRange(0, 0, false);
   private NormalizedText text = NormalizedText.of("");
@@ -31,6 +34,8 @@ final class SourceAreaBinding {
   SourceAreaBinding(EnricherSession session, RSyntaxTextArea area) {
     this.session = session;
     this.area = area;
+    area.setSyntaxEditingStyle(SyntaxConstants.SYNTAX_STYLE_XML);
+    ((RSyntaxDocument) area.getDocument()).setSyntaxStyle(tokens);
   }
 
   /** Adds a listener that runs when another part is shown, or the part has grown or moved. */
@@ -79,9 +84,8 @@ final class SourceAreaBinding {
         () -> {
           page = next;
           text = NormalizedText.of(document().text(next.from(), next.to()));
-          area.setSyntaxEditingStyle(
-              next.plain() ? SyntaxConstants.SYNTAX_STYLE_NONE : SyntaxConstants.SYNTAX_STYLE_XML);
-          area.setCodeFoldingEnabled(!next.plain() && next.length() <= FOLDED);
+          tokens.beginWithinLine(next.withinLine());
+          area.setCodeFoldingEnabled(LongLineTokenMaker.colored(text.shown()) <= FOLDED);
           area.setText(text.shown());
           area.setCaretPosition(0);
           area.discardAllEdits();
@@ -138,7 +142,7 @@ final class SourceAreaBinding {
     }
     int length = document().text().length();
     if (inside && to <= length) {
-      update(new VisibleSourceRange(from, to, page.plain()));
+      update(new VisibleSourceRange(from, to, page.withinLine()));
     } else {
       load(VisibleSourceRange.around(document().text(), Math.min(page.from(), length)));
     }

@@ -1,33 +1,21 @@
 package org.selectiverenderer.enricher.source;
 
-import java.awt.Component;
-import java.awt.event.ActionEvent;
 import java.beans.PropertyChangeListener;
-import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
-import javax.swing.AbstractAction;
-import javax.swing.JButton;
 import javax.swing.JComponent;
-import javax.swing.JLabel;
-import javax.swing.JMenuItem;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
-import javax.swing.KeyStroke;
 import javax.swing.Timer;
 import javax.swing.UIManager;
 import javax.swing.text.BadLocationException;
 import net.miginfocom.swing.MigLayout;
 import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
-import org.fife.ui.rtextarea.ExpandedFoldRenderStrategy;
-import org.fife.ui.rtextarea.FoldIndicator;
 import org.fife.ui.rtextarea.RTextScrollPane;
 import org.selectiverenderer.authoring.DocumentListener;
 import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.authoring.editing.CommentToggle;
 import org.selectiverenderer.authoring.editing.TagMatcher;
-import org.selectiverenderer.base.markup.MarkupEscaper;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.enricher.component.InputDialog;
 import org.selectiverenderer.enricher.session.EnricherSession;
@@ -35,7 +23,6 @@ import org.selectiverenderer.enricher.session.SelectionListener;
 import org.selectiverenderer.enricher.text.MnemonicText;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
-import org.selectiverenderer.x3d.source.DocumentError;
 
 /**
  * The source view: an editor for the text of the scene. What is typed reaches the document after a
@@ -45,24 +32,6 @@ import org.selectiverenderer.x3d.source.DocumentError;
 public final class SourcePanel {
   private static final int REACH_MILLISECONDS = 300;
   private static final int PAUSE_MILLISECONDS = 1200;
-
-  /**
-   * Keys that the window or this panel handles, so that the text area's own bindings are removed.
-   */
-  private static final List<String> KEYS =
-      List.of(
-          "ctrl Z",
-          "ctrl Y",
-          "ctrl shift Z",
-          "ctrl shift F",
-          "ctrl F",
-          "ctrl H",
-          "ctrl G",
-          "ctrl D",
-          "ctrl shift M",
-          "ctrl SLASH",
-          "F3",
-          "shift F3");
 
   private final EnricherSession session;
   private final RSyntaxTextArea area = new RSyntaxTextArea();
@@ -80,12 +49,17 @@ public final class SourcePanel {
   private final SelectionListener selecting = this::follow;
   private final DocumentListener changing = this::changed;
   private final PropertyChangeListener restyling = event -> restyle();
+
+  /** Whether another part is to be shown as soon as the panel is, as its element is selected. */
+  private boolean behind;
+
   private final Timer moved = new Timer(REACH_MILLISECONDS, event -> caretMoved());
 
   public SourcePanel(EnricherSession session) {
     this.session = session;
     moved.setRepeats(false);
-    setUpArea();
+    SourceAreaSetup.apply(area, scroll);
+    area.setEditable(document().locked().isEmpty());
     page = new SourceAreaBinding(session, area);
     marks = new SourceHighlighter(area, page);
     steps =
@@ -107,57 +81,14 @@ public final class SourcePanel {
             moved.restart();
           }
         });
-    on("ctrl SPACE", completion::propose);
+    SourceAreaSetup.key(area, "ctrl SPACE", completion::propose);
+    panel.addHierarchyListener(event -> catchUp());
     UIManager.addPropertyChangeListener(restyling);
     session.addSelectionListener(selecting);
     session.document().addListener(changing);
     page.turn(0);
     SourceStyle.apply(area, scroll);
     showNotice();
-  }
-
-  private void setUpArea() {
-    area.setName("source");
-    area.setAntiAliasingEnabled(true);
-    area.setMarkOccurrences(false);
-    area.setTabSize(2);
-    area.setHighlightCurrentLine(true);
-    area.setCloseMarkupTags(true);
-    area.setEditable(session.document().locked().isEmpty());
-    for (String key : KEYS) {
-      area.getInputMap().put(KeyStroke.getKeyStroke(key), "none"); // left to the window
-    }
-    area.getAccessibleContext().setAccessibleName(Texts.of("source.panel"));
-    scroll.setFoldIndicatorEnabled(true);
-    scroll.getGutter().setExpandedFoldRenderStrategy(ExpandedFoldRenderStrategy.ALWAYS);
-    for (Component each : scroll.getGutter().getComponents()) {
-      if (each instanceof FoldIndicator) {
-        each.getAccessibleContext().setAccessibleName(Texts.of("source.folds"));
-      }
-    }
-    scroll
-        .getVerticalScrollBar()
-        .getAccessibleContext()
-        .setAccessibleName(Texts.of("source.scroll"));
-    scroll
-        .getHorizontalScrollBar()
-        .getAccessibleContext()
-        .setAccessibleName(Texts.of("source.scroll"));
-  }
-
-  private void on(String key, Runnable run) {
-    area.getInputMap().put(KeyStroke.getKeyStroke(key), key);
-    area.getActionMap()
-        .put(
-            key,
-            new AbstractAction() {
-              private static final long serialVersionUID = 1L;
-
-              @Override
-              public void actionPerformed(ActionEvent event) {
-                run.run();
-              }
-            });
   }
 
   public JComponent component() {
@@ -241,10 +172,20 @@ public final class SourcePanel {
 
   private void follow(Optional<DocumentElement> element, Object origin) {
     boolean typingHere = origin == session && area.isFocusOwner();
+    behind = !panel.isShowing() && page.shown().length() < document().text().length();
+    if (behind) {
+      return;
+    }
     if (origin != this && !typingHere && !page.following()) {
       element.filter(DocumentElement::attached).ifPresent(each -> reveal(each.start()));
     }
     marks.element(document(), element);
+  }
+
+  private void catchUp() {
+    if (behind && panel.isShowing()) {
+      follow(session.selection(), session);
+    }
   }
 
   /** Opens the find bar, with or without the line for replacing. */
@@ -327,7 +268,7 @@ public final class SourcePanel {
    */
   public void onMenu(Consumer<JPopupMenu> node) {
     area.setPopupMenu(
-        new ContextMenu(
+        new SourceContextMenu(
             area,
             () -> {
               moved.stop();
@@ -343,121 +284,5 @@ public final class SourcePanel {
     UIManager.removePropertyChangeListener(restyling);
     session.removeSelectionListener(selecting);
     session.document().removeListener(changing);
-  }
-
-  /**
-   * The bar that shows which part of a large text is shown, with buttons to the neighbouring parts.
-   */
-  private static final class PageBar {
-    private final JLabel words = new JLabel();
-    private final JPanel panel = new JPanel(new MigLayout("insets 4 6 4 6", "[][][grow]"));
-
-    PageBar(SourceAreaBinding page) {
-      JButton earlier = new JButton(Texts.of("source.earlier"));
-      JButton later = new JButton(Texts.of("source.later"));
-      earlier.setName("earlierPart");
-      later.setName("laterPart");
-      earlier.addActionListener(
-          event -> page.turn(Math.max(0, page.shown().from() - VisibleSourceRange.PAGE / 2)));
-      later.addActionListener(event -> page.turn(page.shown().to() + VisibleSourceRange.PAGE / 4));
-      panel.add(earlier);
-      panel.add(later);
-      panel.add(words, "growx, wmin 0");
-    }
-
-    JPanel component() {
-      return panel;
-    }
-
-    /**
-     * Shows the position of a part in a text of some length; hides the bar if the part is the whole
-     * text.
-     */
-    void show(VisibleSourceRange page, int all) {
-      panel.setVisible(page.length() < all);
-      words.setText(Texts.of("source.part", number(page.from()), number(page.to()), number(all)));
-    }
-
-    private static String number(int characters) {
-      return String.format(Locale.ROOT, "%,d", characters);
-    }
-  }
-
-  /** The context menu of the source, rebuilt each time it shows. */
-  private static final class ContextMenu extends JPopupMenu {
-    private static final long serialVersionUID = 1L;
-
-    private final transient RSyntaxTextArea area;
-    private final transient Runnable atCaret;
-    private final transient Consumer<JPopupMenu> node;
-
-    /**
-     * @param atCaret selects the element at the caret
-     * @param node appends the commands for that element
-     */
-    ContextMenu(RSyntaxTextArea area, Runnable atCaret, Consumer<JPopupMenu> node) {
-      this.area = area;
-      this.atCaret = atCaret;
-      this.node = node;
-      setName("sourceMenu");
-    }
-
-    @Override
-    public void show(Component over, int x, int y) {
-      atCaret.run();
-      removeAll();
-      boolean some = area.getSelectionStart() < area.getSelectionEnd();
-      add("node.textCut", "textCut", some && area.isEditable(), area::cut);
-      add("node.textCopy", "textCopy", some, area::copy);
-      add("node.textPaste", "textPaste", area.isEditable(), area::paste);
-      node.accept(this);
-      super.show(over, x, y);
-    }
-
-    private void add(String text, String name, boolean enabled, Runnable work) {
-      JMenuItem item = new JMenuItem(Texts.of(text));
-      item.setName(name);
-      item.setEnabled(enabled);
-      item.addActionListener(event -> work.run());
-      add(item);
-    }
-  }
-
-  /** The bar below the text that shows why it is not well formed, or why it is read-only. */
-  private static final class FaultBar {
-    private final JLabel notice = new JLabel();
-    private final JButton place = new JButton(Texts.of("source.show"));
-    private final JPanel panel = new JPanel(new MigLayout("insets 6", "[grow][]"));
-
-    /**
-     * @param show scrolls to the fault
-     */
-    FaultBar(Runnable show) {
-      notice.getAccessibleContext().setAccessibleName(Texts.of("source.state"));
-      place.setName("showFault");
-      place.addActionListener(event -> show.run());
-      panel.add(notice, "growx, wmin 0");
-      panel.add(place);
-    }
-
-    JPanel component() {
-      return panel;
-    }
-
-    void show(SceneDocument document) {
-      Optional<DocumentError> fault = document.fault();
-      Optional<String> locked = document.locked();
-      panel.setVisible(fault.isPresent() || locked.isPresent());
-      place.setVisible(fault.isPresent());
-      notice.setIcon(UIManager.getIcon("OptionPane.warningIcon"));
-      if (fault.isPresent()) {
-        int line = fault.get().location().line();
-        String why = MarkupEscaper.text(fault.get().message());
-        notice.setText("<html>" + Texts.of("source.fault", line, Integer.toString(line), why));
-      } else {
-        locked.ifPresent(
-            why -> notice.setText("<html>" + Texts.of("source.locked", MarkupEscaper.text(why))));
-      }
-    }
   }
 }

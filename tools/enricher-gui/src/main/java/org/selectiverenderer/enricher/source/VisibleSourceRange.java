@@ -6,27 +6,24 @@ package org.selectiverenderer.enricher.source;
  *
  * @param from offset of its first character
  * @param to offset after its last character
- * @param plain whether it is shown without syntax highlighting
+ * @param withinLine whether it begins within a line
  */
-record VisibleSourceRange(int from, int to, boolean plain) {
+record VisibleSourceRange(int from, int to, boolean withinLine) {
   /** Most characters of a text that is shown as a whole. */
   static final int WHOLE = 1_500_000;
 
   /** Characters per page of a longer text. */
   static final int PAGE = 120_000;
 
-  /** Most characters of a line that is laid out fast enough with highlighting. */
-  static final int LONG_LINE = 20_000;
-
   /** Returns the page around an offset. */
   static VisibleSourceRange around(CharSequence text, int offset) {
-    if (text.length() <= WHOLE && longestLine(text, 0, text.length()) <= LONG_LINE) {
+    if (text.length() <= WHOLE) {
       return new VisibleSourceRange(0, text.length(), false);
     }
     int at = Math.max(0, Math.min(offset, text.length()));
     int from = lineStart(text, Math.max(0, at - PAGE / 4), at);
     int to = Math.min(text.length(), from + PAGE);
-    return new VisibleSourceRange(from, to, longestLine(text, from, to) > LONG_LINE);
+    return new VisibleSourceRange(from, to, from > 0 && text.charAt(from - 1) != '\n');
   }
 
   /** Returns the first line start from an offset on, before another one; else the offset itself. */
@@ -40,19 +37,6 @@ record VisibleSourceRange(int from, int to, boolean plain) {
       }
     }
     return from;
-  }
-
-  private static int longestLine(CharSequence text, int from, int to) {
-    int longest = 0;
-    int start = from;
-    for (int i = from; i < to; i++) {
-      char c = text.charAt(i);
-      if (c == '\n' || c == '\r') {
-        longest = Math.max(longest, i - start);
-        start = i + 1;
-      }
-    }
-    return Math.max(longest, to - start);
   }
 
   boolean holds(int offset) {

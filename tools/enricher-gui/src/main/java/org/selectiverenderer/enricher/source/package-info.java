@@ -7,7 +7,9 @@
  * steps, {@code SourceHighlighter} highlights (tags of the element, the fault's line, hits), {@code
  * FindReplaceController} searches the whole document, whatever part is shown, {@code
  * SourceCompletion} proposes completions. {@code authoring.editing} computes hits, proposals and
- * comments; {@code SourcePanel} assembles the parts and follows the selection.
+ * comments; {@code LongLineTokenMaker} colours lines of any length, {@code SourceAreaSetup} sets
+ * the area up, {@code FaultBar} and {@code PageBar} are the bars below it; {@code SourcePanel}
+ * assembles the parts and follows the selection.
  *
  * <p>In: a session, typing. Out: changes of the document, selections. Uses {@code
  * enricher.session}, {@code enricher.component}, {@code enricher.completion}, {@code

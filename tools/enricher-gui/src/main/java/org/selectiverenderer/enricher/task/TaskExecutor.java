@@ -84,14 +84,53 @@ public final class TaskExecutor implements AutoCloseable {
    * progress, removes what it has written and throws a {@link CancellationException}. It runs on
    * the thread for writing, and its end is always told.
    *
+   * @param undo takes back the result of work that was cancelled at its very end, or whose
+   *     executor was closed; on any thread
    * @param failed called with the exception, also that of a cancelled task
    */
   public <T> BackgroundTask runWriting(
-      String name, Work<T> work, Consumer<T> done, Consumer<Exception> failed) {
+      String name,
+      Work<T> work,
+      Consumer<T> undo,
+      Consumer<T> done,
+      Consumer<Exception> failed) {
     BackgroundTask task = new BackgroundTask(name, System.nanoTime(), true, true);
     running.add(task);
-    writer.execute(() -> work(task, work, done, failed));
+    writer.execute(() -> writing(task, work, undo, done, failed));
     return task;
+  }
+
+  private <T> void writing(
+      BackgroundTask task,
+      Work<T> work,
+      Consumer<T> undo,
+      Consumer<T> done,
+      Consumer<Exception> failed) {
+    Runnable handOver;
+    try {
+      T result = work.run(task);
+      handOver =
+          () -> {
+            if (closed || task.cancelled()) {
+              undo.accept(result);
+              tell(failed, new CancellationException());
+            } else {
+              done.accept(result);
+            }
+          };
+    } catch (Exception e) {
+      handOver = () -> tell(failed, e);
+    } catch (LinkageError | OutOfMemoryError | StackOverflowError e) {
+      handOver = () -> tell(failed, new ExecutionException(e));
+    }
+    running.remove(task);
+    eventThread.execute(handOver);
+  }
+
+  private void tell(Consumer<Exception> failed, Exception why) {
+    if (!closed) {
+      failed.accept(why);
+    }
   }
 
   private <T> void work(
@@ -101,7 +140,7 @@ public final class TaskExecutor implements AutoCloseable {
       T result = work.run(task);
       handOver = () -> done.accept(result);
     } catch (CancellationException e) {
-      handOver = task.awaited() ? () -> failed.accept(e) : task::cancel;
+      handOver = task::cancel;
     } catch (Exception e) {
       handOver = () -> failed.accept(e);
     } catch (LinkageError | OutOfMemoryError | StackOverflowError e) {
@@ -111,7 +150,7 @@ public final class TaskExecutor implements AutoCloseable {
     running.remove(task);
     eventThread.execute(
         () -> {
-          if (!closed && (task.awaited() || !task.cancelled())) {
+          if (!closed && !task.cancelled()) {
             last.run();
           }
         });

@@ -52,4 +52,15 @@ class DiffLinesTest {
   void endsOfWindowsLinesAreNotShown() {
     assertThat(diff("a\r\n", "b\r\n").lines().get(3).text()).isEqualTo("-a");
   }
+
+  @Test
+  void aRemovedLineIsBesideTheAddedOneOfItsNumber() {
+    DiffLines diff = DiffLines.of("--- a\n+++ b\n@@ -1 +1 @@\n same\n-a\n-b\n-c\n+A\n+B\n end\n");
+    assertThat(diff.beside(3)).isEmpty();
+    assertThat(diff.beside(4)).isEqualTo("+A");
+    assertThat(diff.beside(5)).isEqualTo("+B");
+    assertThat(diff.beside(6)).isEmpty();
+    assertThat(diff.beside(7)).isEqualTo("-a");
+    assertThat(diff.beside(8)).isEqualTo("-b");
+  }
 }

@@ -22,6 +22,7 @@ import org.junit.jupiter.api.parallel.Resources;
 import org.selectiverenderer.enricher.EventThread;
 import org.selectiverenderer.testing.ShowsWindows;
 import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.ElementTree;
 
 /** The fields of a prototype's instance, filled in by an author. */
 @ShowsWindows
@@ -123,6 +124,41 @@ class PrototypeFormTest {
       EventThread.edt(((AbstractButton) window.named("reset name"))::doClick);
       assertThat(window.text("Chair1")).contains("name='Chair'");
       assertThat(window.messages).anyMatch(said -> said.contains("needs the name"));
+    }
+  }
+
+  @Test
+  void aValueGoesToAllSelectedOfTheKindWhereTheAuthorSaysSo() throws Exception {
+    try (FormWindowDriver window = open()) {
+      window.select("Chair1");
+      JCheckBox others = (JCheckBox) window.named("otherNodes");
+      assertThat(EventThread.get(others::isVisible)).isFalse();
+      EventThread.edt(
+          () -> {
+            ElementTree tree = window.session.document().tree().orElseThrow();
+            List<DocumentElement> all =
+                List.of(
+                    tree.named("Lamp1").orElseThrow(),
+                    tree.named("Chair2").orElseThrow(),
+                    tree.named("Chair1").orElseThrow());
+            window.session.selectAll(all, this);
+          });
+      assertThat(EventThread.get(others::isVisible)).isTrue();
+      JTextComponent gloss = (JTextComponent) window.named("fieldValue gloss");
+      window.fill(gloss, "0.5");
+      window.press(KeyEvent.VK_ENTER);
+      assertThat(window.text("Chair1")).contains("name='gloss' value='0.5'");
+      assertThat(window.text("Chair2")).doesNotContain("gloss");
+      EventThread.edt(others::doClick);
+      window.screenshot("form-instance-several", 1);
+      window.fill(gloss, "0.75");
+      window.press(KeyEvent.VK_ENTER);
+      assertThat(window.text("Chair1")).contains("name='gloss' value='0.75'");
+      assertThat(window.text("Chair2")).contains("name='gloss' value='0.75'");
+      assertThat(window.text("Lamp1")).doesNotContain("gloss");
+      EventThread.edt(() -> window.session.document().history().undo());
+      EventThread.edt(() -> window.session.document().history().undo());
+      assertThat(text(window)).isEqualTo(SCENE);
     }
   }
 

@@ -36,7 +36,8 @@ class ChangedPartTest {
           </MetadataSet>
         </ProximitySensor>
         <Switch DEF='Can' whichChoice='0'>
-          <Shape DEF='Low'><Appearance><Material USE='Paint'/></Appearance><Sphere radius='2'/></Shape>
+          <Shape DEF='Low'><Appearance><Material USE='Paint'/></Appearance>
+            <Sphere radius='2'/></Shape>
           <Group DEF='Empty'></Group>
         </Switch>
         <Group><Shape DEF='Round'><Sphere radius='5'/></Shape><Shape><Cone/></Shape></Group>

@@ -31,14 +31,14 @@ class NormalizedTextTest {
     assertThat(page.holds(2_000_000)).isTrue();
     assertThat(page.length()).isEqualTo(VisibleSourceRange.PAGE);
     assertThat(page.from() % 100).isZero();
-    assertThat(page.plain()).isFalse();
+    assertThat(page.withinLine()).isFalse();
   }
 
   @Test
-  void aLineOfMillionsOfNumbersIsAPlainPage() {
+  void aPageOfALineOfMillionsOfNumbersBeginsWithinIt() {
     VisibleSourceRange page =
         VisibleSourceRange.around("<a b='" + "1 ".repeat(2_000_000) + "'/>", 1_000_000);
-    assertThat(page.plain()).isTrue();
+    assertThat(page.withinLine()).isTrue();
     assertThat(page.holds(1_000_000)).isTrue();
   }
 }

@@ -226,4 +226,29 @@ class SourcePanelTest {
                         panel.area(), KeyEvent.KEY_TYPED, 0, 0, KeyEvent.VK_UNDEFINED, '/')));
     assertThat(get(() -> panel.area().getText())).contains("<Group><Shape></Shape>\n");
   }
+
+  /** A page of a large text is read when it is looked at, not for every selection elsewhere. */
+  @Test
+  void aHiddenPartOfALargeTextIsTurnedToWhenItIsSeen() throws IOException {
+    StringBuilder nodes = new StringBuilder();
+    for (int i = 0; i < 60_000; i++) {
+      nodes.append("<Group DEF='Group_Number_").append(i).append("'/>\n");
+    }
+    open(nodes.toString());
+    edt(() -> panel.component().setVisible(false));
+    String shown = get(() -> panel.area().getText());
+    edt(
+        () ->
+            session.select(
+                document().tree().orElseThrow().named("Group_Number_50000").orElseThrow(), this));
+    assertThat(get(() -> panel.area().getText())).isEqualTo(shown);
+    edt(() -> panel.component().setVisible(true));
+    hands.await(
+        "the selected element",
+        () -> panel.area().getText().startsWith("<Group DEF='Group_Number_50000'", caret()));
+  }
+
+  private int caret() {
+    return panel.area().getCaretPosition();
+  }
 }
