@@ -179,8 +179,7 @@ public final class SceneExporter {
   }
 
   /** Adds the Script, and returns its name. */
-  private String addScript(
-      SceneDocument document, ControlledNodes nodes, ExportSettings settings) {
+  private String addScript(SceneDocument document, ControlledNodes nodes, ExportSettings settings) {
     String def = names(document).unused(SCRIPT);
     add(
         document,
@@ -209,15 +208,13 @@ public final class SceneExporter {
   /** Adds nodes at the end of the scene, and the components that they need. */
   private void add(SceneDocument document, Set<String> types, List<String> lines) {
     DocumentElement scene = document.tree().orElseThrow().scene().orElseThrow();
-    List<TextEdit> edits =
-        new ArrayList<>(new NeededComponents(document, catalogue).of(types));
+    List<TextEdit> edits = new ArrayList<>(new NeededComponents(document, catalogue).of(types));
     edits.add(document.layout().insertLast(scene, lines));
     edits.sort(Comparator.comparingInt(TextEdit::from));
     document.perform(new Edit("Controller", edits));
   }
 
-  private ScenePackage encoded(ScenePackage files, SceneFormat format)
-      throws IOException {
+  private ScenePackage encoded(ScenePackage files, SceneFormat format) throws IOException {
     byte[] xml = files.scene().changed().orElseThrow();
     XmlDocument document =
         new X3dReader(catalogue)
