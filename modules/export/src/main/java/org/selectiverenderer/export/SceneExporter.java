@@ -39,6 +39,9 @@ import org.selectiverenderer.x3d.write.SceneFormat;
  * nothing of this program: a Script of the scene sets the choices of its Switches.
  */
 public final class SceneExporter {
+  static final String NOTHING_TO_CONTROL =
+      "the scene has no enriched object, so that there is nothing to control; enrich it first";
+
   private static final String SCRIPT = "SchemaController";
 
   private final NodeCatalogue catalogue;
@@ -133,8 +136,7 @@ public final class SceneExporter {
         .forEach(enriched::add);
     if (!objects || document.tree().flatMap(tree -> tree.scene()).isEmpty()) {
       problems.error(
-          SourceLocation.of(scene.toString()),
-          "the scene has no enriched object, so that there is nothing to control; enrich it first");
+          SourceLocation.of(scene.toString()), NOTHING_TO_CONTROL);
       return false;
     }
     boolean all = true;
