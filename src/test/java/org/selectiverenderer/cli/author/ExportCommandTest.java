@@ -136,7 +136,7 @@ class ExportCommandTest extends CommandTestCase {
   }
 
   @Test
-  void withoutAScriptTheCopyHasTheTimeLineOfTheScene() throws IOException {
+  void withoutAScriptTheCopyIsValidAndHasFiltersAndTriggers() throws IOException {
     Path copy = folder.resolve("copy");
     assertThat(
             execute("export", SCENE, "--to", "x3d", copy.toString(), "--without-script"))

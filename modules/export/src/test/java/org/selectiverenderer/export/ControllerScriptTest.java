@@ -50,7 +50,7 @@ class ControllerScriptTest {
 
   private static String bare(String scene) {
     return scene
-        .replaceAll("<Inline (DEF='\\w+' )?url='[^']*'/>", "<Group/>")
+        .replaceAll("<Inline (DEF='\\w+' )?(url|USE)='[^']*'/>", "<Group/>")
         .replaceAll("\\w+Url='[^']*'", "");
   }
 
