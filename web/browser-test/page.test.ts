@@ -40,7 +40,7 @@ async function open(site: string, query = '', width = 320, height = 240): Promis
       errors.push(`${response.status()} ${response.url()}`);
     }
   });
-  await page.setViewport({ width, height });
+  await page.setViewport({ width, height, hasTouch: true });
   await page.goto(server.url + query);
   await page.waitForFunction(() => window.selectiveRenderer ?? document.querySelector('#status.failed'), {
     timeout: 240_000,
@@ -199,6 +199,23 @@ describe('the page of the trash can', () => {
     const { page } = await open(torn);
     const text = await page.$eval('#status', (status) => status.textContent);
     expect(text).toMatch(/^The scene cannot be shown\. scene\/trashcan\.x3dz cannot be loaded/);
+    await page.close();
+  });
+});
+
+/** Areas that overlap; and all rooms, which takes a minute and is asked for. */
+const TOURS: [scene: string, path: string][] = [['scenes/overlap.x3d', 'scenes/paths/overlap-visit.csv']];
+if (process.env.ALL_PATHS) {
+  TOURS.push(['scenes/apartment.x3d', 'scenes/paths/apartment-tour.csv']);
+}
+
+describe('the page of another scene', () => {
+  it.each(TOURS)('%s has the time line of this program along %s', async (scene, file) => {
+    const { page, errors } = await open(exported(scene));
+    const told = simulated(scene, file);
+    expect(told.length).toBeGreaterThan(4);
+    expect(await walk(page, file)).toEqual(told);
+    expect(errors).toEqual([]);
     await page.close();
   });
 });
