@@ -38,9 +38,42 @@ public final class FieldEdits {
     return check.wrong(element, field, text);
   }
 
-  /** Returns why a field cannot be without a written value; empty if it can. */
-  public Optional<String> wrongReset(DocumentElement element, NodeField field) {
-    return check.wrongReset(element, field);
+  /**
+   * Validates a value for {@link #alike} elements: returns a sentence about the first that cannot
+   * take it; empty if all can.
+   *
+   * @param field of the first element
+   */
+  public Optional<String> wrong(List<DocumentElement> elements, NodeField field, String text) {
+    return check
+        .wrong(elements.get(0), field, text)
+        .or(() -> wrongOfOthers(targets(elements, field), field));
+  }
+
+  /**
+   * Returns why a field of {@link #alike} elements cannot be without a written value; empty if it
+   * can.
+   */
+  public Optional<String> wrongReset(List<DocumentElement> elements, NodeField field) {
+    return check
+        .wrongReset(elements.get(0), field)
+        .or(() -> wrongOfOthers(targets(elements, field), field));
+  }
+
+  /** Tells which other element has a value that cannot be changed: else they are as the first. */
+  private Optional<String> wrongOfOthers(List<DocumentElement> targets, NodeField field) {
+    return targets.stream()
+        .skip(1)
+        .flatMap(
+            other ->
+                check
+                    .readOnly(other, field)
+                    .map(
+                        why ->
+                            "%s in line %d: %s"
+                                .formatted(other, document.location(other.start()).line(), why))
+                    .stream())
+        .findFirst();
   }
 
   /**
@@ -105,10 +138,12 @@ public final class FieldEdits {
     List<DocumentElement> found = new ArrayList<>(List.of(element));
     if (element.use().isEmpty()) {
       Optional<DocumentElement> prototype = prototype(element);
+      String name = prototypeName(element);
       Set<DocumentElement> kind =
           others.stream()
               .filter(other -> other.attached() && other.name().equals(element.name()))
               .filter(other -> other.use().isEmpty() && prototype(other).equals(prototype))
+              .filter(other -> prototypeName(other).equals(name)) // that may be declared nowhere
               .filter(other -> !other.contains(element))
               .collect(Collectors.toCollection(LinkedHashSet::new));
       kind.stream()
@@ -128,8 +163,12 @@ public final class FieldEdits {
 
   private Optional<DocumentElement> prototype(DocumentElement of) {
     return InterfaceFieldList.applies(of)
-        ? InterfaceFieldList.declaration(document, of.text("name").orElse("").strip(), of)
+        ? InterfaceFieldList.declaration(document, prototypeName(of), of)
         : Optional.empty();
+  }
+
+  private static String prototypeName(DocumentElement of) {
+    return InterfaceFieldList.applies(of) ? of.text("name").orElse("").strip() : "";
   }
 
   /** Sets a field of {@link #alike} elements in one step; a name only of the first. */
@@ -147,14 +186,25 @@ public final class FieldEdits {
       List<DocumentElement> elements,
       NodeField field,
       Function<DocumentElement, Edit> edit) {
-    boolean name =
-        field.ofPrototype().isEmpty() && (field.name().equals("DEF") || field.name().equals("USE"));
-    if (name || elements.size() == 1) {
-      return edit.apply(elements.get(0));
+    List<DocumentElement> targets = targets(elements, field);
+    if (targets.size() == 1) {
+      return edit.apply(targets.get(0));
     }
     return new Edit(
-        verb + field.name() + " of " + elements.size() + " nodes",
-        elements.stream().flatMap(each -> edit.apply(each).changes().stream()).toList());
+        verb + field.name() + " of " + targets.size() + " nodes",
+        targets.stream().flatMap(each -> edit.apply(each).changes().stream()).toList());
+  }
+
+  /** Returns the elements that a value is for: the name of a node, or of its prototype, is its own. */
+  private static List<DocumentElement> targets(List<DocumentElement> elements, NodeField field) {
+    DocumentElement first = elements.get(0);
+    boolean name =
+        switch (field.name()) {
+          case "DEF", "USE" -> field.ofPrototype().isEmpty();
+          case "name" -> field.ofPrototype().isEmpty() && InterfaceFieldList.applies(first);
+          default -> false;
+        };
+    return name ? List.of(first) : elements;
   }
 
   private static String setting(DocumentElement element, String name) {

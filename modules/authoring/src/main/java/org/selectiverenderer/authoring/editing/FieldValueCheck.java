@@ -2,6 +2,7 @@ package org.selectiverenderer.authoring.editing;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.authoring.nodes.NodeEdits;
@@ -50,6 +51,24 @@ final class FieldValueCheck {
     return named && field.ofPrototype().isEmpty() ? wrong(element, field, "") : field.readOnly();
   }
 
+  /** Returns why the value that an element has of a field cannot be changed; empty if it can. */
+  Optional<String> readOnly(DocumentElement element, NodeField field) {
+    if (field.ofPrototype().isEmpty()) {
+      return document.tag(element).attribute(field.name()).flatMap(NodeFieldList::readOnly);
+    }
+    return InterfaceFieldList.values(element, field.name()).stream()
+        .flatMap(
+            value ->
+                InterfaceFieldList.nodes(value).isEmpty()
+                    ? document
+                        .tag(value)
+                        .attribute("value")
+                        .flatMap(NodeFieldList::readOnly)
+                        .stream()
+                    : Stream.of(InterfaceFieldList.HOLDS_NODES))
+        .findFirst();
+  }
+
   private Optional<String> wrongPrototype(DocumentElement instance, String name) {
     return InterfaceFieldList.declaration(document, name.strip(), instance).isPresent()
         ? Optional.empty()
@@ -61,10 +80,9 @@ final class FieldValueCheck {
 
   private Optional<String> wrongInstance(
       DocumentElement instance, NodeField field, InterfaceField declared, String text) {
-    return declared.declared()
-        ? field.definition().flatMap(of -> wrongValue(instance, of, text))
-        : Optional.of(
-            "The prototype %s has no field %s.".formatted(declared.prototype(), field.name()));
+    return declared
+        .refused()
+        .or(() -> field.definition().flatMap(of -> wrongValue(instance, of, text)));
   }
 
   private Optional<String> wrongValue(DocumentElement element, FieldDefinition field, String text) {

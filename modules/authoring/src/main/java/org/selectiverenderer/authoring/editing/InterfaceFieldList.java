@@ -30,6 +30,10 @@ final class InterfaceFieldList {
   /** The largest default that is shown. */
   private static final int LONG = 200;
 
+  /** Why a value that is nodes is not written. */
+  static final String HOLDS_NODES =
+      "It holds nodes, which are changed in the tree and the source.";
+
   private final SceneDocument document;
   private final NodeCatalogue catalogue;
   private final DocumentElement instance;
@@ -38,6 +42,9 @@ final class InterfaceFieldList {
   private final Map<String, DocumentElement> values = new LinkedHashMap<>();
   private final Map<String, Connection> connections = new HashMap<>();
   private final Map<String, NodeField> fields = new LinkedHashMap<>();
+
+  /** Why declared fields that the instance gives have no value. */
+  private final Map<String, String> refused = new HashMap<>();
 
   /** A node field that IS connects with a field of the interface. */
   private record Connection(DocumentElement node, FieldDefinition field) {}
@@ -93,7 +100,6 @@ final class InterfaceFieldList {
                         .filter(child -> child.name().equals("ProtoInterface"))
                         .flatMap(child -> child.children().stream()))
                 .filter(child -> child.name().equals("field"))
-                .limit(MANY)
                 .forEach(this::declared));
     values.forEach((name, value) -> fields.computeIfAbsent(name, of -> undeclared(of, value)));
     return List.copyOf(fields.values());
@@ -121,20 +127,31 @@ final class InterfaceFieldList {
         .ifPresent(field -> connections.putIfAbsent(name, new Connection(node.get(), field)));
   }
 
+  /** Lists a field; of a long interface the first ones, and those that the instance gives. */
   private void declared(DocumentElement field) {
     String name = field.text("name").orElse("");
+    if (name.isEmpty() || (fields.size() >= MANY && !values.containsKey(name))) {
+      return;
+    }
+    String typeName = field.text("type").orElse("");
+    String accessName = field.text("accessType").orElse("");
     Optional<FieldType> type =
-        Stream.of(FieldType.values())
-            .filter(each -> each.name().equals(field.text("type").orElse("")))
-            .findFirst();
+        Stream.of(FieldType.values()).filter(each -> each.name().equals(typeName)).findFirst();
     Optional<AccessType> access =
         Stream.of(AccessType.values())
-            .filter(each -> each.spelling().equals(field.text("accessType").orElse("")))
-            .filter(AccessType::initialisable)
+            .filter(each -> each.spelling().equals(accessName))
             .findFirst();
-    if (!name.isEmpty() && type.isPresent() && access.isPresent()) {
+    if (type.isPresent() && access.filter(AccessType::initialisable).isPresent()) {
       FieldDefinition definition = definition(field, name, type.get(), access.get());
       fields.computeIfAbsent(name, of -> field(field, definition));
+    } else if (values.containsKey(name)) {
+      String wrong =
+          type.isEmpty()
+              ? "is declared with a type that does not exist: '" + typeName + "'."
+              : access.isEmpty()
+                  ? "is declared with an accessType that does not exist: '" + accessName + "'."
+                  : "is " + accessName + ", so that an instance gives it no value.";
+      refused.putIfAbsent(name, "The field " + name + " of the prototype " + prototype + " " + wrong);
     }
   }
 
@@ -176,7 +193,7 @@ final class InterfaceFieldList {
         new InterfaceField(
             prototype,
             field.text("appinfo").orElse("").strip(),
-            true,
+            Optional.empty(),
             declaration.filter(of -> of.name().equals("ExternProtoDeclare")).isPresent(),
             holdsNodes ? nodes(value.orElse(field)) : List.of());
     return made(name, Optional.of(definition), value, own, holdsNodes);
@@ -184,11 +201,21 @@ final class InterfaceFieldList {
 
   private NodeField undeclared(String name, DocumentElement value) {
     List<DocumentElement> nodes = nodes(value);
-    InterfaceField own = new InterfaceField(prototype, "", declaration.isEmpty(), false, nodes);
+    InterfaceField own =
+        new InterfaceField(
+            prototype,
+            "",
+            declaration.map(
+                of ->
+                    refused.getOrDefault(
+                        name, "The prototype %s has no field %s.".formatted(prototype, name))),
+            false,
+            nodes);
     return made(name, Optional.empty(), Optional.of(value), own, !nodes.isEmpty());
   }
 
-  private static List<DocumentElement> nodes(DocumentElement in) {
+  /** Returns the nodes in a value. */
+  static List<DocumentElement> nodes(DocumentElement in) {
     return in.children().stream().filter(child -> !child.name().equals("IS")).toList();
   }
 
@@ -205,7 +232,7 @@ final class InterfaceFieldList {
           definition,
           value.map(of -> ""),
           List.of(),
-          Optional.of("It holds nodes, which are changed in the tree and the source."),
+          Optional.of(HOLDS_NODES),
           Optional.of(own));
     }
     Optional<SourceAttribute> written = value.flatMap(of -> document.tag(of).attribute("value"));

@@ -229,8 +229,8 @@ class PrototypeFieldsTest {
     NodeField name = fields(named("Plain")).get(0);
     assertThat(edits().wrong(named("Plain"), name, "Lamp")).isEmpty();
     assertThat(edits().wrong(named("Plain"), name, "Sofa").orElseThrow()).contains("Sofa");
-    assertThat(edits().wrongReset(named("Plain"), name).orElseThrow()).contains("needs the name");
-    assertThat(edits().wrongReset(named("Plain"), field(named("Plain"), "DEF"))).isEmpty();
+    assertThat(edits().wrongReset(List.of(named("Plain")), name).orElseThrow()).contains("needs the name");
+    assertThat(edits().wrongReset(List.of(named("Plain")), field(named("Plain"), "DEF"))).isEmpty();
   }
 
   @Test
@@ -319,6 +319,96 @@ class PrototypeFieldsTest {
   }
 
   @Test
+  void instancesOfUnknownPrototypesAreAlikeByTheirNames() {
+    document =
+        document(
+            "<X3D><Scene><ProtoInstance name='Chair' DEF='A'/><ProtoInstance name='Lamp' DEF='B'/>"
+                + "<ProtoInstance name='Chair ' DEF='C'/></Scene></X3D>");
+    List<DocumentElement> all = List.of(named("A"), named("B"), named("C"));
+    assertThat(edits().alike(named("A"), all)).containsExactly(named("A"), named("C"));
+  }
+
+  @Test
+  void theNameOfItsPrototypeIsOfOneInstance() {
+    List<DocumentElement> chairs = List.of(named("Plain"), named("Given"));
+    NodeField name = fields(named("Plain")).get(0);
+    assertThat(edits().wrong(chairs, name, "Lamp")).isEmpty();
+    document.perform(edits().set(chairs, name, "Lamp"));
+    reads(SCENE.replace("name=\"Chair\" DEF=\"Plain\"", "name=\"Lamp\" DEF=\"Plain\""));
+    document.history().undo();
+    assertThat(edits().wrongReset(chairs, name).orElseThrow()).contains("needs the name");
+  }
+
+  /** The first of them can take the value; that says nothing about the others. */
+  @Test
+  void aValueThatAnotherCannotTakeIsRefusedWithItsName() {
+    String many = "9 ".repeat(20_000);
+    document =
+        document(
+            """
+            <!DOCTYPE X3D [<!ENTITY red "1 0 0">]>
+            <X3D><Scene><ProtoDeclare name='P'><ProtoInterface>
+            <field name='c' type='SFColor' accessType='inputOutput'/>
+            <field name='m' type='MFFloat' accessType='inputOutput'/>
+            </ProtoInterface><ProtoBody><Group/></ProtoBody></ProtoDeclare>
+            <ProtoInstance name='P' DEF='A'><fieldValue name='c' value='0 1 0'/></ProtoInstance>
+            <ProtoInstance name='P' DEF='B'><fieldValue name='c' value='&red;'/>
+            <fieldValue name='m' value='%s'/></ProtoInstance>
+            <Material DEF='M' diffuseColor='0 1 0'/>
+            <Material DEF='N' diffuseColor='&red;'/>
+            <ProtoInstance name='Q' DEF='U'/>
+            <ProtoInstance name='Q' DEF='V'><fieldValue name='x'><Group/></fieldValue></ProtoInstance>
+            <ProtoInstance name='Q' DEF='W'><fieldValue name='x' value='1'/></ProtoInstance>
+            </Scene></X3D>
+            """
+                .formatted(many));
+    List<DocumentElement> instances = List.of(named("A"), named("B"));
+    NodeField c = field(named("A"), "c");
+    assertThat(edits().wrong(named("A"), c, "0 0 1")).isEmpty();
+    assertThat(edits().wrong(instances, c, "0 0 1").orElseThrow())
+        .contains("ProtoInstance B", "line 7", "entity");
+    assertThat(edits().wrongReset(instances, c).orElseThrow()).contains("ProtoInstance B");
+    assertThat(edits().wrong(instances, field(named("A"), "m"), "1").orElseThrow())
+        .contains("ProtoInstance B", "long");
+    assertThat(edits().wrong(instances, c, "2 0 x").orElseThrow()).doesNotContain("B");
+    NodeField colour =
+        fields(named("M")).stream()
+            .filter(field -> field.name().equals("diffuseColor"))
+            .findFirst()
+            .orElseThrow();
+    assertThat(edits().wrong(List.of(named("M"), named("N")), colour, "0 0 1").orElseThrow())
+        .contains("Material N", "entity");
+    List<DocumentElement> unknown = List.of(named("W"), named("V"));
+    assertThat(edits().wrong(unknown, field(named("W"), "x"), "1").orElseThrow())
+        .contains("ProtoInstance V", "holds nodes");
+    assertThat(edits().wrong(List.of(named("W"), named("U")), field(named("W"), "x"), "2"))
+        .isEmpty();
+  }
+
+  @Test
+  void aValueOfAFieldThatCannotHaveOneIsToldWhy() {
+    String given =
+        SCENE.replace(
+            "<fieldValue name=\"nonsense\" value=\"1\"/>",
+            "<fieldValue name=\"nonsense\" value=\"1\"/><fieldValue name=\"hit\" value=\"1\"/>"
+                + "<fieldValue name=\"move\" value=\"1\"/><fieldValue name=\"odd\" value=\"1\"/>"
+                + "<fieldValue name=\"off\" value=\"1\"/>");
+    document =
+        document(
+            given.replace(
+                "<field name=\"odd\"",
+                "<field name=\"off\" type=\"SFBool\" accessType=\"inputoutput\"/><field name=\"odd\""));
+    assertThat(wrong("Given", "nonsense", "1").orElseThrow()).contains("has no field nonsense");
+    assertThat(wrong("Given", "hit", "1").orElseThrow())
+        .contains("field hit of the prototype Chair", "outputOnly")
+        .doesNotContain("no field");
+    assertThat(wrong("Given", "move", "1").orElseThrow()).contains("move", "inputOnly");
+    assertThat(wrong("Given", "odd", "1").orElseThrow()).contains("odd", "type", "SFUnheardOf");
+    assertThat(wrong("Given", "off", "1").orElseThrow())
+        .contains("off", "accessType", "inputoutput");
+  }
+
+  @Test
   void whatLiesInAnotherOfTheSelectedIsLeftOut() {
     document =
         document(
@@ -339,7 +429,11 @@ class PrototypeFieldsTest {
             "<X3D><Scene><ProtoDeclare name='P'><ProtoInterface>"
                 + many
                 + "</ProtoInterface><ProtoBody><Group/></ProtoBody></ProtoDeclare>"
-                + "<ProtoInstance name='P' DEF='A'/></Scene></X3D>");
+                + "<ProtoInstance name='P' DEF='A'>"
+                + "<fieldValue name='f4000' value='true'/></ProtoInstance></Scene></X3D>");
     assertThat(declared(named("A"))).hasSizeLessThan(1000).startsWith("f0", "f1");
+    // What an instance gives is listed as it is declared, wherever that is.
+    assertThat(wrong("A", "f4000", "false")).isEmpty();
+    assertThat(wrong("A", "f4000", "2")).isPresent();
   }
 }

@@ -60,7 +60,7 @@ final class FieldRow {
     switch (field.kind()) {
       case BOOLEAN -> {
         JCheckBox box = new JCheckBox();
-        box.addActionListener(event -> write(Boolean.toString(box.isSelected())));
+        box.addActionListener(event -> choose(Boolean.toString(box.isSelected())));
         box.setEnabled(free);
         check = box;
         control = box;
@@ -85,7 +85,7 @@ final class FieldRow {
         typed = FieldBinding.of(text, complaint, source);
         control = text;
         if (field.kind() == NodeField.Kind.COLOR) {
-          ColorSwatch colour = new ColorSwatch(field.name(), this::shown, this::write);
+          ColorSwatch colour = new ColorSwatch(field.name(), this::shown, this::choose);
           colour.setEnabled(free);
           text.putClientProperty("JTextField.trailingComponent", colour);
           swatch = colour;
@@ -155,15 +155,26 @@ final class FieldRow {
       unset();
       return Optional.empty();
     }
-    Optional<String> wrong = edits.wrong(element, field, text);
+    Optional<String> wrong = edits.wrong(targets.get(), field, text);
     if (wrong.isEmpty()) {
       session.attempt(() -> session.document().perform(edits.set(targets.get(), field, text)));
     }
     return wrong;
   }
 
+  /** Writes what was chosen; what is refused is told, since such a control keeps no text. */
+  private Optional<String> choose(String text) {
+    Optional<String> wrong = write(text);
+    wrong.ifPresent(
+        why -> {
+          session.message(why);
+          follow(field);
+        });
+    return wrong;
+  }
+
   private void unset() {
-    Optional<String> wrong = edits.wrongReset(element, field);
+    Optional<String> wrong = edits.wrongReset(targets.get(), field);
     if (wrong.isPresent()) {
       session.message(wrong.get());
     } else {
