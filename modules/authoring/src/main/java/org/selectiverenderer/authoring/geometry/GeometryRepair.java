@@ -118,8 +118,7 @@ public final class GeometryRepair {
     NumberTokens index = NumberTokens.of(text, faces, perFace ? "coordIndex" : "index");
     int[] indices = index.indices();
     float[] points = points(faces);
-    int size = faces.name().equals("IndexedQuadSet") ? 4 : 3;
-    List<int[]> all = perFace ? ended(indices) : blocks(indices, size);
+    List<int[]> all = faces(faces.name(), indices);
     List<Integer> empty = new ArrayList<>();
     for (int i = 0; i < all.size(); i++) {
       if (empty(indices, points, all.get(i))) {
@@ -178,6 +177,17 @@ public final class GeometryRepair {
   private static EditRejectedException refused(DocumentElement faces, String why) {
     return new EditRejectedException(
         "The points of " + faces + " " + why + "; change the faces in the source");
+  }
+
+  /**
+   * Returns the faces of indices: start, end.
+   *
+   * @param name of the node
+   */
+  static List<int[]> faces(String name, int[] indices) {
+    return name.equals("IndexedFaceSet")
+        ? ended(indices)
+        : blocks(indices, name.equals("IndexedQuadSet") ? 4 : 3);
   }
 
   /** Returns the faces of indices that -1 separates: start, end without it. */

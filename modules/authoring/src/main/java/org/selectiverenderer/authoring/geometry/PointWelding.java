@@ -9,7 +9,6 @@ import java.util.Optional;
 import java.util.Set;
 import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
-import org.selectiverenderer.geometry.BoundingBox;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.ElementScope;
 import org.selectiverenderer.x3d.source.ElementTree;
@@ -27,9 +26,6 @@ import org.selectiverenderer.x3d.source.TextEdit;
  * @param tolerance the largest distance of points that are equal, in the units of the points
  */
 record PointWelding(List<TextEdit> changes, int welded, int points, double tolerance) {
-  /** The tolerance as a share of the diagonal of all points. */
-  private static final double SHARE = 1e-6;
-
   /** The values that points have alongside, each of some numbers. */
   private record Values(NumberTokens numbers, int width) {}
 
@@ -70,16 +66,18 @@ record PointWelding(List<TextEdit> changes, int welded, int points, double toler
         throw refused(faces, "have a point that is not a number");
       }
     }
-    BoundingBox box = BoundingBox.around(p);
-    double tolerance = box.isEmpty() ? 0 : SHARE * box.min().distance(box.max());
+    NumberTokens index = NumberTokens.of(text, faces, perFace ? "coordIndex" : "index");
+    int[] indices = index.indices();
+    double tolerance =
+        WeldingTolerance.of(p, indices, GeometryRepair.faces(faces.name(), indices));
     int[] same = representatives(p, count, tolerance, alongside);
-    return changes(faces, perFace, text, points, alongside, same, tolerance);
+    return changes(faces, index, indices, points, alongside, same, tolerance);
   }
 
   private static PointWelding changes(
       DocumentElement faces,
-      boolean perFace,
-      CharSequence text,
+      NumberTokens index,
+      int[] indices,
       NumberTokens points,
       List<Values> alongside,
       int[] same,
@@ -91,8 +89,6 @@ record PointWelding(List<TextEdit> changes, int welded, int points, double toler
     }
     List<TextEdit> changes = new ArrayList<>();
     if (kept < same.length) {
-      NumberTokens index = NumberTokens.of(text, faces, perFace ? "coordIndex" : "index");
-      int[] indices = index.indices();
       for (int i = 0; i < indices.length; i++) {
         if (indices[i] < -1 || indices[i] >= same.length) {
           throw refused(faces, "have an index without a point");
@@ -221,7 +217,8 @@ record PointWelding(List<TextEdit> changes, int welded, int points, double toler
       for (int k = 0; k < 27 && same[i] == i; k++) {
         Cell near = new Cell(x + k % 3 - 1, y + k / 3 % 3 - 1, z + k / 9 - 1, hash);
         for (int other : grid.getOrDefault(near, List.of())) {
-          if (near(p, i, other, tolerance) && alike(alongside, values, i, other)) {
+          if (WeldingTolerance.distance(p, i, other) <= tolerance
+              && alike(alongside, values, i, other)) {
             same[i] = Math.min(same[i], other);
           }
         }
@@ -241,13 +238,6 @@ record PointWelding(List<TextEdit> changes, int welded, int points, double toler
       hash = 31 * hash + Arrays.hashCode(own);
     }
     return hash;
-  }
-
-  private static boolean near(float[] p, int one, int other, double tolerance) {
-    double dx = (double) p[3 * one] - p[3 * other];
-    double dy = (double) p[3 * one + 1] - p[3 * other + 1];
-    double dz = (double) p[3 * one + 2] - p[3 * other + 2];
-    return dx * dx + dy * dy + dz * dz <= tolerance * tolerance;
   }
 
   private static boolean alike(
