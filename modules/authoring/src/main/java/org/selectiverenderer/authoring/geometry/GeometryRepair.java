@@ -82,6 +82,7 @@ public final class GeometryRepair {
         PointWelding.of(
             document.text(),
             document.tree().orElseThrow(() -> refused(faces, "are in a text with a fault")),
+            new NodeConnections(),
             faces);
     if (welding.welded() == 0) {
       throw new EditRejectedException(
@@ -149,29 +150,10 @@ public final class GeometryRepair {
             .use()
             .flatMap(name -> document.tree().flatMap(tree -> tree.named(name, coordinate)))
             .orElse(coordinate);
-    source
-        .def()
-        .filter(this::moves)
-        .ifPresent(
-            def -> {
-              throw refused(faces, "are moved by a ROUTE to '" + def + "', so they may get areas");
-            });
+    if (NodeConnections.prototypes(source) || new NodeConnections().routed(source)) {
+      throw refused(faces, "are set by a ROUTE, a prototype or another file, so they may get areas");
+    }
     return NumberTokens.of(document.text(), source, "point").floats();
-  }
-
-  private boolean moves(String def) {
-    boolean[] found = {false};
-    document
-        .tree()
-        .ifPresent(
-            tree ->
-                tree.root()
-                    .visit(
-                        element ->
-                            found[0] |=
-                                element.name().equals("ROUTE")
-                                    && element.text("toNode").filter(def::equals).isPresent()));
-    return found[0];
   }
 
   private static EditRejectedException refused(DocumentElement faces, String why) {

@@ -40,15 +40,20 @@ record PointWelding(List<TextEdit> changes, int welded, int points, double toler
    * @param faces an IndexedFaceSet, IndexedTriangleSet or IndexedQuadSet
    * @throws EditRejectedException with what to do, if the picture or another node would change
    */
-  static PointWelding of(CharSequence text, ElementTree tree, DocumentElement faces) {
+  static PointWelding of(
+      CharSequence text, ElementTree tree, NodeConnections connections, DocumentElement faces) {
     boolean perFace = faces.name().equals("IndexedFaceSet");
     refuseComputedNormals(faces, perFace);
+    refusePrototypes(faces);
+    if (connections.routed(faces)) {
+      throw refused(faces, "are set by a ROUTE or from another file, with indices of the points");
+    }
     DocumentElement coordinate =
         faces.children().stream()
             .filter(child -> child.name().equals("Coordinate"))
             .findFirst()
             .orElseThrow(() -> refused(faces, "have no Coordinate node"));
-    refuseShared(tree, coordinate);
+    refuseShared(tree, connections, coordinate);
     NumberTokens points = NumberTokens.of(text, coordinate, "point");
     int count = points.size() / 3;
     List<Values> alongside = new ArrayList<>();
@@ -56,7 +61,7 @@ record PointWelding(List<TextEdit> changes, int welded, int points, double toler
       if (!HARMLESS.contains(child.name())
           && !child.name().startsWith("Metadata")
           && usesPointIndex(faces, child, perFace)) {
-        refuseShared(tree, child);
+        refuseShared(tree, connections, child);
         alongside.add(values(text, faces, child, count));
       }
     }
@@ -169,27 +174,27 @@ record PointWelding(List<TextEdit> changes, int welded, int points, double toler
     return new Values(numbers, width);
   }
 
-  private static void refuseShared(ElementTree tree, DocumentElement node) {
-    boolean[] shared = {node.use().isPresent()};
-    boolean connected = node.children().stream().anyMatch(child -> child.name().equals("IS"));
-    node.def()
-        .ifPresent(
-            def -> {
-              shared[0] |= tree.used(def, node);
-              ElementScope.visit(
-                  node,
-                  each ->
-                      shared[0] |=
-                          List.of("fromNode", "toNode", "localDEF").stream()
-                              .anyMatch(end -> each.text(end).filter(def::equals).isPresent()));
-            });
-    if (shared[0] || connected) {
+  private static void refuseShared(
+      ElementTree tree, NodeConnections connections, DocumentElement node) {
+    refusePrototypes(node);
+    boolean used =
+        node.use().isPresent() || node.def().filter(def -> tree.used(def, node)).isPresent();
+    if (used || connections.routed(node)) {
       throw new EditRejectedException(
           node
               + " is used by other nodes or routes too, whose indices would change their meaning;"
               + " give the faces a "
               + node.name()
               + " of their own first");
+    }
+  }
+
+  private static void refusePrototypes(DocumentElement node) {
+    if (NodeConnections.prototypes(node)) {
+      throw new EditRejectedException(
+          node
+              + " has values that are fields of the prototype; what instances give them would"
+              + " change its meaning, so the faces stay as they are");
     }
   }
 
@@ -258,9 +263,10 @@ record PointWelding(List<TextEdit> changes, int welded, int points, double toler
   }
 
   /** Returns a sentence about the points that could be one; empty if none could. */
-  static Optional<String> finding(CharSequence text, ElementTree tree, DocumentElement faces) {
+  static Optional<String> finding(
+      CharSequence text, ElementTree tree, NodeConnections connections, DocumentElement faces) {
     try {
-      PointWelding found = of(text, tree, faces);
+      PointWelding found = of(text, tree, connections, faces);
       return found.welded() == 0
           ? Optional.empty()
           : Optional.of(
