@@ -82,6 +82,7 @@ public final class GeometryRepair {
         PointWelding.of(
             document.text(),
             document.tree().orElseThrow(() -> refused(faces, "are in a text with a fault")),
+            new NodeConnections(),
             faces);
     if (welding.welded() == 0) {
       throw new EditRejectedException(
@@ -117,8 +118,7 @@ public final class GeometryRepair {
     NumberTokens index = NumberTokens.of(text, faces, perFace ? "coordIndex" : "index");
     int[] indices = index.indices();
     float[] points = points(faces);
-    int size = faces.name().equals("IndexedQuadSet") ? 4 : 3;
-    List<int[]> all = perFace ? ended(indices) : blocks(indices, size);
+    List<int[]> all = faces(faces.name(), indices);
     List<Integer> empty = new ArrayList<>();
     for (int i = 0; i < all.size(); i++) {
       if (empty(indices, points, all.get(i))) {
@@ -149,34 +149,26 @@ public final class GeometryRepair {
             .use()
             .flatMap(name -> document.tree().flatMap(tree -> tree.named(name, coordinate)))
             .orElse(coordinate);
-    source
-        .def()
-        .filter(this::moves)
-        .ifPresent(
-            def -> {
-              throw refused(faces, "are moved by a ROUTE to '" + def + "', so they may get areas");
-            });
+    if (NodeConnections.prototypes(source) || new NodeConnections().routed(source)) {
+      throw refused(faces, "are set by a ROUTE, a prototype or another file, so they may get areas");
+    }
     return NumberTokens.of(document.text(), source, "point").floats();
-  }
-
-  private boolean moves(String def) {
-    boolean[] found = {false};
-    document
-        .tree()
-        .ifPresent(
-            tree ->
-                tree.root()
-                    .visit(
-                        element ->
-                            found[0] |=
-                                element.name().equals("ROUTE")
-                                    && element.text("toNode").filter(def::equals).isPresent()));
-    return found[0];
   }
 
   private static EditRejectedException refused(DocumentElement faces, String why) {
     return new EditRejectedException(
         "The points of " + faces + " " + why + "; change the faces in the source");
+  }
+
+  /**
+   * Returns the faces of indices: start, end.
+   *
+   * @param name of the node
+   */
+  static List<int[]> faces(String name, int[] indices) {
+    return name.equals("IndexedFaceSet")
+        ? ended(indices)
+        : blocks(indices, name.equals("IndexedQuadSet") ? 4 : 3);
   }
 
   /** Returns the faces of indices that -1 separates: start, end without it. */

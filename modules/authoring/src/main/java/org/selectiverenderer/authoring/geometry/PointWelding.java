@@ -9,7 +9,6 @@ import java.util.Optional;
 import java.util.Set;
 import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
-import org.selectiverenderer.geometry.BoundingBox;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.ElementScope;
 import org.selectiverenderer.x3d.source.ElementTree;
@@ -27,9 +26,6 @@ import org.selectiverenderer.x3d.source.TextEdit;
  * @param tolerance the largest distance of points that are equal, in the units of the points
  */
 record PointWelding(List<TextEdit> changes, int welded, int points, double tolerance) {
-  /** The tolerance as a share of the diagonal of all points. */
-  private static final double SHARE = 1e-6;
-
   /** The values that points have alongside, each of some numbers. */
   private record Values(NumberTokens numbers, int width) {}
 
@@ -44,15 +40,20 @@ record PointWelding(List<TextEdit> changes, int welded, int points, double toler
    * @param faces an IndexedFaceSet, IndexedTriangleSet or IndexedQuadSet
    * @throws EditRejectedException with what to do, if the picture or another node would change
    */
-  static PointWelding of(CharSequence text, ElementTree tree, DocumentElement faces) {
+  static PointWelding of(
+      CharSequence text, ElementTree tree, NodeConnections connections, DocumentElement faces) {
     boolean perFace = faces.name().equals("IndexedFaceSet");
     refuseComputedNormals(faces, perFace);
+    refusePrototypes(faces);
+    if (connections.routed(faces)) {
+      throw refused(faces, "are set by a ROUTE or from another file, with indices of the points");
+    }
     DocumentElement coordinate =
         faces.children().stream()
             .filter(child -> child.name().equals("Coordinate"))
             .findFirst()
             .orElseThrow(() -> refused(faces, "have no Coordinate node"));
-    refuseShared(tree, coordinate);
+    refuseShared(tree, connections, coordinate);
     NumberTokens points = NumberTokens.of(text, coordinate, "point");
     int count = points.size() / 3;
     List<Values> alongside = new ArrayList<>();
@@ -60,7 +61,7 @@ record PointWelding(List<TextEdit> changes, int welded, int points, double toler
       if (!HARMLESS.contains(child.name())
           && !child.name().startsWith("Metadata")
           && usesPointIndex(faces, child, perFace)) {
-        refuseShared(tree, child);
+        refuseShared(tree, connections, child);
         alongside.add(values(text, faces, child, count));
       }
     }
@@ -70,16 +71,18 @@ record PointWelding(List<TextEdit> changes, int welded, int points, double toler
         throw refused(faces, "have a point that is not a number");
       }
     }
-    BoundingBox box = BoundingBox.around(p);
-    double tolerance = box.isEmpty() ? 0 : SHARE * box.min().distance(box.max());
+    NumberTokens index = NumberTokens.of(text, faces, perFace ? "coordIndex" : "index");
+    int[] indices = index.indices();
+    double tolerance =
+        WeldingTolerance.of(p, indices, GeometryRepair.faces(faces.name(), indices));
     int[] same = representatives(p, count, tolerance, alongside);
-    return changes(faces, perFace, text, points, alongside, same, tolerance);
+    return changes(faces, index, indices, points, alongside, same, tolerance);
   }
 
   private static PointWelding changes(
       DocumentElement faces,
-      boolean perFace,
-      CharSequence text,
+      NumberTokens index,
+      int[] indices,
       NumberTokens points,
       List<Values> alongside,
       int[] same,
@@ -91,8 +94,6 @@ record PointWelding(List<TextEdit> changes, int welded, int points, double toler
     }
     List<TextEdit> changes = new ArrayList<>();
     if (kept < same.length) {
-      NumberTokens index = NumberTokens.of(text, faces, perFace ? "coordIndex" : "index");
-      int[] indices = index.indices();
       for (int i = 0; i < indices.length; i++) {
         if (indices[i] < -1 || indices[i] >= same.length) {
           throw refused(faces, "have an index without a point");
@@ -172,27 +173,27 @@ record PointWelding(List<TextEdit> changes, int welded, int points, double toler
     return new Values(numbers, width);
   }
 
-  private static void refuseShared(ElementTree tree, DocumentElement node) {
-    boolean[] shared = {node.use().isPresent()};
-    boolean connected = node.children().stream().anyMatch(child -> child.name().equals("IS"));
-    node.def()
-        .ifPresent(
-            def -> {
-              shared[0] |= tree.used(def, node);
-              ElementScope.visit(
-                  node,
-                  each ->
-                      shared[0] |=
-                          List.of("fromNode", "toNode", "localDEF").stream()
-                              .anyMatch(end -> each.text(end).filter(def::equals).isPresent()));
-            });
-    if (shared[0] || connected) {
+  private static void refuseShared(
+      ElementTree tree, NodeConnections connections, DocumentElement node) {
+    refusePrototypes(node);
+    boolean used =
+        node.use().isPresent() || node.def().filter(def -> tree.used(def, node)).isPresent();
+    if (used || connections.routed(node)) {
       throw new EditRejectedException(
           node
               + " is used by other nodes or routes too, whose indices would change their meaning;"
               + " give the faces a "
               + node.name()
               + " of their own first");
+    }
+  }
+
+  private static void refusePrototypes(DocumentElement node) {
+    if (NodeConnections.prototypes(node)) {
+      throw new EditRejectedException(
+          node
+              + " has values that are fields of the prototype; what instances give them would"
+              + " change its meaning, so the faces stay as they are");
     }
   }
 
@@ -220,7 +221,8 @@ record PointWelding(List<TextEdit> changes, int welded, int points, double toler
       for (int k = 0; k < 27 && same[i] == i; k++) {
         Cell near = new Cell(x + k % 3 - 1, y + k / 3 % 3 - 1, z + k / 9 - 1, hash);
         for (int other : grid.getOrDefault(near, List.of())) {
-          if (near(p, i, other, tolerance) && alike(alongside, values, i, other)) {
+          if (WeldingTolerance.distance(p, i, other) <= tolerance
+              && alike(alongside, values, i, other)) {
             same[i] = Math.min(same[i], other);
           }
         }
@@ -242,14 +244,8 @@ record PointWelding(List<TextEdit> changes, int welded, int points, double toler
     return hash;
   }
 
-  private static boolean near(float[] p, int one, int other, double tolerance) {
-    double dx = (double) p[3 * one] - p[3 * other];
-    double dy = (double) p[3 * one + 1] - p[3 * other + 1];
-    double dz = (double) p[3 * one + 2] - p[3 * other + 2];
-    return dx * dx + dy * dy + dz * dz <= tolerance * tolerance;
-  }
-
-  private static boolean alike(List<Values> alongside, List<float[]> values, int one, int other) {
+  private static boolean alike(
+      List<Values> alongside, List<float[]> values, int one, int other) {
     for (int i = 0; i < values.size(); i++) {
       int width = alongside.get(i).width();
       float[] all = values.get(i);
@@ -266,9 +262,10 @@ record PointWelding(List<TextEdit> changes, int welded, int points, double toler
   }
 
   /** Returns a sentence about the points that could be one; empty if none could. */
-  static Optional<String> finding(CharSequence text, ElementTree tree, DocumentElement faces) {
+  static Optional<String> finding(
+      CharSequence text, ElementTree tree, NodeConnections connections, DocumentElement faces) {
     try {
-      PointWelding found = of(text, tree, faces);
+      PointWelding found = of(text, tree, connections, faces);
       return found.welded() == 0
           ? Optional.empty()
           : Optional.of(

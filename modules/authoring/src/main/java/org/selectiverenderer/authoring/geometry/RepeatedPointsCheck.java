@@ -34,9 +34,10 @@ public final class RepeatedPointsCheck implements DocumentCheck {
                 faces.add(element);
               }
             });
+    NodeConnections connections = new NodeConnections();
     List<Problem> problems = new ArrayList<>();
     for (DocumentElement each : faces) {
-      PointWelding.finding(snapshot.text(), tree, each)
+      PointWelding.finding(snapshot.text(), tree, connections, each)
           .ifPresent(
               message ->
                   problems.add(new Problem(Problem.Severity.INFO, each.location(), message)));

@@ -47,6 +47,24 @@ class GeometryRepairTest {
   }
 
   @Test
+  void aRouteToTheSameNameInAPrototypeIsNoHindrance() throws IOException {
+    String other =
+        "<ProtoDeclare name='P'><ProtoBody><Coordinate DEF='C'/><ROUTE fromNode='I' fromField='v'"
+            + " toNode='C' toField='point'/></ProtoBody></ProtoDeclare>";
+    assertThat(
+            repaired(
+                "SR203",
+                "IndexedFaceSet",
+                other
+                    + "<IndexedFaceSet coordIndex='0 0 0 -1 0 1 2 -1'>"
+                    + "<Coordinate DEF='C' point='0 0 0 1 0 0 0 1 0'/></IndexedFaceSet>"))
+        .isEqualTo(
+            other
+                + "<IndexedFaceSet coordIndex='0 1 2 -1'>"
+                + "<Coordinate DEF='C' point='0 0 0 1 0 0 0 1 0'/></IndexedFaceSet>");
+  }
+
+  @Test
   void onlyNormalsOfAnotherLengthAreWrittenAnew() throws IOException {
     assertThat(repaired("SR205", "Normal", "<Normal vector='0 0 2,  0.600  0.8 0\n 1 1 0 0 0 0'/>"))
         .isEqualTo("<Normal vector='0 0 1,  0.600  0.8 0\n 0.707107 0.707107 0 0 0 0'/>");
@@ -88,6 +106,10 @@ class GeometryRepairTest {
         "<Shape><IndexedFaceSet coordIndex='0 0 0 -1 0 1 2 -1'>"
             + "<Coordinate DEF='C' point='0 0 0 1 0 0 0 1 0'/></IndexedFaceSet></Shape>"
             + "<ROUTE fromNode='I' fromField='value_changed' toNode='C' toField='point'/>",
+        // of a prototype
+        "<ProtoDeclare name='P'><ProtoBody><IndexedFaceSet coordIndex='0 0 0 -1 0 1 2 -1'>"
+            + "<Coordinate point='0 0 0 1 0 0 0 1 0'><IS><connect nodeField='point'"
+            + " protoField='p'/></IS></Coordinate></IndexedFaceSet></ProtoBody></ProtoDeclare>",
         // without points
         "<IndexedFaceSet coordIndex='0 0 0 -1'/>",
       })

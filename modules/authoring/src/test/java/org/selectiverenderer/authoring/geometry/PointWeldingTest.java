@@ -109,6 +109,19 @@ class PointWeldingTest {
         "<IndexedFaceSet coordIndex='0 1 2'><Coordinate point='0 0 0 1 0 0 0 1 0'/>"
             + "</IndexedFaceSet>",
         "<IndexedFaceSet coordIndex='0 1 2'/>",
+        "<ProtoDeclare name='P'><ProtoInterface><field accessType='initializeOnly' type='MFInt32'"
+            + " name='f'/></ProtoInterface><ProtoBody><IndexedFaceSet coordIndex='0 1 2 -1 3 4 5'>"
+            + "<IS><connect nodeField='coordIndex' protoField='f'/></IS><Coordinate point='%s'/>"
+            + "</IndexedFaceSet></ProtoBody></ProtoDeclare>",
+        "<IndexedFaceSet DEF='F' coordIndex='0 1 2 -1 3 4 5'><Coordinate point='%s'/>"
+            + "</IndexedFaceSet><ROUTE fromNode='I' fromField='faces' toNode='F'"
+            + " toField='set_coordIndex'/>",
+        "<IndexedFaceSet DEF='F' coordIndex='0 1 2 -1 3 4 5'><Coordinate point='%s'/>"
+            + "</IndexedFaceSet><EXPORT localDEF='F'/>",
+        "<IndexedFaceSet coordIndex='0 1 2 -1 3 4 5'><Coordinate point='%s'/>"
+            + "<Color DEF='F' color='1 0 0 0 0 0 0 0 0 0 0 0 0 0 0 1 0 0'/>"
+            + "</IndexedFaceSet><ROUTE fromNode='I' fromField='colours' toNode='F'"
+            + " toField='color'/>",
       })
   void whatWouldChangeThePictureOrOtherNodesIsRefusedAndNotFound(String content)
       throws IOException {
@@ -116,6 +129,66 @@ class PointWeldingTest {
     GeometryRepair repair = new GeometryRepair(document);
     assertThatThrownBy(() -> repair.edit(GeometryRepair.Kind.WELD, faces(document)))
         .isInstanceOf(EditRejectedException.class);
+    assertThat(new RepeatedPointsCheck().check(document.snapshot())).isEmpty();
+  }
+
+  @Test
+  void aRouteToTheSameNameInAnotherScopeIsNoHindrance() throws IOException {
+    SceneDocument document =
+        document(
+            "<ProtoDeclare name='P'><ProtoBody><IndexedFaceSet DEF='F'/><ROUTE fromNode='I'"
+                + " fromField='f' toNode='F' toField='set_coordIndex'/></ProtoBody></ProtoDeclare>"
+                + "<IndexedFaceSet DEF='F' coordIndex='0 1 2 -1 3 4 5'><Coordinate point='"
+                + SQUARE
+                + "'/></IndexedFaceSet>");
+    DocumentElement outer =
+        document.tree().orElseThrow().named("F", document.tree().orElseThrow().root()).orElseThrow();
+    document.perform(new GeometryRepair(document).edit(GeometryRepair.Kind.WELD, outer));
+    assertThat(document.text()).asString().contains("coordIndex='0 1 2 -1 2 1 3'");
+  }
+
+  @Test
+  void whatAPrototypeSetsIsNamedInTheRefusal() throws IOException {
+    SceneDocument document =
+        document(
+            "<IndexedFaceSet coordIndex='0 1 2 -1 3 4 5'><Coordinate point='"
+                + SQUARE
+                + "'><IS><connect nodeField='point' protoField='p'/></IS></Coordinate>"
+                + "</IndexedFaceSet>");
+    assertThatThrownBy(
+            () -> new GeometryRepair(document).edit(GeometryRepair.Kind.WELD, faces(document)))
+        .isInstanceOf(EditRejectedException.class)
+        .hasMessageContaining("fields of the prototype")
+        .hasMessageNotContaining("routes");
+  }
+
+  @Test
+  void aPointWithoutAFaceDoesNotWidenTheTolerance() throws IOException {
+    String chair =
+        "<IndexedFaceSet coordIndex='0 1 2 -1 0 2 3 -1'><Coordinate"
+            + " point='0 0 0 0.4 0 0 0.4 0.4 0 0 0.4 0 1e6 1e6 1e6'/></IndexedFaceSet>";
+    SceneDocument document = document(chair);
+    assertThat(new RepeatedPointsCheck().check(document.snapshot())).isEmpty();
+    assertThatThrownBy(
+            () -> new GeometryRepair(document).edit(GeometryRepair.Kind.WELD, faces(document)))
+        .hasMessageContaining("nothing to do");
+  }
+
+  /** A watch on a tower 2 km high: its edges are shorter than a millionth of the whole. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "<IndexedFaceSet coordIndex='0 1 2 -1 3 4 5 6 -1'><Coordinate point='%s'/></IndexedFaceSet>",
+        "<IndexedQuadSet normalPerVertex='false' index='0 1 2 0 3 4 5 6'><Coordinate point='%s'/>"
+            + "</IndexedQuadSet>",
+        "<IndexedTriangleSet normalPerVertex='false' index='0 1 2 3 4 5 3 5 6'><Coordinate"
+            + " point='%s'/></IndexedTriangleSet>",
+      })
+  void noEdgeIsWeldedAway(String content) throws IOException {
+    SceneDocument document =
+        document(
+            content.formatted(
+                "0 0 0 2000 0 0 0 2000 0 0 0 0.01 0.001 0 0.01 0.001 0.001 0.01 0 0.001 0.01"));
     assertThat(new RepeatedPointsCheck().check(document.snapshot())).isEmpty();
   }
 
