@@ -135,9 +135,9 @@ class Receiver(http.server.ThreadingHTTPServer):
         super().__init__((options.host, options.port), Handler)
         self.origins, self.study, self.lock = options.origin, options.study, threading.Lock()
         self.database = opened(options.database, options.megabytes)
-        self.database.execute("DELETE FROM slot WHERE session IS NULL AND slot >= ?", (options.slots,))
+        self.database.execute("DELETE FROM slot WHERE session IS NULL AND slot > ?", (options.slots,))
         self.database.execute("BEGIN")
-        for slot in range(options.slots):
+        for slot in range(1, options.slots + 1):
             self.database.execute("INSERT OR IGNORE INTO slot (slot) VALUES (?)", (slot,))
         self.database.execute("COMMIT")
 
@@ -160,7 +160,7 @@ def write(database, folder):
             final = "yes" if any(there.values()) else "no"
             table.writerow([session, slots.get(session, ""), len(there), " ".join(map(str, missing)), final])
     for session in parts:
-        # A text may end within a character, as JavaScript's may; backslashreplace gives JSON's own spelling of the half.
+        # A text of JavaScript may end within a character; backslashreplace spells the half as JSON does.
         path = folder / (session + ".jsonl")
         with open(path, "w", encoding="utf-8", errors="backslashreplace", newline="\n") as file:
             query = "SELECT records FROM part WHERE session = ? ORDER BY part"

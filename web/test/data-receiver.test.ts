@@ -80,7 +80,7 @@ describe('the reference receiver', () => {
     expect(await post('some/where/data', part(3, [], true))).toEqual({ status: 200, answer: { received: 0 } });
     expect(await post('data', part(2, ['late']))).toEqual({ status: 200, answer: { received: 1 } });
     expect(await post('data', part(0, ['other']))).toMatchObject({ status: 409 });
-    expect((await post('slot', { study: 'Kitchen', session: SESSION })).answer).toEqual({ slot: 0 });
+    expect((await post('slot', { study: 'Kitchen', session: SESSION })).answer).toEqual({ slot: 1 });
     await stop('SIGKILL');
     const results = path.join(folder, 'results');
     await command('--write', results);
@@ -88,7 +88,7 @@ describe('the reference receiver', () => {
     const lines = (await readFile(path.join(results, `${SESSION}.jsonl`), 'utf8')).split('\n');
     expect(lines.map((line) => (line === '' ? '' : (JSON.parse(line) as unknown)))).toEqual([odd, 2, 'late', '']);
     expect(await readFile(path.join(results, 'sessions.csv'), 'utf8')).toBe(
-      `session,slot,parts,missing,final\n${SESSION},0,3,1,yes\n`,
+      `session,slot,parts,missing,final\n${SESSION},1,3,1,yes\n`,
     );
     await expect(command('--write', results)).rejects.toThrow('is not empty');
     await start();
@@ -148,8 +148,8 @@ describe('the reference receiver', () => {
     for (const session of sessions.slice(0, 3)) {
       taken.push((await ask(session)).answer);
     }
-    expect(taken).toEqual([{ slot: 0 }, { slot: 1 }, { slot: 2 }]);
-    expect((await ask(sessions[1])).answer).toEqual({ slot: 1 });
+    expect(taken).toEqual([{ slot: 1 }, { slot: 2 }, { slot: 3 }]);
+    expect((await ask(sessions[1])).answer).toEqual({ slot: 2 });
     expect(await ask(sessions[3])).toMatchObject({ status: 410 });
 
     const message = { study: 'Kitchen', records: [], part: 0 };
@@ -157,10 +157,10 @@ describe('the reference receiver', () => {
     await post('data', { ...message, session: sessions[2], final: false });
     expect(await command('--give-back', '1')).toBe('');
     expect(await command('--give-back', '-1')).toBe(
-      `1 is free again; it was that of ${sessions[1] ?? ''}\n2 is free again; it was that of ${sessions[2] ?? ''}\n`,
+      `2 is free again; it was that of ${sessions[1] ?? ''}\n3 is free again; it was that of ${sessions[2] ?? ''}\n`,
     );
-    expect((await ask(sessions[3])).answer).toEqual({ slot: 1 });
-    expect((await ask(sessions[0])).answer).toEqual({ slot: 0 });
+    expect((await ask(sessions[3])).answer).toEqual({ slot: 2 });
+    expect((await ask(sessions[0])).answer).toEqual({ slot: 1 });
   });
 
   it('says that it is full before the disk is', async () => {
@@ -216,7 +216,7 @@ describe('the reference receiver', () => {
     );
     await network.close();
     expect(network.requests).toBeGreaterThan(4 * participants);
-    expect(places.sort((a, b) => (a ?? 0) - (b ?? 0))).toEqual(Array.from({ length: participants }, (_, i) => i));
+    expect(places.sort((a, b) => (a ?? 0) - (b ?? 0))).toEqual(Array.from({ length: participants }, (_, i) => i + 1));
 
     const results = path.join(folder, 'results');
     await command('--write', results);

@@ -32,8 +32,8 @@ export class HttpSink extends KeptSink {
   }
 
   /**
-   * Returns the session's place in the plan of the study, the same each time, or undefined if all are taken; fails if
-   * the receiver cannot be asked.
+   * Returns the session's place in the plan of the study, from 1, the same each time, or undefined if all are taken;
+   * fails if the receiver cannot be asked.
    */
   async slot(): Promise<number | undefined> {
     if (this.slotOfSession === undefined) {

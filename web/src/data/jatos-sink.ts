@@ -15,8 +15,8 @@ export interface Jatos {
 const ATTEMPTS = 50;
 
 /**
- * Sends data to JATOS: the result data get a line for each part, the same JSON that a receiver gets. A part whose answer
- * was lost is there twice then, with the same number.
+ * Sends data to JATOS: the result data get a line for each part, the same JSON that a receiver gets. A part whose
+ * answer was lost is there twice then, with the same number.
  */
 export class JatosSink extends KeptSink {
   private constructor(
@@ -37,16 +37,16 @@ export class JatosSink extends KeptSink {
   }
 
   /**
-   * Returns the session's place in a plan with so many, or undefined if all are taken. The batch session counts them
-   * (next) and has those that the lab gave back (free); JATOS refuses a change by one who has not seen the last one.
+   * Returns the session's place in a plan, from 1 to so many, or undefined if all are taken. The batch session counts
+   * them (next) and has those that the lab gave back (free); JATOS refuses a change by one who has not seen the last.
    */
   async slot(slots: number): Promise<number | undefined> {
     for (let attempt = 0; this.slotOfSession === undefined; attempt++) {
       const free = this.jatos.batchSession.get('free');
-      const next = this.jatos.batchSession.get('next') ?? 0;
+      const next = this.jatos.batchSession.get('next') ?? 1;
       const back: unknown[] = Array.isArray(free) ? free : [];
       const slot = back.length > 0 ? back[0] : next;
-      if (typeof slot !== 'number' || slot >= slots) {
+      if (typeof slot !== 'number' || slot > slots) {
         return undefined;
       }
       try {
