@@ -98,9 +98,7 @@ public record WebFolder(List<PackagedFile> page, List<PackagedFile> scene, long 
   /** Returns the name of a scene's file in the folder: one of text tells that it is compressed. */
   public static String name(String name) {
     String compressed = COMPRESSED.get(ending(Path.of(name)));
-    return compressed == null
-        ? name
-        : name.substring(0, name.lastIndexOf('.')) + compressed;
+    return compressed == null ? name : name.substring(0, name.lastIndexOf('.')) + compressed;
   }
 
   private static String ending(Path file) {
@@ -110,9 +108,7 @@ public record WebFolder(List<PackagedFile> page, List<PackagedFile> scene, long 
   }
 
   private static byte[] bytes(PackagedFile file) throws IOException {
-    return file.changed().isPresent()
-        ? file.changed().get()
-        : InputFileReader.bytes(file.source());
+    return file.changed().isPresent() ? file.changed().get() : InputFileReader.bytes(file.source());
   }
 
   /** Returns scene.json, as web/src/page/description.ts reads it. */

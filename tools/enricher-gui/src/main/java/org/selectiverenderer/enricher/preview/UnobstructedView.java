@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.preview;
 
+import java.util.stream.DoubleStream;
 import org.joml.Quaterniond;
 import org.joml.Quaterniondc;
 import org.joml.Vector3d;
@@ -14,7 +15,9 @@ import org.selectiverenderer.geometry.BoundingBox;
  * and then from higher up, so that the camera turns no further than it must.
  */
 final class UnobstructedView {
-  private static final double[] PITCHES = {0, -25, -50, -80};
+  /** Degrees up, after the present pitch; level last, as it sees only the edges of what is flat. */
+  private static final double[] PITCHES = {-25, -50, -80, 0};
+
   private static final int YAW_STEP = 30;
 
   /** Share of the box that has to be seen. */
@@ -50,12 +53,15 @@ final class UnobstructedView {
     Vector3d forward = present.orientation().transform(new Vector3d(0, 0, -1));
     double yaw = Math.atan2(-forward.x, -forward.z);
     Quaterniondc best = present.orientation();
-    for (double pitch : PITCHES) {
+    double tilt = Math.asin(Math.max(-1, Math.min(1, forward.y)));
+    double[] pitches =
+        DoubleStream.concat(DoubleStream.of(tilt), DoubleStream.of(PITCHES).map(Math::toRadians))
+            .toArray();
+    for (double pitch : pitches) {
       for (int turn = 0; turn <= 180; turn += YAW_STEP) {
         for (int side = -1; side <= 1; side += 2) {
           Quaterniond other =
-              new Quaterniond()
-                  .rotationYXZ(yaw + Math.toRadians(side * turn), Math.toRadians(pitch), 0);
+              new Quaterniond().rotationYXZ(yaw + Math.toRadians(side * turn), pitch, 0);
           double seen = seen(other);
           if (seen >= ENOUGH) {
             return other;
@@ -75,8 +81,7 @@ final class UnobstructedView {
     Vector3d eye =
         orientation
             .transform(
-                new Vector3d(
-                    0, 0, CameraFraming.distance(box, orientation, present.fieldOfView())))
+                new Vector3d(0, 0, CameraFraming.distance(box, orientation, present.fieldOfView())))
             .add(centre);
     int clear = clear(eye, centre) ? 1 : 0;
     for (int corner = 0; corner < 8; corner++) {
