@@ -45,6 +45,7 @@ enricher-schemas.png               enricher
 enricher-source.png                enricher
 enricher-switch.png                enricher
 enricher-versions.png              dialogs
+export-web.png                     web
 head-log.svg                       run
 headset-questions.png              headset
 hmd-check.png                      run
@@ -99,6 +100,7 @@ explain() {
     headset) echo 'what an eye sees of the questions inside a headset, drawn by HeadsetQuestionsTest' ;;
     light) echo 'by tools/compare-light, beside paths of light' ;;
     plots) echo 'written with its page by a test; CONTRIBUTING.md has the command' ;;
+    web) echo 'the page that export --to web writes, in Chromium, by web/browser-test' ;;
     monado) echo 'by .ci/openxr with Monado; needs root, and the system that .ci/openxr setup makes' ;;
     rehearsal) echo 'by experiment check, and a window of a session of experiment preview' ;;
     report) echo 'a figure of experiment analyse, of simulated participants' ;;
@@ -354,6 +356,11 @@ storyKitchen() { # OUT: a figure of the report in docs/story-researcher.md
   cp "$tmp/figures/kitchen-d_prime-all.svg" "$1"
 }
 
+webPage() { # OUT: the page of the apartment; needs Chromium, and what npm ci brings
+  (cd web && PICTURE=$tmp/web.png npx vitest run --dir browser-test export-picture)
+  small "$tmp/web.png" "$1" -resize 900x -colors 200
+}
+
 take() { # NAME HOW
   local name=$1 how=$2 to=$out/$1 stem=${1%.*}
   case $name in
@@ -414,6 +421,7 @@ take() { # NAME HOW
         driven "$stem" "$to" 1100x
       fi
       ;;
+    export-web.png) webPage "$to" ;;
     polygons-*) plotted PolygonsPageTest -Dpolygons.update=true "$name" ;;
     performance-*) plotted PerformancePlotsTest -Dplots.update=true "$name" ;;
     openxr.jpg)

@@ -20,6 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.testing.Eventually;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -227,10 +228,7 @@ class LauncherTest {
 
     assertThat(launch("start").status()).isZero();
     Path archive = home.resolve("app/selective-renderer-17.0.2.jsa");
-    long end = System.nanoTime() + 60_000_000_000L;
-    while (!Files.exists(archive) && System.nanoTime() < end) {
-      Thread.onSpinWait();
-    }
+    Eventually.await("the archive", () -> Files.exists(archive));
     assertThat(notes())
         .containsSubsequence("window", "flag -splash:" + home.resolve("app/splash.png"), "dumped")
         .doesNotContain("flag -XX:SharedArchiveFile=" + archive);

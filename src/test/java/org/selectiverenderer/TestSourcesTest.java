@@ -24,8 +24,12 @@ class TestSourcesTest {
           "\\bsleep\\s*\\(|\\bpark(?:Nanos|Until)?\\s*\\(|\\bonSpinWait\\s*\\("
               + "|\\b[rR]obot(?:\\(\\))?\\.delay\\s*\\(");
 
-  /** The one class that awaits conditions, and the pauses for which X11 gives no signal. */
-  private static final Set<String> MAY_PAUSE = Set.of("Eventually.java", "DisplaySettling.java");
+  /**
+   * The one class that awaits conditions, the pauses for which X11 gives no signal, and a benchmark,
+   * which rests between measurements.
+   */
+  private static final Set<String> MAY_PAUSE =
+      Set.of("Eventually.java", "DisplaySettling.java", "BigSceneBenchmark.java");
 
   private static final Pattern FOLDER =
       Pattern.compile("(?:.+/)?src/(?:test|fixtures)/.+|modules/testing/src/.+");

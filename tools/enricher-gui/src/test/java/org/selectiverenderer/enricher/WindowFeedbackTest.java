@@ -2,6 +2,8 @@ package org.selectiverenderer.enricher;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Component;
+import java.awt.Container;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
@@ -14,6 +16,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
+import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
@@ -178,6 +181,66 @@ class WindowFeedbackTest {
     JLabel status = status();
     hands.await("the message", () -> status.getText().contains("2 versions"));
     assertThat(GuiRobot.onEdt(session::selection).map(DocumentElement::name)).contains("Switch");
+  }
+
+  @Test
+  void aSwitchAroundAnInstanceShowsItsPolygonsAndTakesVersions() throws IOException {
+    EnricherSession session =
+        open(
+            """
+            <ProtoDeclare name='Globe'><ProtoBody>
+              <Transform><Shape><Sphere/></Shape></Transform>
+            </ProtoBody></ProtoDeclare>
+            <Transform DEF='Place'><ProtoInstance name='Globe'/></Transform>
+            """);
+    onEdt(() -> session.select(named(session, "Place").children().get(0), this));
+    SwingUtilities.invokeLater(() -> item("Make Switch of Selection...").orElseThrow().doClick());
+    JDialog name = hands.dialog(JDialog.class);
+    JButton ok = name.getRootPane().getDefaultButton();
+    SwingUtilities.invokeLater(ok::doClick);
+    hands.await("the end of the question", () -> !name.isShowing());
+    hands.await("the Switch", () -> selected(session).equals("Switch Switch_Globe"));
+    hands.await("the count", () -> polygons(0).endsWith("polygons"));
+    String counted = GuiRobot.onEdt(() -> polygons(0));
+    SwingUtilities.invokeLater(() -> item("Make Versions...").orElseThrow().doClick());
+    VersionsDialog dialog = hands.dialog(VersionsDialog.class);
+    JButton apply = GuiRobot.named(dialog, "Make Versions", JButton.class);
+    hands.await("the versions", apply::isEnabled);
+    GuiRobot.picture(dialog.getContentPane(), "versions-of-instance", 1);
+    SwingUtilities.invokeLater(apply::doClick);
+    hands.await("the end of the dialog", () -> !dialog.isShowing());
+    JLabel status = status();
+    hands.await("the message", () -> status.getText().contains("2 versions"));
+    assertThat(GuiRobot.onEdt(() -> session.document().text().toString()))
+        .contains("<Transform DEF='Place'><Switch DEF='Switch_Globe' whichChoice='0'>")
+        .contains("Globe_v1.x3d", "Globe_v2.x3d")
+        .doesNotContain("<ProtoInstance");
+    assertThat(counted).isNotEqualTo("0 polygons");
+    hands.await("the count of version 1", () -> polygons(0).equals(counted));
+    hands.await("the count of version 2", () -> polygons(1).endsWith("polygons"));
+    assertThat(GuiRobot.onEdt(() -> polygons(1))).isNotIn(counted, "0 polygons");
+  }
+
+  /** Returns what the form says of a choice's polygons; empty if there is no such choice. */
+  private String polygons(int choice) {
+    return components(window.frame().getContentPane())
+        .filter(each -> ("Polygons of choice " + choice).equals(each.getName()))
+        .map(each -> ((JLabel) each).getText())
+        .findFirst()
+        .orElse("");
+  }
+
+  private static Stream<Component> components(Container in) {
+    return Stream.of(in.getComponents())
+        .flatMap(
+            each ->
+                each instanceof Container more
+                    ? Stream.concat(Stream.of(each), components(more))
+                    : Stream.of(each));
+  }
+
+  private static String selected(EnricherSession session) {
+    return session.selection().map(DocumentElement::toString).orElse("");
   }
 
   private Optional<JMenuItem> item(String text) {

@@ -2,6 +2,7 @@ package org.selectiverenderer.authoring.switches;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.authoring.SceneDocument;
@@ -53,11 +54,18 @@ public final class SwitchEdits {
         "Make the Switch " + name, List.of(new TextEdit(node.start(), node.end(), text)));
   }
 
-  /** Returns a name for the Switch of a node, from its DEF or USE name, else from its type. */
+  /**
+   * Returns a name for the Switch of a node, from its DEF or USE name, else from its type, which is
+   * the prototype for an instance.
+   */
   public String proposedName(DocumentElement node) {
-    String name = node.def().or(node::use).orElse(node.name());
+    String name = node.def().or(node::use).or(() -> prototype(node)).orElse(node.name());
     String object = name.replaceFirst("^(Transform|Group|Inline|Shape)_", "");
     return nodes.free("Switch_" + object);
+  }
+
+  private static Optional<String> prototype(DocumentElement node) {
+    return node.name().equals("ProtoInstance") ? node.text("name") : Optional.empty();
   }
 
   /** Returns whether a node can be wrapped in a Switch. */

@@ -14,8 +14,8 @@ import org.selectiverenderer.x3d.source.ElementTree;
 
 /**
  * Proposes DEF names for objects without one, by what a reader of the file takes them for: the
- * comment above, a name inside, the file of an Inline or of a texture, else the type of geometry.
- * Not thread-safe.
+ * comment above, a name inside, a prototype, the file of an Inline or of a texture, else the type
+ * of geometry. Not thread-safe.
  */
 final class ObjectNamer {
   /** The longest comment that is taken for a name; longer ones explain or are disabled code. */
@@ -52,6 +52,7 @@ final class ObjectNamer {
     found.add(element.text("name"));
     found.add(first(element, inner -> url(inner, Set.of("Inline"))));
     found.add(first(element, inner -> plain(inner.def().or(inner::use))));
+    found.add(first(element, ObjectNamer::prototype));
     found.add(first(element, inner -> url(inner, TEXTURES)));
     String wanted =
         found.stream()
@@ -89,6 +90,10 @@ final class ObjectNamer {
     List<String> found = new ArrayList<>();
     element.visit(inner -> reading.of(inner).ifPresent(found::add));
     return found.stream().findFirst();
+  }
+
+  private static Optional<String> prototype(DocumentElement element) {
+    return element.name().equals("ProtoInstance") ? element.text("name") : Optional.empty();
   }
 
   private static Optional<String> url(DocumentElement element, Set<String> types) {

@@ -67,6 +67,22 @@ class SwitchEditsTest {
   }
 
   @Test
+  void theSwitchOfAnInstanceIsProposedTheNameOfItsPrototype() {
+    EnrichmentScenes scene =
+        EnrichmentScenes.with(
+            """
+              <ProtoDeclare name='Office chair'><ProtoBody><Group/></ProtoBody></ProtoDeclare>
+              <Group DEF='Row'>
+                <ProtoInstance name='Office chair'/>
+                <ProtoInstance name='Office chair' DEF='First'/>
+              </Group>
+            """);
+    List<DocumentElement> instances = named(scene, "Row").children();
+    assertThat(edits(scene).proposedName(instances.get(0))).isEqualTo("Switch_Office_chair");
+    assertThat(edits(scene).proposedName(instances.get(1))).isEqualTo("Switch_First");
+  }
+
+  @Test
   void aNodeIsWrappedWithItsLayoutAndUnwrappedToTheSameBytes() {
     EnrichmentScenes scene = EnrichmentScenes.with(PLAIN);
     DocumentElement node = named(scene, "Transform_Vase");

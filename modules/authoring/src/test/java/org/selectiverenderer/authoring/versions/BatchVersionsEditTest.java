@@ -204,6 +204,24 @@ class BatchVersionsEditTest {
   }
 
   @Test
+  void theTransformOfAnInstanceIsProposedTheNameOfItsPrototype() throws IOException {
+    DocumentFile file =
+        open(
+            """
+            <X3D version='3.3'><Scene>
+              <ProtoDeclare name='Chair'><ProtoBody>
+                <Shape><Sphere/></Shape>
+              </ProtoBody></ProtoDeclare>
+              <Transform translation='1 0 0'><ProtoInstance name='Chair'/></Transform>
+              <Transform translation='2 0 0'><ProtoInstance name='Chair'/></Transform>
+            </Scene></X3D>
+            """);
+    assertThat(candidates(file))
+        .extracting(VersionCandidate::name)
+        .containsExactly("Chair", "Chair_2");
+  }
+
+  @Test
   void theChangeOfManyObjectsLeavesTheOtherBytesAlone() throws IOException {
     DocumentFile file = open(SCENE.replace("\n", "\r\n"));
     BatchVersionsEdit plan = plan(file, new SimplificationTarget.LargestError(0.05));

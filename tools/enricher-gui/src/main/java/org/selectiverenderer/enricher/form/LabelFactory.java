@@ -2,6 +2,7 @@ package org.selectiverenderer.enricher.form;
 
 import java.awt.Color;
 import java.awt.Dimension;
+import java.awt.Rectangle;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -84,7 +85,15 @@ final class LabelFactory {
 
   /** Creates a read-only text that wraps at the available width. */
   static JTextArea sentences(String text) {
-    JTextArea area = new JTextArea(text);
+    JTextArea area =
+        new JTextArea(text) {
+          private static final long serialVersionUID = 1L;
+
+          @Override
+          public void scrollRectToVisible(Rectangle rectangle) {
+            // Its caret, which nobody sees, would scroll the form to a text that is set.
+          }
+        };
     area.setEditable(false);
     area.setFocusable(false);
     area.setOpaque(false);

@@ -18,6 +18,8 @@ import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JTable;
+import javax.swing.JViewport;
+import javax.swing.SwingUtilities;
 import javax.swing.text.JTextComponent;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -150,6 +152,32 @@ class FormPanelTest {
       EventThread.edt(() -> window.session.document().history().undo());
       assertThat(EventThread.get(() -> window.session.document().text().toString()))
           .isEqualTo(SCENE);
+    }
+  }
+
+  @Test
+  void theFormOfAnotherNodeBeginsWithItsName() throws Exception {
+    Path scene = Path.of("scenes", "trashcan.x3d");
+    try (FormWindowDriver window = new FormWindowDriver(scene, false)) {
+      JViewport view =
+          FormWindowDriver.all(window.form)
+              .filter(JViewport.class::isInstance)
+              .map(JViewport.class::cast)
+              .findFirst()
+              .orElseThrow();
+      EventThread.edt(() -> SwingUtilities.getWindowAncestor(view).setSize(900, 640));
+      for (int time = 0; time < 2; time++) {
+        window.select("Switch_TrashCan");
+        JLabel polygons = (JLabel) window.named("Polygons of choice 1");
+        Eventually.await(
+            "the count", () -> EventThread.get(polygons::getText).endsWith("polygons"));
+        EventThread.edt(() -> {}); // what was put off until the form has its place
+        assertThat(EventThread.get(view::getViewPosition)).isEqualTo(new Point(0, 0));
+        assertThat(EventThread.get(() -> view.getView().getHeight()))
+            .isGreaterThan(view.getHeight());
+        EventThread.edt(() -> view.setViewPosition(new Point(0, 60)));
+        EventThread.edt(() -> window.session.select(null, this));
+      }
     }
   }
 
