@@ -1,4 +1,4 @@
-import type { DataSink } from './sink.js';
+import type { DataSink } from '../data/sink.js';
 
 /** What is the same in all records of a session. */
 export interface Identity {

@@ -107,7 +107,7 @@ async function practise(stage: Stage, world: World, walker: Walker, display: HTM
   const button = document.createElement('button');
   button.className = 'jspsych-btn';
   button.textContent = words.of('web.practice.end');
-  bar.append(element('p', '', words.of('web.practice')), button);
+  bar.append(element('p', '', words.of('web.walk')), button);
   display.replaceChildren(bar);
   const ended = { now: false };
   button.addEventListener('click', () => { ended.now = true; });

@@ -232,14 +232,11 @@ class LauncherTest {
       Thread.onSpinWait();
     }
     assertThat(notes())
-        .containsSubsequence(
-            "window", "flag -splash:" + home.resolve("app/splash.png"), "dumped")
+        .containsSubsequence("window", "flag -splash:" + home.resolve("app/splash.png"), "dumped")
         .doesNotContain("flag -XX:SharedArchiveFile=" + archive);
 
     launch("start");
-    assertThat(notes())
-        .filteredOn("dumped"::equals)
-        .hasSize(1);
+    assertThat(notes()).filteredOn("dumped"::equals).hasSize(1);
     assertThat(notes()).contains("flag -XX:SharedArchiveFile=" + archive);
   }
 

@@ -94,7 +94,8 @@ class PackagedWindowsLauncherTest {
   void showsThePictureForTheCommandsOfTheOtherLauncher() throws IOException {
     String source = Files.readString(Path.of("packaging/windows/launcher.c"));
     String own =
-        source.substring(source.indexOf("static int opens_window("), source.indexOf("SharedArchive"));
+        source.substring(
+            source.indexOf("static int opens_window("), source.indexOf("SharedArchive"));
     Set<String> opening = found("[\\w/*| -]+(?=\\) splash=yes ;;\n  run)", script());
     Set<String> plain = found("[\\w*| -]+(?=\\) splash= ;;)", script());
     assertThat(opening).hasSize(1);

@@ -24,6 +24,7 @@ import org.selectiverenderer.command.output.ExitStatus;
 import org.selectiverenderer.command.output.OutputFile;
 import org.selectiverenderer.command.trust.TrustOption;
 import org.selectiverenderer.command.trust.TrustPrompt;
+import org.selectiverenderer.export.ExportRules;
 import org.selectiverenderer.validation.Rule;
 import org.selectiverenderer.validation.SourceFile;
 import org.selectiverenderer.validation.ValidationReport;
@@ -135,6 +136,11 @@ public final class ValidateCommand extends CliCommand {
 
   @Mixin private TrustOption trust = new TrustOption();
 
+  @Option(
+      names = "--for-export",
+      description = "also says what the command export cannot carry (rules SR801 and SR802)")
+  private boolean forExport;
+
   @Option(names = "--rules", description = "lists all rules")
   private boolean rules;
 
@@ -148,7 +154,9 @@ public final class ValidateCommand extends CliCommand {
 
   @Override
   public ExitStatus run() throws IOException {
-    RuleCatalogue catalogue = RuleCatalogue.standard();
+    RuleCatalogue standard = RuleCatalogue.standard();
+    // Explained and ignored like all others, but checked on demand.
+    RuleCatalogue catalogue = standard.with(ExportRules.group());
     if ((rules || explained != null) && !paths.isEmpty()) {
       throw CommandException.usage(
           (rules ? "--rules" : "--explain") + " lists or explains rules; it takes no PATH");
@@ -169,7 +177,9 @@ public final class ValidateCommand extends CliCommand {
     }
     Baseline old = baseline == null ? Baseline.none() : Baseline.read(baseline);
     ValidationReport report =
-        old.without(new Validator(catalogue, settings.get(), base).validate(files()));
+        old.without(
+            new Validator(forExport ? catalogue : standard, settings.get(), base)
+                .validate(files()));
     CommandFileCheck written =
         new CommandFileCheck()
             .reads("--config", config)

@@ -1,6 +1,7 @@
 package org.selectiverenderer.cli.author;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -94,5 +95,95 @@ class ExportCommandTest extends CommandTestCase {
                 "3000000000"))
         .isEqualTo(2);
     assertThat(messages()).contains("--seed 3000000000", "32 bits");
+  }
+
+  /** A room whose only enriched object is in the body of a prototype. */
+  private Path prototype() throws IOException {
+    return Files.writeString(
+        folder.resolve("room.x3d"),
+        """
+        <X3D profile='Immersive' version='3.3'><Scene>
+        <ProtoDeclare name='Bin'><ProtoBody>
+        <Switch DEF='Versions' whichChoice='0'><MetadataSet DEF='Versions_Metadata' name='Metadata'>
+        <MetadataSet name='choice 0' containerField='value'>
+        <MetadataString containerField='value' name='schemaBelonginess' value='"Desk"'/></MetadataSet></MetadataSet>
+        <Shape><Box/></Shape></Switch>
+        </ProtoBody></ProtoDeclare>
+        <ProtoInstance name='Bin'/>
+        </Scene></X3D>
+        """);
+  }
+
+  @Test
+  void validateForExportSaysWhatAnExportCannotCarry() throws IOException {
+    Path scene = prototype();
+    execute("validate", scene.toString(), "--for-export");
+    assertThat(printed())
+        .contains(":3:1: error:", "SR801", "is in the declaration of a prototype")
+        .contains("room.x3d");
+    execute("validate", scene.toString());
+    assertThat(printed()).doesNotContain("SR801");
+    execute("validate", scene.toString(), "--for-export", "--ignore", "SR8");
+    assertThat(printed()).doesNotContain("SR801");
+  }
+
+  @Test
+  void validateForExportFindsNothingInASceneThatCanBeExported() {
+    assertThat(execute("validate", SCENE, "--for-export")).as(printed()).isZero();
+    assertThat(printed()).doesNotContain("SR801", "SR802");
+    assertThat(execute("validate", "--explain", "SR801")).isZero();
+    assertThat(printed()).contains("an export cannot carry this");
+  }
+
+  @Test
+  void withoutAScriptTheCopyIsValidAndHasFiltersAndTriggers() throws IOException {
+    Path copy = folder.resolve("copy");
+    assertThat(
+            execute("export", SCENE, "--to", "x3d", copy.toString(), "--without-script"))
+        .as(messages())
+        .isZero();
+    Path scene = copy.resolve("trashcan.x3d");
+    assertThat(scene).content().contains("<BooleanFilter", "<IntegerTrigger").doesNotContain("<Script");
+    assertThat(execute("validate", scene.toString())).as(printed()).isZero();
+  }
+
+  @Test
+  void withoutAScriptOnlyTheConditionSelectiveIsThere() {
+    Path copy = folder.resolve("copy");
+    String[] options = {"--to", "x3d", copy.toString(), "--without-script", "--condition", "high"};
+    assertThat(execute(prepend("export", SCENE, options))).isEqualTo(2);
+    assertThat(messages()).contains("--without-script", "selective");
+    assertThat(copy).doesNotExist();
+  }
+
+  private static String[] prepend(String command, String scene, String... options) {
+    String[] all = new String[options.length + 2];
+    all[0] = command;
+    all[1] = scene;
+    System.arraycopy(options, 0, all, 2, options.length);
+    return all;
+  }
+
+  @Test
+  void aPageHasTheSceneCompressedAndSaysWhatItWeighs() throws IOException {
+    Path site = folder.resolve("site");
+    assumeTrue(
+        ExportCommandTest.class.getResource("/org/selectiverenderer/web/files.txt") != null
+            || System.getenv("SELECTIVE_RENDERER_REQUIRE_WEB") != null,
+        "built without the page");
+    assertThat(execute("export", SCENE, "--to", "web", site.toString())).as(messages()).isZero();
+    assertThat(printed())
+        .contains("index.html: a page for any web server", "in 13 files", "before compression");
+    assertThat(site.resolve("index.html")).content().contains("<x3d-canvas");
+    assertThat(site.resolve("page/x_ite/LICENSE.md")).exists();
+    assertThat(site.resolve("scene.json"))
+        .content()
+        .contains("\"title\" : \"Trash can\"", "\"file\" : \"scene/trashcan.x3dz\"")
+        .contains("scene/inlineNodes/trashCan_v1.x3dz");
+    Path scene = site.resolve("scene/trashcan.x3dz");
+    assertThat(execute("validate", scene.toString())).as(printed()).isZero();
+    String path = "scenes/paths/desk-visit.csv";
+    assertThat(execute("simulate", scene.toString(), "--path", path)).isZero();
+    assertThat(printed()).contains("DeskProx activates DeskSchema", "14050 at most");
   }
 }

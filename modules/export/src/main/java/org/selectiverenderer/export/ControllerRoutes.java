@@ -88,8 +88,10 @@ final class ControllerRoutes {
   /** Returns an object that one area would change while the other one claims it. */
   private Optional<String> contested(Area one, Area two) {
     return nodes.objects().stream()
-        .filter(object -> claims(one, object) && changes(two, object)
-            || claims(two, object) && changes(one, object))
+        .filter(
+            object ->
+                claims(one, object) && changes(two, object)
+                    || claims(two, object) && changes(one, object))
         .map(VersionedObject::def)
         .findFirst();
   }
@@ -147,8 +149,7 @@ final class ControllerRoutes {
     for (VersionedObject object : nodes.objects()) {
       choice(object, schemas)
           .ifPresent(
-              choice ->
-                  found.computeIfAbsent(choice, key -> new ArrayList<>()).add(object.def()));
+              choice -> found.computeIfAbsent(choice, key -> new ArrayList<>()).add(object.def()));
     }
     return found;
   }

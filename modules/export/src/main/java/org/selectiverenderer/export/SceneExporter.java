@@ -39,6 +39,9 @@ import org.selectiverenderer.x3d.write.SceneFormat;
  * nothing of this program: a Script of the scene sets the choices of its Switches.
  */
 public final class SceneExporter {
+  static final String NOTHING_TO_CONTROL =
+      "the scene has no enriched object, so that there is nothing to control; enrich it first";
+
   private static final String SCRIPT = "SchemaController";
 
   private final NodeCatalogue catalogue;
@@ -149,8 +152,7 @@ public final class SceneExporter {
         .forEach(enriched::add);
     if (!objects || document.tree().flatMap(tree -> tree.scene()).isEmpty()) {
       problems.error(
-          SourceLocation.of(scene.toString()),
-          "the scene has no enriched object, so that there is nothing to control; enrich it first");
+          SourceLocation.of(scene.toString()), NOTHING_TO_CONTROL);
       return false;
     }
     boolean all = true;
@@ -195,8 +197,7 @@ public final class SceneExporter {
   }
 
   /** Adds the Script, and returns its name. */
-  private String addScript(
-      SceneDocument document, ControlledNodes nodes, ExportSettings settings) {
+  private String addScript(SceneDocument document, ControlledNodes nodes, ExportSettings settings) {
     String def = names(document).unused(SCRIPT);
     add(
         document,
@@ -225,15 +226,13 @@ public final class SceneExporter {
   /** Adds nodes at the end of the scene, and the components that they need. */
   private void add(SceneDocument document, Set<String> types, List<String> lines) {
     DocumentElement scene = document.tree().orElseThrow().scene().orElseThrow();
-    List<TextEdit> edits =
-        new ArrayList<>(new NeededComponents(document, catalogue).of(types));
+    List<TextEdit> edits = new ArrayList<>(new NeededComponents(document, catalogue).of(types));
     edits.add(document.layout().insertLast(scene, lines));
     edits.sort(Comparator.comparingInt(TextEdit::from));
     document.perform(new Edit("Controller", edits));
   }
 
-  private ScenePackage encoded(ScenePackage files, SceneFormat format)
-      throws IOException {
+  private ScenePackage encoded(ScenePackage files, SceneFormat format) throws IOException {
     byte[] xml = files.scene().changed().orElseThrow();
     XmlDocument document =
         new X3dReader(catalogue)

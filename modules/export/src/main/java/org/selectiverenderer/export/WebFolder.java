@@ -53,7 +53,7 @@ public record WebFolder(List<PackagedFile> page, List<PackagedFile> scene, long 
   }
 
   /**
-   * Puts the page around a scene that was exported with {@link #name} for its files.
+   * Puts the page around a scene that was exported with {@link WebScene#name} for its files.
    *
    * @param condition the condition that the page begins with, unless its address names another
    * @param seed the random seed of the condition {@code random}

@@ -16,6 +16,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.SceneDocument;
+import org.selectiverenderer.authoring.area.AreaLocator;
 import org.selectiverenderer.authoring.enrichment.DocumentEnrichment;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.browser.World;
@@ -35,6 +36,7 @@ import org.web3d.x3d.sai.grouping.Switch;
 /** The exported Script does what the controller of this program does. */
 class ControllerScriptTest {
   private static final double RATE = 4;
+  private static final String TOUR = "apartment-tour.csv";
 
   @TempDir Path folder;
 
@@ -43,8 +45,12 @@ class ControllerScriptTest {
 
   /** Neither the objects' files nor pictures are needed to see which is to be shown when. */
   private static String apartment() throws IOException {
-    return Files.readString(Path.of("scenes/apartment.x3d"))
-        .replaceAll("<Inline (DEF='\\w+' )?url='[^']*'/>", "<Group/>")
+    return bare(Files.readString(Path.of("scenes/apartment.x3d")));
+  }
+
+  private static String bare(String scene) {
+    return scene
+        .replaceAll("<Inline (DEF='\\w+' )?(url|USE)='[^']*'/>", "<Group/>")
         .replaceAll("\\w+Url='[^']*'", "");
   }
 
@@ -59,10 +65,11 @@ class ControllerScriptTest {
     return document;
   }
 
-  private List<Change> walk(String scene, boolean controlled, Condition condition, long seed)
+  private List<Change> walk(
+      String scene, String way, boolean controlled, Condition condition, long seed)
       throws IOException {
     CameraPath path =
-        CameraPathReader.read(Path.of("scenes/paths/apartment-tour.csv"), new ProblemCollector())
+        CameraPathReader.read(Path.of("scenes/paths").resolve(way), new ProblemCollector())
             .orElseThrow();
     ProblemCollector problems = new ProblemCollector();
     Path file = Files.writeString(folder.resolve("scene.x3d"), scene);
@@ -118,9 +125,64 @@ class ControllerScriptTest {
   void theScriptSwitchesWhenAndWhatTheControllerSwitches(Condition condition) throws IOException {
     String exported = exported(apartment(), condition, 7).text().toString();
 
-    assertThat(walk(exported, false, condition, 7))
+    assertThat(walk(exported, TOUR, false, condition, 7))
         .hasSizeGreaterThan(30)
-        .isEqualTo(walk(apartment(), true, condition, 7));
+        .isEqualTo(walk(apartment(), TOUR, true, condition, 7));
+  }
+
+  @Test
+  void filtersAndTriggersSwitchWhenAndWhatTheControllerSwitchesWhereNoAreasOverlap()
+      throws IOException {
+    String scene = Files.readString(Path.of("scenes/trashcan.x3d"));
+    scene = bare(scene);
+    SceneDocument document = SceneDocument.of("scene.x3d", scene.getBytes(StandardCharsets.UTF_8));
+    ControlledNodes nodes =
+        ControlledNodes.of(new DocumentEnrichment(document, NodeCatalogue.load()));
+    List<String> lines = new ControllerRoutes(nodes, name -> name).lines();
+    var root = document.tree().orElseThrow().scene().orElseThrow();
+    document.perform(new Edit("export", List.of(document.layout().insertLast(root, lines))));
+
+    String path = "desk-visit.csv";
+    assertThat(walk(document.text().toString(), path, false, Condition.SELECTIVE, 0))
+        .hasSizeGreaterThan(2)
+        .isEqualTo(walk(scene, path, true, Condition.SELECTIVE, 0));
+  }
+
+  @Test
+  void areasThatOverlapAndDecideOnTheSameObjectNeedTheScript() throws IOException {
+    String scene =
+        Files.readString(Path.of("scenes/overlap.x3d")); // the areas of Table 5, which overlap
+    SceneDocument document =
+        SceneDocument.of("overlap.x3d", bare(scene).getBytes(StandardCharsets.UTF_8));
+    DocumentEnrichment enrichment = new DocumentEnrichment(document, NodeCatalogue.load());
+    ProblemCollector problems = new ProblemCollector();
+
+    assertThat(
+            new ControllerRoutes(ControlledNodes.of(enrichment), name -> name)
+                .decided(AreaLocator.of(enrichment), problems))
+        .isFalse();
+    assertThat(problems.list())
+        .first()
+        .satisfies(
+            problem -> {
+              assertThat(problem.message()).contains("overlap, and both decide on");
+              assertThat(problem.location().line()).isPositive();
+            });
+  }
+
+  @Test
+  void aRouteOfTheSceneThatSetsAChoiceIsNoticed() throws IOException {
+    String clicks =
+        "<TouchSensor DEF='Click'/><IntegerTrigger DEF='One' integerKey='0'/>"
+            + "<ROUTE fromNode='One' fromField='triggerValue' toNode='Switch_TrashCan'"
+            + " toField='set_whichChoice'/></Scene>";
+    String scene =
+        bare(Files.readString(Path.of("scenes/trashcan.x3d"))).replace("</Scene>", clicks);
+
+    assertThat(exported(scene, Condition.SELECTIVE, 0).text().toString())
+        .contains("function changed0(choice) { now[0] = choice; }")
+        .contains(
+            "<ROUTE fromField=\"whichChoice\" fromNode=\"Switch_TrashCan\" toField=\"changed0\"");
   }
 
   @Test

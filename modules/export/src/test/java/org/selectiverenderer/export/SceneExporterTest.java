@@ -70,8 +70,7 @@ class SceneExporterTest {
     return new SceneExporter(NodeCatalogue.load(), ContentAccessPolicy.none(), problems)
         .export(
             file,
-            new ExportSettings(
-                Condition.SELECTIVE, 0, format, UnaryOperator.identity(), true),
+            new ExportSettings(Condition.SELECTIVE, 0, format, UnaryOperator.identity(), true),
             "house.x3d")
         .map(ExportedScene::files);
   }

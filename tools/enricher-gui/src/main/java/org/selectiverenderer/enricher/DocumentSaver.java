@@ -321,6 +321,4 @@ final class DocumentSaver {
               failed -> session.message(String.valueOf(failed.getMessage())));
     }
   }
-
-
 }

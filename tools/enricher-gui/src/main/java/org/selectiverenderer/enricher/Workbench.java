@@ -119,8 +119,7 @@ final class Workbench {
             settings,
             (read, found) -> trust.limited(read, found, this::settingsAreOther));
     problems =
-        new ProblemsPanel(
-            session, List.of(validator(session, budgets), new RepeatedPointsCheck()));
+        new ProblemsPanel(session, List.of(validator(session, budgets), new RepeatedPointsCheck()));
     tree = new SceneTreePanel(session, problems::faulty);
     problems.onCounts(
         now -> {

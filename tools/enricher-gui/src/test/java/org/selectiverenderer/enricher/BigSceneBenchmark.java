@@ -213,8 +213,7 @@ class BigSceneBenchmark {
 
   private void move(DocumentElement object, int by) {
     session().select(object, this);
-    Placement at =
-        Placement.of(session().document(), session().catalogue(), object).orElseThrow();
+    Placement at = Placement.of(session().document(), session().catalogue(), object).orElseThrow();
     TransformPose pose =
         new TransformPose(
             new Vector3d(at.pose().translation()).add(0, 0.01 * (by + 1), 0),

@@ -261,7 +261,7 @@ class EnricherWindowTest {
           "the picture",
           () ->
               KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner()
-                  instanceof AccessibleCanvas picture
+                      instanceof AccessibleCanvas picture
                   && picture.isShowing());
     }
   }

@@ -148,8 +148,7 @@ public final class FieldEdits {
       NodeField field,
       Function<DocumentElement, Edit> edit) {
     boolean name =
-        field.ofPrototype().isEmpty()
-            && (field.name().equals("DEF") || field.name().equals("USE"));
+        field.ofPrototype().isEmpty() && (field.name().equals("DEF") || field.name().equals("USE"));
     if (name || elements.size() == 1) {
       return edit.apply(elements.get(0));
     }

@@ -53,7 +53,8 @@ final class FieldValueCheck {
   private Optional<String> wrongPrototype(DocumentElement instance, String name) {
     return InterfaceFieldList.declaration(document, name.strip(), instance).isPresent()
         ? Optional.empty()
-        : Optional.of(name.isBlank()
+        : Optional.of(
+            name.isBlank()
                 ? "An instance needs the name of its prototype."
                 : "No prototype before this instance has the name " + name + ".");
   }

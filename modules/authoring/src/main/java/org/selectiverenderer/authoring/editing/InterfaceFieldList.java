@@ -184,8 +184,7 @@ final class InterfaceFieldList {
 
   private NodeField undeclared(String name, DocumentElement value) {
     List<DocumentElement> nodes = nodes(value);
-    InterfaceField own =
-        new InterfaceField(prototype, "", declaration.isEmpty(), false, nodes);
+    InterfaceField own = new InterfaceField(prototype, "", declaration.isEmpty(), false, nodes);
     return made(name, Optional.empty(), Optional.of(value), own, !nodes.isEmpty());
   }
 

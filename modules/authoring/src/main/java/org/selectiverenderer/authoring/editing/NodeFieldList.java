@@ -116,8 +116,7 @@ public final class NodeFieldList {
   /** Returns why a value cannot be changed in a form; empty if it can. */
   static Optional<String> readOnly(SourceAttribute written) {
     if (written.fromEntity()) {
-      return Optional.of(
-          "The value comes from an entity of the DOCTYPE; change it in the source.");
+      return Optional.of("The value comes from an entity of the DOCTYPE; change it in the source.");
     }
     return isLong(Optional.of(written))
         ? Optional.of("The value is long; change it in the source.")

@@ -87,8 +87,7 @@ public final class GeometryRepair {
       throw new EditRejectedException(
           "No points of " + faces + " are equal; there is nothing to do");
     }
-    return new Edit(
-        "Weld %d points of %s".formatted(welding.welded(), faces), welding.changes());
+    return new Edit("Weld %d points of %s".formatted(welding.welded(), faces), welding.changes());
   }
 
   private Edit normalize(DocumentElement normal) {

@@ -152,8 +152,7 @@ record PointWelding(List<TextEdit> changes, int welded, int points, double toler
         };
     boolean byFace =
         faces.text(what + "PerVertex").filter(of -> of.strip().equals("false")).isPresent();
-    boolean own =
-        perFace && faces.text(what + "Index").filter(of -> !of.isBlank()).isPresent();
+    boolean own = perFace && faces.text(what + "Index").filter(of -> !of.isBlank()).isPresent();
     return !byFace && !own;
   }
 
@@ -250,8 +249,7 @@ record PointWelding(List<TextEdit> changes, int welded, int points, double toler
     return dx * dx + dy * dy + dz * dz <= tolerance * tolerance;
   }
 
-  private static boolean alike(
-      List<Values> alongside, List<float[]> values, int one, int other) {
+  private static boolean alike(List<Values> alongside, List<float[]> values, int one, int other) {
     for (int i = 0; i < values.size(); i++) {
       int width = alongside.get(i).width();
       float[] all = values.get(i);

@@ -118,7 +118,9 @@ public final class ModelImporter {
     if (converted) {
       String taken = pictures.takenFrom(new String(x3d, StandardCharsets.UTF_8));
       x3d = taken.getBytes(StandardCharsets.UTF_8);
-      pictures.faults().forEach(fault -> problems.warning(SourceLocation.of(model.toString()), fault));
+      pictures
+          .faults()
+          .forEach(fault -> problems.warning(SourceLocation.of(model.toString()), fault));
     }
     List<UndoableFileWrite> files = new ArrayList<>();
     files.add(new UndoableFileWrite(target, x3d, false));

@@ -62,8 +62,7 @@ public final class CopyNaming {
     element
         .def()
         .filter(def -> !renamed.containsKey(def))
-        .ifPresent(
-            def -> renamed.put(def, names.unused(MetadataNaming.def(element, def, now()))));
+        .ifPresent(def -> renamed.put(def, names.unused(MetadataNaming.def(element, def, now()))));
   }
 
   private UnaryOperator<String> now() {

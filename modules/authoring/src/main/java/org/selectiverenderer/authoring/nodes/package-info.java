@@ -7,7 +7,8 @@
  * it in this scope: USE, ROUTE, EXPORT, IMPORT. {@link
  * org.selectiverenderer.authoring.nodes.NodeEdits} creates the edits; {@link
  * org.selectiverenderer.authoring.nodes.CopyNaming} names the nodes of copies, {@code
- * MetadataNaming} lets metadata follow the name of its object or area. {@code SceneExcerpt} is the scene of one node, for its picture.
+ * MetadataNaming} lets metadata follow the name of its object or area. {@code SceneExcerpt} is the
+ * scene of one node, for its picture.
  *
  * <p>In: a document, an element, names. Out: edits, not yet performed. Uses {@code authoring},
  * {@code schema}, {@code x3d.source} and {@code x3d.write}.

@@ -33,8 +33,7 @@ public final class PackageLayout {
   private final Map<Path, Path> places = new HashMap<>();
   private final Set<String> taken = new HashSet<>();
 
-  private PackageLayout(
-      Path folder, Path into, Optional<Path> kept, UnaryOperator<String> names) {
+  private PackageLayout(Path folder, Path into, Optional<Path> kept, UnaryOperator<String> names) {
     this.folder = folder;
     this.names = names;
     this.into = into;
@@ -85,7 +84,8 @@ public final class PackageLayout {
   /** Returns the place of a file relative to the target folder. */
   Path of(Path real) {
     return places.computeIfAbsent(
-        real, file -> stays(file) ? kept.get().relativize(file) : free(into.resolve(named(own(file)))));
+        real,
+        file -> stays(file) ? kept.get().relativize(file) : free(into.resolve(named(own(file)))));
   }
 
   private Path named(Path place) {

@@ -3,7 +3,6 @@ package org.selectiverenderer.authoring.packaging;
 import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.OutputStream;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
@@ -112,8 +111,8 @@ public final class PackageWriter {
    *
    * @param progress receives the share that is done, from 0 to 1, and may throw to end the work
    */
-  public static WrittenFiles intoZip(
-      List<PackagedFile> files, Path zip, DoubleConsumer progress) throws IOException {
+  public static WrittenFiles intoZip(List<PackagedFile> files, Path zip, DoubleConsumer progress)
+      throws IOException {
     boolean there = Files.exists(zip, LinkOption.NOFOLLOW_LINKS);
     Path next = part(zip.toAbsolutePath());
     try {

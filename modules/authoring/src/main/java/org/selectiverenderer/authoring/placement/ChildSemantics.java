@@ -99,8 +99,7 @@ final class ChildSemantics {
     return document
         .tree()
         .flatMap(
-            tree ->
-                instance.text("name").flatMap(name -> tree.prototype(name.strip(), instance)))
+            tree -> instance.text("name").flatMap(name -> tree.prototype(name.strip(), instance)))
         .stream()
         .flatMap(declaration -> declaration.children().stream())
         .filter(part -> part.name().equals("ProtoBody"))

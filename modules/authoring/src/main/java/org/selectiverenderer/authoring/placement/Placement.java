@@ -91,8 +91,7 @@ public record Placement(
             .flatMap(type -> type.field("children"))
             .filter(
                 field ->
-                    ContainerFieldRules.accepts(
-                        field, catalogue.find("Transform").orElseThrow()))
+                    ContainerFieldRules.accepts(field, catalogue.find("Transform").orElseThrow()))
             .isPresent();
   }
 

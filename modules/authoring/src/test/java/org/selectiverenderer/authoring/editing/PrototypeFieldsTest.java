@@ -324,8 +324,7 @@ class PrototypeFieldsTest {
         document(
             "<X3D><Scene><Group DEF='A'><Group DEF='B'/></Group><Group DEF='C'/>"
                 + "<Group USE='C'/></Scene></X3D>");
-    List<DocumentElement> all =
-        List.of(named("A"), named("B"), at("<Group USE='C'/>"), named("C"));
+    List<DocumentElement> all = List.of(named("A"), named("B"), at("<Group USE='C'/>"), named("C"));
     assertThat(edits().alike(named("C"), all)).containsExactly(named("C"), named("A"));
   }
 

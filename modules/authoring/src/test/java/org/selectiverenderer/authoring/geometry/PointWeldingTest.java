@@ -41,8 +41,7 @@ class PointWeldingTest {
   private static String welded(String content) throws IOException {
     SceneDocument document = document(content);
     String before = document.text().toString();
-    document.perform(
-        new GeometryRepair(document).edit(GeometryRepair.Kind.WELD, faces(document)));
+    document.perform(new GeometryRepair(document).edit(GeometryRepair.Kind.WELD, faces(document)));
     String after = document.text().toString();
     assertThat(document.history().names()).hasSize(1);
     assertThat(new RepeatedPointsCheck().check(document.snapshot())).isEmpty();

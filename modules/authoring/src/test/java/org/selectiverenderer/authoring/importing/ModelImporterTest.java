@@ -68,13 +68,17 @@ class ModelImporterTest {
     write(again);
     SceneDocument document = SceneDocument.of("room.x3d", Files.readAllBytes(scene));
     InlineEdits.Added added =
-        new InlineEdits(document, NodeCatalogue.load()).add(scene, chair.file(), chair.onto(new Vector3d()));
+        new InlineEdits(document, NodeCatalogue.load())
+            .add(scene, chair.file(), chair.onto(new Vector3d()));
     document.perform(added.edit());
     assertThat(document.text().toString())
         .contains(
             "  <Group/>\n  <Transform DEF='Old_chair' translation='-3 -1 -1'>\n"
                 + "    <Inline url='\"Old_chair.x3d\"'/>\n  </Transform>\n  <ROUTE/>");
-    assertThat(new InlineEdits(document, NodeCatalogue.load()).add(scene, chair.file(), new Vector3d()).name())
+    assertThat(
+            new InlineEdits(document, NodeCatalogue.load())
+                .add(scene, chair.file(), new Vector3d())
+                .name())
         .isEqualTo("Old_chair_2");
   }
 

@@ -281,7 +281,8 @@ class ScenePackagerTest {
     String now = packed("house.wrl", vrml);
     assertThat(now)
         .isEqualTo(
-            vrml.replace("\"http://example.org/x.png\", " + url, "\"http://example.org/x.png\", NEW")
+            vrml.replace(
+                    "\"http://example.org/x.png\", " + url, "\"http://example.org/x.png\", NEW")
                 .replace("skinUrl [ " + url, "skinUrl [ NEW")
                 .replace("skinUrl " + url, "skinUrl NEW")
                 .replace("NEW", "\"../tex/wood-2.png\""));
@@ -316,7 +317,9 @@ class ScenePackagerTest {
         collect(
             "<ImageTexture url='\"con.png\"'/><ImageTexture url='\"./a:b%3F.png\"'/>"
                 + "<ImageTexture url='\"dir./x.png\"'/>"
-                + "<ImageTexture url='\"" + "ü".repeat(125) + ".png\"'/>"
+                + "<ImageTexture url='\""
+                + "ü".repeat(125)
+                + ".png\"'/>"
                 + "<ImageTexture url='\"50%25 of %231.png\"'/>");
     assertThat(packed.left()).isEmpty();
     assertThat(places(packed))
@@ -350,8 +353,7 @@ class ScenePackagerTest {
   }
 
   @Test
-  void aCancelledOrFailedPackageLeavesNothingBehindAndRestoresWhatItReplaced()
-      throws IOException {
+  void aCancelledOrFailedPackageLeavesNothingBehindAndRestoresWhatItReplaced() throws IOException {
     ScenePackage packed =
         collect("<ImageTexture url='\"textures/wood.png\"'/><ImageTexture url='\"sky.png\"'/>");
     Path target = Files.createDirectories(folder.resolve("target"));

@@ -97,8 +97,8 @@ public final class PrototypeInstance {
   }
 
   /**
-   * Returns the location of the ProtoInstance whose place in a scene a node takes, as the first node
-   * of its body; empty for other nodes, and those of instances in the bodies of others.
+   * Returns the location of the ProtoInstance whose place in a scene a node takes, as the first
+   * node of its body; empty for other nodes, and those of instances in the bodies of others.
    */
   public static Optional<SourceLocation> location(Node node) {
     return Optional.ofNullable(node.face())

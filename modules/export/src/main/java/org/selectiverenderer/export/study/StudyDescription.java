@@ -126,7 +126,7 @@ final class StudyDescription {
   }
 
   private void describe(PlannedSession session, ObjectNode json) {
-    json.put("slot", session.place());
+    json.put("slot", session.place() - 1); // a receiver counts from 0
     json.put("participant", session.participant());
     json.put("group", session.group().name());
     json.put(

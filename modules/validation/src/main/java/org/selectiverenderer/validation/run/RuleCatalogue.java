@@ -1,5 +1,6 @@
 package org.selectiverenderer.validation.run;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -31,6 +32,13 @@ public record RuleCatalogue(List<RuleGroup> groups) {
             EnrichmentRules.group(),
             BudgetRules.group(),
             ScriptRules.group()));
+  }
+
+  /** Returns a catalogue with another group at the end. */
+  public RuleCatalogue with(RuleGroup group) {
+    List<RuleGroup> all = new ArrayList<>(groups);
+    all.add(group);
+    return new RuleCatalogue(all);
   }
 
   /** Returns all rules in the order of their ids. */

@@ -80,10 +80,10 @@ public final class MergeDialog extends JDialog {
     made.setName("Merge");
     made.getAccessibleContext().setAccessibleName(Texts.of("merge.table"));
     made.setFont(new Font(Font.MONOSPACED, Font.PLAIN, made.getFont().getSize()));
-    made.setDefaultRenderer(Object.class, 
+    made.setDefaultRenderer(
+        Object.class,
         new MergeLineRenderer(
-            rows,
-            conflict -> selected().filter(row -> row.conflict() == conflict).isPresent()));
+            rows, conflict -> selected().filter(row -> row.conflict() == conflict).isPresent()));
     made.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
     made.setShowGrid(false);
     made.setIntercellSpacing(new Dimension(1, 0));

@@ -86,8 +86,7 @@ final class MergeLineRenderer extends DefaultTableCellRenderer {
     if (shown.from() < shown.to()) {
       int x = getInsets().left + width(g, sign + shown.text().substring(0, shown.from()));
       g.setColor(mark);
-      g.fillRect(
-          x, 0, width(g, shown.text().substring(shown.from(), shown.to())), getHeight());
+      g.fillRect(x, 0, width(g, shown.text().substring(shown.from(), shown.to())), getHeight());
     }
     super.paintComponent(g);
   }

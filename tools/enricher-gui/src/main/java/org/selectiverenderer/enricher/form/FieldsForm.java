@@ -36,7 +36,8 @@ final class FieldsForm implements Form {
       new JPanel(new MigLayout("insets 0, gapy 3, hidemode 3", "[][grow,fill][]"));
   private final JCheckBox all = new JCheckBox(Texts.of("fields.all"));
   private final JCheckBox others = new JCheckBox();
-  private final JPanel panel = new JPanel(new MigLayout("insets 8 0 0 0, wrap 1, hidemode 3", "[grow,fill]"));
+  private final JPanel panel =
+      new JPanel(new MigLayout("insets 8 0 0 0, wrap 1, hidemode 3", "[grow,fill]"));
   private final Choice choice;
   private List<FieldRow> shown = List.of();
   private List<String> names = List.of();
@@ -96,9 +97,7 @@ final class FieldsForm implements Form {
     return fields.stream()
         .filter(
             field ->
-                choice.all
-                    || field.written().isPresent()
-                    || offered.contains(FieldRow.key(field)))
+                choice.all || field.written().isPresent() || offered.contains(FieldRow.key(field)))
         .toList();
   }
 

@@ -30,8 +30,7 @@ import org.selectiverenderer.x3d.source.DocumentElement;
  */
 final class PlacementForm implements Form {
   private static final Map<PoseField, String> VERBS =
-      Map.of(
-          PoseField.TRANSLATION, "move", PoseField.ROTATION, "turn", PoseField.SCALE, "scale");
+      Map.of(PoseField.TRANSLATION, "move", PoseField.ROTATION, "turn", PoseField.SCALE, "scale");
 
   private final DocumentElement element;
   private final PlacementEditor editor;

@@ -92,8 +92,7 @@ public final class PlacementEditor {
     Optional<DocumentElement> at = session.document().tree().map(tree -> tree.root());
     for (int index : path) {
       at =
-          at.filter(node -> index < node.children().size())
-              .map(node -> node.children().get(index));
+          at.filter(node -> index < node.children().size()).map(node -> node.children().get(index));
     }
     return at;
   }

@@ -76,7 +76,8 @@ final class PreviewCameraController {
         elements.stream()
             .flatMap(each -> scene.nodes().find(each).flatMap(scene::bounds).stream())
             .reduce(BoundingBox::union);
-    box.ifPresent(each -> orbit.face(new UnobstructedView(scene, each, orbit.pose()).orientation()));
+    box.ifPresent(
+        each -> orbit.face(new UnobstructedView(scene, each, orbit.pose()).orientation()));
     box.or(scene::bounds).ifPresent(orbit::frame);
   }
 

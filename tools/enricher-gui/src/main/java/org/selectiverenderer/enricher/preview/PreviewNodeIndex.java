@@ -85,9 +85,7 @@ final class PreviewNodeIndex {
       Node node = child.node();
       if (all.add(node)) {
         ProtoInstanceOrigin body =
-            within == null || within.given(node.location())
-                ? ProtoInstanceOrigin.of(node)
-                : within;
+            within == null || within.given(node.location()) ? ProtoInstanceOrigin.of(node) : within;
         if (body != null) {
           instances.put(node, body);
         }

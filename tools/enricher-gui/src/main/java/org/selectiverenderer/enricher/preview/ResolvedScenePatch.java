@@ -112,8 +112,7 @@ final class ResolvedScenePatch {
 
   /** Reads new children; a scene without nodes where there are none. */
   private static Optional<Scene> added(ScenePatch.Children children, LoadedPreview loaded) {
-    String text =
-        children.count() == 0 ? "<X3D version='4.0'><Scene/></X3D>" : children.added();
+    String text = children.count() == 0 ? "<X3D version='4.0'><Scene/></X3D>" : children.added();
     byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
     ProblemCollector problems = new ProblemCollector(); // The document's own checks report them.
     try {

@@ -131,8 +131,7 @@ final class SceneTextDiff {
     PartPlaces places = new PartPlaces(part.place(), head.length());
     try {
       SceneTextDiff comparison =
-          new SceneTextDiff(
-              catalogue, before, after, head + old + tail, head + now + tail, places);
+          new SceneTextDiff(catalogue, before, after, head + old + tail, head + now + tail, places);
       ScenePatch.Shift shift =
           new ScenePatch.Shift(
               places.of(end(comparison.before, tail)), places.of(end(comparison.after, tail)));

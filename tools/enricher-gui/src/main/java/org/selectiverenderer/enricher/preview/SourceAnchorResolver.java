@@ -33,11 +33,7 @@ final class SourceAnchorResolver {
     while (at.isPresent()) {
       DocumentElement around = at.get();
       SourceLocation place = document.location(around.start());
-      anchors.add(
-          new SourceAnchor(
-              name(around),
-              place.line(),
-              place.column()));
+      anchors.add(new SourceAnchor(name(around), place.line(), place.column()));
       at = around.parent();
     }
     return anchors;

@@ -55,15 +55,13 @@ final class UnobstructedView {
     Quaterniondc best = present.orientation();
     double tilt = Math.asin(Math.max(-1, Math.min(1, forward.y)));
     double[] pitches =
-        DoubleStream.concat(
-                DoubleStream.of(tilt), DoubleStream.of(PITCHES).map(Math::toRadians))
+        DoubleStream.concat(DoubleStream.of(tilt), DoubleStream.of(PITCHES).map(Math::toRadians))
             .toArray();
     for (double pitch : pitches) {
       for (int turn = 0; turn <= 180; turn += YAW_STEP) {
         for (int side = -1; side <= 1; side += 2) {
           Quaterniond other =
-              new Quaterniond()
-                  .rotationYXZ(yaw + Math.toRadians(side * turn), pitch, 0);
+              new Quaterniond().rotationYXZ(yaw + Math.toRadians(side * turn), pitch, 0);
           double seen = seen(other);
           if (seen >= ENOUGH) {
             return other;
@@ -83,8 +81,7 @@ final class UnobstructedView {
     Vector3d eye =
         orientation
             .transform(
-                new Vector3d(
-                    0, 0, CameraFraming.distance(box, orientation, present.fieldOfView())))
+                new Vector3d(0, 0, CameraFraming.distance(box, orientation, present.fieldOfView())))
             .add(centre);
     int clear = clear(eye, centre) ? 1 : 0;
     for (int corner = 0; corner < 8; corner++) {

@@ -41,8 +41,7 @@ final class SelectionHistory implements UndoListener {
    * @param selected returns the selected elements
    * @param select selects the elements of paths
    */
-  SelectionHistory(
-      Supplier<List<DocumentElement>> selected, Consumer<List<ElementPath>> select) {
+  SelectionHistory(Supplier<List<DocumentElement>> selected, Consumer<List<ElementPath>> select) {
     this.selected = selected;
     this.select = select;
   }

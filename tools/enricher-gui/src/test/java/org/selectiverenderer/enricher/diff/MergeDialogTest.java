@@ -46,8 +46,8 @@ class MergeDialogTest {
 
   @Test
   void aLongLineShowsWhereItDiffersAndIsWholeInATip() throws Exception {
-    String point = "  <Coordinate point='" + "1 2.5 -3 ".repeat(40) + "4"
-        + " 5 6".repeat(40) + "'/>\n";
+    String point =
+        "  <Coordinate point='" + "1 2.5 -3 ".repeat(40) + "4" + " 5 6".repeat(40) + "'/>\n";
     String base = BASE.replace("  <Shape DEF='Pot'/>\n", point);
     ThreeWayMerge moved =
         ThreeWayMerge.of(

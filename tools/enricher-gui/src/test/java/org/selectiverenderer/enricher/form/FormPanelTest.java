@@ -135,8 +135,7 @@ class FormPanelTest {
           "the keyboard in the new form",
           () -> window.named("placement translation").isFocusOwner());
       String text = EventThread.get(() -> window.session.document().text().toString());
-      assertThat(text)
-          .containsPattern("<Transform translation='1 0 -2.5'>\\s+<Shape DEF='Low'");
+      assertThat(text).containsPattern("<Transform translation='1 0 -2.5'>\\s+<Shape DEF='Low'");
       assertThat(shown(window.named("placement translation"))).isEqualTo("1 0 -2.5");
       assertThat(EventThread.get(() -> window.session.selection().orElseThrow().def()))
           .contains("Low");

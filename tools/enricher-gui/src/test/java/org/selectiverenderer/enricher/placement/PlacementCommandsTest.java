@@ -35,8 +35,7 @@ class PlacementCommandsTest {
   private static void nudge(EnricherSession session, String... names) {
     edt(
         () -> {
-          session.selectAll(
-              Stream.of(names).map(name -> named(session, name)).toList(), session);
+          session.selectAll(Stream.of(names).map(name -> named(session, name)).toList(), session);
           new PlacementCommands(session, new NoScene()).nudge(new Vector3d(1, 0, 0));
         });
   }

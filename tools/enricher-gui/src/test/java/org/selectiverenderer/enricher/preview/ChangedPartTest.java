@@ -141,8 +141,7 @@ class ChangedPartTest {
   @Test
   void linesThatComeMoveWhatIsBehindThem() throws IOException {
     takenOver(
-        new Edited(SCENE)
-            .replace("<Group DEF='Beside'/>", "<Group/>\n\n  <Group DEF='Beside'/>"));
+        new Edited(SCENE).replace("<Group DEF='Beside'/>", "<Group/>\n\n  <Group DEF='Beside'/>"));
   }
 
   @Test
@@ -161,7 +160,9 @@ class ChangedPartTest {
       DocumentSnapshot before = edited.before;
       for (String[] each :
           new String[][] {
-            {"<Group DEF='Beside'/>", "<Group/>\n<Group DEF='Beside'><Shape><Box/></Shape></Group>"},
+            {
+              "<Group DEF='Beside'/>", "<Group/>\n<Group DEF='Beside'><Shape><Box/></Shape></Group>"
+            },
             {"<Box/>", "<Box size='3 3 3'/>"},
             {"DEF='Beside'", "\nDEF='By'"},
             {"radius='5'", "radius='1'"},

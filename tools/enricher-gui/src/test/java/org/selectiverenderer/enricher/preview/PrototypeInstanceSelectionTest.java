@@ -164,8 +164,7 @@ class PrototypeInstanceSelectionTest extends PreviewFixture {
         + window
             .session
             .document()
-            .text(
-                each.parent().orElseThrow().start(), each.parent().orElseThrow().tagEnd());
+            .text(each.parent().orElseThrow().start(), each.parent().orElseThrow().tagEnd());
   }
 
   @Test
@@ -253,8 +252,7 @@ class PrototypeInstanceSelectionTest extends PreviewFixture {
               window
                   .panel
                   .probe()
-                  .within(
-                      new BoundingBox(-8, 10, -2, 8, 10, 2), List.of(), found::complete));
+                  .within(new BoundingBox(-8, 10, -2, 8, 10, 2), List.of(), found::complete));
       List<String> tags = new ArrayList<>();
       for (DocumentElement each : found.get(60, TimeUnit.SECONDS)) {
         tags.add(get(() -> window.session.document().text(each.start(), each.tagEnd())));

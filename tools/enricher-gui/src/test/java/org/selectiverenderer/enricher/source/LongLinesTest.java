@@ -90,8 +90,7 @@ class LongLinesTest {
       assertThat(hasType(words, TokenTypes.MARKUP_TAG_NAME)).as(words).isTrue();
       assertThat(hasType(words, TokenTypes.MARKUP_TAG_ATTRIBUTE_VALUE)).as(words).isTrue();
       int line = lineOf(words);
-      hands.await(
-          "a fold of " + words, () -> area.getFoldManager().getFoldForLine(line) != null);
+      hands.await("a fold of " + words, () -> area.getFoldManager().getFoldForLine(line) != null);
     }
   }
 

@@ -214,7 +214,19 @@ class BatchVersionsDialogTest {
     assertThat(goals.fault()).isEmpty();
     for (String wrong :
         List.of(
-            "", "x", "0", "-1", "101", "NaN", "50f", "50d", "0x1p3", "1e1", "1,5", "50,20", "5 %",
+            "",
+            "x",
+            "0",
+            "-1",
+            "101",
+            "NaN",
+            "50f",
+            "50d",
+            "0x1p3",
+            "1e1",
+            "1,5",
+            "50,20",
+            "5 %",
             "1 2 3 4 5 6 7 8 9")) {
       BatchGoal read = BatchGoal.read(BatchGoal.Kind.TOLERANCE, wrong);
       assertThat(read.targets()).as(wrong).isEmpty();

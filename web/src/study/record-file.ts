@@ -1,11 +1,6 @@
-/** Takes the records of a session, in order, and keeps them until they are where they belong. */
-export interface DataSink {
-  send(record: unknown): void;
-  /** Waits until all is delivered; fails if it cannot be. */
-  finish(): Promise<void>;
-}
+import type { DataSink } from '../data/sink.js';
 
-/** Keeps the records for a file that the participant saves: for trying a study out, and as a last resort. */
+/** Keeps the records for a file that the participant saves: for trying a study out without a receiver. */
 export class RecordFile implements DataSink {
   private readonly lines: string[] = [];
 
@@ -20,7 +15,7 @@ export class RecordFile implements DataSink {
   /** Returns a link that saves the records as JSON Lines. */
   link(label: string, name: string): HTMLAnchorElement {
     const link = document.createElement('a');
-    link.href = URL.createObjectURL(new Blob([this.lines.map((line) => `${line}\n`).join('')], { type: 'application/x-ndjson' }));
+    link.href = URL.createObjectURL(new Blob([this.lines.map((line) => `${line}\n`).join('')], { type: 'application/jsonl' }));
     link.download = name;
     link.className = 'jspsych-btn';
     link.textContent = label;
