@@ -13,7 +13,11 @@ const LEFT_OUT = new Set(['RigidBodyPhysicsComponent.min.js', 'Texturing3DCompon
 await rm(site, { recursive: true, force: true });
 await mkdir(path.join(site, 'page', 'x_ite'), { recursive: true });
 await build({
-  entryPoints: { 'page/page': path.join(here, 'src', 'page', 'main.ts') },
+  entryPoints: {
+    'page/page': path.join(here, 'src', 'page', 'main.ts'),
+    // The program knows the files of a study's page by their names, which begin with "study".
+    'page/study': path.join(here, 'src', 'study', 'main.ts'),
+  },
   bundle: true,
   minify: true,
   format: 'iife',
@@ -23,6 +27,9 @@ await build({
 });
 await cp(path.join(here, 'src', 'page', 'index.html'), path.join(site, 'index.html'));
 await cp(path.join(here, 'src', 'page', 'page.css'), path.join(site, 'page', 'page.css'));
+await cp(path.join(here, 'src', 'study', 'study.html'), path.join(site, 'study.html'));
+await cp(path.join(here, 'src', 'study', 'study.css'), path.join(site, 'page', 'study.css'));
+await cp(path.join(here, 'src', 'study', 'licences.txt'), path.join(site, 'page', 'study-licences.txt'));
 
 const dist = path.join(xite, 'dist');
 const into = path.join(site, 'page', 'x_ite');

@@ -10,6 +10,9 @@ export class Walker {
   /** Whether the viewer is moved; a path that is replayed switches this off. */
   walks = true;
 
+  /** Whether the viewer keeps its place and only turns. */
+  stays = false;
+
   private last = performance.now();
   private still = 0;
 
@@ -28,7 +31,7 @@ export class Walker {
     if (!this.walks) {
       return;
     }
-    const moves = intent.forward !== 0 || intent.sideways !== 0;
+    const moves = !this.stays && (intent.forward !== 0 || intent.sideways !== 0);
     const turns = intent.turning !== 0 || drag.left !== 0 || drag.up !== 0;
     // Looking for the floor draws the scene once more: after a step, and until the eyes are at their height.
     this.still = moves ? 0 : this.still + 1;
@@ -42,7 +45,7 @@ export class Walker {
       const way = this.world.free(wanted.x, wanted.z);
       pose = { ...pose, x: pose.x + way.x, z: pose.z + way.z };
     }
-    if (this.still <= 30) {
+    if (!this.stays && this.still <= 30) {
       pose = { ...pose, y: pose.y + rise(this.world.floor(), how.eyes, how.stairs, seconds) };
     }
     this.world.setPose(pose);

@@ -14,8 +14,8 @@ export type WorldEvent =
 export interface ExportedScene {
   /** The scene's address, relative to the page. */
   readonly file: string;
-  /** DEF name of the Script that controls the versions. */
-  readonly controller: string;
+  /** DEF name of the Script that controls the versions; none in a scene without enriched objects. */
+  readonly controller?: string;
 }
 
 interface Vector {
@@ -44,10 +44,10 @@ export class World {
     private readonly x3d: Namespace,
     readonly browser: Browser,
     private readonly scene: Scene,
-    private readonly controller: FieldNode,
+    private readonly controller: FieldNode | undefined,
   ) {
-    this.areas = strings(controller.areaNames);
-    this.objects = strings(controller.objectNames);
+    this.areas = controller ? strings(controller.areaNames) : [];
+    this.objects = controller ? strings(controller.objectNames) : [];
     this.viewpoint = scene.createNode('Viewpoint') as unknown as FieldNode;
     scene.addRootNode(this.viewpoint);
     this.head = this.adopt();
@@ -69,11 +69,13 @@ export class World {
       throw new Error(`${exported.file} cannot be loaded: ${reason(error)}`, { cause: error });
     }
     const scene = browser.currentScene;
-    let controller: FieldNode;
-    try {
-      controller = named(scene, exported.controller);
-    } catch (error) {
-      throw new Error(`${exported.file} has no Script ${exported.controller}; export the scene anew`, { cause: error });
+    let controller: FieldNode | undefined;
+    if (exported.controller !== undefined) {
+      try {
+        controller = named(scene, exported.controller);
+      } catch (error) {
+        throw new Error(`${exported.file} has no Script ${exported.controller}; export the scene anew`, { cause: error });
+      }
     }
     const world = new World(x3d, browser, scene, controller);
     await browser.nextFrame();
@@ -98,8 +100,10 @@ export class World {
 
   /** Shows the objects as a condition says; the seed draws those of the condition random. */
   setCondition(condition: Condition, seed: number): void {
-    this.controller.setSeed = seed;
-    this.controller.setCondition = condition;
+    if (this.controller) {
+      this.controller.setSeed = seed;
+      this.controller.setCondition = condition;
+    }
   }
 
   /** Returns the descriptions of the scene's viewpoints, in its order; the first is the one it begins with. */
@@ -111,9 +115,29 @@ export class World {
   visit(index: number): void {
     const view = this.views()[index];
     if (view) {
-      this.bound = view;
-      this.setPose(poseOf(view));
+      this.go(view);
     }
+  }
+
+  /**
+   * Takes the viewer to a viewpoint of the scene, by its DEF name.
+   *
+   * @throws Error with a sentence if there is none
+   */
+  visitNamed(name: string): void {
+    let view: FieldNode;
+    try {
+      view = named(this.scene, name);
+    } catch (error) {
+      throw new Error(`the scene has no Viewpoint ${name}; export the study anew`, { cause: error });
+    }
+    this.go(view);
+  }
+
+  private go(view: FieldNode): void {
+    this.bound = view;
+    this.viewpoint.fieldOfView = view.fieldOfView ?? Math.PI / 4;
+    this.setPose(poseOf(view));
   }
 
   /** Returns where the viewer's eyes are, and where they look. */

@@ -295,7 +295,7 @@ final class SessionRunProvider implements RunSequence.Runs {
 
   /** Returns the seed of the random condition, which is fixed for each participant. */
   private long lot() {
-    return session.material().study().seed() * 31 + session.folder().participant().hashCode();
+    return session.material().study().lot(session.folder().participant());
   }
 
   private RunListener listener(SessionStep step, Optional<Path> log) {

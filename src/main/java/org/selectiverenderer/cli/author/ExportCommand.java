@@ -27,6 +27,7 @@ import org.selectiverenderer.export.ExportSettings;
 import org.selectiverenderer.export.ExportedScene;
 import org.selectiverenderer.export.SceneExporter;
 import org.selectiverenderer.export.WebFolder;
+import org.selectiverenderer.export.WebScene;
 import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.write.SceneFormat;
@@ -121,7 +122,7 @@ public final class ExportCommand extends CliCommand {
             settings.condition(),
             (int) settings.seed(),
             to.format,
-            to == Form.web ? WebFolder::name : UnaryOperator.identity(),
+            to == Form.web ? WebScene::name : UnaryOperator.identity(),
             !withoutScript);
     Optional<ExportedScene> exported =
         new SceneExporter(NodeCatalogue.load(), access.access(), problems)
@@ -146,7 +147,7 @@ public final class ExportCommand extends CliCommand {
     String name = String.valueOf(scene.file().getFileName());
     int dot = name.indexOf('.', 1);
     String stem = dot < 0 ? name : name.substring(0, dot);
-    return to == Form.web ? WebFolder.name(stem + ".x3d") : stem + "." + to;
+    return to == Form.web ? WebScene.name(stem + ".x3d") : stem + "." + to;
   }
 
   private ExitStatus writeScene(ScenePackage exported) throws IOException {

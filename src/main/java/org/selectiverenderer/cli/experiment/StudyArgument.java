@@ -62,6 +62,24 @@ final class StudyArgument {
   }
 
   /**
+   * Reads the study in each of its languages for a command that copies its scenes, which needs the
+   * user's agreement to files outside of its folder.
+   */
+  Optional<List<LoadedStudy>> readToCopy(
+      TrustOption trust, Console console, ProblemCollector problems) throws IOException {
+    return LoadedStudy.readAll(
+        file(),
+        Optional.empty(),
+        read -> {
+          PermissionRequests all = StudyPermissions.of(read);
+          trust.require(
+              file(), all.of(Kind.FILE, Kind.FOLDER), TrustPrompt.onTerminal(console), console);
+          return true;
+        },
+        problems);
+  }
+
+  /**
    * Reads the study for a session, which needs the user's agreement to all that the study asks for.
    *
    * @param language the language that comes first; empty for the study's first

@@ -70,6 +70,20 @@ public final class SceneExporter {
    */
   public Optional<ExportedScene> export(Path scene, ExportSettings settings, String name)
       throws IOException {
+    return export(scene, settings, name, false);
+  }
+
+  /**
+   * Exports a scene as {@link #export(Path, ExportSettings, String)}, also one without an enriched
+   * object, which then has no controller.
+   */
+  public Optional<ExportedScene> exportAny(Path scene, ExportSettings settings, String name)
+      throws IOException {
+    return export(scene, settings, name, true);
+  }
+
+  private Optional<ExportedScene> export(
+      Path scene, ExportSettings settings, String name, boolean any) throws IOException {
     Path folder = Objects.requireNonNull(scene.toRealPath().getParent());
     UrlResolver resolver = new UrlResolver(folder, access);
     Optional<SceneDocument> flat =
@@ -79,16 +93,18 @@ public final class SceneExporter {
     }
     SceneDocument document = flat.get();
     DocumentEnrichment enrichment = new DocumentEnrichment(document, catalogue);
-    if (!exportable(document, enrichment, scene)) {
-      return Optional.empty();
-    }
-    nameNodes(document, enrichment);
-    ControlledNodes nodes = ControlledNodes.of(enrichment);
     Optional<String> script = Optional.empty();
-    if (settings.script()) {
-      script = Optional.of(addScript(document, nodes, settings));
-    } else if (!addRoutes(document, nodes, enrichment)) {
-      return Optional.empty();
+    if (!any || enrichment.switches().stream().anyMatch(EnrichedSwitch::enriched)) {
+      if (!exportable(document, enrichment, scene)) {
+        return Optional.empty();
+      }
+      nameNodes(document, enrichment);
+      ControlledNodes nodes = ControlledNodes.of(enrichment);
+      if (settings.script()) {
+        script = Optional.of(addScript(document, nodes, settings));
+      } else if (!addRoutes(document, nodes, enrichment)) {
+        return Optional.empty();
+      }
     }
     PackageLayout layout = PackageLayout.around(folder, settings.names());
     ScenePackager packager = new ScenePackager(catalogue, folder, access, layout, () -> false);

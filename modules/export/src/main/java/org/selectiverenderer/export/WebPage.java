@@ -8,15 +8,21 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.function.Predicate;
 import org.selectiverenderer.authoring.packaging.PackagedFile;
 
 /**
- * The page that shows an exported scene in a web browser, with the X3D browser X_ITE: what the
- * build of the folder {@code web} has put on the class path.
+ * A page for web browsers with the X3D browser X_ITE, which shows an exported scene or runs a
+ * study: what the build of the folder {@code web} has put on the class path.
  */
-final class WebPage {
+public final class WebPage {
   private static final String FOLDER = "/org/selectiverenderer/web/";
   private static final String LIST = "files.txt";
+
+  /** The files that only the page of a study needs; they begin alike. */
+  private static final String STUDY = "study";
+
+  private static final Path INDEX = Path.of("index.html");
 
   private final List<PackagedFile> files;
 
@@ -24,17 +30,35 @@ final class WebPage {
     this.files = List.copyOf(files);
   }
 
-  /** Returns the page; empty if this program was built without Node.js, which makes it. */
-  static Optional<WebPage> load() throws IOException {
+  /**
+   * Returns the page that shows a scene; empty if this program was built without Node.js, which
+   * makes it.
+   */
+  public static Optional<WebPage> ofScene() throws IOException {
+    return load(name -> !studies(name));
+  }
+
+  /** Returns the page that runs a study, as {@link #ofScene}. */
+  public static Optional<WebPage> ofStudy() throws IOException {
+    return load(name -> studies(name) || name.startsWith("page/x_ite/"));
+  }
+
+  private static boolean studies(String name) {
+    return String.valueOf(Path.of(name).getFileName()).startsWith(STUDY);
+  }
+
+  private static Optional<WebPage> load(Predicate<String> wanted) throws IOException {
     Optional<byte[]> list = read(LIST);
     if (list.isEmpty()) {
       return Optional.empty();
     }
     List<PackagedFile> files = new ArrayList<>();
-    for (String name : new String(list.get(), StandardCharsets.UTF_8).lines().toList()) {
+    for (String name :
+        new String(list.get(), StandardCharsets.UTF_8).lines().filter(wanted).toList()) {
       byte[] content =
           read(name).orElseThrow(() -> new IOException("the program lacks its file " + name));
-      files.add(new PackagedFile(Path.of(name), Path.of(name), Optional.of(content)));
+      Path target = name.equals(STUDY + ".html") ? INDEX : Path.of(name);
+      files.add(new PackagedFile(target, Path.of(name), Optional.of(content)));
     }
     return Optional.of(new WebPage(files));
   }
@@ -51,7 +75,8 @@ final class WebPage {
         || file.target().toString().contains("LICENSE");
   }
 
-  List<PackagedFile> files() {
+  /** Returns the files of the page. */
+  public List<PackagedFile> files() {
     return files;
   }
 }

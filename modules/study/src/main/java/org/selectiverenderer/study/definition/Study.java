@@ -190,6 +190,11 @@ public record Study(
         triggers);
   }
 
+  /** Returns the seed of a participant's condition {@code random}, always the same for them. */
+  public long lot(String participant) {
+    return seed * 31 + participant.hashCode();
+  }
+
   /** Returns the study file's folder, which also contains the sessions. */
   public Path folder() {
     return file.toAbsolutePath().getParent();

@@ -95,6 +95,14 @@ public final class ParticipantMessages {
         .toList();
   }
 
+  /** Returns the keys that begin with a text, in alphabetical order. */
+  public List<String> keys(String beginning) {
+    return words.stringPropertyNames().stream()
+        .filter(key -> key.startsWith(beginning))
+        .sorted()
+        .toList();
+  }
+
   /** Returns the code of the language. */
   public String language() {
     return language;

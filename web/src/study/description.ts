@@ -1,0 +1,168 @@
+import { CONDITIONS, type Condition, type ExportedScene } from '../scene/world.js';
+
+/** A page or a question is shown only if an earlier question has one of some answers. */
+export interface Rule {
+  readonly question: string;
+  readonly is: readonly string[];
+}
+
+export interface Option {
+  readonly value: string;
+  readonly label: string;
+  readonly note?: string;
+  readonly picture?: string;
+}
+
+/** What is filled in: the value, or how sure one is of it. */
+export type Field =
+  | {
+      readonly type: 'choice';
+      readonly options: readonly Option[];
+      readonly several?: boolean;
+      readonly least?: string;
+      readonly most?: string;
+    }
+  | {
+      readonly type: 'line';
+      readonly lines: number;
+      readonly unit?: string;
+      readonly range?: { readonly least: number; readonly most: number; readonly whole: boolean };
+    }
+  | {
+      readonly type: 'slider';
+      /** The values of all positions, from the left to the right. */
+      readonly values: readonly string[];
+      readonly least?: string;
+      readonly most?: string;
+      readonly number?: boolean;
+      readonly marks?: boolean;
+      /** The position of the thumb before it is touched, which is no answer. */
+      readonly start?: number;
+    }
+  | { readonly type: 'ranking'; readonly options: readonly Option[] };
+
+export interface Question {
+  readonly id: string;
+  readonly kind: string;
+  readonly text?: string;
+  readonly grid?: string;
+  readonly stem?: string;
+  readonly optional?: boolean;
+  readonly personal?: boolean;
+  readonly example?: boolean;
+  /** The only value with which one may take part. */
+  readonly must?: string;
+  readonly sets?: string;
+  readonly when?: Rule;
+  readonly fields: readonly Field[];
+}
+
+export interface Page {
+  readonly id: string;
+  readonly title?: string;
+  readonly text?: string;
+  readonly picture?: string;
+  readonly when?: Rule;
+  readonly headings?: readonly string[];
+  readonly questions: readonly Question[];
+}
+
+export interface StudyScene extends ExportedScene {
+  readonly files: Readonly<Record<string, number>>;
+}
+
+export type Step =
+  | { readonly kind: 'form' | 'questions' }
+  | { readonly kind: 'practice'; readonly scene: string; readonly viewpoint: string }
+  | {
+      readonly kind: 'exposure';
+      readonly scene: string;
+      readonly area: string;
+      readonly viewpoint: string;
+      readonly seconds: number;
+      readonly stay: 'turn' | 'free';
+    };
+
+/** Where a participant's order is not that of the file: ids of questions by page, values of options by question. */
+export interface Order {
+  readonly questions?: Readonly<Record<string, readonly string[]>>;
+  readonly options?: Readonly<Record<string, readonly string[]>>;
+}
+
+/** A place of the study's plan, which one participant takes. */
+export interface Slot {
+  readonly slot: number;
+  readonly participant: string;
+  readonly group: string;
+  readonly condition: Condition;
+  readonly seed: number;
+  readonly steps: readonly string[];
+  readonly order?: Readonly<Record<string, Order>>;
+}
+
+export interface Texts {
+  readonly words: Readonly<Record<string, string>>;
+  readonly questionnaires: Readonly<Record<string, readonly Page[]>>;
+}
+
+/** What study-web.json says: it is written by the command "experiment export". */
+export interface Study {
+  readonly name: string;
+  readonly checksum: string;
+  readonly languages: readonly string[];
+  readonly fade: number;
+  readonly mute?: boolean;
+  readonly scenes: Readonly<Record<string, StudyScene>>;
+  readonly steps: Readonly<Record<string, Step>>;
+  readonly texts: Readonly<Record<string, Texts>>;
+  readonly slots: readonly Slot[];
+}
+
+/** Checks what study-web.json holds. */
+export function parse(json: unknown): Study {
+  const found = json as (Partial<Study> & { format?: unknown }) | null;
+  const slots = found?.slots;
+  if (found?.format !== 1 || !Array.isArray(slots) || slots.length === 0
+    || !slots.every((slot: Slot) => CONDITIONS.includes(slot.condition))) {
+    throw new Error('study-web.json does not describe a study that this page knows; export it anew');
+  }
+  return found as Study;
+}
+
+/** Returns the pages of a questionnaire in a participant's order. */
+export function ordered(pages: readonly Page[], order: Order | undefined): readonly Page[] {
+  if (!order) {
+    return pages;
+  }
+  return pages.map((page) => ({
+    ...page,
+    questions: arranged(page.questions, order.questions?.[page.id], (question) => question.id)
+      .map((question) => withOptions(question, order.options?.[question.id])),
+  }));
+}
+
+function withOptions(question: Question, values: readonly string[] | undefined): Question {
+  const fields = question.fields.map((field, i) => (
+    i === 0 && (field.type === 'choice' || field.type === 'ranking')
+      ? { ...field, options: arranged(field.options, values, (option) => option.value) }
+      : field
+  ));
+  return { ...question, fields };
+}
+
+function arranged<T>(all: readonly T[], names: readonly string[] | undefined, name: (one: T) => string): readonly T[] {
+  if (!names) {
+    return all;
+  }
+  return names.flatMap((wanted) => all.filter((one) => name(one) === wanted));
+}
+
+/** The words that participants read, with values for the places {0}, {1} in them. */
+export class Wording {
+  constructor(private readonly words: Readonly<Record<string, string>>) {}
+
+  of(key: string, ...values: readonly (string | number)[]): string {
+    const text = this.words[key] ?? key;
+    return text.replace(/\{(\d)\}/g, (place, index: string) => String(values[Number(index)] ?? place));
+  }
+}

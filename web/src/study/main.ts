@@ -1,0 +1,190 @@
+import browserCheck from '@jspsych/plugin-browser-check';
+import fullscreen from '@jspsych/plugin-fullscreen';
+import htmlButtonResponse from '@jspsych/plugin-html-button-response';
+import { initJsPsych } from 'jspsych';
+import { dataWords } from '../data/words.js';
+import { parse, Wording, type Slot, type Study } from './description.js';
+import { escaped } from './escape.js';
+import { element as make } from './fields.js';
+import { RecordFile } from './record-file.js';
+import { Recorder } from './recorder.js';
+import { open, type Session } from './session.js';
+import { completion, language, recruitment, settings, type Settings } from './settings.js';
+import { Stage } from './stage.js';
+import { timeline } from './steps.js';
+
+function element(id: string): HTMLElement {
+  const found = document.getElementById(id);
+  if (!found) {
+    throw new Error(`the page lacks the element ${id}`);
+  }
+  return found;
+}
+
+async function json(url: string): Promise<unknown> {
+  const answer = await fetch(url, { cache: 'no-cache' });
+  if (!answer.ok) {
+    throw new Error(`${url} cannot be read (${answer.status}); the page needs all files of its folder`);
+  }
+  return answer.json();
+}
+
+function failed(error: unknown, sentence = ''): void {
+  const message = error instanceof Error ? error.message : String(error);
+  element('stage').style.visibility = 'hidden';
+  const told = make('p', 'fault', `${sentence} ${message}`.trim());
+  told.setAttribute('role', 'alert');
+  element('message').replaceChildren(told);
+  element('study').hidden = true;
+}
+
+async function run(): Promise<void> {
+  const study = parse(await json('study-web.json'));
+  const lab = settings(await json('study-settings.json'));
+  const ids = recruitment(location.search);
+  const wanted = language(location.search, navigator.languages, study.languages);
+  const session = await open(study, lab, location.search, element('message'), wanted, Object.values(ids).join(' '));
+  const spoken = session.kept?.language ?? wanted;
+  const texts = study.texts[spoken];
+  if (!texts) {
+    throw new Error(`study-web.json has no texts in ${spoken}; export the study anew`);
+  }
+  document.documentElement.lang = spoken;
+  const words = new Wording(texts.words);
+  const slot = session.slot === undefined ? undefined : study.slots[session.slot];
+  if (session.ended) {
+    await finish(session, lab, ids, words);
+  } else if (!slot) {
+    element('message').replaceChildren(make('p', '', words.of('web.full')));
+  } else if (!document.createElement('canvas').getContext('webgl2') && Object.keys(study.scenes).length > 0) {
+    element('message').replaceChildren(make('p', 'fault', words.of('web.no-graphics')));
+  } else {
+    await ask(study, lab, ids, session, slot, spoken, words);
+  }
+}
+
+/** Runs the session of a participant. */
+async function ask(
+  study: Study,
+  lab: Settings,
+  ids: Readonly<Record<string, string>>,
+  session: Session,
+  slot: Slot,
+  spoken: string,
+  words: Wording,
+): Promise<void> {
+  const texts = study.texts[spoken];
+  if (!texts) {
+    return;
+  }
+  window.addEventListener('unhandledrejection', (event) => { failed(event.reason, words.of('web.failed')); });
+  const recorder = new Recorder(
+    {
+      study: study.name,
+      checksum: study.checksum,
+      session: session.id,
+      slot: slot.slot,
+      participant: slot.participant,
+      group: slot.group,
+      condition: slot.condition,
+      language: spoken,
+    },
+    session.sink,
+  );
+  const jsPsych = initJsPsych({
+    display_element: 'study',
+    on_interaction_data_update: (data: { event: string }) => { recorder.interrupted(data.event); },
+  });
+  const stage = new Stage(element('stage'), element('scene'), element('curtain'), study.scenes, study.mute === true);
+  const done = [...(session.kept?.done ?? [])];
+  let device: Record<string, unknown> = {};
+  let refused = false;
+  const keep = (step: string): void => { session.place.write({ language: spoken, done, open: step }); };
+  const steps = timeline(
+    {
+      study,
+      slot,
+      texts,
+      words,
+      stage,
+      recorder,
+      repeated: session.kept?.open ?? '',
+      first: () => ({ recruitment: ids, device }),
+      begun: keep,
+      ended: (step) => {
+        done.push(step);
+        keep('');
+      },
+      refused: () => {
+        refused = true;
+        jsPsych.abortExperiment();
+      },
+    },
+    done,
+  );
+  await jsPsych.run([
+    {
+      type: browserCheck,
+      skip_features: ['webcam', 'microphone', 'webaudio'],
+      minimum_width: lab.minWidth,
+      minimum_height: lab.minHeight,
+      window_resize_message: `<p>${escaped(words.of('web.small', lab.minWidth, lab.minHeight))}</p>`,
+      resize_fail_button_text: escaped(words.of('web.small.end')),
+      inclusion_function: (data: { vsync_rate: number }) => data.vsync_rate >= lab.minRefresh,
+      exclusion_message: () => `<p>${escaped(words.of('web.unfit'))}</p>`,
+      on_finish: (data: Record<string, unknown>) => {
+        const { browser, browser_version, mobile, os, vsync_rate, width, height } = data;
+        device = { browser, browser_version, mobile, os, vsync_rate, width, height };
+      },
+    },
+    {
+      type: htmlButtonResponse,
+      stimulus: [words.of('web.welcome'), ...(session.lasting || lab.receiver === '' ? [] : [dataWords(spoken).notKept])]
+        .map((line) => `<p>${escaped(line)}</p>`).join(''),
+      choices: [escaped(words.of('web.begin'))],
+    },
+    ...(lab.fullScreen && document.fullscreenEnabled
+      ? [{
+          type: fullscreen,
+          message: `<p>${escaped(words.of('web.full-screen'))}</p>`,
+          button_label: escaped(words.of('next')),
+        }]
+      : []),
+    ...steps,
+  ] as never);
+  if (document.fullscreenElement) {
+    await document.exitFullscreen();
+  }
+  if (refused) {
+    element('study').hidden = true;
+    await session.sink.finish();
+    session.place.forget();
+    element('message').replaceChildren(make('p', '', words.of('web.refused')));
+  } else if (slot.steps.every((step) => done.includes(step))) {
+    await finish(session, lab, ids, words);
+  }
+}
+
+/** Waits until the data are where they belong, and thanks. */
+async function finish(session: Session, lab: Settings, ids: Readonly<Record<string, string>>, words: Wording): Promise<void> {
+  element('study').hidden = true;
+  await session.sink.finish();
+  session.place.forget();
+  const end = make('div', 'end');
+  end.append(make('h1', '', words.of('thanks.title')));
+  if (session.sink instanceof RecordFile) {
+    end.append(session.sink.link(words.of('web.save'), `${session.id}.jsonl`));
+  }
+  if (lab.completion === '') {
+    end.append(make('p', '', words.of('web.thanks')));
+  } else {
+    const link = document.createElement('a');
+    link.href = completion(lab.completion, ids);
+    link.className = 'jspsych-btn';
+    link.textContent = words.of('web.completion.link');
+    end.append(make('p', '', words.of('web.completion')), link);
+  }
+  element('message').replaceChildren(end);
+}
+
+run().catch((error: unknown) => { failed(error); });

@@ -1,0 +1,59 @@
+import type { DataSink } from '../data/sink.js';
+
+/** What is the same in all records of a session. */
+export interface Identity {
+  readonly study: string;
+  readonly checksum: string;
+  /** A random id, made by the page. */
+  readonly session: string;
+  readonly slot: number;
+  readonly participant: string;
+  readonly group: string;
+  readonly condition: string;
+  readonly language: string;
+}
+
+/** Something that happened to the page: it lost or got the focus, left or came to the full screen. */
+interface Interruption {
+  /** Seconds since the step began. */
+  readonly t: number;
+  readonly event: string;
+}
+
+/** Makes one record of each step as it ends. */
+export class Recorder {
+  private step = '';
+  private started = new Date();
+  private began = 0;
+  private interruptions: Interruption[] = [];
+
+  constructor(
+    private readonly identity: Identity,
+    private readonly sink: DataSink,
+  ) {}
+
+  /** Begins a step; what has been noted of one that never ended is dropped. */
+  begin(step: string): void {
+    this.step = step;
+    this.started = new Date();
+    this.began = performance.now();
+    this.interruptions = [];
+  }
+
+  /** Notes that the page was left or came back. */
+  interrupted(event: string): void {
+    this.interruptions.push({ t: (performance.now() - this.began) / 1000, event });
+  }
+
+  /** Ends the step and hands its record on. */
+  end(content: Readonly<Record<string, unknown>>): void {
+    this.sink.send({
+      ...this.identity,
+      step: this.step,
+      started: this.started.toISOString(),
+      ended: new Date().toISOString(),
+      interruptions: this.interruptions,
+      ...content,
+    });
+  }
+}

@@ -1,0 +1,75 @@
+import { HttpSink } from '../data/http-sink.js';
+import { uuid } from '../data/session.js';
+import type { DataSink } from '../data/sink.js';
+import { WaitingPage } from '../data/waiting-page.js';
+import { dataWords } from '../data/words.js';
+import type { Study } from './description.js';
+import { StepsPlace, type KeptSteps } from './kept-steps.js';
+import { RecordFile } from './record-file.js';
+import { askedSlot, type Settings } from './settings.js';
+
+/** A participant's session: where its data go, which place of the plan it has, and how far it was. */
+export interface Session {
+  readonly id: string;
+  readonly sink: DataSink;
+  /** The place in the plan, from 0; undefined if all are taken. */
+  readonly slot: number | undefined;
+  readonly place: StepsPlace;
+  readonly kept: KeptSteps | undefined;
+  /** Whether the participant was at the end already. */
+  readonly ended: boolean;
+  /** Whether data outlive a closed page. */
+  readonly lasting: boolean;
+}
+
+/**
+ * Begins a session, or goes on with the one that a closed page left.
+ *
+ * @param waiting the element that tells of data on their way
+ * @param participant whom the recruitment sends, such as PROLIFIC_PID; empty if nobody says
+ */
+export async function open(
+  study: Study,
+  settings: Settings,
+  query: string,
+  waiting: HTMLElement,
+  language: string,
+  participant: string,
+): Promise<Session> {
+  const asked = askedSlot(query, study.slots.length);
+  if (settings.receiver === '') {
+    // Nobody counts the places: who tries the study out names one, or gets any.
+    const slot = asked ?? Math.floor(Math.random() * study.slots.length);
+    const id = uuid();
+    return { id, sink: new RecordFile(), slot, place: new StepsPlace(undefined, id), kept: undefined, ended: false, lasting: false };
+  }
+  const storage = ownStorage();
+  const sink = await HttpSink.open({
+    url: settings.receiver,
+    study: study.name,
+    participant,
+    waiting: new WaitingPage(waiting, dataWords(language)),
+    indexedDB: window.indexedDB,
+    localStorage: storage,
+    events: window,
+  });
+  const place = new StepsPlace(storage, sink.session);
+  return {
+    id: sink.session,
+    sink,
+    slot: asked ?? (await sink.slot()),
+    place,
+    kept: sink.resumed ? place.read() : undefined,
+    ended: sink.ended,
+    lasting: sink.lasting,
+  };
+}
+
+/** Returns the page's storage; a browser that forbids it throws. */
+function ownStorage(): Storage | undefined {
+  try {
+    return window.localStorage;
+  } catch {
+    return undefined;
+  }
+}

@@ -1,0 +1,82 @@
+/** What a lab sets in study-settings.json. */
+export interface Settings {
+  /** Address of the receiver of the data; empty for none. */
+  readonly receiver: string;
+  /** Address that participants are sent to at the end; empty for none. */
+  readonly completion: string;
+  readonly fullScreen: boolean;
+  /** Pixels that the window must have. */
+  readonly minWidth: number;
+  readonly minHeight: number;
+  /** Pictures per second that the screen must show; 0 for any. */
+  readonly minRefresh: number;
+}
+
+/** Checks what study-settings.json holds; a key that is missing has its usual value. */
+export function settings(json: unknown): Settings {
+  const found = (json ?? {}) as Partial<Record<keyof Settings, unknown>>;
+  const address = (key: 'receiver' | 'completion'): string => {
+    const value = found[key] ?? '';
+    if (typeof value !== 'string' || (value !== '' && !/^(https?:\/\/|\.{0,2}\/)/.test(value))) {
+      throw new Error(`study-settings.json: "${key}" must be an address that begins with https://, or ""`);
+    }
+    return value;
+  };
+  const number = (key: 'minWidth' | 'minHeight' | 'minRefresh'): number => {
+    const value = found[key] ?? 0;
+    if (typeof value !== 'number' || !(value >= 0)) {
+      throw new Error(`study-settings.json: "${key}" must be a number, 0 or above`);
+    }
+    return value;
+  };
+  return {
+    receiver: address('receiver'),
+    completion: address('completion'),
+    fullScreen: found.fullScreen !== false,
+    minWidth: number('minWidth'),
+    minHeight: number('minHeight'),
+    minRefresh: number('minRefresh'),
+  };
+}
+
+/** The names under which Prolific and Sona tell who comes. */
+const RECRUITMENT = ['PROLIFIC_PID', 'STUDY_ID', 'SESSION_ID', 'sona_id', 'survey_code', 'id'];
+
+/** Returns what the page's address tells of the recruitment. */
+export function recruitment(query: string): Record<string, string> {
+  const asked = new URLSearchParams(query);
+  return Object.fromEntries(
+    RECRUITMENT.flatMap((name) => {
+      const value = asked.get(name);
+      return value ? [[name, value.slice(0, 200)]] : [];
+    }),
+  );
+}
+
+/** Returns the place of the plan, from 0, that the page's address names; undefined for none. */
+export function askedSlot(query: string, slots: number): number | undefined {
+  const asked = new URLSearchParams(query).get('slot') ?? '';
+  const slot = /^\d{1,6}$/.test(asked) ? Number(asked) : NaN;
+  return slot < slots ? slot : undefined;
+}
+
+/** Returns the language to show: the one asked for, else the first of the browser's that the study has. */
+export function language(query: string, browsers: readonly string[], studys: readonly string[]): string {
+  const wanted = [new URLSearchParams(query).get('lang') ?? '', ...browsers];
+  const base = (code: string): string => code.toLowerCase().split(/[-_]/)[0] ?? '';
+  for (const each of wanted) {
+    const found = studys.find((one) => one === each) ?? studys.find((one) => base(one) === base(each));
+    if (found !== undefined) {
+      return found;
+    }
+  }
+  return studys[0] ?? 'en';
+}
+
+/** Returns the address at the end, with the ids of the recruitment in the place of {their names}. */
+export function completion(address: string, ids: Readonly<Record<string, string>>): string {
+  return address.replace(/\{(\w+)\}/g, (place, name: string) => {
+    const id = ids[name];
+    return id === undefined ? place : encodeURIComponent(id);
+  });
+}
