@@ -9,6 +9,11 @@ import org.selectiverenderer.base.problem.Problem;
  */
 @FunctionalInterface
 public interface DocumentCheck {
-  /** Returns the problems, with their locations in the snapshot's text. */
+  /**
+   * Returns the problems, with their locations in the snapshot's text.
+   *
+   * @throws java.util.concurrent.CancellationException if its thread is interrupted, as the
+   *     document has changed meanwhile; a check may also go on to its end
+   */
   List<Problem> check(DocumentSnapshot snapshot);
 }

@@ -14,11 +14,27 @@ import org.selectiverenderer.x3d.source.TextEdit;
 public final class UndoHistory {
   /** An undo step; it is a list of sets of changes, each in the offsets after the previous set. */
   private record Step(
-      long number, String name, List<List<TextEdit>> undo, Optional<UndoableFileWrites> files) {
-    long characters() {
-      return undo.stream().flatMap(List::stream).mapToLong(edit -> edit.text().length()).sum();
+      long number,
+      String name,
+      List<List<TextEdit>> undo,
+      Optional<UndoableFileWrites> files,
+      long characters) {
+    Step(
+        long number, String name, List<List<TextEdit>> undo, Optional<UndoableFileWrites> files) {
+      this(
+          number,
+          name,
+          undo,
+          files,
+          undo.stream()
+              .flatMap(List::stream)
+              .mapToLong(edit -> PER_EDIT + edit.text().length())
+              .sum());
     }
   }
+
+  /** What an edit takes beside its text, in characters. */
+  private static final int PER_EDIT = 64;
 
   /**
    * The largest memory for contents of files; older steps beyond it leave their files as they are.
@@ -104,6 +120,7 @@ public final class UndoHistory {
       List<List<TextEdit>> undo = new ArrayList<>(List.of(inverse));
       undo.addAll(step.undo());
       done.add(new Step(step.number(), step.name(), undo, step.files()));
+      forget(true);
     } else {
       push(new Step(++numbers, name, List.of(inverse), Optional.empty()));
     }
@@ -126,27 +143,36 @@ public final class UndoHistory {
     }
     undone.clear();
     done.add(step);
-    forgetOldest();
-  }
-
-  /** Forgets the oldest steps beyond the memory that steps may take. */
-  private void forgetOldest() {
-    long held = 0;
-    int kept = 0;
-    for (int i = done.size() - 1; i >= 0; i--) {
-      held += done.get(i).characters();
-      if (held > most && kept > 0) {
-        break;
-      }
-      kept++;
-    }
-    int gone = done.size() - kept;
-    done.subList(0, gone).clear();
-    saved = saved < gone ? -1 : saved - gone;
+    forget(true);
   }
 
   /**
-   * Returns how many characters all steps hold: those that their edits have replaced, not the text.
+   * Forgets the steps farthest from the present beyond the memory that steps may take, but never
+   * the nearest ones.
+   *
+   * @param doneFirst whether steps that are done are forgotten before those that are undone
+   */
+  private void forget(boolean doneFirst) {
+    long held = characters();
+    for (boolean ofDone : new boolean[] {doneFirst, !doneFirst}) {
+      List<Step> steps = ofDone ? done : undone;
+      int gone = 0;
+      while (held > most && gone < steps.size() - 1) {
+        held -= steps.get(gone++).characters();
+      }
+      steps.subList(0, gone).clear();
+      if (ofDone) {
+        saved = saved < gone ? -1 : saved - gone;
+      }
+    }
+    if (saved > done.size() + undone.size()) {
+      saved = -1; // what was saved can be reached no more
+    }
+  }
+
+  /**
+   * Returns how many characters all steps hold: those that their edits have replaced, not the text,
+   * and 64 for each edit.
    */
   public long characters() {
     return Stream.concat(done.stream(), undone.stream()).mapToLong(Step::characters).sum();
@@ -249,6 +275,7 @@ public final class UndoHistory {
       inverse.add(0, text.apply(part));
     }
     to.add(new Step(step.number(), step.name(), inverse, step.files()));
+    forget(!back);
     listeners.forEach(listener -> listener.ended(way, step.number()));
     return true;
   }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.ElementTree;
@@ -48,26 +49,73 @@ class UndoMemoryTest {
     assertThat(last.attached()).isTrue();
   }
 
+  /** Returns a history of a text whose changes are one at a time. */
+  private static UndoHistory history(StringBuilder text, long most) {
+    return new UndoHistory(
+        changes -> {
+          TextEdit change = changes.get(0);
+          String was = text.substring(change.from(), change.to());
+          text.replace(change.from(), change.to(), change.text());
+          return List.of(new TextEdit(change.from(), change.from() + change.text().length(), was));
+        },
+        most);
+  }
+
+  @Test
+  void whatIsUndoneCountsToo() {
+    StringBuilder text = new StringBuilder();
+    UndoHistory history = history(text, 2500);
+    for (int i = 0; i < 6; i++) {
+      history.perform(new Edit("Step " + i, List.of(TextEdit.insert(0, "x".repeat(1000)))));
+    }
+    history.markSaved();
+    assertThat(history.names()).hasSize(6);
+    while (history.undo()) {
+      assertThat(history.characters()).isLessThanOrEqualTo(2500);
+    }
+    assertThat(text).as("all steps back").isEmpty();
+    int again = 0;
+    while (history.redo()) {
+      again++;
+    }
+    assertThat(again).as("steps that can be repeated").isEqualTo(2);
+    assertThat(text).hasSize(2000);
+    assertThat(history.modified()).as("what was saved cannot be reached").isTrue();
+  }
+
+  @Test
+  void mergedTypingForgetsToo() {
+    StringBuilder text = new StringBuilder("-".repeat(400));
+    UndoHistory history = history(text, 500);
+    history.perform(new Edit("Delete", List.of(TextEdit.remove(0, 300))));
+    for (int i = 0; i < 20; i++) {
+      history.type("Typing", TextEdit.insert(i, "x"));
+    }
+    assertThat(history.names()).containsExactly("Typing");
+  }
+
+  @Test
+  void manySmallChangesCountWithWhatEachTakes() {
+    UndoHistory history = new UndoHistory(changes -> changes, 10_000);
+    for (int i = 0; i < 3; i++) {
+      List<TextEdit> digits =
+          IntStream.range(0, 100).mapToObj(at -> new TextEdit(at, at + 1, "7")).toList();
+      history.perform(new Edit("Weld " + i, digits));
+    }
+    assertThat(history.names()).containsExactly("Weld 2");
+  }
+
   @Test
   void theOldestStepsBeyondTheMemoryAreForgotten() {
     StringBuilder text = new StringBuilder("-".repeat(40));
-    UndoHistory history =
-        new UndoHistory(
-            changes -> {
-              TextEdit change = changes.get(0);
-              String was = text.substring(change.from(), change.to());
-              text.replace(change.from(), change.to(), change.text());
-              return List.of(
-                  new TextEdit(change.from(), change.from() + change.text().length(), was));
-            },
-            100);
+    UndoHistory history = history(text, 250);
     history.markSaved();
     for (int i = 0; i < 5; i++) {
       String now = String.valueOf(i).repeat(40);
       history.perform(new Edit("Step " + i, List.of(new TextEdit(0, 40, now))));
     }
     assertThat(history.names()).containsExactly("Step 3", "Step 4");
-    assertThat(history.characters()).isEqualTo(80);
+    assertThat(history.characters()).isEqualTo(2 * (40 + 64));
     while (history.undo()) {
       // as far as it goes
     }

@@ -2,6 +2,7 @@ package org.selectiverenderer.authoring.geometry;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CancellationException;
 import org.selectiverenderer.authoring.DocumentCheck;
 import org.selectiverenderer.authoring.DocumentSnapshot;
 import org.selectiverenderer.base.problem.Problem;
@@ -16,6 +17,23 @@ public final class RepeatedPointsCheck implements DocumentCheck {
 
   /** Faces with more text than this are not searched, so that a large scene is checked soon. */
   private static final int MOST = 4_000_000;
+
+  /** Faces beyond this much text in all are not searched, as each pause in editing begins anew. */
+  private static final long MOST_IN_ALL = 12_000_000;
+
+  private final long mostInAll;
+
+  /** Searches the faces of scenes. */
+  public RepeatedPointsCheck() {
+    this(MOST_IN_ALL);
+  }
+
+  /**
+   * @param mostInAll the most characters of faces that are searched in a scene
+   */
+  RepeatedPointsCheck(long mostInAll) {
+    this.mostInAll = mostInAll;
+  }
 
   @Override
   public List<Problem> check(DocumentSnapshot snapshot) {
@@ -36,7 +54,15 @@ public final class RepeatedPointsCheck implements DocumentCheck {
             });
     NodeConnections connections = new NodeConnections();
     List<Problem> problems = new ArrayList<>();
+    long searched = 0;
     for (DocumentElement each : faces) {
+      if (Thread.currentThread().isInterrupted()) {
+        throw new CancellationException();
+      }
+      searched += each.end() - each.start();
+      if (searched > mostInAll) {
+        break;
+      }
       PointWelding.finding(snapshot.text(), tree, connections, each)
           .ifPresent(
               message ->

@@ -6,9 +6,11 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.selectiverenderer.authoring.DocumentSnapshot;
 import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.base.problem.Problem;
@@ -209,5 +211,33 @@ class PointWeldingTest {
                 + " welded, the file is smaller and looks the same");
     assertThat(GeometryRepair.ofMessage(found.get(0).message(), faces(document)))
         .contains(GeometryRepair.Kind.WELD);
+  }
+
+  @Test
+  void aSearchEndsWhenItsThreadIsInterrupted() throws IOException {
+    SceneDocument document =
+        document(
+            "<IndexedFaceSet coordIndex='0 1 2 -1 3 4 5'><Coordinate point='"
+                + SQUARE
+                + "'/></IndexedFaceSet>");
+    DocumentSnapshot snapshot = document.snapshot();
+    Thread.currentThread().interrupt();
+    try {
+      assertThatThrownBy(() -> new RepeatedPointsCheck().check(snapshot))
+          .isInstanceOf(CancellationException.class);
+    } finally {
+      assertThat(Thread.interrupted()).as("left for who runs it").isTrue();
+    }
+  }
+
+  @Test
+  void facesBeyondTheMostTextOfASceneAreNotSearched() throws IOException {
+    String faces =
+        "<IndexedFaceSet coordIndex='0 1 2 -1 3 4 5'><Coordinate point='"
+            + SQUARE
+            + "'/></IndexedFaceSet>\n";
+    DocumentSnapshot snapshot = document(faces.repeat(3)).snapshot();
+    assertThat(new RepeatedPointsCheck(2 * faces.length() + 5).check(snapshot)).hasSize(2);
+    assertThat(new RepeatedPointsCheck().check(snapshot)).hasSize(3);
   }
 }
