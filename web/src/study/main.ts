@@ -98,7 +98,7 @@ async function ask(
   const stage = new Stage(element('stage'), element('scene'), element('curtain'), study.scenes, study.mute === true);
   const done = [...(session.kept?.done ?? [])];
   let device: Record<string, unknown> = {};
-  let refused = false;
+  const outcome = { refused: false };
   const keep = (step: string): void => { session.place.write({ language: spoken, done, open: step }); };
   const steps = timeline(
     {
@@ -116,7 +116,7 @@ async function ask(
         keep('');
       },
       refused: () => {
-        refused = true;
+        outcome.refused = true;
         jsPsych.abortExperiment();
       },
     },
@@ -155,7 +155,7 @@ async function ask(
   if (document.fullscreenElement) {
     await document.exitFullscreen();
   }
-  if (refused) {
+  if (outcome.refused) {
     element('study').hidden = true;
     await session.sink.finish();
     session.place.forget();

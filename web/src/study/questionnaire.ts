@@ -52,7 +52,7 @@ export function questionnairePlugin(
 
     async trial(display: HTMLElement, trial: TrialType<typeof info>, ready?: () => void): Promise<{ refused: boolean }> {
       ready?.();
-      const result = await new QuestionnaireView(display, pages(trial.step ?? ''), words).result;
+      const result = await new QuestionnaireView(display, pages(trial.step), words).result;
       display.replaceChildren();
       done(result);
       return { refused: result.refused };

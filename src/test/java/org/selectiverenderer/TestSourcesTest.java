@@ -25,8 +25,8 @@ class TestSourcesTest {
               + "|\\b[rR]obot(?:\\(\\))?\\.delay\\s*\\(");
 
   /**
-   * The one class that awaits conditions, the pauses for which X11 gives no signal, and a benchmark,
-   * which rests between measurements.
+   * The one class that awaits conditions, the pauses for which X11 gives no signal, and a
+   * benchmark, which rests between measurements.
    */
   private static final Set<String> MAY_PAUSE =
       Set.of("Eventually.java", "DisplaySettling.java", "BigSceneBenchmark.java");

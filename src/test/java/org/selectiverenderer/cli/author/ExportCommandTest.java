@@ -138,12 +138,14 @@ class ExportCommandTest extends CommandTestCase {
   @Test
   void withoutAScriptTheCopyIsValidAndHasFiltersAndTriggers() throws IOException {
     Path copy = folder.resolve("copy");
-    assertThat(
-            execute("export", SCENE, "--to", "x3d", copy.toString(), "--without-script"))
+    assertThat(execute("export", SCENE, "--to", "x3d", copy.toString(), "--without-script"))
         .as(messages())
         .isZero();
     Path scene = copy.resolve("trashcan.x3d");
-    assertThat(scene).content().contains("<BooleanFilter", "<IntegerTrigger").doesNotContain("<Script");
+    assertThat(scene)
+        .content()
+        .contains("<BooleanFilter", "<IntegerTrigger")
+        .doesNotContain("<Script");
     assertThat(execute("validate", scene.toString())).as(printed()).isZero();
   }
 

@@ -19,8 +19,7 @@ public final class UndoHistory {
       List<List<TextEdit>> undo,
       Optional<UndoableFileWrites> files,
       long characters) {
-    Step(
-        long number, String name, List<List<TextEdit>> undo, Optional<UndoableFileWrites> files) {
+    Step(long number, String name, List<List<TextEdit>> undo, Optional<UndoableFileWrites> files) {
       this(
           number,
           name,

@@ -41,7 +41,8 @@ public final class ExportRules {
           .see("docs/export.md");
 
   static final Rule NOTHING_TO_CONTROL =
-      Rule.info("SR802", "the scene has no enriched object, so that an export has nothing to control")
+      Rule.info(
+              "SR802", "the scene has no enriched object, so that an export has nothing to control")
           .because("An export is for scenes whose Switches have schema metadata; enrich it first.")
           .bad("<Shape><Box/></Shape>")
           .good("<Switch DEF='Versions'><!-- with schema metadata --></Switch>")
@@ -52,10 +53,7 @@ public final class ExportRules {
   /** Returns the rules and their check. */
   public static RuleGroup group() {
     return new RuleGroup(
-        "Export",
-        List.of(NOT_CARRIED, NOTHING_TO_CONTROL),
-        List.of(),
-        List.of(ExportRules::check));
+        "Export", List.of(NOT_CARRIED, NOTHING_TO_CONTROL), List.of(), List.of(ExportRules::check));
   }
 
   private static void check(SceneContext scene, FindingCollector findings) {
@@ -65,8 +63,7 @@ public final class ExportRules {
     Path file = scene.main().file().path();
     ProblemCollector problems = new ProblemCollector();
     ExportSettings settings =
-        new ExportSettings(
-            Condition.SELECTIVE, 0, SceneFormat.XML, UnaryOperator.identity(), true);
+        new ExportSettings(Condition.SELECTIVE, 0, SceneFormat.XML, UnaryOperator.identity(), true);
     Optional<ExportedScene> exported;
     try {
       exported =
@@ -80,9 +77,7 @@ public final class ExportRules {
     scene
         .files()
         .forEach(
-            each ->
-                names.put(
-                    scene.root().display(real(each.file().path())), each.file().name()));
+            each -> names.put(scene.root().display(real(each.file().path())), each.file().name()));
     names.put(file.toString(), scene.main().file().name());
     for (Problem problem : problems.list()) {
       if (problem.severity() == Severity.ERROR) {

@@ -50,14 +50,12 @@ final class JatosArchive {
     archive.add(description(title, page, folder, checksum));
     for (PackagedFile file : files) {
       archive.add(
-          new PackagedFile(
-              Path.of(folder).resolve(file.target()), file.source(), file.changed()));
+          new PackagedFile(Path.of(folder).resolve(file.target()), file.source(), file.changed()));
     }
     return archive;
   }
 
-  private static PackagedFile description(
-      String title, Path page, String folder, String checksum) {
+  private static PackagedFile description(String title, Path page, String folder, String checksum) {
     ObjectNode json = JsonNodeFactory.instance.objectNode();
     json.put("version", VERSION);
     ObjectNode study = json.putObject("data");
@@ -101,9 +99,7 @@ final class JatosArchive {
     StringBuilder list = new StringBuilder(title + '\n' + url(page) + '\n');
     for (PackagedFile file : files) {
       byte[] content =
-          file.changed().isPresent()
-              ? file.changed().get()
-              : InputFileReader.bytes(file.source());
+          file.changed().isPresent() ? file.changed().get() : InputFileReader.bytes(file.source());
       list.append(Sha256.of(content)).append(' ').append(url(file.target())).append('\n');
     }
     return Sha256.of(list.toString().getBytes(StandardCharsets.UTF_8));

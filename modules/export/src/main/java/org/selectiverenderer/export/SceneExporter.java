@@ -151,8 +151,7 @@ public final class SceneExporter {
         .map(EnrichedSensor::element)
         .forEach(enriched::add);
     if (!objects || document.tree().flatMap(tree -> tree.scene()).isEmpty()) {
-      problems.error(
-          SourceLocation.of(scene.toString()), NOTHING_TO_CONTROL);
+      problems.error(SourceLocation.of(scene.toString()), NOTHING_TO_CONTROL);
       return false;
     }
     boolean all = true;

@@ -94,10 +94,7 @@ class JatosArchiveTest {
   }
 
   private static List<String> uuids(String description) {
-    return description
-        .lines()
-        .filter(line -> line.contains("\"uuid\""))
-        .toList();
+    return description.lines().filter(line -> line.contains("\"uuid\"")).toList();
   }
 
   @Test

@@ -195,7 +195,9 @@ public final class FieldEdits {
         targets.stream().flatMap(each -> edit.apply(each).changes().stream()).toList());
   }
 
-  /** Returns the elements that a value is for: the name of a node, or of its prototype, is its own. */
+  /**
+   * Returns the elements that a value is for: the name of a node, or of its prototype, is its own.
+   */
   private static List<DocumentElement> targets(List<DocumentElement> elements, NodeField field) {
     DocumentElement first = elements.get(0);
     boolean name =

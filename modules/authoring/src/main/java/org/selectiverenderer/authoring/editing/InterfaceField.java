@@ -10,8 +10,8 @@ import org.selectiverenderer.x3d.source.DocumentElement;
  *
  * @param prototype the prototype's name
  * @param info the declaration's appinfo; empty for none
- * @param refused why an instance cannot give a value, as a sentence: the prototype is known but does
- *     not declare such a field, or not one with a value; empty if it can
+ * @param refused why an instance cannot give a value, as a sentence: the prototype is known but
+ *     does not declare such a field, or not one with a value; empty if it can
  * @param external whether the default is in the prototype's own file
  * @param nodes the nodes that an SFNode or MFNode holds; those of the declaration by default
  */

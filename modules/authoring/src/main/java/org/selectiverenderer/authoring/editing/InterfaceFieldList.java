@@ -31,8 +31,7 @@ final class InterfaceFieldList {
   private static final int LONG = 200;
 
   /** Why a value that is nodes is not written. */
-  static final String HOLDS_NODES =
-      "It holds nodes, which are changed in the tree and the source.";
+  static final String HOLDS_NODES = "It holds nodes, which are changed in the tree and the source.";
 
   private final SceneDocument document;
   private final NodeCatalogue catalogue;
@@ -151,7 +150,8 @@ final class InterfaceFieldList {
               : access.isEmpty()
                   ? "is declared with an accessType that does not exist: '" + accessName + "'."
                   : "is " + accessName + ", so that an instance gives it no value.";
-      refused.putIfAbsent(name, "The field " + name + " of the prototype " + prototype + " " + wrong);
+      refused.putIfAbsent(
+          name, "The field " + name + " of the prototype " + prototype + " " + wrong);
     }
   }
 

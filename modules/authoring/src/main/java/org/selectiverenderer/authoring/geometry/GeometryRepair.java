@@ -150,7 +150,8 @@ public final class GeometryRepair {
             .flatMap(name -> document.tree().flatMap(tree -> tree.named(name, coordinate)))
             .orElse(coordinate);
     if (NodeConnections.prototypes(source) || new NodeConnections().routed(source)) {
-      throw refused(faces, "are set by a ROUTE, a prototype or another file, so they may get areas");
+      throw refused(
+          faces, "are set by a ROUTE, a prototype or another file, so they may get areas");
     }
     return NumberTokens.of(document.text(), source, "point").floats();
   }

@@ -26,7 +26,8 @@ final class NodeConnections {
   /** Returns whether a ROUTE or an EXPORT of a node's scope names it. */
   boolean routed(DocumentElement node) {
     return node.def()
-        .filter(def -> routed.computeIfAbsent(ElementScope.of(node), at -> names(node)).contains(def))
+        .filter(
+            def -> routed.computeIfAbsent(ElementScope.of(node), at -> names(node)).contains(def))
         .isPresent();
   }
 

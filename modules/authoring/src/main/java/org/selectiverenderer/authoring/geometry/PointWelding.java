@@ -10,7 +10,6 @@ import java.util.Set;
 import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.x3d.source.DocumentElement;
-import org.selectiverenderer.x3d.source.ElementScope;
 import org.selectiverenderer.x3d.source.ElementTree;
 import org.selectiverenderer.x3d.source.TextEdit;
 
@@ -73,8 +72,7 @@ record PointWelding(List<TextEdit> changes, int welded, int points, double toler
     }
     NumberTokens index = NumberTokens.of(text, faces, perFace ? "coordIndex" : "index");
     int[] indices = index.indices();
-    double tolerance =
-        WeldingTolerance.of(p, indices, GeometryRepair.faces(faces.name(), indices));
+    double tolerance = WeldingTolerance.of(p, indices, GeometryRepair.faces(faces.name(), indices));
     int[] same = representatives(p, count, tolerance, alongside);
     return changes(faces, index, indices, points, alongside, same, tolerance);
   }
@@ -244,8 +242,7 @@ record PointWelding(List<TextEdit> changes, int welded, int points, double toler
     return hash;
   }
 
-  private static boolean alike(
-      List<Values> alongside, List<float[]> values, int one, int other) {
+  private static boolean alike(List<Values> alongside, List<float[]> values, int one, int other) {
     for (int i = 0; i < values.size(); i++) {
       int width = alongside.get(i).width();
       float[] all = values.get(i);

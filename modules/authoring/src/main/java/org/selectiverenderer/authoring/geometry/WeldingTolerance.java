@@ -43,9 +43,7 @@ final class WeldingTolerance {
       }
     }
     BoundingBox box = BoundingBox.of(b);
-    return box.isEmpty()
-        ? 0
-        : Math.min(SHARE * box.min().distance(box.max()), OF_EDGE * shortest);
+    return box.isEmpty() ? 0 : Math.min(SHARE * box.min().distance(box.max()), OF_EDGE * shortest);
   }
 
   private static boolean known(float[] points, int index) {

@@ -229,7 +229,8 @@ class PrototypeFieldsTest {
     NodeField name = fields(named("Plain")).get(0);
     assertThat(edits().wrong(named("Plain"), name, "Lamp")).isEmpty();
     assertThat(edits().wrong(named("Plain"), name, "Sofa").orElseThrow()).contains("Sofa");
-    assertThat(edits().wrongReset(List.of(named("Plain")), name).orElseThrow()).contains("needs the name");
+    assertThat(edits().wrongReset(List.of(named("Plain")), name).orElseThrow())
+        .contains("needs the name");
     assertThat(edits().wrongReset(List.of(named("Plain")), field(named("Plain"), "DEF"))).isEmpty();
   }
 

@@ -144,7 +144,11 @@ class PointWeldingTest {
                 + SQUARE
                 + "'/></IndexedFaceSet>");
     DocumentElement outer =
-        document.tree().orElseThrow().named("F", document.tree().orElseThrow().root()).orElseThrow();
+        document
+            .tree()
+            .orElseThrow()
+            .named("F", document.tree().orElseThrow().root())
+            .orElseThrow();
     document.perform(new GeometryRepair(document).edit(GeometryRepair.Kind.WELD, outer));
     assertThat(document.text()).asString().contains("coordIndex='0 1 2 -1 2 1 3'");
   }

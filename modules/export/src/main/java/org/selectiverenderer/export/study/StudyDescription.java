@@ -96,12 +96,8 @@ final class StudyDescription {
   private void texts(LoadedStudy material, ObjectNode json) {
     ObjectNode words = json.putObject("words");
     WORDS.forEach(key -> words.put(key, material.wording().of(key)));
-    material
-        .wording()
-        .keys(OWN_WORDS)
-        .forEach(key -> words.put(key, material.wording().of(key)));
-    QuestionnaireDescription describer =
-        new QuestionnaireDescription(material.wording(), pictures);
+    material.wording().keys(OWN_WORDS).forEach(key -> words.put(key, material.wording().of(key)));
+    QuestionnaireDescription describer = new QuestionnaireDescription(material.wording(), pictures);
     ObjectNode pages = json.putObject("questionnaires");
     for (SessionStep step : material.steps()) {
       if (asks(step)) {
@@ -130,8 +126,7 @@ final class StudyDescription {
     json.put("participant", session.participant());
     json.put("group", session.group().name());
     json.put(
-        "condition",
-        session.group().settings().condition().map(Condition::spelling).orElseThrow());
+        "condition", session.group().settings().condition().map(Condition::spelling).orElseThrow());
     json.put("seed", (int) study.lot(session.participant()));
     session.steps().forEach(step -> json.withArray("/steps").add(step.id()));
     ParticipantOrder order = new ParticipantOrder(first.wording());
