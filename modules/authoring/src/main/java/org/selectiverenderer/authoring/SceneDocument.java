@@ -150,6 +150,11 @@ public final class SceneDocument {
     return new SourceLocation(name, line, Character.codePointCount(text, start, offset) + 1);
   }
 
+  /** Returns the line of a character, from 1; however long the line is, in a moment. */
+  public int line(int offset) {
+    return buffer.lines().line(buffer.characters(), offset);
+  }
+
   /** Returns the offset of a location; a column beyond the end of the line gives the line's end. */
   public int offset(int line, int column) {
     CharSequence text = buffer.characters();

@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Function;
 import java.util.stream.Stream;
@@ -175,6 +176,13 @@ public final class UndoHistory {
    */
   public long characters() {
     return Stream.concat(done.stream(), undone.stream()).mapToLong(Step::characters).sum();
+  }
+
+  /** Returns the number of the step that {@link #undo()} reverts, see {@link UndoListener}. */
+  public OptionalLong last() {
+    return done.isEmpty()
+        ? OptionalLong.empty()
+        : OptionalLong.of(done.get(done.size() - 1).number());
   }
 
   /** Returns the name of the step that {@link #undo()} reverts. */

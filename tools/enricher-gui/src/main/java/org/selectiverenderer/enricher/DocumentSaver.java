@@ -6,6 +6,7 @@ import java.util.ArrayDeque;
 import java.util.List;
 import java.util.Optional;
 import java.util.Queue;
+import java.util.function.Consumer;
 import java.util.function.Predicate;
 import org.selectiverenderer.authoring.file.BrokenRelativeUrls;
 import org.selectiverenderer.authoring.file.DocumentFile;
@@ -155,14 +156,14 @@ final class DocumentSaver {
         .takeAlong(
             session,
             other,
-            withdraw ->
+            taken ->
                 write(
                     session.file().writing(other),
-                    saved,
                     () -> {
-                      session.document().history().undo(); // the urls fit the other folder only
-                      withdraw.run();
-                    }),
+                      taken.keep();
+                      saved.run();
+                    },
+                    taken::takeBack), // the urls fit the other folder only
             () -> {
               writing = false;
               goOn();
@@ -208,13 +209,13 @@ final class DocumentSaver {
   }
 
   private void write(SaveOperation what, Runnable saved) {
-    write(what, saved, () -> {});
+    write(what, saved, Runnable::run);
   }
 
   /**
-   * @param unsaved runs first when the file could not be written
+   * @param unsaved cleans up when the file could not be written, and runs what it is given then
    */
-  private void write(SaveOperation what, Runnable saved, Runnable unsaved) {
+  private void write(SaveOperation what, Runnable saved, Consumer<Runnable> unsaved) {
     writing = true;
     session
         .tasks()
@@ -233,10 +234,12 @@ final class DocumentSaver {
               goOn();
             },
             failed -> {
-              writing = false;
-              unsaved.run();
-              failed(what, saved, failed);
-              goOn();
+              unsaved.accept(
+                  () -> {
+                    writing = false;
+                    failed(what, saved, failed);
+                    goOn();
+                  });
             });
   }
 

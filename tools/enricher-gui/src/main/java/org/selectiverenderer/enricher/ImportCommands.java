@@ -133,12 +133,12 @@ final class ImportCommands {
         .runWriting(
             Texts.of("import.writing", String.valueOf(model.file().getFileName())),
             progress -> write(model.files(), progress),
-            this::withdraw,
+            UndoableFileWrites::withdraw,
             written -> {
               if (present(bench) && session.file().path().equals(scene)) {
                 perform(bench, model, point, Optional.of(written));
               } else {
-                withdraw(written);
+                withdraw(session, written);
               }
             },
             failed -> {
@@ -159,12 +159,17 @@ final class ImportCommands {
     return UndoableFileWrites.write(files, progress::check);
   }
 
-  private void withdraw(UndoableFileWrites written) {
-    try {
-      written.withdraw();
-    } catch (IOException e) {
-      questions.tell(String.valueOf(e.getMessage()));
-    }
+  private void withdraw(EnricherSession session, UndoableFileWrites written) {
+    session
+        .tasks()
+        .runToEnd(
+            Texts.of("package.clearing"),
+            () -> {
+              written.withdraw();
+              return true;
+            },
+            done -> {},
+            failed -> questions.tell(String.valueOf(failed.getMessage())));
   }
 
   private void tell(Exception failed) {
@@ -205,7 +210,7 @@ final class ImportCommands {
                   DecimalFormatter.grouped(left),
                   model.problems().get(0).toString()));
     } catch (EditRejectedException e) {
-      written.ifPresent(this::withdraw);
+      written.ifPresent(files -> withdraw(session, files));
       questions.tell(String.valueOf(e.getMessage()));
     }
   }

@@ -1,6 +1,5 @@
 package org.selectiverenderer.enricher;
 
-import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -49,9 +48,9 @@ final class PackageCommands {
           all.add(packed.scene());
           all.addAll(packed.files());
           if (target.zip()) {
-            write(session, all, target, back -> {}, () -> {});
+            write(session, all, target, now -> keep(session, now), () -> {});
           } else {
-            intoFolder(session, all, target.path(), back -> {}, () -> {});
+            intoFolder(session, all, target.path(), now -> keep(session, now), () -> {});
           }
         },
         () -> {});
@@ -61,10 +60,10 @@ final class PackageCommands {
    * Copies the files that a scene names to where the scene will be saved, and changes its urls.
    *
    * @param target the scene's future file
-   * @param then runs when the files are there, with what removes them again
+   * @param then runs when the files are there, which have to be kept or withdrawn
    * @param ended runs instead if they could not be copied, or the author does not want it
    */
-  void takeAlong(EnricherSession session, Path target, Consumer<Runnable> then, Runnable ended) {
+  void takeAlong(EnricherSession session, Path target, Consumer<TakenFiles> then, Runnable ended) {
     long revision = session.document().revision();
     collect(
         session,
@@ -74,15 +73,16 @@ final class PackageCommands {
                 session,
                 packed.files(),
                 target.toAbsolutePath().getParent(),
-                withdraw -> {
+                files -> {
+                  TakenFiles taken = new TakenFiles(session, questions, files);
                   if (session.document().revision() != revision) {
-                    withdraw.run();
                     questions.tell(Texts.of("package.changed"));
-                    ended.run();
-                    return;
+                    taken.withdraw(ended);
+                  } else if (taken.rewrite(new Edit(Texts.of("package.step"), packed.edits()))) {
+                    then.accept(taken);
+                  } else {
+                    taken.withdraw(ended);
                   }
-                  session.perform(new Edit(Texts.of("package.step"), packed.edits()));
-                  then.accept(withdraw);
                 },
                 ended),
         ended);
@@ -138,7 +138,7 @@ final class PackageCommands {
       EnricherSession session,
       List<PackagedFile> files,
       Path folder,
-      Consumer<Runnable> written,
+      Consumer<WrittenFiles> written,
       Runnable ended) {
     session
         .tasks()
@@ -167,7 +167,7 @@ final class PackageCommands {
       EnricherSession session,
       List<PackagedFile> files,
       PackageDialog.Target target,
-      Consumer<Runnable> written,
+      Consumer<WrittenFiles> written,
       Runnable ended) {
     session
         .tasks()
@@ -184,7 +184,7 @@ final class PackageCommands {
               }
               return PackageWriter.intoFolder(files, target.path(), share);
             },
-            this::withdraw,
+            WrittenFiles::withdraw,
             now -> {
               int count = files.size();
               session.message(
@@ -193,17 +193,13 @@ final class PackageCommands {
                       count,
                       DecimalFormatter.grouped(count),
                       target.path().toString()));
-              written.accept(() -> withdraw(now));
+              written.accept(now);
             },
             failed -> tell(session, failed, ended));
   }
 
-  private void withdraw(WrittenFiles files) {
-    try {
-      files.withdraw();
-    } catch (IOException e) {
-      questions.tell(String.valueOf(e.getMessage()));
-    }
+  private void keep(EnricherSession session, WrittenFiles files) {
+    new TakenFiles(session, questions, files).keep();
   }
 
   private void tell(EnricherSession session, Exception failed, Runnable ended) {

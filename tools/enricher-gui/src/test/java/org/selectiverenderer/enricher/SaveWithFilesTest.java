@@ -6,7 +6,9 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.LinkedBlockingQueue;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.enricher.importing.PackageDialog;
 import org.selectiverenderer.enricher.task.BackgroundTask;
@@ -90,7 +92,11 @@ class SaveWithFilesTest extends DocumentSaverFixture {
     begin("locked/room.x3d");
     end();
     assertThat(done).isZero();
-    assertThat(answers.asked).anyMatch(sentence -> sentence.contains(locked.toString()));
+    assertThat(answers.asked)
+        .anyMatch(
+            sentence ->
+                sentence.contains(locked.toString())
+                    && sentence.contains("(its folder does not exist)"));
     assertThat(session.file().path()).isEqualTo(folder.resolve("scene.x3d"));
     assertThat(locked).isRegularFile();
     nothingIsHeldBack();
@@ -148,5 +154,94 @@ class SaveWithFilesTest extends DocumentSaverFixture {
     new PackageCommands(answers).write(session, new PackageDialog.Target(made, false));
     end();
     assertThat(made.resolve("scene.x3d")).hasSameTextualContentAs(folder.resolve("scene.x3d"));
+  }
+
+  @Test
+  void whatWasReplacedIsThereAgainAfterTypingMeanwhile() throws IOException, InterruptedException {
+    Path other = Files.createDirectories(folder.resolve("other"));
+    Files.writeString(other.resolve("sky.png"), "mine");
+    begin("other/room.x3d");
+    result(); // collected
+    type();
+    end();
+    assertThat(done).isZero();
+    assertThat(answers.asked).contains("replace 1");
+    assertThat(there(other)).containsExactly("sky.png");
+    assertThat(other.resolve("sky.png")).hasContent("mine");
+    nothingIsHeldBack();
+  }
+
+  @Test
+  void whatWasReplacedIsGoneOnlyAfterTheSceneIsSaved() throws IOException, InterruptedException {
+    Path other = Files.createDirectories(folder.resolve("other"));
+    Files.writeString(other.resolve("sky.png"), "mine");
+    begin("other/room.x3d");
+    end();
+    assertThat(done).isOne();
+    assertThat(there(other)).containsExactly("Cup_v1.x3d", "room.x3d", "sky.png");
+    assertThat(other.resolve("sky.png")).hasContent("sky");
+  }
+
+  /** Takes con.png along, whose url becomes _con.png, to where the scene cannot be saved. */
+  private Path beginWhereTheSceneCannotBeWritten() throws IOException, InterruptedException {
+    Files.writeString(folder.resolve("con.png"), "con");
+    int at = session.document().text().toString().indexOf("<Scene>") + "<Scene>".length();
+    session.document().type(at, at, "<Background backUrl='\"con.png\"'/>");
+    Path other = Files.createDirectories(folder.resolve("other"));
+    Files.writeString(other.resolve("_con.png"), "mine");
+    begin("other/room.x3d");
+    result(); // collected
+    result(); // compared
+    // A folder appears where the scene is to be saved.
+    Files.createDirectories(other.resolve("room.x3d/in"));
+    return other;
+  }
+
+  @Test
+  void aSceneThatCannotBeWrittenTakesItsFilesBack() throws IOException, InterruptedException {
+    Path other = beginWhereTheSceneCannotBeWritten();
+    String before = session.document().text().toString();
+    end();
+    assertThat(done).isZero();
+    assertThat(session.document().text().toString()).isEqualTo(before);
+    assertThat(there(other)).containsExactly("_con.png", "room.x3d");
+    assertThat(other.resolve("_con.png")).hasContent("mine");
+    nothingIsHeldBack();
+  }
+
+  @Test
+  void typingWhileTheSceneFailsToBeWrittenIsNotTakenBack()
+      throws IOException, InterruptedException {
+    Path other = beginWhereTheSceneCannotBeWritten();
+    result(); // copied; the scene is being written
+    type();
+    end();
+    assertThat(session.document().text().toString()).startsWith("<!-- mine -->").contains("_con.png");
+    assertThat(answers.asked).anyMatch(sentence -> sentence.contains("Change the urls"));
+    assertThat(there(other)).contains("_con.png", "Cup_v1.x3d", "sky.png").doesNotContain(".package.part");
+    nothingIsHeldBack();
+  }
+
+  @Test
+  void workCancelledAtItsEndIsUndoneOnTheThreadForWriting() throws InterruptedException {
+    BackgroundTask[] task = {null};
+    CountDownLatch begun = new CountDownLatch(1);
+    BlockingQueue<String> heard = new LinkedBlockingQueue<>();
+    task[0] =
+        session
+            .tasks()
+            .runWriting(
+                "write",
+                progress -> {
+                  begun.await();
+                  task[0].cancel();
+                  return "written";
+                },
+                result -> heard.add("undone on " + Thread.currentThread().getName()),
+                result -> heard.add("done"),
+                failed -> heard.add("told " + failed.getClass().getSimpleName()));
+    begun.countDown();
+    end();
+    assertThat(heard).containsExactly("undone on enricher-writer", "told CancellationException");
   }
 }

@@ -3,7 +3,6 @@ package org.selectiverenderer.authoring.packaging;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
-import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
@@ -17,15 +16,14 @@ import java.util.function.DoubleConsumer;
  * Copies the files of a package into a folder, all or none. Their contents, of any size, are first
  * written to a folder of their own in it; when all are on the disk, each is moved to its place. If
  * anything fails, or the work is cancelled, what was added is removed and what was replaced is
- * restored.
+ * restored; {@link WrittenFiles} can do the same later.
  */
 final class FolderTransaction {
   private static final int CHUNK = 1 << 20;
 
   private final Path folder;
   private final DoubleConsumer progress;
-  private final List<Path> added = new ArrayList<>();
-  private final List<Staged> moved = new ArrayList<>();
+  private final WrittenFiles log = new WrittenFiles();
   private long written;
 
   /** A file with its place, where its content is until then, and where what it replaces goes. */
@@ -41,29 +39,17 @@ final class FolderTransaction {
   }
 
   WrittenFiles write(List<PackagedFile> files) throws IOException {
-    boolean done = false;
     try {
       createFolders(folder.toAbsolutePath().normalize());
       Path real = folder.toRealPath();
       PackageWriter.keepSources(files, real);
-      Path stage = Files.createDirectory(PackageWriter.part(real.resolve("files")));
-      try {
-        List<Staged> staged = staged(files, real, stage);
-        for (Staged file : staged) {
-          exchange(file);
-        }
-        done = true;
-      } finally {
-        if (!done) {
-          restore();
-        }
-        remove(stage);
+      for (Staged file : staged(files, real, log.stage(real))) {
+        log.exchange(file.content(), file.place(), file.replaced());
       }
-      return new WrittenFiles(added);
-    } finally {
-      if (!done) {
-        new WrittenFiles(added).withdraw();
-      }
+      return log.complete();
+    } catch (IOException | RuntimeException | Error e) {
+      log.withdrawBecause(e);
+      throw e;
     }
   }
 
@@ -86,7 +72,9 @@ final class FolderTransaction {
       if (!there || !PackageWriter.same(file, place)) {
         Path content = stage.resolve("new-" + staged.size());
         Optional<Path> replaced =
-            there ? Optional.of(stage.resolve("old-" + staged.size())) : Optional.empty();
+            there
+                ? Optional.of(WrittenFiles.former(stage, real.relativize(place)))
+                : Optional.empty();
         copy(file, content, all);
         staged.add(new Staged(place, content, replaced));
       } else {
@@ -109,44 +97,15 @@ final class FolderTransaction {
     }
   }
 
-  private void exchange(Staged file) throws IOException {
-    if (file.replaced().isPresent()) {
-      Files.move(file.place(), file.replaced().get());
-      moved.add(file);
-    }
-    try {
-      Files.move(file.content(), file.place());
-    } catch (FileAlreadyExistsException e) {
-      throw new IOException(file.place() + ": has appeared meanwhile, and is not replaced", e);
-    }
-    if (file.replaced().isEmpty()) {
-      added.add(file.place());
-    }
-  }
-
-  private void restore() throws IOException {
-    for (Staged file : moved) {
-      Files.deleteIfExists(file.place());
-      Files.move(file.replaced().get(), file.place());
-    }
-  }
-
-  private static void remove(Path stage) throws IOException {
-    try (var inside = Files.newDirectoryStream(stage)) {
-      for (Path file : inside) {
-        Files.deleteIfExists(file);
-      }
-    }
-    Files.delete(stage);
-  }
-
   private void createFolders(Path wanted) throws IOException {
     if (!Files.isDirectory(wanted)) {
+      if (Files.exists(wanted, LinkOption.NOFOLLOW_LINKS)) {
+        throw new IOException(wanted + ": is a file, not a folder");
+      }
       if (wanted.getParent() != null) {
         createFolders(wanted.getParent());
       }
-      Files.createDirectory(wanted);
-      added.add(wanted);
+      log.createFolder(wanted);
     }
   }
 
@@ -156,8 +115,7 @@ final class FolderTransaction {
     for (Path part : real.relativize(place.getParent())) {
       at = at.resolve(part);
       if (!Files.isDirectory(at) && !part.toString().isEmpty()) {
-        Files.createDirectory(at);
-        added.add(at);
+        log.createFolder(at);
       }
       if (!at.toRealPath().startsWith(real)) {
         throw outside(at);

@@ -7,11 +7,11 @@ import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.DoubleConsumer;
 import java.util.zip.ZipEntry;
@@ -44,7 +44,7 @@ public final class PackageWriter {
 
   /**
    * Writes files into a folder, which is created; all or none. Files with the same content stay as
-   * they are.
+   * they are. What is replaced lies in a hidden folder there until the result is kept or withdrawn.
    *
    * @param progress receives the share that is done, from 0 to 1, and may throw to end the work
    * @throws IOException if one cannot be written, or would come to lie outside of the folder by a
@@ -55,7 +55,7 @@ public final class PackageWriter {
     try {
       return new FolderTransaction(folder, progress).write(files);
     } catch (FileSystemException e) {
-      throw FileWriteException.named(folder, e);
+      throw FileWriteException.explained(folder, e);
     }
   }
 
@@ -107,15 +107,29 @@ public final class PackageWriter {
   }
 
   /**
-   * Writes files into a zip archive, which takes the place of an existing file when it is complete.
+   * Writes files into a zip archive, which takes the place of an existing file when it is complete;
+   * that file lies in a hidden folder there until the result is kept or withdrawn.
    *
    * @param progress receives the share that is done, from 0 to 1, and may throw to end the work
    */
-  public static WrittenFiles intoZip(List<PackagedFile> files, Path zip, DoubleConsumer progress)
-      throws IOException {
-    boolean there = Files.exists(zip, LinkOption.NOFOLLOW_LINKS);
-    Path next = part(zip.toAbsolutePath());
+  public static WrittenFiles intoZip(
+      List<PackagedFile> files, Path zip, DoubleConsumer progress) throws IOException {
     try {
+      return zipped(files, zip, progress);
+    } catch (FileSystemException e) {
+      throw FileWriteException.explained(zip, e);
+    }
+  }
+
+  private static WrittenFiles zipped(List<PackagedFile> files, Path zip, DoubleConsumer progress)
+      throws IOException {
+    if (Files.isDirectory(zip)) {
+      throw new IOException(zip + ": is a folder, and is not replaced by a file");
+    }
+    WrittenFiles log = new WrittenFiles();
+    try {
+      Path stage = log.stage(zip.toAbsolutePath().getParent());
+      Path next = stage.resolve("new");
       try (ZipOutputStream out =
           new ZipOutputStream(Files.newOutputStream(next, StandardOpenOption.CREATE_NEW))) {
         for (int i = 0; i < files.size(); i++) {
@@ -133,10 +147,16 @@ public final class PackageWriter {
           progress.accept((i + 1.0) / files.size());
         }
       }
-      Files.move(next, zip, StandardCopyOption.REPLACE_EXISTING);
-      return new WrittenFiles(there ? List.of() : List.of(zip));
-    } finally {
-      Files.deleteIfExists(next);
+      log.exchange(
+          next,
+          zip,
+          Files.exists(zip, LinkOption.NOFOLLOW_LINKS)
+              ? Optional.of(WrittenFiles.former(stage, zip.getFileName()))
+              : Optional.empty());
+      return log.complete();
+    } catch (IOException | RuntimeException | Error e) {
+      log.withdrawBecause(e);
+      throw e;
     }
   }
 }

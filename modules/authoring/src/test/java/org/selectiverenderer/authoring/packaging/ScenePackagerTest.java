@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.zip.ZipFile;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -409,7 +410,81 @@ class ScenePackagerTest {
     assertThat(target.resolve("sky.png")).hasContent("sky");
     Files.writeString(target.resolve("textures/other.txt"), "another program's");
     written.withdraw();
-    assertThat(tree(target)).contains("textures/other.txt=another program's", "sky.png=sky");
-    assertThat(target.resolve("textures/wood.png")).doesNotExist();
+    assertThat(tree(target))
+        .containsExactly("", "sky.png=mine", "textures", "textures/other.txt=another program's");
+  }
+
+  @Test
+  void anArchiveThatIsWithdrawnIsReplacedByTheFormerOne() throws IOException {
+    ScenePackage packed = collect("<ImageTexture url='\"sky.png\"'/>");
+    Path target = Files.createDirectories(folder.resolve("archives"));
+    Path zip = Files.writeString(target.resolve("room.zip"), "former");
+    PackageWriter.intoZip(packed.files(), zip, done -> {}).withdraw();
+    assertThat(tree(target)).containsExactly("", "room.zip=former");
+    PackageWriter.intoZip(packed.files(), zip, done -> {}).keep();
+    assertThat(Files.size(zip)).isGreaterThan(50);
+    try (var all = Files.list(target)) {
+      assertThat(all).containsExactly(zip);
+    }
+  }
+
+  @Test
+  void aFileOfAnotherProgramSinceIsNeverRemovedAndTheFormerOneIsNamed() throws IOException {
+    ScenePackage packed =
+        collect("<ImageTexture url='\"textures/wood.png\"'/><ImageTexture url='\"sky.png\"'/>");
+    Path target = Files.createDirectories(folder.resolve("target"));
+    Files.createDirectories(target.resolve("textures"));
+    Files.writeString(target.resolve("sky.png"), "mine");
+    Files.writeString(target.resolve("textures/wood.png"), "my wood");
+    WrittenFiles written = PackageWriter.intoFolder(packed.files(), target, done -> {});
+    Files.writeString(target.resolve("sky.png"), "another program's");
+    Path kept = target.resolve(".package.part/replaced/sky.png");
+    assertThatThrownBy(written::withdraw)
+        .isInstanceOf(IOException.class)
+        .hasMessageContaining(target.resolve("sky.png").toString())
+        .hasMessageContaining("it is kept as " + kept);
+    assertThat(kept).hasContent("mine");
+    assertThat(target.resolve("sky.png")).hasContent("another program's");
+    assertThat(target.resolve("textures/wood.png")).hasContent("my wood");
+  }
+
+  @Test
+  void aFileThatAppearsDuringTheExchangeStaysAndAllElseIsRestored() throws IOException {
+    Path target = Files.createDirectories(folder.resolve("target"));
+    Path sky = Files.writeString(target.resolve("sky.png"), "mine");
+    WrittenFiles log = new WrittenFiles();
+    Path stage = log.stage(target);
+    Path wood = Files.writeString(target.resolve("wood.png"), "my wood");
+    log.exchange(
+        Files.writeString(stage.resolve("new-2"), "new wood"),
+        wood,
+        Optional.of(WrittenFiles.former(stage, Path.of("wood.png"))));
+    // Moved away, but nothing is put there; meanwhile another program writes the place.
+    Path missing = stage.resolve("missing");
+    Optional<Path> former = Optional.of(WrittenFiles.former(stage, Path.of("sky.png")));
+    assertThatThrownBy(() -> log.exchange(missing, sky, former)).isInstanceOf(IOException.class);
+    Files.writeString(sky, "another program's");
+    assertThatThrownBy(log::withdraw).hasMessageContaining("it is kept as " + former.get());
+    assertThat(former.get()).hasContent("mine");
+    assertThat(sky).hasContent("another program's");
+    assertThat(wood).hasContent("my wood");
+  }
+
+  @Test
+  void anArchiveInAFolderThatIsMissingSaysWhatIsWrong() throws IOException {
+    ScenePackage packed = collect("<ImageTexture url='\"sky.png\"'/>");
+    Path zip = folder.resolve("missing/room.zip");
+    assertThatThrownBy(() -> PackageWriter.intoZip(packed.files(), zip, done -> {}))
+        .hasMessageStartingWith(zip.getParent().toString())
+        .hasMessageEndingWith(": does not exist");
+  }
+
+  @Test
+  void aFileInPlaceOfTheFolderIsNamed() throws IOException {
+    ScenePackage packed = collect("<ImageTexture url='\"sky.png\"'/>");
+    Path file = Files.writeString(folder.resolve("file"), "mine");
+    assertThatThrownBy(() -> PackageWriter.intoFolder(packed.files(), file, done -> {}))
+        .hasMessage(file + ": is a file, not a folder");
+    assertThat(file).hasContent("mine");
   }
 }

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Locale;
 
@@ -34,6 +35,21 @@ public final class FileWriteException extends IOException {
   /** Adds the file's name to an exception that lacks it, as the one for a full disk does. */
   public static IOException named(Path file, IOException e) {
     return e instanceof FileSystemException ? e : new IOException(file + ": " + e.getMessage(), e);
+  }
+
+  /**
+   * Returns an exception that names the file and the cause, also where the file system gives the
+   * path alone.
+   *
+   * @param place what is named where the file system names nothing
+   */
+  public static IOException explained(Path place, FileSystemException e) {
+    String file = e.getFile() == null ? place.toString() : e.getFile();
+    String cause =
+        e instanceof NoSuchFileException
+            ? "does not exist"
+            : reason(e, System.getProperty("os.name", ""));
+    return new IOException(file + ": " + cause, e);
   }
 
   private static String reason(Exception e, String system) {

@@ -19,4 +19,16 @@ class FileWriteExceptionTest {
     assertThat(new FileWriteException(file, denied, "it is as it was", "Linux").reason())
         .isEqualTo("permission denied");
   }
+
+  @Test
+  void whatTheFileSystemSaysIsExplained() {
+    assertThat(
+            FileWriteException.explained(
+                Path.of("folder"), new java.nio.file.AccessDeniedException("folder/x.png")))
+        .hasMessageStartingWith("folder/x.png: permission denied");
+    assertThat(
+            FileWriteException.explained(
+                Path.of("folder"), new java.nio.file.FileSystemException(null, null, "disk full")))
+        .hasMessage("folder: disk full");
+  }
 }

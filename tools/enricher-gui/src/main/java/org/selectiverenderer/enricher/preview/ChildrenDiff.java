@@ -14,6 +14,9 @@ import org.selectiverenderer.x3d.source.DocumentElement;
  * the rest: plain nodes that nothing outside refers to, and that refer to nothing.
  */
 final class ChildrenDiff {
+  /** The farthest column of new nodes that are read apart, as blanks keep their places. */
+  private static final int FARTHEST = 8_000_000;
+
   /** Most names that are looked for in the rest of the text. */
   private static final int NAMES = 16;
 
@@ -83,11 +86,12 @@ final class ChildrenDiff {
     String added = "";
     if (!come.isEmpty()) {
       Place place = places.of(come.get(0).location());
-      if (place.line() < 2) {
+      if (place.line() < 2 || place.column() > FARTHEST) {
         return Optional.empty();
       }
+      // Materials and textures mean other things in X3D 3 than in X3D 4 (X3D 4.0, 12.2.4).
       added =
-          "<X3D profile='Full' version='4.0'><Scene>"
+          "<X3D profile='Full' version='%s'><Scene>".formatted(version(come.get(0)))
               + "\n".repeat(place.line() - 1)
               + " ".repeat(place.column() - 1)
               + text.substring(come.get(0).start(), come.get(come.size() - 1).end())
@@ -102,6 +106,15 @@ final class ChildrenDiff {
             sibling.map(ChangedPart.Sibling::place),
             added,
             come.size()));
+  }
+
+  /** Returns the version of X3D that the file of an element names, if it is a usual one. */
+  private static String version(DocumentElement element) {
+    DocumentElement root = element;
+    while (root.parent().isPresent()) {
+      root = root.parent().get();
+    }
+    return root.text("version").filter(text -> text.matches("[34]\\.[0-9]")).orElse("4.0");
   }
 
   private boolean groups(String owner) {

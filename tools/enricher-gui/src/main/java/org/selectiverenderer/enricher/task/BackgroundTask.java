@@ -11,6 +11,7 @@ public final class BackgroundTask implements TaskProgress {
   private final boolean awaited;
   private volatile double fraction = -1;
   private volatile boolean cancelled;
+  private boolean over;
   private volatile @Nullable Future<?> running;
   private volatile Runnable ended = () -> {};
 
@@ -59,14 +60,24 @@ public final class BackgroundTask implements TaskProgress {
     return awaited;
   }
 
+  /** Ends the task and returns whether it has been cancelled; from now on it cannot be. */
+  synchronized boolean endsCancelled() {
+    over = true;
+    return cancelled;
+  }
+
+  private synchronized boolean becomesCancelled() {
+    boolean first = !cancelled && !over;
+    cancelled |= first;
+    return first;
+  }
+
   /** Cancels the task as soon as possible; its result is dropped. */
   public void cancel() {
     if (!stoppable) {
       return;
     }
-    boolean first = !cancelled;
-    cancelled = true;
-    if (first) {
+    if (becomesCancelled()) {
       ended.run();
     }
     Future<?> future = running;

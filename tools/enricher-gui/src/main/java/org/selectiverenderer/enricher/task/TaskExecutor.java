@@ -29,6 +29,12 @@ public final class TaskExecutor implements AutoCloseable {
     T run(TaskProgress progress) throws Exception;
   }
 
+  /** Takes back the result of work. */
+  @FunctionalInterface
+  public interface Undo<T> {
+    void undo(T result) throws Exception;
+  }
+
   /**
    * @param eventThread executes the callbacks: {@code EventQueue::invokeLater}
    */
@@ -84,12 +90,17 @@ public final class TaskExecutor implements AutoCloseable {
    * progress, removes what it has written and throws a {@link CancellationException}. It runs on
    * the thread for writing, and its end is always told.
    *
-   * @param undo takes back the result of work that was cancelled at its very end, or whose executor
-   *     was closed; on any thread
+   * @param undo takes back the result of work that was cancelled at its very end, or whose
+   *     executor was closed; never on the event dispatch thread. Its exception is told like that
+   *     of the work
    * @param failed called with the exception, also that of a cancelled task
    */
   public <T> BackgroundTask runWriting(
-      String name, Work<T> work, Consumer<T> undo, Consumer<T> done, Consumer<Exception> failed) {
+      String name,
+      Work<T> work,
+      Undo<T> undo,
+      Consumer<T> done,
+      Consumer<Exception> failed) {
     BackgroundTask task = new BackgroundTask(name, System.nanoTime(), true, true);
     running.add(task);
     writer.execute(() -> writing(task, work, undo, done, failed));
@@ -99,21 +110,17 @@ public final class TaskExecutor implements AutoCloseable {
   private <T> void writing(
       BackgroundTask task,
       Work<T> work,
-      Consumer<T> undo,
+      Undo<T> undo,
       Consumer<T> done,
       Consumer<Exception> failed) {
     Runnable handOver;
     try {
       T result = work.run(task);
-      handOver =
-          () -> {
-            if (closed || task.cancelled()) {
-              undo.accept(result);
-              tell(failed, new CancellationException());
-            } else {
-              done.accept(result);
-            }
-          };
+      if (task.endsCancelled()) {
+        undo.undo(result);
+        throw new CancellationException();
+      }
+      handOver = () -> handOver(result, undo, done);
     } catch (Exception e) {
       handOver = () -> tell(failed, e);
     } catch (LinkageError | OutOfMemoryError | StackOverflowError e) {
@@ -121,6 +128,24 @@ public final class TaskExecutor implements AutoCloseable {
     }
     running.remove(task);
     eventThread.execute(handOver);
+  }
+
+  private <T> void handOver(T result, Undo<T> undo, Consumer<T> done) {
+    if (!closed) {
+      done.accept(result);
+      return;
+    }
+    Thread last =
+        new Thread(
+            () -> {
+              try {
+                undo.undo(result);
+              } catch (Exception e) {
+                throw new IllegalStateException(e); // nobody is left to be told
+              }
+            },
+            "enricher-writer");
+    last.start();
   }
 
   private void tell(Consumer<Exception> failed, Exception why) {

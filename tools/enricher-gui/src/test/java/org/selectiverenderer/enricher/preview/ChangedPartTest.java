@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.authoring.DocumentSnapshot;
 import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
@@ -210,20 +211,25 @@ class ChangedPartTest {
     assertThat(new Edited(SCENE).replace(what, by).patch()).isEmpty();
   }
 
-  /** However large the scene is, an edit compares no more than the object that it is in. */
-  @Test
-  void ofALargeSceneOneObjectIsRead() throws IOException {
-    StringBuilder scene = new StringBuilder("<X3D version='4.0'>\n<Scene>\n");
-    for (int i = 0; i < 20_000; i++) {
-      scene.append("<Transform DEF='T").append(i).append("'><Shape><Box/></Shape></Transform>\n");
+  /**
+   * However large the scene is, an edit compares no more than the object that it is in. In one line
+   * a look at the line for each object would take minutes.
+   */
+  @ParameterizedTest
+  @ValueSource(strings = {"\n", " "})
+  void ofALargeSceneOneObjectIsRead(String between) throws IOException {
+    StringBuilder scene = new StringBuilder("<X3D version='4.0'>\n<Scene>");
+    for (int i = 0; i < 30_000; i++) {
+      scene.append(between);
+      scene.append("<Transform DEF='T").append(i).append("'><Shape><Box/></Shape></Transform>");
     }
     String text = scene.append("</Scene></X3D>").toString();
     for (String[] each :
         new String[][] {
-          {"DEF='T777'", "DEF='Renamed'"},
-          {"DEF='T777'", "DEF='T777' translation='1 1 1'"},
-          {"<Transform DEF='T777'>", "<Group/><Transform DEF='T777'>"},
-          {"<Transform DEF='T777'><Shape><Box/></Shape></Transform>", ""}
+          {"DEF='T29777'", "DEF='Renamed'"},
+          {"DEF='T29777'", "DEF='T29777' translation='1 1 1'"},
+          {"<Transform DEF='T29777'>", "<Group/><Transform DEF='T29777'>"},
+          {"<Transform DEF='T29777'><Shape><Box/></Shape></Transform>", ""}
         }) {
       Edited edited = new Edited(text).replace(each[0], each[1]);
       assertThat(edited.patch()).as(each[1]).isPresent();
