@@ -201,6 +201,6 @@ public final class ExportCommand extends CliCommand {
           "DIR %s: has another %s already; name a new or empty folder"
               .formatted(folder, folder.relativize(conflicts.get(0))));
     }
-    PackageWriter.intoFolder(files, folder, share -> {});
+    PackageWriter.intoFolder(files, folder, share -> {}).keep();
   }
 }

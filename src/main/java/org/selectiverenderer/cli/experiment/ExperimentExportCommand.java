@@ -141,7 +141,7 @@ final class ExperimentExportCommand extends CliCommand {
           "DIR %s: has another %s already; name a new or empty folder"
               .formatted(folder, folder.relativize(conflicts.get(0))));
     }
-    PackageWriter.intoFolder(made.get().files(), folder, share -> {});
+    PackageWriter.intoFolder(made.get().files(), folder, share -> {}).keep();
     Study first = languages.get().get(0).study();
     console()
         .line(

@@ -25,6 +25,7 @@ class ExportCommandTest extends CommandTestCase {
     Path scene = copy.resolve("trashcan." + form);
     assertThat(printed()).isEqualTo(scene + ": 12 other files\n");
     assertThat(copy.resolve("inlineNodes/trashCan_v1.x3d")).exists();
+    assertThat(copy).isDirectoryNotContaining("glob:**/.*"); // of what was being written
 
     assertThat(execute("validate", scene.toString())).as(printed()).isZero();
     String path = "scenes/paths/desk-visit.csv";

@@ -216,9 +216,13 @@ class SaveWithFilesTest extends DocumentSaverFixture {
     result(); // copied; the scene is being written
     type();
     end();
-    assertThat(session.document().text().toString()).startsWith("<!-- mine -->").contains("_con.png");
+    assertThat(session.document().text().toString())
+        .startsWith("<!-- mine -->")
+        .contains("_con.png");
     assertThat(answers.asked).anyMatch(sentence -> sentence.contains("Change the urls"));
-    assertThat(there(other)).contains("_con.png", "Cup_v1.x3d", "sky.png").doesNotContain(".package.part");
+    assertThat(there(other))
+        .contains("_con.png", "Cup_v1.x3d", "sky.png")
+        .doesNotContain(".package.part");
     nothingIsHeldBack();
   }
 

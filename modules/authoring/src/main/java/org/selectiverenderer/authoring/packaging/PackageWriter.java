@@ -112,8 +112,8 @@ public final class PackageWriter {
    *
    * @param progress receives the share that is done, from 0 to 1, and may throw to end the work
    */
-  public static WrittenFiles intoZip(
-      List<PackagedFile> files, Path zip, DoubleConsumer progress) throws IOException {
+  public static WrittenFiles intoZip(List<PackagedFile> files, Path zip, DoubleConsumer progress)
+      throws IOException {
     try {
       return zipped(files, zip, progress);
     } catch (FileSystemException e) {

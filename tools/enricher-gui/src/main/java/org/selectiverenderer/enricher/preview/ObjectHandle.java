@@ -42,6 +42,9 @@ record ObjectHandle(Kind kind, int axis, int sign, List<Vector2d> points) {
   private static final double FAR = 0.5;
   private static final int SEGMENTS = 64;
 
+  /** Least sine of the angle between line of sight and a plane for which its square is shown. */
+  private static final double EDGE_ON = 0.1;
+
   /**
    * Returns the handles of objects, those that a click takes first at the beginning.
    *
@@ -68,7 +71,12 @@ record ObjectHandle(Kind kind, int axis, int sign, List<Vector2d> points) {
   private static List<ObjectHandle> moving(Vector3dc pivot, double length, PictureRays rays) {
     List<ObjectHandle> all = new ArrayList<>();
     add(all, Kind.SURFACE, 0, 0, List.of(pivot), rays);
+    Vector2d middle = rays.project(pivot).orElseThrow(); // a length is known, so it is before us
+    Vector3d sight = rays.sight(middle.x, middle.y, new Vector3d());
     for (int k = 0; k < 3; k++) {
+      if (Math.abs(sight.get(k)) < EDGE_ON) {
+        continue; // It would be a line, which nobody sees and a drag cannot follow.
+      }
       Vector3d u = unit((k + 1) % 3).mul(length);
       Vector3d v = unit((k + 2) % 3).mul(length);
       add(

@@ -90,17 +90,12 @@ public final class TaskExecutor implements AutoCloseable {
    * progress, removes what it has written and throws a {@link CancellationException}. It runs on
    * the thread for writing, and its end is always told.
    *
-   * @param undo takes back the result of work that was cancelled at its very end, or whose
-   *     executor was closed; never on the event dispatch thread. Its exception is told like that
-   *     of the work
+   * @param undo takes back the result of work that was cancelled at its very end, or whose executor
+   *     was closed; never on the event dispatch thread. Its exception is told like that of the work
    * @param failed called with the exception, also that of a cancelled task
    */
   public <T> BackgroundTask runWriting(
-      String name,
-      Work<T> work,
-      Undo<T> undo,
-      Consumer<T> done,
-      Consumer<Exception> failed) {
+      String name, Work<T> work, Undo<T> undo, Consumer<T> done, Consumer<Exception> failed) {
     BackgroundTask task = new BackgroundTask(name, System.nanoTime(), true, true);
     running.add(task);
     writer.execute(() -> writing(task, work, undo, done, failed));

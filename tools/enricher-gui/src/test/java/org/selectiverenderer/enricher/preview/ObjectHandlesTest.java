@@ -132,6 +132,29 @@ class ObjectHandlesTest extends PreviewFixture {
   }
 
   @Test
+  void theRoundHandleIsNotCoveredByASquareThatIsSeenFromItsEdge() throws Exception {
+    String above =
+        ROOM.replace("position='0 1 10'", "position='0 7 7' orientation='1 0 0 -0.7854'")
+            .replace("<Shape DEF='Block'>", "<Transform DEF='Moved'><Shape DEF='Block'>")
+            .replace("size='0.6 0.6 0.6'/></Shape>", "size='0.6 0.6 0.6'/></Shape></Transform>");
+    Path scene = Files.writeString(folder.resolve("above.x3d"), above);
+    try (PreviewWindowDriver window = new PreviewWindowDriver(scene)) {
+      edt(
+          () -> {
+            window.panel.grid(() -> SnapGrid.NONE);
+            window.panel.handles(handles);
+          });
+      window.awaitPicture();
+      PreviewFrame frame = select(window, "Moved");
+      Vector2d from = at(frame, pivot(frame));
+      // Near the middle, where the square of Y and Z is nearer to the mouse than the middle is.
+      window.drag((int) from.x, (int) from.y - 3, (int) from.x + 60, (int) from.y);
+      window.await(each -> each.boxes().size() == 1 && pivot(each).x > pivot(frame).x + 0.2);
+      window.drop();
+    }
+  }
+
+  @Test
   void aShapeWithoutATransformGetsOneAndStaysSelected() throws Exception {
     try (PreviewWindowDriver window = room()) {
       Vector2d from = arrow(select(window, "Block"));
