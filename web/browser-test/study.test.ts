@@ -102,6 +102,7 @@ it('is taken part in from consent to data', async () => {
   expect(sessions).toHaveLength(1);
   const records = readFileSync(path.join(data, sessions[0] ?? ''), 'utf8').trim().split('\n').map((line) => JSON.parse(line) as Received);
   expect(records.map((record) => record.step)).toEqual(['form', 'exposure-office', 'closing']);
+  expect(records.map((record) => record.slot)).toEqual([1, 1, 1]);
   expect(JSON.stringify(records[0])).toContain('robot');
   expect(JSON.stringify(records[2])).toContain('the trash can');
   expect(JSON.stringify(records[1])).toMatch(/"log":\[?/);

@@ -83,7 +83,7 @@ async function ask(
       study: study.name,
       checksum: study.checksum,
       session: session.id,
-      slot: slot.slot,
+      slot: slot.slot + 1,
       participant: slot.participant,
       group: slot.group,
       condition: slot.condition,

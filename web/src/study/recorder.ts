@@ -6,6 +6,7 @@ export interface Identity {
   readonly checksum: string;
   /** A random id, made by the page. */
   readonly session: string;
+  /** The place in the plan, from 1. */
   readonly slot: number;
   readonly participant: string;
   readonly group: string;

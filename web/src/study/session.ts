@@ -54,10 +54,11 @@ export async function open(
     events: window,
   });
   const place = new StepsPlace(storage, sink.session);
+  const taken = asked === undefined ? await sink.slot() : asked + 1; // a receiver counts places from 1
   return {
     id: sink.session,
     sink,
-    slot: asked ?? (await sink.slot()),
+    slot: taken === undefined ? undefined : taken - 1,
     place,
     kept: sink.resumed ? place.read() : undefined,
     ended: sink.ended,

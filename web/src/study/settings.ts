@@ -53,11 +53,14 @@ export function recruitment(query: string): Record<string, string> {
   );
 }
 
-/** Returns the place of the plan, from 0, that the page's address names; undefined for none. */
+/**
+ * Returns the index, from 0, of the place of the plan that the page's address names, which counts them from 1 as a
+ * receiver does; undefined for none.
+ */
 export function askedSlot(query: string, slots: number): number | undefined {
   const asked = new URLSearchParams(query).get('slot') ?? '';
   const slot = /^\d{1,6}$/.test(asked) ? Number(asked) : NaN;
-  return slot < slots ? slot : undefined;
+  return slot >= 1 && slot <= slots ? slot - 1 : undefined;
 }
 
 /** Returns the language to show: the one asked for, else the first of the browser's that the study has. */
