@@ -238,6 +238,34 @@ class LauncherTest {
     assertThat(notes()).contains("flag -XX:SharedArchiveFile=" + archive);
   }
 
+  /** A participant's pictures come as fast as in later sessions. */
+  @Test
+  void noArchiveIsMadeBesideTheSessionsOfAStudy() throws Exception {
+    aPackage();
+    Files.writeString(home.resolve("app/classes.list"), "java/lang/Object");
+    Files.writeString(home.resolve("app/splash.png"), "a picture");
+    tool(
+        "runtime/bin/java",
+        """
+        case "$*" in
+          *-Xshare:dump*)
+            echo dumped >>"$NOTES"
+            for word in "$@"; do
+              case $word in -XX:SharedArchiveFile=*) echo classes >"${word#*=}" ;; esac
+            done
+            ;;
+          *) echo window >>"$NOTES" ;;
+        esac
+        """);
+    Files.move(
+        tools.resolve("runtime/bin/java"),
+        home.resolve("runtime/bin/java"),
+        StandardCopyOption.REPLACE_EXISTING);
+
+    assertThat(launch("experiment").status()).isZero();
+    assertThat(notes()).containsSubsequence("dumped", "window");
+  }
+
   /** Else it would change where it is installed, which macOS may ask the user about. */
   @Test
   void anApplicationOfMacOsKeepsItsArchiveInTheUsersCaches() throws Exception {
