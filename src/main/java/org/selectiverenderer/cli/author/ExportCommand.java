@@ -180,18 +180,20 @@ public final class ExportCommand extends CliCommand {
         .line(
             "  the scene: %s in %s; its texts had %s before compression"
                 .formatted(
-                    megabytes(web.sceneBytes()),
+                    size(web.sceneBytes()),
                     Pluralizer.of(web.scene().size(), "file"),
-                    megabytes(web.plainBytes())));
+                    size(web.plainBytes())));
     console()
         .line(
             "  the page: %s, and %s that are loaded where a scene needs them"
-                .formatted(megabytes(web.pageBytes()), megabytes(web.partBytes())));
+                .formatted(size(web.pageBytes()), size(web.partBytes())));
     return ExitStatus.DONE;
   }
 
-  private static String megabytes(long bytes) {
-    return String.format(Locale.ROOT, "%.1f MB", bytes / 1e6);
+  private static String size(long bytes) {
+    return bytes < 1_000_000
+        ? String.format(Locale.ROOT, "%.0f kB", bytes / 1e3)
+        : String.format(Locale.ROOT, "%.1f MB", bytes / 1e6);
   }
 
   private void write(List<PackagedFile> files) throws IOException {

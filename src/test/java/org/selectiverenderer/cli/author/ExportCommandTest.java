@@ -176,7 +176,8 @@ class ExportCommandTest extends CommandTestCase {
         "built without the page");
     assertThat(execute("export", SCENE, "--to", "web", site.toString())).as(messages()).isZero();
     assertThat(printed())
-        .contains("index.html: a page for any web server", "in 13 files", "before compression");
+        .contains("index.html: a page for any web server", "in 13 files", "before compression")
+        .doesNotContain(" 0.0 MB");
     assertThat(site.resolve("index.html")).content().contains("<x3d-canvas");
     assertThat(site.resolve("page/x_ite/LICENSE.md")).exists();
     assertThat(site.resolve("scene.json"))

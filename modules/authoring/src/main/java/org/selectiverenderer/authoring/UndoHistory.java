@@ -33,7 +33,7 @@ public final class UndoHistory {
     }
   }
 
-  /** What an edit takes beside its text, in characters. */
+  /** Counts what an edit takes beside its text, in characters. */
   private static final int PER_EDIT = 64;
 
   /**

@@ -5,7 +5,7 @@ package org.selectiverenderer.authoring;
  * It is called on the thread that makes the steps; typing is not told when it is made.
  */
 public interface UndoListener {
-  /** What is done with a step. */
+  /** Says what is done with a step. */
   enum Move {
     MAKE,
     UNDO,

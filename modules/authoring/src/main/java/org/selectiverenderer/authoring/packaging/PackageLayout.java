@@ -21,7 +21,7 @@ import org.selectiverenderer.base.files.WindowsDeviceName;
  * also where upper and lower case are the same.
  */
 public final class PackageLayout {
-  /** What Windows takes in no name: characters, and a dot or blank at the end. */
+  /** Matches what Windows takes in no name: characters, and a dot or blank at the end. */
   private static final Pattern FORBIDDEN = Pattern.compile("[<>:\"|?*\\\\\\x00-\\x1f]|[. ]+$");
 
   private static final int LONGEST_ENDING = 32;

@@ -19,7 +19,7 @@ import java.util.Optional;
  * called in the end. Not thread-safe, and free of any thread.
  */
 public final class WrittenFiles {
-  /** What tells a file from another that takes its place. */
+  /** Tells a file from another that takes its place. */
   private record Stamp(long size, FileTime modified) {
     static Stamp of(Path file) throws IOException {
       BasicFileAttributes is =

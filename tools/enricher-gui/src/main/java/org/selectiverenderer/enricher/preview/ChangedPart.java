@@ -25,7 +25,7 @@ import org.selectiverenderer.x3d.source.ElementTree;
  */
 record ChangedPart(
     Kind kind, String owner, Place at, ChangedRange range, Place place, Optional<Sibling> sibling) {
-  /** What of an element has changed. */
+  /** Says what of an element has changed. */
   enum Kind {
     /** Its start tag. */
     TAG,

@@ -54,7 +54,7 @@ final class PreviewUpdater implements AutoCloseable {
   /** A state that has been handed over, and the base folder of its urls. */
   private record Given(DocumentSnapshot snapshot, Path folder) {}
 
-  /** What an edit has changed, in the text of its revision. */
+  /** Holds what an edit has changed, in the text of its revision. */
   private record Edited(long revision, ChangedRange range) {}
 
   /** Milliseconds without an edit before a patch of what has changed is tried. */

@@ -20,7 +20,7 @@ final class SelectionHistory implements UndoListener {
   private static final int MOST_STEPS = 500;
   private static final int MOST_NODES = 100;
 
-  /** What was selected around a step. */
+  /** Holds what was selected around a step. */
   private static final class Around {
     private final List<ElementPath> before;
     private @Nullable List<ElementPath> after;
