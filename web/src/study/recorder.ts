@@ -53,6 +53,9 @@ export class Recorder {
       step: this.step,
       started: this.started.toISOString(),
       ended: new Date().toISOString(),
+      // The clock of head logs, whose origin is another one each time the page is opened.
+      origin: Math.round(performance.timeOrigin),
+      mono: Math.round(this.began * 1000) / 1e6,
       interruptions: this.interruptions,
       ...content,
     });
