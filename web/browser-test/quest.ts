@@ -24,6 +24,7 @@ export async function wear(page: Page): Promise<void> {
     // Chromium has a navigator.xr of its own, which knows no headset.
     quest.installRuntime({ forceInstall: true });
     quest.position.set(0, 1.6, 0);
+    quest.stereoEnabled = true;
     window.quest = quest;
   });
 }

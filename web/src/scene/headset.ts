@@ -70,7 +70,6 @@ export class Headset implements Rig {
     return this.viewer !== undefined;
   }
 
-  /** Returns the controllers, hands and what else points. */
   get inputs(): readonly XrInputSource[] {
     return this.session ? [...this.session.inputSources] : [];
   }

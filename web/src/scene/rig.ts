@@ -1,4 +1,5 @@
 import type { Pose } from './pose.js';
+import type { XrInputSource } from './webxr.js';
 
 /** A headset that is worn: it carries the eyes about a room, which the viewpoint carries about the scene. */
 export interface Rig {
@@ -6,6 +7,8 @@ export interface Rig {
   head(): Pose;
   /** How far below the eyes of a walker the origin of the room is, in metres: 0, or their height if it is on the floor. */
   readonly drop: number;
+  /** The controllers, hands and what else points. */
+  readonly inputs: readonly XrInputSource[];
 }
 
 /** Returns where the room must be for the head to be at a place and to look in its direction; a room stays upright. */

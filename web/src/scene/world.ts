@@ -154,9 +154,9 @@ export class World {
     this.setPose(this.upright({ ...eyes, pitch: 0, roll: 0 }));
   }
 
-  /** Whether a headset carries the eyes. */
-  get worn(): boolean {
-    return this.rig !== undefined;
+  /** Returns the headset that carries the eyes; undefined for none. */
+  get worn(): Rig | undefined {
+    return this.rig;
   }
 
   /** Returns where the viewer's eyes are, and where they look. */
