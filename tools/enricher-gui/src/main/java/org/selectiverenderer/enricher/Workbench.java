@@ -136,6 +136,7 @@ final class Workbench {
     source = new SourcePanel(session);
     form = new FormPanel(session, pictures);
     form.onMakeVersions(makeVersions);
+    form.follow(problems);
     help = new HelpPanel(session);
     tabs.getAccessibleContext().setAccessibleName(Texts.of("window.views"));
     preview = new PreviewPanel(session);
