@@ -109,6 +109,7 @@ final class Workbench {
       SettingsTrust trust) {
     this.session = session;
     this.settings = settings;
+    preview = new PreviewPanel(session); // First, as it loads the scene while the others are made.
     menu = new NodeMenu(session);
     structure = new StructureCommands(session, Toolkit.getDefaultToolkit().getSystemClipboard());
     pictures = new VersionImageRenderer(() -> asScene(session));
@@ -139,7 +140,6 @@ final class Workbench {
     form.follow(problems);
     help = new HelpPanel(session);
     tabs.getAccessibleContext().setAccessibleName(Texts.of("window.views"));
-    preview = new PreviewPanel(session);
     overview = new OverviewPanel(session);
     cost = new CostPanel(session, budgets, problems::checkAgain);
     schemas = split(JSplitPane.VERTICAL_SPLIT, overview, cost, 1, "polygons");
