@@ -172,7 +172,7 @@ final class Workbench {
     addMenus(makeVersions);
     addTreeKeys();
     structure.shifts(new DuplicateShifts(preview.probe()));
-    insert = new InsertCommands(session, structure, this::here);
+    insert = new InsertCommands(session, structure, this::here, preview::placeAhead);
     disposals.add(focused::dispose);
     disposals.add(autosave::dispose);
     disposals.add(problems::dispose);
