@@ -17,6 +17,10 @@ function study(folder: string): string {
     }),
   );
   writeFileSync(
+    path.join(folder, 'things.csv'),
+    'area,object,consistency,present,en\noffice,trashcan,consistent,yes,Trash can\noffice,boat,inconsistent,no,Boat\n',
+  );
+  writeFileSync(
     path.join(folder, 'study.json'),
     JSON.stringify({
       name: 'Office',
@@ -25,7 +29,7 @@ function study(folder: string): string {
       participants: 4,
       areas: [{ name: 'office', viewpoint: 'OfficeView', seconds: 2 }],
       fade: 0.1,
-      questionnaires: [{ file: 'closing.json' }],
+      questionnaires: [{ kind: 'recognition', items: 'things.csv' }, { file: 'closing.json' }],
     }),
   );
   return path.join(folder, 'study.json');
@@ -101,13 +105,24 @@ it('is taken part in from consent to data', async () => {
   const sessions = readdirSync(data).filter((name) => name.endsWith('.jsonl'));
   expect(sessions).toHaveLength(1);
   const records = readFileSync(path.join(data, sessions[0] ?? ''), 'utf8').trim().split('\n').map((line) => JSON.parse(line) as Received);
-  expect(records.map((record) => record.step)).toEqual(['form', 'exposure-office', 'closing']);
-  expect(records.map((record) => record.slot)).toEqual([1, 1, 1]);
+  expect(records.map((record) => record.step)).toEqual(['form', 'exposure-office', 'recognition-office', 'closing']);
+  expect(records.map((record) => record.slot)).toEqual([1, 1, 1, 1]);
   expect(JSON.stringify(records[0])).toContain('robot');
-  expect(JSON.stringify(records[2])).toContain('the trash can');
+  expect(JSON.stringify(records[3])).toContain('the trash can');
   expect(JSON.stringify(records[1])).toMatch(/"log":\[?/);
   await browser.close();
   server.close();
   child.kill();
+
+  // What arrived becomes a session like those of the laboratory.
+  const responses = path.join(folder, 'responses.csv');
+  const collect = ['experiment', 'collect', folder, '--web', data, '--responses', responses];
+  selectiveRenderer(...collect);
+  expect(readFileSync(responses, 'utf8')).toMatch(/^web001,[a-z]+,office,trashcan,consistent,yes,yes,/m);
+  const head = readFileSync(path.join(folder, 'sub-web001', 'ses-01', 'head', 'exposure-office_run-01.csv'), 'utf8');
+  expect(head).toMatch(/,moved,Inline_\w+,/); // what was in view is found in the scene
+  expect(selectiveRenderer('experiment', 'analyse', responses)).toContain('hit rate');
+  selectiveRenderer(...collect);
+  expect(readdirSync(folder).filter((name) => name.startsWith('sub-'))).toEqual(['sub-web001']);
   remove();
 }, 240_000);
