@@ -4,7 +4,13 @@ import { keep, KeptSink, message, type Keeping, type Kept } from './sink.js';
 export interface Jatos {
   readonly studyResultId: string | number;
   appendResultData(data: string): PromiseLike<unknown>;
-  endStudy(successful: boolean): unknown;
+  /** The query of the address that the participant came by. */
+  readonly urlQueryParameters?: Readonly<Record<string, unknown>>;
+  onLoad(ready: () => void): void;
+  /** Ends the run and keeps the page; the name since version 3.9.7. */
+  endStudyWithoutRedirect?(successful: boolean): PromiseLike<unknown>;
+  /** The same, the name before. */
+  endStudyAjax?(successful: boolean): PromiseLike<unknown>;
   readonly batchSession: {
     get(name: string): unknown;
     set(name: string, value: unknown): PromiseLike<unknown>;
@@ -65,6 +71,7 @@ export class JatosSink extends KeptSink {
   }
 
   protected override async arrived(): Promise<void> {
-    await this.jatos.endStudy(true);
+    // endStudy would show a page of JATOS in place of ours, which thanks and leads on.
+    await (this.jatos.endStudyWithoutRedirect?.(true) ?? this.jatos.endStudyAjax?.(true));
   }
 }

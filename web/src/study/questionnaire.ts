@@ -205,7 +205,7 @@ export class QuestionnaireView {
       return;
     }
     this.refusing = true;
-    this.note.textContent = `${this.words.of('form.refused')} `;
+    this.note.textContent = `${this.words.of('web.form.refused')} `;
     this.note.append(this.button('form.cancel', 'button', () => { this.finish({ answers: [], refused: true }); }));
   }
 

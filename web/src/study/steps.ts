@@ -92,9 +92,26 @@ function scene(context: StepContext, id: string, step: SceneStep): unknown[] {
       type: htmlButtonResponse,
       stimulus: lines.map((line) => `<p>${escaped(line)}</p>`).join(''),
       choices: [escaped(words.of('web.begin'))],
+      on_load: () => { prepare(context, step.scene); },
     },
     shown,
   ];
+}
+
+/** Loads the scene while its instruction is read; the button that shows it waits for that. */
+function prepare(context: StepContext, scene: string): void {
+  const button = document.querySelector<HTMLButtonElement>('#study button');
+  if (!button) {
+    return;
+  }
+  const label = button.textContent;
+  button.disabled = true;
+  const opened = context.stage.open(scene, context.words, (text) => { button.textContent = text; });
+  void opened.then(() => {
+    context.stage.hide();
+    button.textContent = label;
+    button.disabled = false;
+  });
 }
 
 function begin(context: StepContext, id: string): void {

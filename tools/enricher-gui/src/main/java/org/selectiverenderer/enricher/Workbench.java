@@ -118,8 +118,13 @@ final class Workbench {
             () -> session.file().path(),
             settings,
             (read, found) -> trust.limited(read, found, this::settingsAreOther));
+    ValidatorCheck validator = validator(session, budgets);
     problems =
-        new ProblemsPanel(session, List.of(validator(session, budgets), new RepeatedPointsCheck()));
+        new ProblemsPanel(
+            session,
+            List.of(
+                validator,
+                validator.graded(RepeatedPointsCheck.RULE, new RepeatedPointsCheck())));
     tree = new SceneTreePanel(session, problems::faulty);
     problems.onCounts(
         now -> {

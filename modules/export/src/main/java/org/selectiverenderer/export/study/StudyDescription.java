@@ -24,7 +24,7 @@ import org.selectiverenderer.study.session.SessionStep;
 final class StudyDescription {
   /** The messages to participants that the page shows beside those that begin with {@code web.}. */
   private static final List<String> WORDS =
-      List.of("next", "back", "left", "page", "form.refused", "form.cancel", "thanks.title");
+      List.of("next", "back", "left", "page", "form.cancel", "thanks.title");
 
   private static final String OWN_WORDS = "web.";
 

@@ -1,0 +1,44 @@
+package org.selectiverenderer.export.study;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.formats.json.JsonWriter;
+
+class StudyDescriptionTest {
+  private static final Path GOLDEN =
+      Path.of("src/test/resources/org/selectiverenderer/export/study/study-web.json");
+
+  @TempDir Path folder;
+
+  /** What the page shows and to whom; -Dreports.update=true writes it anew. */
+  @Test
+  void aSmallStudyIsDescribedAsThePageReadsIt() throws IOException {
+    StudyFixture fixture = new StudyFixture(folder);
+    String text =
+        new StudyDescription(
+                fixture.read(
+                    StudyFixture.text(
+                        "  \"fade\": 0.5,\n  \"stay\": \"turn\",\n  \"quality\": {\"min_fps\": 30},\n")),
+                new StudyPictures())
+            .text(Map.of());
+    if (Boolean.getBoolean("reports.update")) {
+      Files.writeString(GOLDEN, withoutWords(text) + "\n");
+    }
+    assertThat(withoutWords(text)).isEqualTo(Files.readString(GOLDEN).strip());
+  }
+
+  /** Returns the description without the program's own words, which have tests of their own. */
+  private static String withoutWords(String text) throws IOException {
+    ObjectNode json = (ObjectNode) new ObjectMapper().readTree(text);
+    json.path("texts").forEach(texts -> ((ObjectNode) texts).remove("words"));
+    return JsonWriter.of(json).strip();
+  }
+}
