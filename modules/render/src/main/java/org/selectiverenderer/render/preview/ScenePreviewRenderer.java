@@ -145,8 +145,11 @@ public final class ScenePreviewRenderer implements AutoCloseable {
       }
       return new PreviewImage(pixels, camera, statistics, before.samples());
     }
-    target = target(gl, target, width, height, wantedSamples);
-    Screenshot pixels = paint(gl, target, seen, camera, setting, marking);
+    Target known = target;
+    target = null; // It is disposed of should the next one not be had.
+    Target on = target(gl, known, width, height, wantedSamples);
+    target = on;
+    Screenshot pixels = paint(gl, on, seen, camera, setting, marking);
     return new PreviewImage(pixels, camera, statistics, wantedSamples);
   }
 
@@ -177,7 +180,10 @@ public final class ScenePreviewRenderer implements AutoCloseable {
       LightingContext setting,
       PreviewOptions marking) {
     PixelRectangle drawn = part.enlarged(BORDER, GRID);
-    patch = target(gl, patch, drawn.width(), drawn.height(), samples);
+    Target known = patch;
+    patch = null;
+    Target on = target(gl, known, drawn.width(), drawn.height(), samples);
+    patch = on;
     VisibleSet seen = cull(drawn.within(camera), marking);
     Camera moved =
         new Camera(
@@ -187,7 +193,7 @@ public final class ScenePreviewRenderer implements AutoCloseable {
             camera.y() - drawn.y(),
             camera.width(),
             camera.height());
-    Screenshot pixels = paint(gl, patch, seen, moved, setting, marking);
+    Screenshot pixels = paint(gl, on, seen, moved, setting, marking);
     return before.with(
         pixels, drawn.x(), drawn.y(), part.x(), part.y(), part.width(), part.height());
   }
