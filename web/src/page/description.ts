@@ -1,6 +1,6 @@
 import { CONDITIONS, type Condition, type ExportedScene } from '../scene/world.js';
 
-/** What scene.json beside the page says: it is written by the command export. */
+/** scene.json beside the page says this; the command export writes it. */
 export interface Description extends ExportedScene {
   readonly title: string;
   readonly condition: Condition;
@@ -9,7 +9,7 @@ export interface Description extends ExportedScene {
   readonly files: Readonly<Record<string, number>>;
 }
 
-/** What the address of the page asks for. */
+/** The address of the page asks for this. */
 export interface Request {
   readonly condition: Condition;
   readonly seed: number;

@@ -72,7 +72,6 @@ final class ProblemsModel {
                 entry
                     .rule()
                     .flatMap(rule -> GeometryRepair.of(rule, element))
-                    .or(() -> GeometryRepair.ofMessage(entry.message(), element))
                     .map(
                         kind ->
                             new ElementFinding.Fix(
@@ -81,6 +80,7 @@ final class ProblemsModel {
                                       case NORMALIZE -> "problems.normalize";
                                       case REMOVE_EMPTY_FACES -> "problems.emptyfaces";
                                       case WELD -> "problems.weld";
+                                      case WELD_ALL -> "problems.weldall";
                                     }),
                                 () -> new GeometryRepair(document).edit(kind, element))));
   }
