@@ -1,5 +1,7 @@
 import { angles, orientation, type Pose } from './pose.js';
-import { named, xite, type Browser, type FieldNode, type Namespace, type Scene } from './xite.js';
+import { LaterVersions, type LaterVersion } from './later.js';
+import { room, type Rig } from './rig.js';
+import { named, prepareTangents, xite, type Browser, type FieldNode, type Namespace, type Scene } from './xite.js';
 
 /** The conditions in which a scene can be shown, as of the command run. */
 export const CONDITIONS = ['selective', 'high', 'high-low', 'random'] as const;
@@ -16,6 +18,16 @@ export interface ExportedScene {
   readonly file: string;
   /** DEF name of the Script that controls the versions; none in a scene without enriched objects. */
   readonly controller?: string;
+  /** The versions that are loaded after the first picture. */
+  readonly later?: readonly LaterVersion[];
+  /** Whether a model may need tangents, for a normal map; not told by exports of before. */
+  readonly normalMaps?: boolean;
+}
+
+/** What the first picture shows. */
+export interface Beginning {
+  readonly condition: Condition;
+  readonly seed: number;
 }
 
 interface Vector {
@@ -23,6 +35,15 @@ interface Vector {
   readonly y: number;
   readonly z: number;
 }
+
+/**
+ * The part of its pixels in which a scene is drawn while it is loaded: X_ITE draws it again and again, which takes as
+ * long as loading where no graphics card helps.
+ */
+const DRAFT = 0.1;
+
+/** So many frames after a condition is set, or the viewer stands in an area, all objects show their versions. */
+const SETTLED = 3;
 
 /** A box about everything, in metres: the sensor in it tells where the viewer is, in a headset too. */
 const EVERYWHERE = 1e6;
@@ -38,14 +59,22 @@ export class World {
   private readonly inside = new Set<string>();
   private readonly viewpoint: FieldNode;
   private bound: FieldNode | undefined;
+  private rig: Rig | undefined;
   private head: Pose;
+  private readonly later: LaterVersions;
 
   private constructor(
     private readonly x3d: Namespace,
     readonly browser: Browser,
     private readonly scene: Scene,
     private readonly controller: FieldNode | undefined,
+    later: readonly LaterVersion[],
   ) {
+    this.later = new LaterVersions(later, {
+      named: (name) => named(scene, name),
+      choice: (object) => this.choice(object),
+      loaded: (inlines) => this.loaded(inlines),
+    });
     this.areas = controller ? strings(controller.areaNames) : [];
     this.objects = controller ? strings(controller.objectNames) : [];
     this.viewpoint = scene.createNode('Viewpoint') as unknown as FieldNode;
@@ -58,11 +87,29 @@ export class World {
    * Opens a scene.
    *
    * @param canvas X_ITE's element of the page
+   * @param beginning what the first picture shows; else what the scene says
    * @throws Error with a sentence if the scene cannot be read or has no controller
    */
-  static async open(canvas: HTMLElement, exported: ExportedScene): Promise<World> {
+  static async open(canvas: HTMLElement, exported: ExportedScene, beginning?: Beginning): Promise<World> {
     const x3d = xite();
+    prepareTangents(exported.normalMaps !== false);
     const browser = x3d.getBrowser(canvas as never) as unknown as Browser;
+    const scale = browser.getBrowserOption('ContentScale');
+    browser.setBrowserOption('ContentScale', DRAFT);
+    try {
+      return await World.loaded(x3d, browser, exported, beginning);
+    } finally {
+      browser.setBrowserOption('ContentScale', scale);
+      await browser.nextFrame();
+    }
+  }
+
+  private static async loaded(
+    x3d: Namespace,
+    browser: Browser,
+    exported: ExportedScene,
+    beginning: Beginning | undefined,
+  ): Promise<World> {
     try {
       await browser.loadURL(new x3d.MFString(exported.file));
     } catch (error) {
@@ -77,9 +124,20 @@ export class World {
         throw new Error(`${exported.file} has no Script ${exported.controller}; export the scene anew`, { cause: error });
       }
     }
-    const world = new World(x3d, browser, scene, controller);
-    await browser.nextFrame();
+    const world = new World(x3d, browser, scene, controller, exported.later ?? []);
+    if (beginning) {
+      world.setCondition(beginning.condition, beginning.seed);
+    }
+    for (let frame = 0; frame < SETTLED; frame++) {
+      await browser.nextFrame();
+    }
+    await world.later.loadShown();
     return world;
+  }
+
+  /** Loads one more of the versions that nobody has seen yet; returns false when all are there. */
+  loadNext(): Promise<boolean> {
+    return this.later.loadNext();
   }
 
   /** Calls a listener with all events from now on; returns what ends that. */
@@ -137,7 +195,24 @@ export class World {
   private go(view: FieldNode): void {
     this.bound = view;
     this.viewpoint.fieldOfView = view.fieldOfView ?? Math.PI / 4;
-    this.setPose(poseOf(view));
+    this.setPose(this.upright(poseOf(view)));
+  }
+
+  /** Returns the pose of a head whose body stands at a viewpoint: somebody in a headset has the own height. */
+  private upright(view: Pose): Pose {
+    return this.rig ? { ...view, y: view.y - this.rig.drop + this.rig.head().y } : view;
+  }
+
+  /** Has a headset carry the eyes from now on, or nothing; the viewer stays and looks the same way. */
+  wear(rig: Rig | undefined): void {
+    const eyes = this.rig ? { ...this.head, y: poseOf(this.viewpoint).y + this.rig.drop } : this.head;
+    this.rig = rig;
+    this.setPose(this.upright({ ...eyes, pitch: 0, roll: 0 }));
+  }
+
+  /** Returns the headset that carries the eyes; undefined for none. */
+  get worn(): Rig | undefined {
+    return this.rig;
   }
 
   /** Returns where the viewer's eyes are, and where they look. */
@@ -145,26 +220,46 @@ export class World {
     return this.head;
   }
 
-  /** Places the viewer. */
+  /** Places the viewer; a headset looks as far up and down as it does. */
   setPose(pose: Pose): void {
     this.head = pose;
-    const turn = orientation(pose);
-    this.viewpoint.position = new this.x3d.SFVec3f(pose.x, pose.y, pose.z);
+    const carried = this.rig ? room(pose, this.rig.head()) : pose;
+    const turn = orientation(carried);
+    this.viewpoint.position = new this.x3d.SFVec3f(carried.x, carried.y, carried.z);
     this.viewpoint.orientation = new this.x3d.SFRotation(turn.x, turn.y, turn.z, turn.angle);
   }
 
   /** Returns the part of a horizontal way, in metres, that walls and furniture leave open. */
   free(x: number, z: number): { x: number; z: number } {
-    const way = this.browser.constrainTranslation(new this.x3d.SFVec3f(x, 0, z)) as Vector | null;
+    const way = this.fromEyes(() => this.browser.constrainTranslation(new this.x3d.SFVec3f(x, 0, z)) as Vector | null);
     return way ? { x: way.x, z: way.z } : { x, z };
   }
 
-  /** Returns the distance from the eyes down to the floor, in metres; undefined where none is near. */
+  /**
+   * Returns the distance from the eyes down to the floor, in metres; undefined where none is near. In a headset the eyes
+   * count as high as those of the scene's walker, for it is the body that stands on the floor.
+   */
   floor(): number | undefined {
-    const below = this.browser.getClosestObject(new this.x3d.SFVec3f(0, -1, 0)) as { distance: number } | null;
+    const below = this.fromEyes(
+      () => this.browser.getClosestObject(new this.x3d.SFVec3f(0, -1, 0)) as { distance: number } | null);
     return below && Number.isFinite(below.distance) && below.distance < 2 * this.walker().eyes
       ? below.distance
       : undefined;
+  }
+
+  /** Asks X_ITE about what is near; it looks from the viewpoint, which a headset leaves behind. */
+  private fromEyes<T>(ask: () => T): T {
+    if (!this.rig) {
+      return ask();
+    }
+    const carried = this.viewpoint.position as Vector;
+    const back = new this.x3d.SFVec3f(carried.x, carried.y, carried.z);
+    this.viewpoint.position = new this.x3d.SFVec3f(this.head.x, carried.y + this.rig.drop, this.head.z);
+    try {
+      return ask();
+    } finally {
+      this.viewpoint.position = back;
+    }
   }
 
   /** Returns how the scene wants to be walked: metres per second, height of eyes and of the highest step in metres. */
@@ -195,7 +290,7 @@ export class World {
       this.bound = active;
       this.viewpoint.fieldOfView = active.fieldOfView ?? Math.PI / 4;
     }
-    const pose = this.bound ? poseOf(this.bound) : { x: 0, y: 0, z: 10, yaw: 0, pitch: 0, roll: 0 };
+    const pose = this.upright(this.bound ? poseOf(this.bound) : { x: 0, y: 0, z: 10, yaw: 0, pitch: 0, roll: 0 });
     this.viewpoint.jump = true;
     this.setPose(pose);
     this.viewpoint.set_bind = true;
@@ -225,6 +320,7 @@ export class World {
     }
     for (const object of this.objects) {
       named(this.scene, object).addFieldCallback(this, 'whichChoice', (choice) => {
+        this.later.show(object, Number(choice));
         this.tell({ kind: 'switch', object, choice: Number(choice) });
       });
     }
@@ -238,6 +334,26 @@ export class World {
     sensor.addFieldCallback(this, 'orientation_changed', (value) => {
       this.head = { ...this.head, ...angles(value as Vector & { angle: number }) };
     });
+  }
+
+  /** Waits until Inlines have their content; one whose file fails is as good as there. */
+  private async loaded(inlines: readonly FieldNode[]): Promise<void> {
+    const sensor = this.scene.createNode('LoadSensor') as unknown as FieldNode;
+    await new Promise<void>((done) => {
+      sensor.addFieldCallback(this, 'isLoaded', (loaded) => {
+        if (loaded) {
+          done();
+        }
+      });
+      sensor.addFieldCallback(this, 'isActive', (active) => {
+        if (!active) {
+          done();
+        }
+      });
+      sensor.children = new this.x3d.MFNode(...(inlines as never[]));
+    });
+    sensor.dispose();
+    await this.browser.nextFrame();
   }
 
   private tell(event: WorldEvent): void {
