@@ -12,6 +12,7 @@ import javax.swing.ListSelectionModel;
 import javax.swing.table.TableModel;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.enricher.component.ColumnHeads;
+import org.selectiverenderer.enricher.component.ShortcutTable;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.swing.PlainText;
 
@@ -42,7 +43,7 @@ final class RatingsTableFactory {
   }
 
   private static JTable table(TableModel model, String name) {
-    JTable table = new JTable(model);
+    JTable table = new ShortcutTable(model);
     PlainText.cells(table);
     table.setFillsViewportHeight(true);
     table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
