@@ -85,7 +85,7 @@ class SceneExposureReplayTest {
 
   @Test
   void aSceneThatIsNotThereIsSaidInASentence() throws IOException {
-    Path copy = Files.writeString(folder.resolve("hall.x3d"), "<X3D><Scene/></X3D>");
+    Path copy = Files.writeString(folder.resolve("hall.x3d"), "<X3D><Scene><Viewpoint DEF='OfficeView'/></Scene></X3D>");
     Study study = study(copy);
     Files.delete(copy);
     assertThatThrownBy(
