@@ -1,7 +1,7 @@
 /** The receiver that stands for JATOS, which serves the page then. */
 export const JATOS = 'jatos';
 
-/** What a lab sets in study-settings.json. */
+/** A lab sets these in study-settings.json. */
 export interface Settings {
   /** Address of the receiver of the data; JATOS for jatos.js; empty for none. */
   readonly receiver: string;

@@ -3,14 +3,15 @@ import type { Condition } from '../scene/world.js';
 import { ordered, type Slot, type Step, type Study, type Texts, type Wording } from './description.js';
 import { escaped } from './escape.js';
 import type { Log } from './head-log.js';
-import { questionnairePlugin, type QuestionnaireResult } from './questionnaire.js';
+import { questionnairePlugin } from './questionnaire.js';
+import type { QuestionnaireResult } from './questionnaire-state.js';
 import type { Recorder } from './recorder.js';
 import type { Stage } from './stage.js';
 import { exposurePlugin } from './x3d-exposure.js';
 
 type SceneStep = Extract<Step, { readonly scene: string }>;
 
-/** What a step needs to be shown and recorded. */
+/** A step needs this to be shown and recorded. */
 export interface StepContext {
   readonly study: Study;
   readonly slot: Slot;
@@ -20,7 +21,7 @@ export interface StepContext {
   readonly recorder: Recorder;
   /** The step that an earlier page left under way; empty for none. */
   readonly repeated: string;
-  /** What the first record tells besides. */
+  /** Returns what the first record tells besides. */
   readonly first: () => Readonly<Record<string, unknown>>;
   readonly begun: (step: string) => void;
   readonly ended: (step: string) => void;

@@ -35,7 +35,7 @@ public final class SceneExposureReplay implements ExposureReplay {
         study
             .scene()
             .orElseThrow(() -> new IOException(study.file() + ": the study names no scene"));
-    Condition condition = exposure.group().settings().condition().orElse(Condition.HIGH);
+    Condition condition = exposure.group().condition();
     try (Walkthrough walk =
         Walkthrough.open(
             scene,
