@@ -1,6 +1,7 @@
 package org.selectiverenderer.enricher.tree;
 
 import java.awt.Component;
+import java.util.Optional;
 import java.util.function.Predicate;
 import javax.swing.JTree;
 import javax.swing.tree.DefaultTreeCellRenderer;
@@ -57,10 +58,20 @@ final class NodeTreeCellRenderer extends DefaultTreeCellRenderer {
     String name =
         element
             .def()
-            .orElseGet(() -> element.use().map(use -> Texts.of("nodes.uses", use)).orElse(""));
+            .or(() -> element.use().map(use -> Texts.of("nodes.uses", use)))
+            .or(() -> prototype(element))
+            .orElse("");
     return name.isEmpty()
         ? element.name()
         : describable(element) ? name : element.name() + "  " + name;
+  }
+
+  /** Returns the name of the prototype that an element declares, or is an instance of. */
+  private static Optional<String> prototype(DocumentElement element) {
+    return switch (element.name()) {
+      case "ProtoDeclare", "ExternProtoDeclare", "ProtoInstance" -> element.text("name");
+      default -> Optional.empty();
+    };
   }
 
   private NodeIcon.Mark mark(DocumentElement element) {

@@ -5,6 +5,7 @@ import java.awt.Dimension;
 import java.awt.Window;
 import java.io.IOException;
 import java.util.List;
+import java.util.Set;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import javax.swing.JButton;
@@ -28,6 +29,7 @@ import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.authoring.DocumentSnapshot;
 import org.selectiverenderer.authoring.EditRejectedException;
+import org.selectiverenderer.authoring.enrichment.EnrichedSwitch;
 import org.selectiverenderer.authoring.versions.BatchProgress;
 import org.selectiverenderer.authoring.versions.BatchVersionsEdit;
 import org.selectiverenderer.authoring.versions.PlannedFile;
@@ -332,9 +334,15 @@ public final class BatchVersionsDialog extends JDialog {
       return;
     }
     session.document().removeListener(changes);
+    Set<DocumentElement> before = Set.copyOf(switches());
     try {
       plan.apply(session.document());
       dispose();
+      List<DocumentElement> made =
+          switches().stream().filter(element -> !before.contains(element)).toList();
+      if (!made.isEmpty()) {
+        session.selectAll(made, this); // as their schemas are stated next
+      }
       session.message(
           Texts.of(
               "manyversions.made",
@@ -348,6 +356,10 @@ public final class BatchVersionsDialog extends JDialog {
       session.document().addListener(changes);
       say(String.valueOf(e.getMessage()));
     }
+  }
+
+  private List<DocumentElement> switches() {
+    return session.enrichment().switches().stream().map(EnrichedSwitch::element).toList();
   }
 
   /** Asks before existing files are replaced, naming them; returns whether to go on. */

@@ -31,7 +31,7 @@ class PatchLoadingTest {
   void thePreviewDoesNotWaitForTheImageOfANewNode() throws Exception {
     CountDownLatch asked = new CountDownLatch(1);
     CountDownLatch pictureGoesOn = new CountDownLatch(1);
-    AtomicBoolean wentOn = new AtomicBoolean();
+    AtomicBoolean meanwhile = new AtomicBoolean();
     HttpServer server =
         HttpServer.create(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), 0);
     server.createContext(
@@ -39,7 +39,7 @@ class PatchLoadingTest {
         exchange -> {
           asked.countDown();
           try {
-            wentOn.set(pictureGoesOn.await(10, TimeUnit.SECONDS));
+            pictureGoesOn.await();
           } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
           }
@@ -78,13 +78,18 @@ class PatchLoadingTest {
       Thread loader = new Thread(() -> preview.patch(patch, () -> refused.set(true)), "loader");
       loader.start();
       assertThat(asked.await(60, TimeUnit.SECONDS)).as("the image is fetched").isTrue();
-      preview.ask(stage -> pictureGoesOn.countDown());
+      preview.ask(
+          stage -> {
+            meanwhile.set(loader.isAlive()); // It waits for the image.
+            pictureGoesOn.countDown();
+          });
       loader.join(TimeUnit.MINUTES.toMillis(1));
       preview.ask(stage -> taken.countDown());
       assertThat(taken.await(60, TimeUnit.SECONDS)).isTrue();
-      assertThat(wentOn).as("the picture goes on meanwhile").isTrue();
+      assertThat(meanwhile).as("the picture goes on meanwhile").isTrue();
       assertThat(refused).isFalse();
     } finally {
+      pictureGoesOn.countDown();
       server.stop(0);
     }
   }

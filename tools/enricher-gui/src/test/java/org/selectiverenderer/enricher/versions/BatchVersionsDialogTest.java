@@ -16,6 +16,7 @@ import javax.swing.JTable;
 import javax.swing.JTextField;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.authoring.enrichment.EnrichedSwitch;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.enricher.robot.TestSessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
@@ -83,6 +84,10 @@ class BatchVersionsDialogTest {
     assertThat(folder.resolve("inlineNodes/Vase_v3.x3d")).exists();
     assertThat(folder.resolve("inlineNodes/Bowl_v2.x3d")).exists();
     assertThat(session.enrichment().switches()).hasSize(2);
+    assertThat(session.selectedElements())
+        .as("the Switches, whose schemas are stated next")
+        .containsExactlyElementsOf(
+            session.enrichment().switches().stream().map(EnrichedSwitch::element).toList());
     session.document().history().undo();
     assertThat(session.document().text().toString()).isEqualTo(before);
     assertThat(folder.resolve("inlineNodes")).doesNotExist();
