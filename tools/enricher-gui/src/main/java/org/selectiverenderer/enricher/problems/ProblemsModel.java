@@ -199,6 +199,31 @@ final class ProblemsModel {
     return faulty.contains(element);
   }
 
+  /** Returns the problems of a node, with those of its metadata, in document order. */
+  List<ElementFinding> about(DocumentElement node) {
+    return all.stream()
+        .flatMap(
+            entry ->
+                entry
+                    .element()
+                    .filter(element -> describes(element, node))
+                    .map(
+                        element ->
+                            new ElementFinding(
+                                element, entry.severity(), entry.message(), entry.fix()))
+                    .stream())
+        .toList();
+  }
+
+  /** Whether an element is a node or stands in its metadata. */
+  private static boolean describes(DocumentElement element, DocumentElement node) {
+    DocumentElement at = element;
+    while (at != node && at.name().startsWith("Metadata") && at.parent().isPresent()) {
+      at = at.parent().get();
+    }
+    return at == node;
+  }
+
   List<ProblemEntry> entries() {
     return all;
   }
