@@ -11,6 +11,7 @@ import javax.swing.JTable;
 import javax.swing.ListSelectionModel;
 import javax.swing.table.TableModel;
 import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.enricher.component.ShortcutTable;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.swing.PlainText;
 
@@ -40,7 +41,7 @@ final class RatingsTableFactory {
   }
 
   private static JTable table(TableModel model, String name) {
-    JTable table = new JTable(model);
+    JTable table = new ShortcutTable(model);
     PlainText.cells(table);
     table.setFillsViewportHeight(true);
     table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);

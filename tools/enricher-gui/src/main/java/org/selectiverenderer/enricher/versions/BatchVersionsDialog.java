@@ -34,8 +34,10 @@ import org.selectiverenderer.authoring.versions.PlannedFile;
 import org.selectiverenderer.authoring.versions.VersionCandidate;
 import org.selectiverenderer.authoring.versions.VersionCandidateFinder;
 import org.selectiverenderer.authoring.versions.VersionsEdit;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.enricher.component.ShortcutTable;
 import org.selectiverenderer.enricher.component.TextChangeListener;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.task.BackgroundTask;
@@ -60,7 +62,7 @@ public final class BatchVersionsDialog extends JDialog {
   private final EnricherSession session;
   private final List<DocumentElement> selected;
   private final BatchTableModel model = new BatchTableModel();
-  private final JTable table = new JTable(model);
+  private final JTable table = new ShortcutTable(model);
   private final JCheckBox only = new JCheckBox();
   private final JSpinner above =
       new JSpinner(new SpinnerNumberModel(VersionCandidateFinder.FEW, 0, 10_000_000, 100));
@@ -158,6 +160,7 @@ public final class BatchVersionsDialog extends JDialog {
   private JScrollPane table() {
     PlainText.cells(table);
     name(table, "manyversions.table");
+    table.setDefaultRenderer(Integer.class, new GroupedNumberRenderer());
     table.setFillsViewportHeight(true);
     table.setAutoCreateRowSorter(true);
     table.putClientProperty("terminateEditOnFocusLost", true);
@@ -287,8 +290,8 @@ public final class BatchVersionsDialog extends JDialog {
               ? Texts.of(
                   "manyversions.count",
                   count,
-                  String.valueOf(count),
-                  String.valueOf(model.getRowCount()))
+                  DecimalFormatter.grouped(count),
+                  DecimalFormatter.grouped(model.getRowCount()))
               : notice);
     }
   }

@@ -50,14 +50,49 @@ class SceneTreePanelTest {
           () -> {
             Rectangle row = tree.getPathBounds(tree.getSelectionPath());
             Rectangle seen = tree.getVisibleRect();
-            row.width =
-                Math.min(row.width, seen.width); // a theme's rows may be wider than the view
+            // A theme's rows may be wider than the view, in which the arrows before them are too.
+            row.width = Math.min(row.width, seen.width - 40);
             return seen.contains(row);
           });
       assertThat(GuiRobot.onEdt(() -> tree.getVisibleRect().x))
           .as("how far it is scrolled sideways")
           .isPositive();
       GuiRobot.picture(frame.getContentPane(), "tree-deep", 1);
+    } finally {
+      GuiRobot.onEdt(
+          () -> {
+            frame.dispose();
+            panel.dispose();
+            return true;
+          });
+    }
+  }
+
+  @Test
+  void aLongNameThatIsSelectedLeavesTheArrowsInView() throws IOException {
+    String name = "Switch_of_the_lamp_on_the_desk_beside_the_window_of_the_office";
+    EnricherSession session =
+        TestSessions.with(folder, "<Group><Group DEF='" + name + "'><Group/></Group></Group>");
+    SceneTreePanel panel = GuiRobot.onEdt(() -> new SceneTreePanel(session, element -> false));
+    JFrame frame =
+        GuiRobot.onEdt(
+            () -> {
+              JFrame made = new JFrame();
+              made.setContentPane(panel.component());
+              made.setSize(230, 500);
+              return made;
+            });
+    hands.show(frame);
+    try {
+      GuiRobot.onEdt(
+          () -> {
+            session.select(
+                session.document().tree().orElseThrow().named(name).orElseThrow(), this);
+            return true;
+          });
+      hands.await("the selection", () -> panel.tree().getSelectionCount() == 1);
+      GuiRobot.onEdt(() -> true); // after what is done later for the scroll bar
+      assertThat(GuiRobot.onEdt(() -> panel.tree().getVisibleRect().x)).isZero();
     } finally {
       GuiRobot.onEdt(
           () -> {
