@@ -189,7 +189,7 @@ async function finish(session: Session, lab: Settings, ids: Readonly<Record<stri
   element('study').hidden = true;
   await session.sink.finish();
   session.place.forget();
-  const end = make('div', 'end');
+  const end = make('div', 'thanks');
   end.append(make('h1', '', words.of('thanks.title')));
   if (session.sink instanceof RecordFile) {
     end.append(session.sink.link(words.of('web.save'), `${session.id}.jsonl`));
