@@ -1,6 +1,6 @@
 import { angles, orientation, type Pose } from './pose.js';
 import { room, type Rig } from './rig.js';
-import { named, xite, type Browser, type FieldNode, type Namespace, type Scene } from './xite.js';
+import { browserOf, named, xite, type Browser, type FieldNode, type Namespace, type Scene } from './xite.js';
 
 /** The conditions in which a scene can be shown, as of the command run. */
 export const CONDITIONS = ['selective', 'high', 'high-low', 'random'] as const;
@@ -25,6 +25,14 @@ interface Vector {
   readonly z: number;
 }
 
+/** What X_ITE's declarations lack. */
+interface CollisionTraversal {
+  getWorld(): { traverse(type: unknown): void };
+}
+interface TraverseTypes {
+  readonly TraverseType: { readonly COLLISION: unknown };
+}
+
 /** A box about everything, in metres: the sensor in it tells where the viewer is, in a headset too. */
 const EVERYWHERE = 1e6;
 
@@ -38,18 +46,23 @@ export class World {
   private readonly listeners = new Set<(event: WorldEvent) => void>();
   private readonly inside = new Set<string>();
   private readonly viewpoint: FieldNode;
+  private readonly everywhere: FieldNode;
+  private readonly internals: CollisionTraversal;
   private bound: FieldNode | undefined;
   private rig: Rig | undefined;
   private head: Pose;
 
   private constructor(
-    private readonly x3d: Namespace,
+    /** X_ITE's types, of which nodes that are added have their fields. */
+    readonly x3d: Namespace,
     readonly browser: Browser,
     private readonly scene: Scene,
     private readonly controller: FieldNode | undefined,
   ) {
     this.areas = controller ? strings(controller.areaNames) : [];
     this.objects = controller ? strings(controller.objectNames) : [];
+    this.internals = browser as unknown as CollisionTraversal;
+    this.everywhere = scene.createNode('ProximitySensor') as unknown as FieldNode;
     this.viewpoint = scene.createNode('Viewpoint') as unknown as FieldNode;
     scene.addRootNode(this.viewpoint);
     this.head = this.adopt();
@@ -64,7 +77,7 @@ export class World {
    */
   static async open(canvas: HTMLElement, exported: ExportedScene): Promise<World> {
     const x3d = xite();
-    const browser = x3d.getBrowser(canvas as never) as unknown as Browser;
+    const browser = browserOf(canvas);
     try {
       await browser.loadURL(new x3d.MFString(exported.file));
     } catch (error) {
@@ -149,7 +162,9 @@ export class World {
 
   /** Has a headset carry the eyes from now on, or nothing; the viewer stays and looks the same way. */
   wear(rig: Rig | undefined): void {
-    const eyes = this.rig ? { ...this.head, y: poseOf(this.viewpoint).y + this.rig.drop } : this.head;
+    // A sensor may have told of a headset before it counts; the viewpoint is still where the viewer stood.
+    const stood = poseOf(this.viewpoint);
+    const eyes = this.rig ? { ...this.head, y: stood.y + this.rig.drop } : stood;
     this.rig = rig;
     this.setPose(this.upright({ ...eyes, pitch: 0, roll: 0 }));
   }
@@ -191,8 +206,27 @@ export class World {
       : undefined;
   }
 
+  /** Makes a node, which is not in the scene yet. */
+  node(type: string, fields: Readonly<Record<string, unknown>>): FieldNode {
+    const made = this.scene.createNode(type as 'Group') as unknown as FieldNode;
+    Object.assign(made, fields);
+    return made;
+  }
+
+  /** Puts a node of the page's own into the scene. */
+  add(node: FieldNode): void {
+    this.scene.addRootNode(node);
+  }
+
+  /** Has the head carry a Transform. */
+  carry(transform: FieldNode): void {
+    this.scene.addRoute(this.everywhere, 'position_changed', transform, 'translation');
+  }
+
   /** Asks X_ITE about what is near; it looks from the viewpoint, which a headset leaves behind. */
   private fromEyes<T>(ask: () => T): T {
+    // X_ITE collects what is near only for viewers of its own that collide, and knows what was near once otherwise.
+    this.internals.getWorld().traverse((this.x3d as unknown as TraverseTypes).TraverseType.COLLISION);
     if (!this.rig) {
       return ask();
     }
@@ -206,11 +240,11 @@ export class World {
     }
   }
 
-  /** Returns how the scene wants to be walked: metres per second, height of eyes and of the highest step in metres. */
-  walker(): { speed: number; eyes: number; stairs: number } {
+  /** Returns how the scene wants to be walked: metres per second; radius, height of eyes and of the highest step in metres. */
+  walker(): { speed: number; radius: number; eyes: number; stairs: number } {
     const info = this.browser.activeNavigationInfo as unknown as FieldNode | null;
     const size = numbers(info?.avatarSize);
-    return { speed: Number(info?.speed ?? 1), eyes: size[1] ?? 1.6, stairs: size[2] ?? 0.75 };
+    return { speed: Number(info?.speed ?? 1), radius: size[0] ?? 0.25, eyes: size[1] ?? 1.6, stairs: size[2] ?? 0.75 };
   }
 
   /** Waits for the next frame, and takes over what the scene itself binds. */
@@ -267,7 +301,7 @@ export class World {
         this.tell({ kind: 'switch', object, choice: Number(choice) });
       });
     }
-    const sensor = this.scene.createNode('ProximitySensor') as unknown as FieldNode;
+    const sensor = this.everywhere;
     sensor.size = new this.x3d.SFVec3f(EVERYWHERE, EVERYWHERE, EVERYWHERE);
     this.scene.addRootNode(sensor);
     sensor.addFieldCallback(this, 'position_changed', (value) => {
