@@ -5,7 +5,7 @@ import path from 'node:path';
 import type { Page } from 'puppeteer-core';
 import { ROOT } from './chromium.js';
 
-/** Writes a study of one exposure: consent, two seconds in the office, one question; returns its file. */
+/** Writes a study of one exposure: consent, two seconds in the office, what was there, one question; returns its file. */
 export function officeStudy(folder: string): string {
   const scene = path.relative(folder, path.join(ROOT, 'scenes', 'trashcan.x3d')).split(path.sep).join('/');
   writeFileSync(
@@ -16,6 +16,10 @@ export function officeStudy(folder: string): string {
     }),
   );
   writeFileSync(
+    path.join(folder, 'things.csv'),
+    'area,object,consistency,present,en\noffice,can,consistent,yes,Trash can\noffice,boat,inconsistent,no,Boat\n',
+  );
+  writeFileSync(
     path.join(folder, 'study.json'),
     JSON.stringify({
       name: 'Office',
@@ -24,7 +28,7 @@ export function officeStudy(folder: string): string {
       participants: 6,
       areas: [{ name: 'office', viewpoint: 'OfficeView', seconds: 2 }],
       fade: 0.1,
-      questionnaires: [{ file: 'closing.json' }],
+      questionnaires: [{ kind: 'recognition', name: 'memory', items: 'things.csv' }, { file: 'closing.json' }],
     }),
   );
   return path.join(folder, 'study.json');
@@ -54,8 +58,13 @@ export async function fillForm(page: Page, option: number): Promise<void> {
   await press(page, 'Continue');
 }
 
-/** Writes the answer of the last page, and goes on. */
+/** Says yes to all that may have been there, with the least confidence; writes the answer of the last page, and goes on. */
 export async function writeAnswer(page: Page, text: string): Promise<void> {
+  await page.waitForSelector('form.questionnaire .choice', { timeout: 120_000 });
+  await page.evaluate(() => {
+    document.querySelectorAll<HTMLElement>('.choice').forEach((box) => box.querySelector('input')?.click());
+  });
+  await press(page, 'Continue');
   const line = await page.waitForSelector('form.questionnaire :is(textarea, input)', { timeout: 120_000 });
   await line?.type(text);
   await press(page, 'Continue');

@@ -1,4 +1,4 @@
-import { mkdtempSync } from 'node:fs';
+import { mkdtempSync, readFileSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import type { Browser, Page } from 'puppeteer-core';
 import { afterAll, beforeAll, beforeEach, expect, it } from 'vitest';
@@ -65,12 +65,12 @@ it('is taken part in on the full screen, from consent to data', async () => {
 
   const [records = [], ...others] = sessions('robot');
   expect(others).toEqual([]);
-  expect(records.map((record) => record.step)).toEqual(['form', 'exposure-office', 'closing']);
-  expect(records.map((record) => record.slot)).toEqual([1, 1, 1]);
+  expect(records.map((record) => record.step)).toEqual(['form', 'exposure-office', 'memory-office', 'closing']);
+  expect(records.map((record) => record.slot)).toEqual([1, 1, 1, 1]);
   expect(records[0]?.device?.scene_rate).toBeGreaterThan(0);
   expect(records[1]?.log?.columns.slice(0, 7)).toEqual(['t', 'x', 'y', 'z', 'yaw', 'pitch', 'roll']);
   expect(records[1]?.log?.rows.length).toBeGreaterThan(0);
-  expect(records[2]?.answers?.map(({ question, value }) => [question, value])).toEqual([['noticed', 'the trash can']]);
+  expect(records[3]?.answers?.map(({ question, value }) => [question, value])).toEqual([['noticed', 'the trash can']]);
 }, 300_000);
 
 it('loses nothing when the connection is cut in the middle and the tab is closed and opened again', async () => {
@@ -92,20 +92,21 @@ it('loses nothing when the connection is cut in the middle and the tab is closed
   await page.close();
   const [records = [], ...others] = sessions('cut');
   expect(others).toEqual([]);
-  expect(records.map((record) => record.step)).toEqual(['form', 'exposure-office', 'closing']);
+  expect(records.map((record) => record.step)).toEqual(['form', 'exposure-office', 'memory-office', 'closing']);
   expect(new Set(records.map((record) => record.session)).size).toBe(1);
   expect(records[1]?.log?.rows.length).toBeGreaterThan(0);
 }, 400_000);
 
 it('shows an exposure that was left once more, and says so', async () => {
-  const first = await open('left');
-  await fillForm(first.page, 0);
-  await told(first.page, 'Next you see a place for 2 seconds');
-  await press(first.page, 'Begin');
-  await first.page.waitForFunction(() => window.selectiveRenderer !== undefined, { timeout: 120_000 });
-  await first.page.close();
-
   const { page } = await open('left');
+  await fillForm(page, 0);
+  await told(page, 'Next you see a place for 2 seconds');
+  // The page is left when the exposure begins, however slowly the scene is drawn.
+  await page.evaluate(() => {
+    Object.defineProperty(window, 'selectiveRenderer', { set: () => { location.reload(); } });
+  });
+  await press(page, 'Begin');
+  await told(page, 'This study runs in this page.');
   await press(page, 'Begin');
   await told(page, 'It is shown once more.');
   await press(page, 'Begin');
@@ -115,6 +116,7 @@ it('shows an exposure that was left once more, and says so', async () => {
   expect(sessions('left').flat().map((record) => [record.step, record.repeated])).toEqual([
     ['form', undefined],
     ['exposure-office', true],
+    ['memory-office', undefined],
     ['closing', undefined],
   ]);
 }, 400_000);
@@ -138,3 +140,26 @@ it('does not begin where the scene is drawn too slowly', async () => {
   await page.close();
   expect(sessions('slow')).toEqual([]);
 }, 200_000);
+
+it('leaves sessions that are collected and analysed like those of the laboratory', () => {
+  const data = path.join(folder, 'arrived');
+  const records = receiver.records(data);
+  const responses = path.join(folder, 'responses.csv');
+  const collect = ['experiment', 'collect', folder, '--web', data, '--responses', responses];
+  selectiveRenderer(...collect);
+  const robot = records.find(([first]) => first?.recruitment?.PROLIFIC_PID === 'robot')?.[0]?.slot ?? 0;
+  const whole = records.filter((all) => all.some((record) => record.step === 'closing'));
+  const rows = readFileSync(responses, 'utf8').trim().split('\n').slice(1);
+  expect(rows).toHaveLength(2 * whole.length);
+  expect(rows.filter((row) => row.startsWith(`web00${robot},`)).map((row) => row.split(',').slice(2, 8).join())).toEqual([
+    'office,can,consistent,yes,yes,1',
+    'office,boat,inconsistent,no,yes,1',
+  ]);
+  const head = path.join(folder, `sub-web00${robot}`, 'ses-01', 'head', 'exposure-office_run-01.csv');
+  expect(readFileSync(head, 'utf8')).toMatch(/,moved,Inline_\w+,/); // found by replaying the scene
+  expect(selectiveRenderer('experiment', 'analyse', responses)).toContain('office');
+  const people = (): string[] => readdirSync(folder).filter((name) => name.startsWith('sub-'));
+  const before = people();
+  selectiveRenderer(...collect);
+  expect(people()).toEqual(before);
+}, 300_000);

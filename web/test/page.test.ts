@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { parse, request } from '../src/page/description.js';
+import { firstFiles, parse, request } from '../src/page/description.js';
 import { Progress } from '../src/page/progress.js';
 import { words } from '../src/page/words.js';
 
@@ -7,7 +7,19 @@ const SCENE = { file: 'scene/a.x3dz', controller: 'SchemaController', condition:
 
 describe('scene.json', () => {
   it('describes a scene; a title and sizes may be missing', () => {
-    expect(parse('scene.json', SCENE)).toEqual({ ...SCENE, title: 'scene/a.x3dz', files: {} });
+    expect(parse('scene.json', SCENE)).toEqual({
+      ...SCENE,
+      title: 'scene/a.x3dz',
+      files: {},
+      later: [],
+      normalMaps: true,
+    });
+  });
+
+  it('tells which files the first picture may need', () => {
+    const later = [{ object: 'Switch_Cup', choice: 0, inlines: ['Later'], files: ['models/a cup.x3dz'] }];
+    const files = { 'scene/a.x3dz': 1, 'scene/models/a%20cup.x3dz': 2, 'scene/b.x3dz': 3 };
+    expect(firstFiles(parse('scene.json', { ...SCENE, files, later }))).toEqual({ 'scene/a.x3dz': 1, 'scene/b.x3dz': 3 });
   });
 
   it.each([null, {}, [], 'text', { ...SCENE, file: 3 }, { ...SCENE, condition: 'low' }])('is refused: %j', (json) => {

@@ -1,6 +1,6 @@
 import { keep, KeptSink, message, type Keeping, type Kept } from './sink.js';
 
-/** What is used of jatos.js, by its reference; JATOS serves it beside the page. */
+/** The page uses this of jatos.js, which JATOS serves beside it; its reference tells more. */
 export interface Jatos {
   readonly studyResultId: string | number;
   appendResultData(data: string): PromiseLike<unknown>;
@@ -17,7 +17,7 @@ export interface Jatos {
   };
 }
 
-/** How often a place is asked for when others take one at the same time. */
+/** A place is asked for so many times when others take one at the same time. */
 const ATTEMPTS = 50;
 
 /**

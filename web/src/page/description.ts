@@ -1,6 +1,7 @@
+import type { LaterVersion } from '../scene/later.js';
 import { CONDITIONS, type Condition, type ExportedScene } from '../scene/world.js';
 
-/** What scene.json beside the page says: it is written by the command export. */
+/** scene.json beside the page says this; the command export writes it. */
 export interface Description extends ExportedScene {
   readonly title: string;
   readonly condition: Condition;
@@ -9,7 +10,15 @@ export interface Description extends ExportedScene {
   readonly files: Readonly<Record<string, number>>;
 }
 
-/** What the address of the page asks for. */
+/** Returns the bytes of the files that the first picture may need, by their address. */
+export function firstFiles({ file, files, later = [] }: Description): Record<string, number> {
+  const page = 'http://host/'; // addresses are compared, wherever the page is
+  const base = new URL(file, page);
+  const left = new Set(later.flatMap((version) => version.files).map((name) => new URL(name, base).href));
+  return Object.fromEntries(Object.entries(files).filter(([name]) => !left.has(new URL(name, page).href)));
+}
+
+/** The address of the page asks for this. */
 export interface Request {
   readonly condition: Condition;
   readonly seed: number;
@@ -39,6 +48,8 @@ export function parse(url: string, json: unknown): Description {
     title: typeof found.title === 'string' ? found.title : found.file,
     seed: typeof found.seed === 'number' ? found.seed : 0,
     files: (found.files ?? {}) as Record<string, number>,
+    later: (found.later ?? []) as LaterVersion[],
+    normalMaps: found.normalMaps !== false,
   };
 }
 

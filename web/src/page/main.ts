@@ -2,7 +2,7 @@ import { Headset } from '../scene/headset.js';
 import { Input } from '../scene/input.js';
 import { Walker } from '../scene/walker.js';
 import { CONDITIONS, World, type Condition } from '../scene/world.js';
-import { description, request, type Description, type Request } from './description.js';
+import { description, firstFiles, request, type Description, type Request } from './description.js';
 import { Details } from './details.js';
 import { Progress } from './progress.js';
 import { words, type Words } from './words.js';
@@ -33,8 +33,7 @@ async function show(): Promise<void> {
     text = words(asked.language);
     document.documentElement.lang = asked.language.toLowerCase().startsWith('el') ? 'el' : 'en';
     document.title = exported.title;
-    const world = await open(exported, text, status);
-    world.setCondition(asked.condition, asked.seed);
+    const world = await open(exported, asked, text, status);
     status.hidden = true;
     const details = new Details(element('details'), world, text);
     controls(world, asked, text);
@@ -53,26 +52,37 @@ async function show(): Promise<void> {
   }
 }
 
-async function open(exported: Description, text: Words, status: HTMLElement): Promise<World> {
+async function open(exported: Description, asked: Request, text: Words, status: HTMLElement): Promise<World> {
   const loaded = new AbortController();
-  new Progress(exported.files, location.href, (percent) => { status.textContent = text.loading(percent); })
+  new Progress(firstFiles(exported), location.href, (percent) => { status.textContent = text.loading(percent); })
     .follow(loaded.signal);
   try {
-    return await World.open(element('scene'), exported);
+    return await World.open(element('scene'), exported, asked);
   } finally {
     loaded.abort();
   }
 }
 
+/** So many frames after the last step, what nobody has seen yet is loaded: reading a large model halts the picture. */
+const QUIET = 30;
+
 async function walk(world: World, walker: Walker, input: Input, details: Details): Promise<void> {
   const hint = element('hint');
+  let still = 0;
+  let loading = false;
   for (;;) {
     await world.nextFrame();
     walker.move();
     details.frame();
     const intent = input.intent();
-    if (intent.forward !== 0 || intent.sideways !== 0) {
+    const moves = intent.forward !== 0 || intent.sideways !== 0;
+    if (moves) {
       hint.hidden = true;
+    }
+    still = moves || intent.turning !== 0 ? 0 : still + 1;
+    if (still > QUIET && !loading) {
+      loading = true;
+      void world.loadNext().then((more) => { loading = !more; });
     }
   }
 }

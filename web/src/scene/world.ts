@@ -1,6 +1,7 @@
 import { angles, orientation, type Pose } from './pose.js';
+import { LaterVersions, type LaterVersion } from './later.js';
 import { room, type Rig } from './rig.js';
-import { browserOf, named, xite, type Browser, type FieldNode, type Namespace, type Scene } from './xite.js';
+import { browserOf, named, prepareTangents, type Browser, type FieldNode, type Namespace, type Scene, xite } from './xite.js';
 
 /** The conditions in which a scene can be shown, as of the command run. */
 export const CONDITIONS = ['selective', 'high', 'high-low', 'random'] as const;
@@ -17,6 +18,16 @@ export interface ExportedScene {
   readonly file: string;
   /** DEF name of the Script that controls the versions; none in a scene without enriched objects. */
   readonly controller?: string;
+  /** The versions that are loaded after the first picture. */
+  readonly later?: readonly LaterVersion[];
+  /** Whether a model may need tangents, for a normal map; not told by exports of before. */
+  readonly normalMaps?: boolean;
+}
+
+/** What the first picture shows. */
+export interface Beginning {
+  readonly condition: Condition;
+  readonly seed: number;
 }
 
 interface Vector {
@@ -26,12 +37,23 @@ interface Vector {
 }
 
 /** What X_ITE's declarations lack. */
-interface CollisionTraversal {
+interface Internals {
   getWorld(): { traverse(type: unknown): void };
+  /** Returns nothing without a headset. */
+  getPose(): unknown;
 }
 interface TraverseTypes {
   readonly TraverseType: { readonly COLLISION: unknown };
 }
+
+/**
+ * The part of its pixels in which a scene is drawn while it is loaded: X_ITE draws it again and again, which takes as
+ * long as loading where no graphics card helps.
+ */
+const DRAFT = 0.1;
+
+/** So many frames after a condition is set, or the viewer stands in an area, all objects show their versions. */
+const SETTLED = 3;
 
 /** A box about everything, in metres: the sensor in it tells where the viewer is, in a headset too. */
 const EVERYWHERE = 1e6;
@@ -47,10 +69,11 @@ export class World {
   private readonly inside = new Set<string>();
   private readonly viewpoint: FieldNode;
   private readonly everywhere: FieldNode;
-  private readonly internals: CollisionTraversal;
+  private readonly internals: Internals;
   private bound: FieldNode | undefined;
   private rig: Rig | undefined;
   private head: Pose;
+  private readonly later: LaterVersions;
 
   private constructor(
     /** X_ITE's types, of which nodes that are added have their fields. */
@@ -58,10 +81,16 @@ export class World {
     readonly browser: Browser,
     private readonly scene: Scene,
     private readonly controller: FieldNode | undefined,
+    later: readonly LaterVersion[],
   ) {
+    this.later = new LaterVersions(later, {
+      named: (name) => named(scene, name),
+      choice: (object) => this.choice(object),
+      loaded: (inlines) => this.loaded(inlines),
+    });
     this.areas = controller ? strings(controller.areaNames) : [];
     this.objects = controller ? strings(controller.objectNames) : [];
-    this.internals = browser as unknown as CollisionTraversal;
+    this.internals = browser as unknown as Internals;
     this.everywhere = scene.createNode('ProximitySensor') as unknown as FieldNode;
     this.viewpoint = scene.createNode('Viewpoint') as unknown as FieldNode;
     scene.addRootNode(this.viewpoint);
@@ -73,11 +102,32 @@ export class World {
    * Opens a scene.
    *
    * @param canvas X_ITE's element of the page
+   * @param beginning what the first picture shows; else what the scene says
    * @throws Error with a sentence if the scene cannot be read or has no controller
    */
-  static async open(canvas: HTMLElement, exported: ExportedScene): Promise<World> {
+  static async open(canvas: HTMLElement, exported: ExportedScene, beginning?: Beginning): Promise<World> {
     const x3d = xite();
+    prepareTangents(exported.normalMaps !== false);
     const browser = browserOf(canvas);
+    if ((browser as unknown as Internals).getPose()) {
+      return World.loaded(x3d, browser, exported, beginning); // a headset has no picture of fewer pixels
+    }
+    const scale = browser.getBrowserOption('ContentScale');
+    browser.setBrowserOption('ContentScale', DRAFT);
+    try {
+      return await World.loaded(x3d, browser, exported, beginning);
+    } finally {
+      browser.setBrowserOption('ContentScale', scale);
+      await browser.nextFrame();
+    }
+  }
+
+  private static async loaded(
+    x3d: Namespace,
+    browser: Browser,
+    exported: ExportedScene,
+    beginning: Beginning | undefined,
+  ): Promise<World> {
     try {
       await browser.loadURL(new x3d.MFString(exported.file));
     } catch (error) {
@@ -92,9 +142,20 @@ export class World {
         throw new Error(`${exported.file} has no Script ${exported.controller}; export the scene anew`, { cause: error });
       }
     }
-    const world = new World(x3d, browser, scene, controller);
-    await browser.nextFrame();
+    const world = new World(x3d, browser, scene, controller, exported.later ?? []);
+    if (beginning) {
+      world.setCondition(beginning.condition, beginning.seed);
+    }
+    for (let frame = 0; frame < SETTLED; frame++) {
+      await browser.nextFrame();
+    }
+    await world.later.loadShown();
     return world;
+  }
+
+  /** Loads one more of the versions that nobody has seen yet; returns false when all are there. */
+  loadNext(): Promise<boolean> {
+    return this.later.loadNext();
   }
 
   /** Calls a listener with all events from now on; returns what ends that. */
@@ -298,6 +359,7 @@ export class World {
     }
     for (const object of this.objects) {
       named(this.scene, object).addFieldCallback(this, 'whichChoice', (choice) => {
+        this.later.show(object, Number(choice));
         this.tell({ kind: 'switch', object, choice: Number(choice) });
       });
     }
@@ -311,6 +373,26 @@ export class World {
     sensor.addFieldCallback(this, 'orientation_changed', (value) => {
       this.head = { ...this.head, ...angles(value as Vector & { angle: number }) };
     });
+  }
+
+  /** Waits until Inlines have their content; one whose file fails is as good as there. */
+  private async loaded(inlines: readonly FieldNode[]): Promise<void> {
+    const sensor = this.scene.createNode('LoadSensor') as unknown as FieldNode;
+    await new Promise<void>((done) => {
+      sensor.addFieldCallback(this, 'isLoaded', (loaded) => {
+        if (loaded) {
+          done();
+        }
+      });
+      sensor.addFieldCallback(this, 'isActive', (active) => {
+        if (!active) {
+          done();
+        }
+      });
+      sensor.children = new this.x3d.MFNode(...(inlines as never[]));
+    });
+    sensor.dispose();
+    await this.browser.nextFrame();
   }
 
   private tell(event: WorldEvent): void {

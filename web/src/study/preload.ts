@@ -1,4 +1,4 @@
-/** How many files are loaded at the same time. */
+/** So many files are loaded at the same time. */
 const TOGETHER = 6;
 
 /**

@@ -1,6 +1,6 @@
 import type { DataSink } from '../data/sink.js';
 
-/** What is the same in all records of a session. */
+/** All records of a session have the same of these. */
 export interface Identity {
   readonly study: string;
   readonly checksum: string;

@@ -5,7 +5,7 @@ import { FrameRate } from './frame-rate.js';
 import { preload } from './preload.js';
 import type { Stage } from './stage.js';
 
-/** How long the scene is measured. */
+/** The scene is measured for so long, and over so many pictures. */
 const SECONDS = 1;
 const PICTURES = 10;
 const MOST_SECONDS = 5;

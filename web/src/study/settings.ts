@@ -4,7 +4,7 @@ export const JATOS = 'jatos';
 /** Whether the scenes are shown in a headset of the browser: nobody is asked, people choose, or nobody takes part without. */
 const HEADSET = ['no', 'offer', 'require'] as const;
 
-/** What a lab sets in study-settings.json. */
+/** A lab sets these in study-settings.json. */
 export interface Settings {
   /** Address of the receiver of the data; JATOS for jatos.js; empty for none. */
   readonly receiver: string;

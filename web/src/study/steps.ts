@@ -12,7 +12,7 @@ import { exposurePlugin } from './x3d-exposure.js';
 
 type SceneStep = Extract<Step, { readonly scene: string }>;
 
-/** What a step needs to be shown and recorded. */
+/** A step needs this to be shown and recorded. */
 export interface StepContext {
   readonly study: Study;
   readonly slot: Slot;
@@ -24,7 +24,7 @@ export interface StepContext {
   readonly headset: 'no' | 'offer' | 'require';
   /** The step that an earlier page left under way; empty for none. */
   readonly repeated: string;
-  /** What the first record tells besides. */
+  /** Returns what the first record tells besides. */
   readonly first: () => Readonly<Record<string, unknown>>;
   readonly begun: (step: string) => void;
   readonly ended: (step: string) => void;

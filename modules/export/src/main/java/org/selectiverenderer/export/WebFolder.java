@@ -11,6 +11,7 @@ import java.util.Optional;
 import org.selectiverenderer.authoring.packaging.PackagedFile;
 import org.selectiverenderer.formats.json.JsonWriter;
 import org.selectiverenderer.schema.Condition;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 
 /**
  * A folder that any web server shows as a page: the page itself, {@code scene.json} which tells it
@@ -66,18 +67,25 @@ public record WebFolder(List<PackagedFile> page, List<PackagedFile> scene, long 
     if (page.isEmpty()) {
       return Optional.empty();
     }
-    WebScene scene = WebScene.of(exported, SCENE);
+    PackagedFile main = exported.files().scene();
+    LaterVersions later =
+        exported.controller().isPresent()
+            ? LaterVersions.of(main, condition, seed, NodeCatalogue.load())
+            : LaterVersions.none(main);
+    WebScene scene = WebScene.of(exported, later.scene(), SCENE);
     List<PackagedFile> files = new ArrayList<>(page.get().files());
-    files.add(description(scene, exported.title(), condition, seed));
+    files.add(description(scene, later, exported.title(), condition, seed));
     return Optional.of(new WebFolder(files, scene.files(), scene.plainBytes()));
   }
 
   /** Returns scene.json, as web/src/page/description.ts reads it. */
   private static PackagedFile description(
-      WebScene scene, String title, Condition condition, int seed) throws IOException {
+      WebScene scene, LaterVersions later, String title, Condition condition, int seed)
+      throws IOException {
     ObjectNode json = JsonNodeFactory.instance.objectNode();
     json.put("title", title);
     scene.describe(json);
+    later.describe(json);
     json.put("condition", condition.spelling());
     json.put("seed", seed);
     Path name = Path.of("scene.json");

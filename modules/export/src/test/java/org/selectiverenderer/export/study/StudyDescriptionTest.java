@@ -2,15 +2,19 @@ package org.selectiverenderer.export.study;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.formats.json.JsonWriter;
+import org.selectiverenderer.study.session.LoadedStudy;
+import org.selectiverenderer.study.session.PlannedSession;
 
 class StudyDescriptionTest {
   private static final Path GOLDEN =
@@ -33,6 +37,33 @@ class StudyDescriptionTest {
       Files.writeString(GOLDEN, withoutWords(text) + "\n");
     }
     assertThat(withoutWords(text)).isEqualTo(Files.readString(GOLDEN).strip());
+  }
+
+  @Test
+  void groupsOfBetweenFactorsAreThoseOfTheDesktopsPlan() throws IOException {
+    StudyFixture fixture = new StudyFixture(folder);
+    List<LoadedStudy> study =
+        fixture.read(
+            StudyFixture.text(
+                    """
+                      "factors": [
+                        {"name": "quality", "varies": "between", "levels": [
+                          {"name": "best", "condition": "high"}, {"name": "mixed", "condition": "random"}]},
+                        {"name": "task", "varies": "between", "levels": [{"name": "search"}, {"name": "look"}]}],
+                    """)
+                .replace("  \"conditions\": [\"high\", \"selective\"],\n", ""));
+    assertThat(new BrowserLimits(study.get(0), fixture.collector()).keep()).isTrue();
+    JsonNode slots =
+        new ObjectMapper()
+            .readTree(new StudyDescription(study, new StudyPictures()).text(Map.of()))
+            .path("slots");
+    List<PlannedSession> plan = PlannedSession.all(study.get(0));
+    for (int i = 0; i < plan.size(); i++) {
+      assertThat(slots.get(i).path("group").asText()).isEqualTo(plan.get(i).group().name());
+      assertThat(slots.get(i).path("condition").asText())
+          .isEqualTo(plan.get(i).group().name().startsWith("best+") ? "high" : "random");
+    }
+    assertThat(plan).extracting(session -> session.group().name()).doesNotHaveDuplicates();
   }
 
   /** Returns the description without the program's own words, which have tests of their own. */
