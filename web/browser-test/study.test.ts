@@ -1,113 +1,165 @@
-import { execFileSync, spawn, type ChildProcess } from 'node:child_process';
-import { once } from 'node:events';
-import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, readdirSync } from 'node:fs';
 import path from 'node:path';
-import type { Page } from 'puppeteer-core';
-import { expect, it } from 'vitest';
-import { ROOT, launch, selectiveRenderer, serve, temporary } from './chromium.js';
+import type { Browser, Page } from 'puppeteer-core';
+import { afterAll, beforeAll, beforeEach, expect, it } from 'vitest';
+import { launch, selectiveRenderer, serve, temporary } from './chromium.js';
+import { fillForm, officeStudy, press, ReferenceReceiver, set, told, writeAnswer, type Received } from './study-robot.js';
 
-/** A study of one exposure: consent, a page of text, two seconds in the office, one question. */
-function study(folder: string): string {
-  const scene = path.relative(folder, path.join(ROOT, 'scenes', 'trashcan.x3d')).split(path.sep).join('/');
-  writeFileSync(
-    path.join(folder, 'closing.json'),
-    JSON.stringify({
-      name: 'closing',
-      pages: [{ title: 'Thank you', questions: [{ id: 'noticed', kind: 'text', text: 'What did you notice?' }] }],
-    }),
-  );
-  writeFileSync(
-    path.join(folder, 'study.json'),
-    JSON.stringify({
-      name: 'Office',
-      scene,
-      conditions: ['selective', 'high'],
-      participants: 4,
-      areas: [{ name: 'office', viewpoint: 'OfficeView', seconds: 2 }],
-      fade: 0.1,
-      questionnaires: [{ file: 'closing.json' }],
-    }),
-  );
-  return path.join(folder, 'study.json');
-}
+const { folder, remove } = temporary();
+const site = path.join(folder, 'site');
+let server: Awaited<ReturnType<typeof serve>>;
+let receiver: ReferenceReceiver;
+let browser: Browser;
 
-/** Fills in what the page asks, and goes on; returns what stands on the page. */
-async function answer(page: Page): Promise<string> {
-  return page.evaluate(() => {
-    const seen = document.body.innerText;
-    for (const box of document.querySelectorAll<HTMLElement>('.choice')) {
-      const first = box.querySelector<HTMLInputElement>('input');
-      if (first && !box.querySelector('input:checked')) {
-        first.click();
-      }
-    }
-    for (const line of document.querySelectorAll<HTMLInputElement>('form textarea, form input:not([type=radio], [type=checkbox])')) {
-      line.value = 'the trash can';
-      line.dispatchEvent(new Event('input', { bubbles: true }));
-      line.dispatchEvent(new Event('change', { bubbles: true }));
-    }
-    const buttons = [...document.querySelectorAll<HTMLButtonElement>('button')].filter((button) => button.offsetParent);
-    (buttons.find((button) => button.type === 'submit') ?? buttons[0])?.click();
-    return seen;
-  });
-}
+beforeAll(async () => {
+  selectiveRenderer('experiment', 'export', officeStudy(folder), '--to', 'web', site);
+  server = await serve(site);
+  receiver = await ReferenceReceiver.start(folder, new URL(server.url).origin);
+  browser = await launch();
+}, 120_000);
 
-const RECEIVE = path.join(ROOT, 'tools', 'web-receiver', 'receive.py');
+beforeEach(() => { set(site, { receiver: `${receiver.url}/`, fullScreen: false, minWidth: 300, minHeight: 200, minFrameRate: 0 }); });
 
-/** Starts the reference receiver for pages of an origin; returns its address. */
-async function receiver(database: string, origin: string): Promise<{ url: string; child: ChildProcess }> {
-  const options = ['--study', 'Office', '--origin', origin, '--slots', '4', '--port', '0'];
-  const child = spawn('python3', [RECEIVE, database, ...options], { stdio: ['ignore', 'pipe', 'inherit'] });
-  const [first] = (await once(child.stdout, 'data')) as [Buffer];
-  const url = /http:\/\/\S+?:\d+/.exec(first.toString())?.[0];
-  if (!url) {
-    throw new Error(`the receiver does not say where it listens: ${first.toString()}`);
-  }
-  return { url, child };
-}
+afterAll(async () => {
+  await browser.close();
+  receiver.stop();
+  server.close();
+  remove();
+});
 
-interface Received {
-  step?: string;
-  slot?: number;
-  condition?: string;
-  [key: string]: unknown;
-}
-
-it('is taken part in from consent to data', async () => {
-  const { folder, remove } = temporary();
-  const site = path.join(folder, 'site');
-  selectiveRenderer('experiment', 'export', study(folder), '--to', 'web', site);
-  const server = await serve(site);
-  const database = path.join(folder, 'office.sqlite');
-  const { url, child } = await receiver(database, new URL(server.url).origin);
-  const settings = path.join(site, 'study-settings.json');
-  writeFileSync(settings, JSON.stringify({ ...(JSON.parse(readFileSync(settings, 'utf8')) as object), receiver: `${url}/` }));
-  const browser = await launch();
+async function open(participant: string): Promise<{ page: Page; errors: string[] }> {
   const page = await browser.newPage();
   const errors: string[] = [];
   page.on('pageerror', (error) => errors.push(String(error)));
-  await page.setViewport({ width: 820, height: 520 });
-  await page.goto(`${server.url}?PROLIFIC_PID=robot&lang=en`);
-  let seen = '';
-  for (let i = 0; i < 90 && !seen.includes('All is done.'); i++) {
-    seen = await answer(page);
-    await new Promise((later) => setTimeout(later, 500));
-  }
-  expect(seen).toContain('All is done.');
-  expect(errors).toEqual([]);
+  await page.setViewport({ width: 640, height: 480 });
+  await page.goto(`${server.url}?PROLIFIC_PID=${participant}&lang=en`);
+  return { page, errors };
+}
 
-  const data = path.join(folder, 'data');
-  execFileSync('python3', [RECEIVE, database, '--write', data]);
-  const sessions = readdirSync(data).filter((name) => name.endsWith('.jsonl'));
-  expect(sessions).toHaveLength(1);
-  const records = readFileSync(path.join(data, sessions[0] ?? ''), 'utf8').trim().split('\n').map((line) => JSON.parse(line) as Received);
-  expect(records.map((record) => record.step)).toEqual(['form', 'exposure-office', 'closing']);
-  expect(records.map((record) => record.slot)).toEqual([1, 1, 1]);
-  expect(JSON.stringify(records[0])).toContain('robot');
-  expect(JSON.stringify(records[2])).toContain('the trash can');
-  expect(JSON.stringify(records[1])).toMatch(/"log":\[?/);
-  await browser.close();
-  server.close();
-  child.kill();
-  remove();
-}, 240_000);
+/** Returns the records of a participant's sessions, one list for each. */
+function sessions(participant: string): Received[][] {
+  return receiver.records(path.join(mkdtempSync(path.join(folder, 'read-')), 'data'))
+    .filter((records) => records[0]?.recruitment?.PROLIFIC_PID === participant);
+}
+
+it('is taken part in on the full screen, from consent to data', async () => {
+  set(site, { fullScreen: true });
+  const { page, errors } = await open('robot');
+  await press(page, 'Begin');
+  await press(page, 'Continue');
+  await page.waitForSelector('form.questionnaire', { timeout: 120_000 });
+  await page.evaluate(() => {
+    document.querySelectorAll<HTMLElement>('.choice').forEach((box) => box.querySelector('input')?.click());
+    document.querySelectorAll<HTMLInputElement>('form input:not([type=radio], [type=checkbox])').forEach((line) => {
+      line.value = '30';
+      line.dispatchEvent(new Event('input', { bubbles: true }));
+    });
+  });
+  await press(page, 'Continue');
+  await told(page, 'Next you see a place for 2 seconds');
+  await press(page, 'Begin');
+  await writeAnswer(page, 'the trash can');
+  await told(page, 'All is done.');
+  expect(errors).toEqual([]);
+  await page.close();
+
+  const [records = [], ...others] = sessions('robot');
+  expect(others).toEqual([]);
+  expect(records.map((record) => record.step)).toEqual(['form', 'exposure-office', 'memory-office', 'closing']);
+  expect(records.map((record) => record.slot)).toEqual([1, 1, 1, 1]);
+  expect(records[0]?.device?.scene_rate).toBeGreaterThan(0);
+  expect(records[1]?.log?.columns.slice(0, 7)).toEqual(['t', 'x', 'y', 'z', 'yaw', 'pitch', 'roll']);
+  expect(records[1]?.log?.rows.length).toBeGreaterThan(0);
+  expect(records[3]?.answers?.map(({ question, value }) => [question, value])).toEqual([['noticed', 'the trash can']]);
+}, 300_000);
+
+it('loses nothing when the connection is cut in the middle and the tab is closed and opened again', async () => {
+  const first = await open('cut');
+  await fillForm(first.page, 0);
+  await told(first.page, 'Next you see a place for 2 seconds');
+  await press(first.page, 'Begin');
+  await first.page.setOfflineMode(true);
+  // The exposure is logged and the last page comes, without a connection.
+  await first.page.waitForSelector('form.questionnaire', { timeout: 120_000 });
+  await first.page.close();
+  expect(sessions('cut').flat().map((record) => record.step)).toEqual(['form']);
+
+  const { page, errors } = await open('cut');
+  await press(page, 'Begin');
+  await writeAnswer(page, 'a lamp');
+  await told(page, 'All is done.');
+  expect([...first.errors, ...errors]).toEqual([]);
+  await page.close();
+  const [records = [], ...others] = sessions('cut');
+  expect(others).toEqual([]);
+  expect(records.map((record) => record.step)).toEqual(['form', 'exposure-office', 'memory-office', 'closing']);
+  expect(new Set(records.map((record) => record.session)).size).toBe(1);
+  expect(records[1]?.log?.rows.length).toBeGreaterThan(0);
+}, 400_000);
+
+it('shows an exposure that was left once more, and says so', async () => {
+  const { page } = await open('left');
+  await fillForm(page, 0);
+  await told(page, 'Next you see a place for 2 seconds');
+  // The page is left when the exposure begins, however slowly the scene is drawn.
+  await page.evaluate(() => {
+    Object.defineProperty(window, 'selectiveRenderer', { set: () => { location.reload(); } });
+  });
+  await press(page, 'Begin');
+  await told(page, 'This study runs in this page.');
+  await press(page, 'Begin');
+  await told(page, 'It is shown once more.');
+  await press(page, 'Begin');
+  await writeAnswer(page, 'nothing');
+  await told(page, 'All is done.');
+  await page.close();
+  expect(sessions('left').flat().map((record) => [record.step, record.repeated])).toEqual([
+    ['form', undefined],
+    ['exposure-office', true],
+    ['memory-office', undefined],
+    ['closing', undefined],
+  ]);
+}, 400_000);
+
+it('keeps nothing of who refuses consent', async () => {
+  const { page } = await open('refuses');
+  await fillForm(page, 1);
+  await press(page, 'Do not take part');
+  await told(page, 'You do not take part');
+  await page.close();
+  const refused = receiver.records(path.join(mkdtempSync(path.join(folder, 'read-')), 'data')).flat()
+    .filter((record) => record.refused);
+  expect(refused.map((record) => [record.step, record.answers, record.recruitment])).toEqual([['form', undefined, undefined]]);
+}, 200_000);
+
+it('does not begin where the scene is drawn too slowly', async () => {
+  set(site, { minFrameRate: 10_000 });
+  const { page } = await open('slow');
+  await press(page, 'Begin');
+  await told(page, 'This device draws the place too slowly for the study.');
+  await page.close();
+  expect(sessions('slow')).toEqual([]);
+}, 200_000);
+
+it('leaves sessions that are collected and analysed like those of the laboratory', () => {
+  const data = path.join(folder, 'arrived');
+  const records = receiver.records(data);
+  const responses = path.join(folder, 'responses.csv');
+  const collect = ['experiment', 'collect', folder, '--web', data, '--responses', responses];
+  selectiveRenderer(...collect);
+  const robot = records.find(([first]) => first?.recruitment?.PROLIFIC_PID === 'robot')?.[0]?.slot ?? 0;
+  const whole = records.filter((all) => all.some((record) => record.step === 'closing'));
+  const rows = readFileSync(responses, 'utf8').trim().split('\n').slice(1);
+  expect(rows).toHaveLength(2 * whole.length);
+  expect(rows.filter((row) => row.startsWith(`web00${robot},`)).map((row) => row.split(',').slice(2, 8).join())).toEqual([
+    'office,can,consistent,yes,yes,1',
+    'office,boat,inconsistent,no,yes,1',
+  ]);
+  const head = path.join(folder, `sub-web00${robot}`, 'ses-01', 'head', 'exposure-office_run-01.csv');
+  expect(readFileSync(head, 'utf8')).toMatch(/,moved,Inline_\w+,/); // found by replaying the scene
+  expect(selectiveRenderer('experiment', 'analyse', responses)).toContain('office');
+  const people = (): string[] => readdirSync(folder).filter((name) => name.startsWith('sub-'));
+  const before = people();
+  selectiveRenderer(...collect);
+  expect(people()).toEqual(before);
+}, 300_000);

@@ -15,7 +15,7 @@ class Batch {
   lost = 0;
 
   /** Returns jatos.js in the page of a run: it has a copy of the batch session, and learns of changes later. */
-  run(id: string): Jatos {
+  run(id: string, ending = 'endStudyWithoutRedirect'): Jatos {
     let seen = { ...this.data };
     let version = this.version;
     return {
@@ -27,7 +27,8 @@ class Batch {
           throw new Error('timeout');
         }
       },
-      endStudy: async (successful) => {
+      onLoad: (ready) => { ready(); },
+      [ending]: async (successful: boolean) => {
         await later();
         this.ended.push(`${id} ${String(successful)}`);
       },
@@ -75,6 +76,13 @@ describe('a sink by JATOS', () => {
     expect([...once.values()].flatMap((part) => part.records)).toEqual([{ step: 1 }, { step: 2 }]);
     expect(parts.at(-1)).toMatchObject({ study: 'Kitchen', session: sink.session, final: true });
     expect(batch.ended).toEqual(['7 true']);
+  });
+
+  it('ends the study in JATOS before 3.9.7, too', async () => {
+    const batch = new Batch();
+    const sink = await JatosSink.open(batch.run('3', 'endStudyAjax'), keeping());
+    await sink.finish();
+    expect(batch.ended).toEqual(['3 true']);
   });
 
   it('takes each place once, those first that were given back', async () => {

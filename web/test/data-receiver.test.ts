@@ -23,6 +23,7 @@ describe('the reference receiver', () => {
   let database: string;
   let receiver: ChildProcess | undefined;
   let url: string;
+  let log: string;
 
   beforeEach(async () => {
     folder = await mkdtemp(path.join(tmpdir(), 'receiver-'));
@@ -37,7 +38,9 @@ describe('the reference receiver', () => {
 
   async function start(slots = 3, ...more: string[]): Promise<void> {
     const options = ['--study', 'Kitchen', '--origin', ORIGIN, '--slots', String(slots), '--port', '0', ...more];
-    receiver = spawn('python3', [RECEIVE, database, ...options], { stdio: ['ignore', 'pipe', 'inherit'] });
+    receiver = spawn('python3', [RECEIVE, database, ...options], { stdio: ['ignore', 'pipe', 'pipe'] });
+    log = '';
+    receiver.stderr?.on('data', (text: Buffer) => { log += text.toString(); });
     const lines = createInterface({ input: receiver.stdout ?? process.stdin });
     for await (const line of lines) {
       url = line.replace('receiving at ', '');
@@ -139,6 +142,15 @@ describe('the reference receiver', () => {
       socket.end(head + body);
     });
     expect(await post('data', part(0, ['next']))).toMatchObject({ status: 200 });
+  });
+
+  it('writes no address of a participant down, also not of one whose request is no HTTP', async () => {
+    const { hostname, port } = new URL(url);
+    const socket = connect(Number(port), hostname);
+    socket.end('BREW /pot COFFEE/1\r\n\r\n');
+    await new Promise((resolve) => { socket.on('close', resolve).resume(); });
+    await expect.poll(() => log).toContain('code 400');
+    expect(log).not.toContain(hostname);
   });
 
   it('gives each session the next free place, the same again, and those of abandoned ones anew', async () => {

@@ -1,7 +1,7 @@
 import { createServer, type IncomingMessage, type Server, type ServerResponse } from 'node:http';
 import type { AddressInfo } from 'node:net';
 
-/** What becomes of a request: lost on its way, stored with its answer lost, and so on. */
+/** A request meets one of these: it is lost on its way, stored with its answer lost, and so on. */
 export type Fate = 'arrives' | 'lost' | 'answer lost' | 'fails' | 'slow' | 'answered by a portal' | 'twice';
 
 /** Handles the body of a request that arrived, and returns status and body of the answer. */

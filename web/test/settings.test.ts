@@ -10,7 +10,13 @@ describe('study-settings.json', () => {
       minWidth: 800,
       minHeight: 0,
       minRefresh: 0,
+      minFrameRate: 0,
     });
+  });
+
+  it('names JATOS as the receiver, and as nothing else', () => {
+    expect(settings({ receiver: 'jatos' }).receiver).toBe('jatos');
+    expect(() => settings({ completion: 'jatos' })).toThrow('"completion" must be an address');
   });
 
   it.each(['javascript:alert(1)', 'ftp://host/', 7])('names no receiver %s', (receiver) => {

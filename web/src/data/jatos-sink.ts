@@ -1,17 +1,23 @@
 import { keep, KeptSink, message, type Keeping, type Kept } from './sink.js';
 
-/** What is used of jatos.js, by its reference; JATOS serves it beside the page. */
+/** The page uses this of jatos.js, which JATOS serves beside it; its reference tells more. */
 export interface Jatos {
   readonly studyResultId: string | number;
   appendResultData(data: string): PromiseLike<unknown>;
-  endStudy(successful: boolean): unknown;
+  /** The query of the address that the participant came by. */
+  readonly urlQueryParameters?: Readonly<Record<string, unknown>>;
+  onLoad(ready: () => void): void;
+  /** Ends the run and keeps the page; the name since version 3.9.7. */
+  endStudyWithoutRedirect?(successful: boolean): PromiseLike<unknown>;
+  /** The same, the name before. */
+  endStudyAjax?(successful: boolean): PromiseLike<unknown>;
   readonly batchSession: {
     get(name: string): unknown;
     set(name: string, value: unknown): PromiseLike<unknown>;
   };
 }
 
-/** How often a place is asked for when others take one at the same time. */
+/** A place is asked for so many times when others take one at the same time. */
 const ATTEMPTS = 50;
 
 /**
@@ -65,6 +71,7 @@ export class JatosSink extends KeptSink {
   }
 
   protected override async arrived(): Promise<void> {
-    await this.jatos.endStudy(true);
+    // endStudy would show a page of JATOS in place of ours, which thanks and leads on.
+    await (this.jatos.endStudyWithoutRedirect?.(true) ?? this.jatos.endStudyAjax?.(true));
   }
 }

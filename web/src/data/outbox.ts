@@ -3,7 +3,7 @@ import type { Part, Store } from './store.js';
 /** Sends a part; fails if it is not sure that the receiver has it. */
 export type Post = (part: Part) => Promise<void>;
 
-/** How long an outbox pauses after a failure, in milliseconds; each pause is twice the one before. */
+/** An outbox pauses so many milliseconds after a failure; each pause is twice the one before. */
 export interface Pauses {
   readonly first: number;
   readonly longest: number;

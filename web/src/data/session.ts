@@ -1,4 +1,4 @@
-/** What the browser remembers of a participant's session with a study. */
+/** The browser remembers this of a participant's session with a study. */
 export interface Session {
   /** A random UUID. */
   readonly session: string;

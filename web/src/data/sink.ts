@@ -20,7 +20,7 @@ export interface Waiting {
   end(): void;
 }
 
-/** Where a sink keeps data and how it waits. */
+/** A sink keeps its data here, and waits in this way. */
 export interface Keeping {
   readonly study: string;
   /** Who it is, such as PROLIFIC_PID of the query; two of them never share a session of one browser. */

@@ -1,7 +1,7 @@
 import type { LaterVersion } from '../scene/later.js';
 import { CONDITIONS, type Condition, type ExportedScene } from '../scene/world.js';
 
-/** What scene.json beside the page says: it is written by the command export. */
+/** scene.json beside the page says this; the command export writes it. */
 export interface Description extends ExportedScene {
   readonly title: string;
   readonly condition: Condition;
@@ -10,6 +10,9 @@ export interface Description extends ExportedScene {
   readonly files: Readonly<Record<string, number>>;
 }
 
+<<<<<<< HEAD
+/** The address of the page asks for this. */
+=======
 /** Returns the bytes of the files that the first picture may need, by their address. */
 export function firstFiles({ file, files, later = [] }: Description): Record<string, number> {
   const page = 'http://host/'; // addresses are compared, wherever the page is
@@ -19,6 +22,7 @@ export function firstFiles({ file, files, later = [] }: Description): Record<str
 }
 
 /** What the address of the page asks for. */
+>>>>>>> x36h
 export interface Request {
   readonly condition: Condition;
   readonly seed: number;

@@ -1,3 +1,4 @@
+import { Headset } from '../scene/headset.js';
 import { Input } from '../scene/input.js';
 import { Walker } from '../scene/walker.js';
 import { CONDITIONS, World, type Condition } from '../scene/world.js';
@@ -9,10 +10,7 @@ import { words, type Words } from './words.js';
 declare global {
   interface Window {
     /** The scene of the page and what walks in it, once it is shown, for programs that drive the page. */
-    selectiveRenderer?: { readonly world: World; readonly walker: Walker };
-  }
-  interface Navigator {
-    readonly xr?: { isSessionSupported(mode: 'immersive-vr'): Promise<boolean> };
+    selectiveRenderer?: { readonly world: World; readonly walker: Walker; readonly headset?: Headset | undefined };
   }
 }
 
@@ -41,7 +39,11 @@ async function show(): Promise<void> {
     controls(world, asked, text);
     const input = new Input(element('scene'), new AbortController().signal);
     const walker = new Walker(world, input);
-    window.selectiveRenderer = { world, walker };
+    const headset = await Headset.find(element('scene'), world.browser);
+    if (headset) {
+      wearing(headset, world, text);
+    }
+    window.selectiveRenderer = { world, walker, headset };
     await walk(world, walker, input, details);
   } catch (error) {
     status.hidden = false;
@@ -131,11 +133,23 @@ function controls(world: World, asked: Request, text: Words): void {
     void (document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen());
   });
 
-  const headset = element('headset', HTMLButtonElement);
-  headset.textContent = text.headset;
-  void navigator.xr?.isSessionSupported('immersive-vr').then((supported) => { headset.hidden = !supported; });
-  headset.addEventListener('click', () => { world.browser.setBrowserOption('XRSessionMode', 'IMMERSIVE_VR'); });
   element('bar').hidden = false;
+}
+
+/** Offers the headset. */
+function wearing(headset: Headset, world: World, text: Words): void {
+  const button = element('headset', HTMLButtonElement);
+  const status = element('status');
+  button.textContent = text.headset;
+  button.hidden = false;
+  button.addEventListener('click', () => {
+    status.hidden = true;
+    headset.enter(world.walker().eyes).catch((error: unknown) => {
+      status.hidden = false;
+      status.textContent = `${text.headsetFailed} ${error instanceof Error ? error.message : String(error)}`;
+    });
+  });
+  headset.listen({ worn: () => { world.wear(headset); }, left: () => { world.wear(undefined); } });
 }
 
 void show();

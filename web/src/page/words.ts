@@ -8,6 +8,7 @@ export interface Words {
   readonly details: string;
   readonly fullScreen: string;
   readonly headset: string;
+  readonly headsetFailed: string;
   readonly walk: string;
   readonly walkByTouch: string;
   readonly frames: (perSecond: number) => string;
@@ -31,6 +32,7 @@ const ENGLISH: Words = {
   details: 'Details',
   fullScreen: 'Full screen',
   headset: 'Enter VR',
+  headsetFailed: 'The headset does not show the scene. Put it on and try again.',
   walk: 'Walk: arrow keys or W, A, S, D, or hold a mouse button. Look around: drag.',
   walkByTouch: 'Walk: drag on the left half. Look around: drag on the right half.',
   frames: (perSecond) => `${perSecond} frames per second`,
@@ -54,6 +56,7 @@ const GREEK: Words = {
   details: 'Λεπτομέρειες',
   fullScreen: 'Πλήρης οθόνη',
   headset: 'Είσοδος σε VR',
+  headsetFailed: 'Η συσκευή δεν δείχνει τη σκηνή. Φορέστε την και δοκιμάστε ξανά.',
   walk: 'Βάδισμα: βέλη ή W, A, S, D, ή κρατημένο κουμπί του ποντικιού. Βλέμμα: σύρσιμο.',
   walkByTouch: 'Βάδισμα: σύρσιμο στο αριστερό μισό. Βλέμμα: σύρσιμο στο δεξί μισό.',
   frames: (perSecond) => `${perSecond} καρέ το δευτερόλεπτο`,

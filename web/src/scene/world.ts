@@ -1,5 +1,6 @@
 import { angles, orientation, type Pose } from './pose.js';
 import { LaterVersions, type LaterVersion } from './later.js';
+import { room, type Rig } from './rig.js';
 import { named, prepareTangents, xite, type Browser, type FieldNode, type Namespace, type Scene } from './xite.js';
 
 /** The conditions in which a scene can be shown, as of the command run. */
@@ -58,6 +59,7 @@ export class World {
   private readonly inside = new Set<string>();
   private readonly viewpoint: FieldNode;
   private bound: FieldNode | undefined;
+  private rig: Rig | undefined;
   private head: Pose;
   private readonly later: LaterVersions;
 
@@ -193,7 +195,24 @@ export class World {
   private go(view: FieldNode): void {
     this.bound = view;
     this.viewpoint.fieldOfView = view.fieldOfView ?? Math.PI / 4;
-    this.setPose(poseOf(view));
+    this.setPose(this.upright(poseOf(view)));
+  }
+
+  /** Returns the pose of a head whose body stands at a viewpoint: somebody in a headset has the own height. */
+  private upright(view: Pose): Pose {
+    return this.rig ? { ...view, y: view.y - this.rig.drop + this.rig.head().y } : view;
+  }
+
+  /** Has a headset carry the eyes from now on, or nothing; the viewer stays and looks the same way. */
+  wear(rig: Rig | undefined): void {
+    const eyes = this.rig ? { ...this.head, y: poseOf(this.viewpoint).y + this.rig.drop } : this.head;
+    this.rig = rig;
+    this.setPose(this.upright({ ...eyes, pitch: 0, roll: 0 }));
+  }
+
+  /** Returns the headset that carries the eyes; undefined for none. */
+  get worn(): Rig | undefined {
+    return this.rig;
   }
 
   /** Returns where the viewer's eyes are, and where they look. */
@@ -201,26 +220,46 @@ export class World {
     return this.head;
   }
 
-  /** Places the viewer. */
+  /** Places the viewer; a headset looks as far up and down as it does. */
   setPose(pose: Pose): void {
     this.head = pose;
-    const turn = orientation(pose);
-    this.viewpoint.position = new this.x3d.SFVec3f(pose.x, pose.y, pose.z);
+    const carried = this.rig ? room(pose, this.rig.head()) : pose;
+    const turn = orientation(carried);
+    this.viewpoint.position = new this.x3d.SFVec3f(carried.x, carried.y, carried.z);
     this.viewpoint.orientation = new this.x3d.SFRotation(turn.x, turn.y, turn.z, turn.angle);
   }
 
   /** Returns the part of a horizontal way, in metres, that walls and furniture leave open. */
   free(x: number, z: number): { x: number; z: number } {
-    const way = this.browser.constrainTranslation(new this.x3d.SFVec3f(x, 0, z)) as Vector | null;
+    const way = this.fromEyes(() => this.browser.constrainTranslation(new this.x3d.SFVec3f(x, 0, z)) as Vector | null);
     return way ? { x: way.x, z: way.z } : { x, z };
   }
 
-  /** Returns the distance from the eyes down to the floor, in metres; undefined where none is near. */
+  /**
+   * Returns the distance from the eyes down to the floor, in metres; undefined where none is near. In a headset the eyes
+   * count as high as those of the scene's walker, for it is the body that stands on the floor.
+   */
   floor(): number | undefined {
-    const below = this.browser.getClosestObject(new this.x3d.SFVec3f(0, -1, 0)) as { distance: number } | null;
+    const below = this.fromEyes(
+      () => this.browser.getClosestObject(new this.x3d.SFVec3f(0, -1, 0)) as { distance: number } | null);
     return below && Number.isFinite(below.distance) && below.distance < 2 * this.walker().eyes
       ? below.distance
       : undefined;
+  }
+
+  /** Asks X_ITE about what is near; it looks from the viewpoint, which a headset leaves behind. */
+  private fromEyes<T>(ask: () => T): T {
+    if (!this.rig) {
+      return ask();
+    }
+    const carried = this.viewpoint.position as Vector;
+    const back = new this.x3d.SFVec3f(carried.x, carried.y, carried.z);
+    this.viewpoint.position = new this.x3d.SFVec3f(this.head.x, carried.y + this.rig.drop, this.head.z);
+    try {
+      return ask();
+    } finally {
+      this.viewpoint.position = back;
+    }
   }
 
   /** Returns how the scene wants to be walked: metres per second, height of eyes and of the highest step in metres. */
@@ -251,7 +290,7 @@ export class World {
       this.bound = active;
       this.viewpoint.fieldOfView = active.fieldOfView ?? Math.PI / 4;
     }
-    const pose = this.bound ? poseOf(this.bound) : { x: 0, y: 0, z: 10, yaw: 0, pitch: 0, roll: 0 };
+    const pose = this.upright(this.bound ? poseOf(this.bound) : { x: 0, y: 0, z: 10, yaw: 0, pitch: 0, roll: 0 });
     this.viewpoint.jump = true;
     this.setPose(pose);
     this.viewpoint.set_bind = true;

@@ -1,6 +1,6 @@
 import type { Field, Page, Question, Rule } from './description.js';
 
-/** What was answered: a value, several of a choice with | between them, and how sure one is. */
+/** An answer has a value, or several of a choice with | between them, and says how sure one is. */
 export interface Answer {
   readonly value: string;
   readonly confidence: string;

@@ -13,7 +13,7 @@ export interface Option {
   readonly picture?: string;
 }
 
-/** What is filled in: the value, or how sure one is of it. */
+/** A field is filled in: with the value, or with how sure one is of it. */
 export type Field =
   | {
       readonly type: 'choice';
@@ -83,7 +83,7 @@ export type Step =
       readonly stay: 'turn' | 'free';
     };
 
-/** Where a participant's order is not that of the file: ids of questions by page, values of options by question. */
+/** A participant's order, where it is not that of the file, has ids of questions by page and values of options by question. */
 export interface Order {
   readonly questions?: Readonly<Record<string, readonly string[]>>;
   readonly options?: Readonly<Record<string, readonly string[]>>;
@@ -105,7 +105,7 @@ export interface Texts {
   readonly questionnaires: Readonly<Record<string, readonly Page[]>>;
 }
 
-/** What study-web.json says: it is written by the command "experiment export". */
+/** study-web.json says this; the command "experiment export" writes it. */
 export interface Study {
   readonly name: string;
   readonly checksum: string;

@@ -1,4 +1,4 @@
-/** How bright the picture of an exposure is as time goes by. */
+/** The picture of an exposure comes and goes: this says how bright it is at a time. */
 export class Fade {
   /**
    * @param fade seconds in which the picture comes and goes, in addition to the exposure

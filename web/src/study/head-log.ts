@@ -4,7 +4,7 @@ import type { WorldEvent } from '../scene/world.js';
 /** The columns of a row, which are those of the desktop's head log that a page can tell. */
 export const COLUMNS = ['t', 'x', 'y', 'z', 'yaw', 'pitch', 'roll', 'frame_ms', 'visible', 'mono'] as const;
 
-/** What a record says of an exposure. */
+/** A record says this of an exposure. */
 export interface Log {
   readonly columns: readonly string[];
   readonly rows: readonly (readonly number[])[];

@@ -1,4 +1,4 @@
-/** What the browser keeps of how far a session is, so that a page that was closed goes on where it was. */
+/** The browser keeps this of how far a session is, so that a page that was closed goes on where it was. */
 export interface KeptSteps {
   readonly language: string;
   /** The steps that are done. */

@@ -8,8 +8,10 @@ import { escaped } from './escape.js';
 import { element as make } from './fields.js';
 import { RecordFile } from './record-file.js';
 import { Recorder } from './recorder.js';
+import { loadJatos, queryOf } from './jatos.js';
 import { open, type Session } from './session.js';
-import { completion, language, recruitment, settings, type Settings } from './settings.js';
+import { JATOS, completion, language, recruitment, settings, type Settings } from './settings.js';
+import { sceneCheckPlugin, shows } from './scene-check.js';
 import { Stage } from './stage.js';
 import { timeline } from './steps.js';
 
@@ -41,9 +43,11 @@ function failed(error: unknown, sentence = ''): void {
 async function run(): Promise<void> {
   const study = parse(await json('study-web.json'));
   const lab = settings(await json('study-settings.json'));
-  const ids = recruitment(location.search);
-  const wanted = language(location.search, navigator.languages, study.languages);
-  const session = await open(study, lab, location.search, element('message'), wanted, Object.values(ids).join(' '));
+  const jatos = lab.receiver === JATOS ? await loadJatos() : undefined;
+  const query = jatos ? queryOf(jatos) : location.search;
+  const ids = recruitment(query);
+  const wanted = language(query, navigator.languages, study.languages);
+  const session = await open(study, lab, query, element('message'), wanted, Object.values(ids).join(' '), jatos);
   const spoken = session.kept?.language ?? wanted;
   const texts = study.texts[spoken];
   if (!texts) {
@@ -98,7 +102,8 @@ async function ask(
   const stage = new Stage(element('stage'), element('scene'), element('curtain'), study.scenes, study.mute === true);
   const done = [...(session.kept?.done ?? [])];
   let device: Record<string, unknown> = {};
-  const outcome = { refused: false };
+  const outcome = { refused: false, slow: false };
+  const left = slot.steps.filter((step) => !done.includes(step));
   const keep = (step: string): void => { session.place.write({ language: spoken, done, open: step }); };
   const steps = timeline(
     {
@@ -150,12 +155,26 @@ async function ask(
           button_label: escaped(words.of('next')),
         }]
       : []),
+    ...(shows(study, left)
+      ? [{
+          type: sceneCheckPlugin(study, slot, left, stage, words, (rate) => {
+            device = { ...device, scene_rate: rate };
+            if (rate < lab.minFrameRate) {
+              outcome.slow = true;
+              jsPsych.abortExperiment();
+            }
+          }),
+        }]
+      : []),
     ...steps,
   ] as never);
   if (document.fullscreenElement) {
     await document.exitFullscreen();
   }
-  if (outcome.refused) {
+  if (outcome.slow) {
+    element('study').hidden = true;
+    element('message').replaceChildren(make('p', '', words.of('web.slow')));
+  } else if (outcome.refused) {
     element('study').hidden = true;
     await session.sink.finish();
     session.place.forget();

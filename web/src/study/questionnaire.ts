@@ -1,27 +1,8 @@
 import { type JsPsychPlugin, ParameterType, type TrialType } from 'jspsych';
-import { NONE, asked, complete, refuses, shown, type Answer } from './answers.js';
+import type { Answer } from './answers.js';
 import type { Page, Question, Wording } from './description.js';
 import { element, fieldElement } from './fields.js';
-
-/** An answer as a record has it. */
-export interface GivenAnswer {
-  readonly page: string;
-  readonly question: string;
-  readonly kind: string;
-  readonly value: string;
-  readonly confidence?: string;
-  /** Milliseconds from when the page was shown to the last change of the answer. */
-  readonly ms: number;
-  /** Where the question stood on its page, from 1. */
-  readonly place: number;
-  readonly personal?: boolean;
-}
-
-export interface QuestionnaireResult {
-  readonly answers: readonly GivenAnswer[];
-  /** Whether an answer refused consent; then there are no answers. */
-  readonly refused: boolean;
-}
+import { QuestionnaireState, type QuestionnaireResult } from './questionnaire-state.js';
 
 const info = {
   name: 'study-questionnaire',
@@ -52,7 +33,9 @@ export function questionnairePlugin(
 
     async trial(display: HTMLElement, trial: TrialType<typeof info>, ready?: () => void): Promise<{ refused: boolean }> {
       ready?.();
-      const result = await new QuestionnaireView(display, pages(trial.step), words).result;
+      const state = new QuestionnaireState(pages(trial.step));
+      new QuestionnaireView(display, state, words);
+      const result = await state.result;
       display.replaceChildren();
       done(result);
       return { refused: result.refused };
@@ -62,23 +45,15 @@ export function questionnairePlugin(
 
 /** Shows the pages of a questionnaire, one after the other and back, until all is answered. */
 export class QuestionnaireView {
-  readonly result: Promise<QuestionnaireResult>;
-
-  private readonly answers = new Map<string, Answer>();
-  private readonly times = new Map<string, { ms: number; place: number }>();
   private readonly form = document.createElement('form');
   private readonly note = element('p', 'fault');
-  private current = 0;
-  private since = 0;
   private refusing = false;
-  private finish: (result: QuestionnaireResult) => void = () => undefined;
 
   constructor(
     private readonly display: HTMLElement,
-    private readonly pages: readonly Page[],
+    private readonly state: QuestionnaireState,
     private readonly words: Wording,
   ) {
-    this.result = new Promise((resolve) => { this.finish = resolve; });
     this.form.className = 'questionnaire';
     this.form.noValidate = true;
     this.form.addEventListener('submit', (event) => {
@@ -87,16 +62,10 @@ export class QuestionnaireView {
     });
     this.note.setAttribute('role', 'alert');
     this.display.replaceChildren(this.form);
-    this.show(0);
+    this.show();
   }
 
-  private get page(): Page | undefined {
-    return shown(this.pages, this.answers)[this.current];
-  }
-
-  private show(index: number): void {
-    this.current = index;
-    this.since = performance.now();
+  private show(): void {
     this.refusing = false;
     this.draw();
     window.scrollTo(0, 0);
@@ -104,9 +73,8 @@ export class QuestionnaireView {
   }
 
   private draw(): void {
-    const { page } = this;
+    const { page } = this.state;
     if (!page) {
-      this.complete();
       return;
     }
     const head = element('header');
@@ -121,13 +89,15 @@ export class QuestionnaireView {
       head.append(picture);
     }
     const buttons = element('div', 'buttons');
-    if (this.current > 0) {
-      buttons.append(this.button('back', 'button', () => { this.show(this.current - 1); }));
+    if (!this.state.first) {
+      buttons.append(this.button('back', 'button', () => {
+        this.state.back();
+        this.show();
+      }));
     }
     buttons.append(this.button('next', 'submit'));
     this.note.textContent = '';
-    const questions = asked(page, this.answers);
-    this.form.replaceChildren(head, ...this.questions(page, questions), this.note, buttons);
+    this.form.replaceChildren(head, ...this.questions(page, this.state.questions), this.note, buttons);
   }
 
   private questions(page: Page, questions: readonly Question[]): HTMLElement[] {
@@ -136,12 +106,12 @@ export class QuestionnaireView {
       if (question.stem && question.grid !== questions[i - 1]?.grid) {
         drawn.push(element('h2', '', question.stem));
       }
-      drawn.push(this.question(page, question, i + 1));
+      drawn.push(this.question(page, question));
     });
     return drawn;
   }
 
-  private question(page: Page, question: Question, place: number): HTMLElement {
+  private question(page: Page, question: Question): HTMLElement {
     const box = element('fieldset');
     box.dataset.question = question.id;
     const legend = element('legend', '', question.text ?? '');
@@ -154,50 +124,47 @@ export class QuestionnaireView {
       if (heading) {
         box.append(element('p', 'heading', heading));
       }
-      const answer = this.answers.get(question.id) ?? NONE;
+      const answer = this.state.answer(question);
       box.append(fieldElement(
         field,
         [question.text, heading].filter(Boolean).join(': ') || question.id,
         i === 0 ? answer.value : answer.confidence,
         this.words,
-        (value) => { this.answered(page, question, i === 0 ? { value } : { confidence: value }, place); },
+        (value) => { this.answered(question, i === 0 ? { value } : { confidence: value }); },
       ));
     });
     return box;
   }
 
-  private answered(page: Page, question: Question, change: Partial<Answer>, place: number): void {
-    const before = asked(page, this.answers).map((each) => each.id).join();
-    this.answers.set(question.id, { ...NONE, ...this.answers.get(question.id), ...change });
-    this.times.set(question.id, { ms: Math.round(performance.now() - this.since), place });
+  private answered(question: Question, change: Partial<Answer>): void {
+    const others = this.state.take(question, change);
     this.refusing = false;
     this.note.textContent = '';
-    if (asked(page, this.answers).map((each) => each.id).join() !== before) {
+    if (others) {
       this.draw(); // a question opens or closes
       this.form.querySelector<HTMLElement>(`[data-question="${CSS.escape(question.id)}"] :is(input, textarea, button)`)?.focus();
     }
   }
 
   private next(): void {
-    const { page } = this;
-    if (!page) {
-      return;
-    }
-    const questions = asked(page, this.answers);
-    const open = questions.filter((question) => !complete(question, this.answers.get(question.id) ?? NONE));
+    const { open, questions } = this.state;
     for (const box of this.form.querySelectorAll<HTMLElement>('fieldset')) {
       box.classList.toggle('open', open.some((question) => question.id === box.dataset.question));
     }
-    if (open.length > 0) {
-      this.note.textContent = this.words.of('left', open.length, questions.length);
-      this.form.querySelector<HTMLElement>('fieldset.open :is(input, textarea, button)')?.focus();
-      return;
+    switch (this.state.next()) {
+      case 'open':
+        this.note.textContent = this.words.of('left', open.length, questions.length);
+        this.form.querySelector<HTMLElement>('fieldset.open :is(input, textarea, button)')?.focus();
+        break;
+      case 'refuses':
+        this.refuse();
+        break;
+      case 'page':
+        this.show();
+        break;
+      case 'end':
+        break;
     }
-    if (questions.some((question) => refuses(question, this.answers.get(question.id) ?? NONE))) {
-      this.refuse();
-      return;
-    }
-    this.show(this.current + 1);
   }
 
   private refuse(): void {
@@ -206,28 +173,7 @@ export class QuestionnaireView {
     }
     this.refusing = true;
     this.note.textContent = `${this.words.of('form.refused')} `;
-    this.note.append(this.button('form.cancel', 'button', () => { this.finish({ answers: [], refused: true }); }));
-  }
-
-  private complete(): void {
-    const given = shown(this.pages, this.answers).flatMap((page) =>
-      asked(page, this.answers).flatMap((question): GivenAnswer[] => {
-        const answer = this.answers.get(question.id) ?? NONE;
-        const time = this.times.get(question.id);
-        if (answer.value === '' || !time) {
-          return [];
-        }
-        return [{
-          page: page.id,
-          question: question.id,
-          kind: question.kind,
-          value: answer.value,
-          ...(question.fields.length > 1 ? { confidence: answer.confidence } : {}),
-          ...time,
-          ...(question.personal ? { personal: true } : {}),
-        }];
-      }));
-    this.finish({ answers: given, refused: false });
+    this.note.append(this.button('form.cancel', 'button', () => { this.state.refuse(); }));
   }
 
   private button(word: string, type: 'button' | 'submit', pressed?: () => void): HTMLButtonElement {

@@ -1,6 +1,6 @@
 import type { DataSink } from '../data/sink.js';
 
-/** What is the same in all records of a session. */
+/** All records of a session have the same of these. */
 export interface Identity {
   readonly study: string;
   readonly checksum: string;
@@ -53,6 +53,9 @@ export class Recorder {
       step: this.step,
       started: this.started.toISOString(),
       ended: new Date().toISOString(),
+      // The clock of head logs, whose origin is another one each time the page is opened.
+      origin: Math.round(performance.timeOrigin),
+      mono: Math.round(this.began * 1000) / 1e6,
       interruptions: this.interruptions,
       ...content,
     });

@@ -1,4 +1,5 @@
 import { HttpSink } from '../data/http-sink.js';
+import { JatosSink, type Jatos } from '../data/jatos-sink.js';
 import { uuid } from '../data/session.js';
 import type { DataSink } from '../data/sink.js';
 import { WaitingPage } from '../data/waiting-page.js';
@@ -27,6 +28,7 @@ export interface Session {
  *
  * @param waiting the element that tells of data on their way
  * @param participant whom the recruitment sends, such as PROLIFIC_PID; empty if nobody says
+ * @param jatos jatos.js where the receiver is JATOS
  */
 export async function open(
   study: Study,
@@ -35,6 +37,7 @@ export async function open(
   waiting: HTMLElement,
   language: string,
   participant: string,
+  jatos?: Jatos,
 ): Promise<Session> {
   const asked = askedSlot(query, study.slots.length);
   if (settings.receiver === '') {
@@ -44,17 +47,18 @@ export async function open(
     return { id, sink: new RecordFile(), slot, place: new StepsPlace(undefined, id), kept: undefined, ended: false, lasting: false };
   }
   const storage = ownStorage();
-  const sink = await HttpSink.open({
-    url: settings.receiver,
+  const keeping = {
     study: study.name,
-    participant,
     waiting: new WaitingPage(waiting, dataWords(language)),
     indexedDB: window.indexedDB,
     localStorage: storage,
     events: window,
-  });
+  };
+  const sink = jatos
+    ? await JatosSink.open(jatos, keeping)
+    : await HttpSink.open({ ...keeping, url: settings.receiver, participant });
   const place = new StepsPlace(storage, sink.session);
-  const taken = asked === undefined ? await sink.slot() : asked + 1; // a receiver counts places from 1
+  const taken = asked === undefined ? await sink.slot(study.slots.length) : asked + 1; // a receiver counts places from 1
   return {
     id: sink.session,
     sink,

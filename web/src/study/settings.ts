@@ -1,6 +1,9 @@
-/** What a lab sets in study-settings.json. */
+/** The receiver that stands for JATOS, which serves the page then. */
+export const JATOS = 'jatos';
+
+/** A lab sets these in study-settings.json. */
 export interface Settings {
-  /** Address of the receiver of the data; empty for none. */
+  /** Address of the receiver of the data; JATOS for jatos.js; empty for none. */
   readonly receiver: string;
   /** Address that participants are sent to at the end; empty for none. */
   readonly completion: string;
@@ -10,6 +13,8 @@ export interface Settings {
   readonly minHeight: number;
   /** Pictures per second that the screen must show; 0 for any. */
   readonly minRefresh: number;
+  /** Pictures of the scene that must come in a second before the session begins; 0 for any. */
+  readonly minFrameRate: number;
 }
 
 /** Checks what study-settings.json holds; a key that is missing has its usual value. */
@@ -17,12 +22,12 @@ export function settings(json: unknown): Settings {
   const found = (json ?? {}) as Partial<Record<keyof Settings, unknown>>;
   const address = (key: 'receiver' | 'completion'): string => {
     const value = found[key] ?? '';
-    if (typeof value !== 'string' || (value !== '' && !/^(https?:\/\/|\.{0,2}\/)/.test(value))) {
+    if (typeof value !== 'string' || (value !== '' && !(key === 'receiver' && value === JATOS) && !/^(https?:\/\/|\.{0,2}\/)/.test(value))) {
       throw new Error(`study-settings.json: "${key}" must be an address that begins with https://, or ""`);
     }
     return value;
   };
-  const number = (key: 'minWidth' | 'minHeight' | 'minRefresh'): number => {
+  const number = (key: 'minWidth' | 'minHeight' | 'minRefresh' | 'minFrameRate'): number => {
     const value = found[key] ?? 0;
     if (typeof value !== 'number' || !(value >= 0)) {
       throw new Error(`study-settings.json: "${key}" must be a number, 0 or above`);
@@ -36,6 +41,7 @@ export function settings(json: unknown): Settings {
     minWidth: number('minWidth'),
     minHeight: number('minHeight'),
     minRefresh: number('minRefresh'),
+    minFrameRate: number('minFrameRate'),
   };
 }
 

@@ -3,14 +3,15 @@ import type { Condition } from '../scene/world.js';
 import { ordered, type Slot, type Step, type Study, type Texts, type Wording } from './description.js';
 import { escaped } from './escape.js';
 import type { Log } from './head-log.js';
-import { questionnairePlugin, type QuestionnaireResult } from './questionnaire.js';
+import { questionnairePlugin } from './questionnaire.js';
+import type { QuestionnaireResult } from './questionnaire-state.js';
 import type { Recorder } from './recorder.js';
 import type { Stage } from './stage.js';
 import { exposurePlugin } from './x3d-exposure.js';
 
 type SceneStep = Extract<Step, { readonly scene: string }>;
 
-/** What a step needs to be shown and recorded. */
+/** A step needs this to be shown and recorded. */
 export interface StepContext {
   readonly study: Study;
   readonly slot: Slot;
@@ -20,7 +21,7 @@ export interface StepContext {
   readonly recorder: Recorder;
   /** The step that an earlier page left under way; empty for none. */
   readonly repeated: string;
-  /** What the first record tells besides. */
+  /** Returns what the first record tells besides. */
   readonly first: () => Readonly<Record<string, unknown>>;
   readonly begun: (step: string) => void;
   readonly ended: (step: string) => void;
@@ -92,9 +93,26 @@ function scene(context: StepContext, id: string, step: SceneStep): unknown[] {
       type: htmlButtonResponse,
       stimulus: lines.map((line) => `<p>${escaped(line)}</p>`).join(''),
       choices: [escaped(words.of('web.begin'))],
+      on_load: () => { prepare(context, step.scene); },
     },
     shown,
   ];
+}
+
+/** Loads the scene while its instruction is read; the button that shows it waits for that. */
+function prepare(context: StepContext, scene: string): void {
+  const button = document.querySelector<HTMLButtonElement>('#study button');
+  if (!button) {
+    return;
+  }
+  const label = button.textContent;
+  button.disabled = true;
+  const opened = context.stage.open(scene, context.words, (text) => { button.textContent = text; });
+  void opened.then(() => {
+    context.stage.hide();
+    button.textContent = label;
+    button.disabled = false;
+  });
 }
 
 function begin(context: StepContext, id: string): void {

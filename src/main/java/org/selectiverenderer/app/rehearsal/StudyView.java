@@ -57,7 +57,7 @@ record StudyView(
                               area.name(),
                               scene,
                               area.viewpoint(),
-                              group.settings().condition().orElse(Condition.HIGH),
+                              group.condition(),
                               group.settings().choices())));
         }
       }

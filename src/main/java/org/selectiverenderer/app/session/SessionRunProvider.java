@@ -32,6 +32,7 @@ import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.study.definition.SessionFlag;
 import org.selectiverenderer.study.definition.Study;
 import org.selectiverenderer.study.design.BlockProgress;
+import org.selectiverenderer.study.design.StudyGroup;
 import org.selectiverenderer.study.design.Trial;
 import org.selectiverenderer.study.session.ExperimenterControls;
 import org.selectiverenderer.study.session.Session;
@@ -263,7 +264,7 @@ final class SessionRunProvider implements RunSequence.Runs {
         step,
         scene,
         new SelectiveController.Settings(
-            session.group().flatMap(group -> group.settings().condition()).orElse(Condition.HIGH),
+            session.group().map(StudyGroup::condition).orElse(Condition.HIGH),
             lot()),
         show.presentation().withIpd(session.ipd() / 1000),
         log);

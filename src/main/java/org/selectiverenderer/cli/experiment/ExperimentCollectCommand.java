@@ -2,14 +2,17 @@ package org.selectiverenderer.cli.experiment;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.app.head.SceneExposureReplay;
 import org.selectiverenderer.base.decimal.Pluralizer;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.command.CliCommand;
+import org.selectiverenderer.command.ProgramVersion;
 import org.selectiverenderer.command.output.CommandException;
 import org.selectiverenderer.command.output.CommandFileCheck;
 import org.selectiverenderer.command.output.Console;
@@ -21,6 +24,7 @@ import org.selectiverenderer.study.session.LoadedStudy;
 import org.selectiverenderer.study.session.PaperAnswers;
 import org.selectiverenderer.study.site.SiteTables;
 import org.selectiverenderer.study.site.StudySites;
+import org.selectiverenderer.study.web.WebSessionImport;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -39,6 +43,8 @@ import picocli.CommandLine.Option;
       "  ./selective-renderer experiment collect mystudy --paper 003.csv,004.csv \\",
       "      --responses r.csv",
       "  ./selective-renderer experiment collect mystudy --trials trials.csv",
+      "  ./selective-renderer experiment collect mystudy --web mystudy-data \\",
+      "      --answers answers.csv",
       "  ./selective-renderer experiment collect mystudy --from athens=data/athens \\",
       "      --from patras=data/patras --trials trials.csv",
       "  ./selective-renderer experiment collect mystudy/pilot --ratings ratings.csv \\",
@@ -107,6 +113,15 @@ final class ExperimentCollectCommand extends CliCommand {
 
   @Mixin private SitesOption sites = new SitesOption();
 
+  @Option(
+      names = "--web",
+      paramLabel = "PATH",
+      description =
+          "first adds the sessions that browsers sent: a folder of the receiver, a file that a"
+              + " participant saved, or result data of JATOS; can be repeated. Their participants"
+              + " are web001, web002 and so on")
+  private List<Path> web = List.of();
+
   ExperimentCollectCommand(Console console) {
     super(console);
   }
@@ -119,6 +134,10 @@ final class ExperimentCollectCommand extends CliCommand {
     if (sites.any() && !paper.tables().isEmpty()) {
       throw CommandException.usage(
           "--paper and --from: answers on paper are collected at their site, without --from");
+    }
+    if (sites.any() && !web.isEmpty()) {
+      throw CommandException.usage(
+          "--web and --from: sessions of browsers are added at their site, without --from");
     }
     OutputFile.check("--responses", responses, ".csv");
     OutputFile.check("--ratings", ratings, ".csv");
@@ -137,9 +156,15 @@ final class ExperimentCollectCommand extends CliCommand {
     paper.tables().forEach(table -> files.reads("--paper", table));
     files.check();
     ProblemCollector problems = new ProblemCollector(console()::problem);
-    Optional<LoadedStudy> material = study.read(trust, console(), problems);
+    Optional<LoadedStudy> material =
+        web.isEmpty()
+            ? study.read(trust, console(), problems)
+            : study.readToCopy(trust, console(), problems).map(languages -> languages.get(0));
     if (material.isEmpty()) {
       return ExitStatus.PROBLEMS;
+    }
+    if (!web.isEmpty()) {
+      addWeb(material.get(), problems);
     }
     Optional<CollectedAnswers> collected = collect(material.get(), problems);
     if (collected.isEmpty()) {
@@ -162,6 +187,21 @@ final class ExperimentCollectCommand extends CliCommand {
                     Pluralizer.of(answers.answers(), "answer"),
                     Pluralizer.of(answers.participants(), "participant")));
     return ExitStatus.of(problems);
+  }
+
+  /** Makes session folders of what browsers sent. */
+  private void addWeb(LoadedStudy material, ProblemCollector problems) throws IOException {
+    WebSessionImport.Summary made =
+        WebSessionImport.run(
+            material,
+            web,
+            ProgramVersion.PROGRAM + " " + ProgramVersion.number(),
+            new SceneExposureReplay(),
+            problems);
+    console()
+        .message(
+            "from browsers: %s added, %d with more records, %d there already"
+                .formatted(Pluralizer.of(made.added(), "session"), made.changed(), made.unchanged()));
   }
 
   /** Collects the answers of the study, or of all sites; empty if these do not go together. */

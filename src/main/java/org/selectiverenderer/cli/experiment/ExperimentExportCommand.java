@@ -28,19 +28,21 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "export",
     description = {
-      "Writes a study as tables, or as a page for web browsers.",
+      "Writes a study as tables, as a page for web browsers, or as a study archive of JATOS.",
       "Tables (--output DIR) are for R, JASP and pandas, one for each level of analysis: "
           + "participants, sessions, exposures, gaze, events, responses, ratings, answers, scores, trials; "
           + "a codebook of every column, scripts that read them, and one that analyses them.",
       "Responses, ratings, answers and scores are those that experiment collect takes; the other "
           + "tables have all sessions. Files of an earlier export are replaced.",
       "--to web DIR writes a page that runs the study in a web browser, for any web server; what a"
-          + " browser cannot do is refused with its line in the study file, and nothing is written."
+          + " browser cannot do is refused with its line in the study file, and nothing is written.",
+      "--to jatos FILE writes the same page as a study archive (.jzip), which JATOS imports."
     },
     footer = {
       "  ./selective-renderer experiment export mystudy --output mystudy-tables",
       "  Rscript -e 'setwd(\"mystudy-tables\"); source(\"tables.R\"); str(read_tables())'",
-      "  ./selective-renderer experiment export mystudy --to web mystudy-page"
+      "  ./selective-renderer experiment export mystudy --to web mystudy-page",
+      "  ./selective-renderer experiment export mystudy --to jatos mystudy.jzip"
     })
 final class ExperimentExportCommand extends CliCommand {
   @Mixin private StudyArgument study = new StudyArgument();
@@ -50,21 +52,23 @@ final class ExperimentExportCommand extends CliCommand {
   /** Spellings are those of the option. */
   private enum Form {
     tables,
-    web
+    web,
+    jatos
   }
 
   @Parameters(
-      paramLabel = "DIR",
+      paramLabel = "DIR|FILE",
       index = "1",
       arity = "0..1",
-      description = "with --to web: folder to write, new or empty")
+      description = "with --to web: folder to write, new or empty; with --to jatos: new file to write")
   private @Nullable Path page;
 
   @Option(
       names = "--to",
       paramLabel = "FORM",
       description =
-          "what is written: tables (the default), or web, a page that runs the study in a web browser")
+          "what is written: tables (the default), web, a page that runs the study in a web browser, or"
+              + " jatos, the page as a study archive of JATOS")
   private Form form = Form.tables;
 
   @Option(
@@ -87,6 +91,12 @@ final class ExperimentExportCommand extends CliCommand {
         throw CommandException.usage("--to web: name the folder as DIR, without --output");
       }
       return writePage(page, problems);
+    }
+    if (form == Form.jatos) {
+      if (page == null || output != null) {
+        throw CommandException.usage("--to jatos: name the archive as FILE, without --output");
+      }
+      return writeArchive(page, problems);
     }
     if (output == null || page != null) {
       throw CommandException.usage("name the folder of the tables by --output DIR");
@@ -121,17 +131,8 @@ final class ExperimentExportCommand extends CliCommand {
       throw CommandException.environment("DIR %s: is a file, not a folder".formatted(folder));
     }
     Optional<List<LoadedStudy>> languages = study.readToCopy(trust, console(), problems);
-    if (languages.isEmpty()) {
-      return ExitStatus.PROBLEMS;
-    }
-    WebPage runner =
-        WebPage.ofStudy()
-            .orElseThrow(
-                () ->
-                    CommandException.environment(
-                        "--to web: this program was built without the page; install Node.js 20 or"
-                            + " later with npm, and build it again"));
-    Optional<StudyFolder> made = StudyFolder.of(runner, languages.get(), problems);
+    Optional<StudyFolder> made =
+        languages.isPresent() ? made(languages.get(), problems) : Optional.empty();
     if (made.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
@@ -142,19 +143,53 @@ final class ExperimentExportCommand extends CliCommand {
               .formatted(folder, folder.relativize(conflicts.get(0))));
     }
     PackageWriter.intoFolder(made.get().files(), folder, share -> {}).keep();
-    Study first = languages.get().get(0).study();
+    tell(
+        folder.resolve("index.html") + ": the study for any web server",
+        languages.orElseThrow().get(0).study());
+    return ExitStatus.of(problems);
+  }
+
+  private ExitStatus writeArchive(Path file, ProblemCollector problems) throws IOException {
+    if (Files.exists(file)) {
+      throw CommandException.environment(
+          "FILE %s: is there already; name a new file, such as study.jzip".formatted(file));
+    }
+    Optional<List<LoadedStudy>> languages = study.readToCopy(trust, console(), problems);
+    Optional<StudyFolder> made =
+        languages.isPresent() ? made(languages.get(), problems) : Optional.empty();
+    if (made.isEmpty()) {
+      return ExitStatus.PROBLEMS;
+    }
+    PackageWriter.intoZip(made.get().jatosArchive(), file, share -> {}).keep();
+    tell(file + ": the study for JATOS", languages.orElseThrow().get(0).study());
+    return ExitStatus.of(problems);
+  }
+
+  private Optional<StudyFolder> made(List<LoadedStudy> languages, ProblemCollector problems)
+      throws IOException {
+    WebPage runner =
+        WebPage.ofStudy()
+            .orElseThrow(
+                () ->
+                    CommandException.environment(
+                        ("--to %s: this program was built without the page; install Node.js 20 or"
+                                + " later with npm, and build it again")
+                            .formatted(form)));
+    StudyFolder.Host host =
+        form == Form.jatos ? StudyFolder.Host.JATOS : StudyFolder.Host.WEB_SERVER;
+    return StudyFolder.of(runner, host, languages, problems);
+  }
+
+  private void tell(String what, Study first) {
     console()
         .line(
-            "%s: the study for any web server, with places for %s"
-                .formatted(
-                    folder.resolve("index.html"),
-                    Pluralizer.of(first.participants(), "participant")));
+            "%s, with places for %s"
+                .formatted(what, Pluralizer.of(first.participants(), "participant")));
     if (first.scene().isPresent()) {
       console()
           .line(
               "  scenes are shown in one picture with the field of view of their viewpoints; the"
                   + " study's \"display\" is not used");
     }
-    return ExitStatus.of(problems);
   }
 }

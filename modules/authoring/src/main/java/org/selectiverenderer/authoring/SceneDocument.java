@@ -39,6 +39,10 @@ public final class SceneDocument {
   private final List<DocumentListener> listeners = new CopyOnWriteArrayList<>();
   private @Nullable ElementTree tree;
   private @Nullable DocumentError fault;
+
+  /** The tree from before the text was broken; null while it is well-formed. */
+  private @Nullable BrokenTree broken;
+
   private EntityTable entities = EntityTable.NONE;
   private long revision;
 
@@ -314,17 +318,37 @@ public final class SceneDocument {
     revision++;
     boolean followed = tree != null && tree.follow(changes, revision);
     if (!followed) {
-      readAnew();
+      reread(changes);
     }
     DocumentListener.Change change = new DocumentListener.Change(revision, changes, !followed);
     listeners.forEach(listener -> listener.changed(change));
     return inverse;
   }
 
-  private void readAnew() {
+  /** Finds tree or fault of a text whose changes the tree does not follow. */
+  private void reread(List<TextEdit> changes) {
     if (tree != null) {
       tree.detach();
+      broken = new BrokenTree(tree);
     }
+    if (broken == null) {
+      readAnew();
+      return;
+    }
+    boolean mended = broken.mended(changes, tree == null, buffer.characters(), revision);
+    DocumentError found = mended ? null : broken.tree().fault().orElse(null);
+    if (mended || found != null) {
+      tree = mended ? broken.tree() : null;
+      fault = found;
+    } else {
+      readAnew();
+    }
+    if (tree != null) {
+      broken = null;
+    }
+  }
+
+  private void readAnew() {
     entities = EntityTable.of(buffer.characters());
     try {
       tree = ElementTree.of(source, revision);

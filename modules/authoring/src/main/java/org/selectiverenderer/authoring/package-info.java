@@ -14,8 +14,9 @@
  * parsed again; the offsets of all later elements are shifted. So untouched elements stay the same
  * objects (a selection survives), and an edit costs one pass over the elements after it: a scene of
  * 30 MB opens in less than a second on 4 cores, and an edit of it takes some 10 milliseconds. Where
- * a part does not parse, the whole text is parsed again, which gives the location of the error.
- * {@code RandomEditsTest} compares the tree with a freshly parsed one after thousands of random
+ * a part does not parse, the text is parsed from there to the error; the tree of the text before is
+ * kept, and mended when what has changed since is well-formed again. What cannot be decided in a
+ * part has the whole text parsed. {@code RandomEditsTest} compares the tree with a freshly parsed one after thousands of random
  * edits.
  *
  * <p>The library domtrip-core was the alternative: it keeps files byte for byte too, but knows no

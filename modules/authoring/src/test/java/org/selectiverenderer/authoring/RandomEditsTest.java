@@ -64,6 +64,43 @@ class RandomEditsTest {
     assertSameAsReadAnew(document);
   }
 
+  @Test
+  void aTreeIsMendedWithTheSameElementsWhenHalfATagIsTakenAway() throws IOException {
+    String text =
+        "<X3D><Scene>" + "<Group DEF='A'><Shape/></Group>\n".repeat(2000) + "</Scene></X3D>";
+    SceneDocument document = SceneDocument.of("a.x3d", text.getBytes(StandardCharsets.UTF_8));
+    DocumentElement last = document.tree().orElseThrow().scene().orElseThrow().children().get(1999);
+    int at = text.indexOf("<Shape/>", text.length() / 2);
+    document.type(at, at, "<Gr");
+    document.type(at + 3, at + 3, "oup ");
+    assertSameAsReadAnew(document);
+    assertThat(document.fault()).isPresent();
+    assertThat(last.attached()).isFalse();
+
+    document.type(at, at + 7, "");
+
+    assertSameAsReadAnew(document);
+    assertThat(last.attached()).isTrue();
+    assertThat(document.tree().orElseThrow().at(last.start() + 1)).containsSame(last);
+  }
+
+  /** A fault far behind the change that makes it. */
+  @ParameterizedTest
+  @ValueSource(strings = {"<!--", "<Group>", "</Group>", "<![CDATA[", "<Group a='"})
+  void aFaultIsFoundHoweverFarBehindTheChange(String piece) throws IOException {
+    String text =
+        "<X3D>\r\n<Scene>" + "<Group DEF='A'><Shape/></Group>\n".repeat(9000) + "</Scene></X3D>";
+    SceneDocument document = SceneDocument.of("a.x3d", text.getBytes(StandardCharsets.UTF_8));
+    int at = text.indexOf("<Group", 1000);
+
+    document.type(at, at, piece);
+
+    String broken = document.text().toString();
+    SceneDocument fresh = SceneDocument.of("a.x3d", broken.getBytes(StandardCharsets.UTF_8));
+    assertThat(document.fault()).isPresent().isEqualTo(fresh.fault());
+    assertThat(document.tree()).isEmpty();
+  }
+
   @ParameterizedTest
   @ValueSource(ints = {1, 2, 3, 4, 5, 6, 7, 8})
   void theTreeFollowsAndUndoingGivesTheBytesBack(int seed) throws IOException {

@@ -20,7 +20,7 @@ import org.selectiverenderer.formats.json.JsonWriter;
  * ending {@code .jzip}, of a description and one folder with the files of the study. {@code
  * docs/web-data.md} describes the format.
  */
-final class JatosArchive {
+public final class JatosArchive {
   private static final String DESCRIPTION = "study.jas";
 
   /** The version of the description that JATOS reads since its version 3. */
@@ -39,7 +39,7 @@ final class JatosArchive {
    * @param files the files that a web server would have
    * @throws IOException if a file cannot be read, with a sentence
    */
-  static List<PackagedFile> files(String title, Path page, List<PackagedFile> files)
+  public static List<PackagedFile> files(String title, Path page, List<PackagedFile> files)
       throws IOException {
     if (files.stream().noneMatch(file -> file.target().equals(page))) {
       throw new IllegalArgumentException(page + " is not one of the files");

@@ -4,12 +4,17 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.catalogue.NodeView;
+import org.selectiverenderer.x3d.catalogue.Profile;
+import org.selectiverenderer.x3d.read.NodeTraversal;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.url.BaseUrl;
@@ -49,7 +54,7 @@ public final class ModelWriter {
     boolean plain = model.parts().stream().allMatch(part -> allOf(INTERCHANGE, part.appearance()));
     boolean recent = !model.parts().stream().allMatch(part -> noneOf(NEW_IN_4, part.appearance()));
     out.file(plain ? "Interchange" : "Full", recent ? "4.0" : "3.3");
-    head(out, model.units(), title, description);
+    head(out, Map.of(), model.units(), title, description);
     X3dNodeWriter nodes = new X3dNodeWriter(out, X3dNodeWriter.Written.GIVEN);
     int decimals = decimals(model.meshes());
     for (ModelPart part : model.parts()) {
@@ -78,12 +83,19 @@ public final class ModelWriter {
       String title,
       String description) {
     X3dWriter out = new X3dWriter();
-    out.file(
-        scene.profile().isEmpty() ? "Immersive" : scene.profile(),
-        scene.version().isEmpty() ? "3.3" : scene.version());
-    head(out, scene.units(), title, description);
-    X3dNodeWriter writer = new X3dNodeWriter(out, X3dNodeWriter.Written.GIVEN);
+    String profile = scene.profile().isEmpty() ? "Immersive" : scene.profile();
+    out.file(profile, scene.version().isEmpty() ? "3.3" : scene.version());
     RouteCopier routes = new RouteCopier(nodes, scene);
+    Set<NodeType> types = new LinkedHashSet<>();
+    nodes.forEach(node -> gather(types, node));
+    routes.beside().forEach(node -> gather(types, node));
+    head(
+        out,
+        Profile.of(profile).map(known -> known.missing(types.stream())).orElse(Map.of()),
+        scene.units(),
+        title,
+        description);
+    X3dNodeWriter writer = new X3dNodeWriter(out, X3dNodeWriter.Written.GIVEN);
     routes.name(writer);
     nodes.forEach(node -> writer.append(node, "", urls(folder, target)));
     routes.beside().forEach(node -> writer.append(node, "", urls(folder, target)));
@@ -124,8 +136,13 @@ public final class ModelWriter {
   }
 
   private static void head(
-      X3dWriter out, List<X3dFile.Unit> units, String title, String description) {
+      X3dWriter out,
+      Map<String, Integer> components,
+      List<X3dFile.Unit> units,
+      String title,
+      String description) {
     out.open("head");
+    components.forEach(out::component);
     units.forEach(unit -> out.unit(unit.category(), unit.name(), unit.conversionFactor()));
     out.meta("title", title).meta("description", description);
     out.meta("generator", "Selective Renderer").close().open("Scene");
@@ -160,6 +177,15 @@ public final class ModelWriter {
     return node == null
         || !types.contains(node.type().name())
             && children(node).stream().allMatch(child -> noneOf(types, child));
+  }
+
+  private static void gather(Set<NodeType> types, NodeView node) {
+    if (node instanceof ParsedNode parsed) {
+      NodeTraversal.visit(List.of(parsed), each -> types.add(each.type()));
+    } else {
+      types.add(node.type());
+      children(node).forEach(child -> gather(types, child));
+    }
   }
 
   private static List<NodeView> children(NodeView node) {

@@ -79,6 +79,9 @@ class RuleFixturesTest {
       if (rule.id().equals("SR309")) {
         continue; // Git keeps no file that may not be read: UnreadableFileTest.
       }
+      if (rule.id().equals("SR208")) {
+        continue; // found by the enricher only: GeometryProblemsTest
+      }
       String bad = rule.id() + "-" + rule.severity().name().toLowerCase(Locale.ROOT);
       assertThat(names).as(bad).anyMatch(name -> name.startsWith(bad));
       String valid = rule.id() + "-valid";

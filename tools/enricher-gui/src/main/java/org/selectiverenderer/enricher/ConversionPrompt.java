@@ -27,16 +27,23 @@ final class ConversionPrompt {
   private final TaskExecutor tasks;
   private final UserPrompts questions;
   private final Consumer<Path> opening;
+  private final Consumer<String> say;
 
   /**
    * @param opening opens a scene that is XML
+   * @param say shows a message in the status bar
    */
   ConversionPrompt(
-      NodeCatalogue catalogue, TaskExecutor tasks, UserPrompts questions, Consumer<Path> opening) {
+      NodeCatalogue catalogue,
+      TaskExecutor tasks,
+      UserPrompts questions,
+      Consumer<Path> opening,
+      Consumer<String> say) {
     this.catalogue = catalogue;
     this.tasks = tasks;
     this.questions = questions;
     this.opening = opening;
+    this.say = say;
   }
 
   /**
@@ -47,7 +54,7 @@ final class ConversionPrompt {
    */
   void open(Path path, Runnable asItIs, Runnable nothing) {
     tasks.run(
-        Texts.of("window.looking", String.valueOf(path.getFileName())),
+        Texts.of("window.opening", String.valueOf(path.getFileName())),
         () -> XmlConversion.of(path),
         foreign -> foreign.ifPresentOrElse(scene -> offer(path, scene, nothing), asItIs),
         failed -> tell(nothing, failed));
@@ -72,6 +79,7 @@ final class ConversionPrompt {
             && !questions.overwrite(
                 Texts.of("keep.exists", String.valueOf(target.getFileName())))) {
       nothing.run();
+      say.accept(Texts.of("window.notopened", String.valueOf(path.getFileName())));
       return;
     }
     ProblemCollector problems = new ProblemCollector();

@@ -81,7 +81,7 @@ final class DialogUserPrompts implements UserPrompts {
 
   @Override
   public boolean convert(String sentence) {
-    return choose(sentence, Texts.of("keep.cancel"), Texts.of("window.doconvert")) == 1;
+    return choose(sentence, Texts.of("window.doconvert"), Texts.of("keep.cancel")) == 0;
   }
 
   @Override

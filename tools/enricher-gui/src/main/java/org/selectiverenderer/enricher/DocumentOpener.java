@@ -61,7 +61,7 @@ final class DocumentOpener {
     this.tasks = tasks;
     this.questions = questions;
     this.recovery = recovery;
-    conversion = new ConversionPrompt(catalogue, tasks, questions, this::read);
+    conversion = new ConversionPrompt(catalogue, tasks, questions, this::read, place.say());
     kept = new CrashRecoveryPrompt(recovery, questions, place.say());
   }
 
@@ -111,7 +111,7 @@ final class DocumentOpener {
         .saves()
         .leaving(
             () -> {
-              place.announce().accept(Texts.of("window.opening", path.getFileName()) + "\u2026");
+              place.announce().accept(Texts.of("window.opening", path.getFileName()));
               conversion.open(path, () -> read(path), this::nothing);
             });
   }
@@ -156,7 +156,7 @@ final class DocumentOpener {
   }
 
   private void load(String name, Callable<DocumentFile> opening) {
-    place.announce().accept(name + "\u2026");
+    place.announce().accept(name);
     Optional<Workbench> before = place.bench().get();
     long agreed = revision(before);
     BackgroundTask task =

@@ -241,14 +241,16 @@ final class EnricherWindow {
   }
 
   /**
-   * Shows what is being done in the status bar, and in the middle of the window while no scene is
+   * Shows what is being done: in the status bar, or in the middle of the window while no scene is
    * open.
    *
    * @param work a sentence; empty when nothing is being done
    */
   private void announce(String work) {
-    status.say(work);
-    welcome.setText(work.isEmpty() ? Texts.of("window.welcome") : work);
+    status.announced(work);
+    String told = work.isEmpty() ? "" : work + "\u2026";
+    status.say(bench == null ? "" : told);
+    welcome.setText(work.isEmpty() ? Texts.of("window.welcome") : told);
   }
 
   private void askForTrust(String sentence, List<String> lines, Consumer<Boolean> answer) {

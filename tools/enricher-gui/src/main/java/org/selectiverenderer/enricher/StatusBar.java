@@ -30,13 +30,13 @@ final class StatusBar {
   private final JLabel problems = new JLabel();
   private final JProgressBar bar = new JProgressBar(0, STEPS);
   private final JButton cancel = new JButton(Texts.of("keep.cancel"));
+  private String announced = "";
   private final Timer timer = new Timer(EVERY_MILLISECONDS, event -> refresh());
 
   StatusBar(TaskExecutor tasks) {
     this.tasks = tasks;
     message.getAccessibleContext().setAccessibleName(Texts.of("window.message"));
     bar.getAccessibleContext().setAccessibleName(Texts.of("window.progress"));
-    bar.setStringPainted(true);
     cancel.addActionListener(event -> tasks.running().forEach(BackgroundTask::cancel));
     panel.add(message, "growx, wmin 0");
     panel.add(bar, "w 240!");
@@ -55,6 +55,11 @@ final class StatusBar {
     message.setToolTipText(PlainText.of(sentence));
   }
 
+  /** Sets the name of a task that is told of elsewhere, so that its progress is without it. */
+  void announced(String task) {
+    announced = task;
+  }
+
   /** Shows how many problems there are. */
   void count(ProblemCounts counts) {
     problems.setText(counts.words());
@@ -70,6 +75,7 @@ final class StatusBar {
     cancel.setVisible(slow.stream().anyMatch(BackgroundTask::stoppable));
     if (!slow.isEmpty()) {
       BackgroundTask first = slow.get(0);
+      bar.setStringPainted(slow.size() > 1 || !first.name().equals(announced));
       bar.setString(
           Texts.of("window.tasks", first.name(), slow.size() - 1, String.valueOf(slow.size() - 1)));
       bar.setIndeterminate(first.fraction() < 0);

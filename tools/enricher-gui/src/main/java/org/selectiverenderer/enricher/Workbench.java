@@ -109,6 +109,7 @@ final class Workbench {
       SettingsTrust trust) {
     this.session = session;
     this.settings = settings;
+    preview = new PreviewPanel(session); // First, as it loads the scene while the others are made.
     menu = new NodeMenu(session);
     structure = new StructureCommands(session, Toolkit.getDefaultToolkit().getSystemClipboard());
     pictures = new VersionImageRenderer(() -> asScene(session));
@@ -118,8 +119,13 @@ final class Workbench {
             () -> session.file().path(),
             settings,
             (read, found) -> trust.limited(read, found, this::settingsAreOther));
+    ValidatorCheck validator = validator(session, budgets);
     problems =
-        new ProblemsPanel(session, List.of(validator(session, budgets), new RepeatedPointsCheck()));
+        new ProblemsPanel(
+            session,
+            List.of(
+                validator,
+                validator.graded(RepeatedPointsCheck.RULE, new RepeatedPointsCheck())));
     tree = new SceneTreePanel(session, problems::faulty);
     problems.onCounts(
         now -> {
@@ -131,9 +137,9 @@ final class Workbench {
     source = new SourcePanel(session);
     form = new FormPanel(session, pictures);
     form.onMakeVersions(makeVersions);
+    form.follow(problems);
     help = new HelpPanel(session);
     tabs.getAccessibleContext().setAccessibleName(Texts.of("window.views"));
-    preview = new PreviewPanel(session);
     overview = new OverviewPanel(session);
     cost = new CostPanel(session, budgets, problems::checkAgain);
     schemas = split(JSplitPane.VERTICAL_SPLIT, overview, cost, 1, "polygons");
@@ -166,7 +172,7 @@ final class Workbench {
     addMenus(makeVersions);
     addTreeKeys();
     structure.shifts(new DuplicateShifts(preview.probe()));
-    insert = new InsertCommands(session, structure, this::here);
+    insert = new InsertCommands(session, structure, this::here, preview::placeAhead);
     disposals.add(focused::dispose);
     disposals.add(autosave::dispose);
     disposals.add(problems::dispose);

@@ -103,6 +103,56 @@ class WindowFeedbackTest {
     assertThat(after).isEqualTo(before);
   }
 
+  private Path vrml() throws IOException {
+    return Files.writeString(folder.resolve("house.wrl"), "#VRML V2.0 utf8\nGroup { }\n");
+  }
+
+  @Test
+  void enterConvertsASceneThatIsNotXml() throws IOException {
+    open("<Group DEF='Table'/>");
+    Path scene = vrml();
+    SwingUtilities.invokeLater(() -> window.open(scene));
+    JDialog question = hands.dialog(JDialog.class);
+    hands.await("the keyboard", question::isFocused);
+    hands.press(KeyEvent.VK_ENTER);
+    hands.await(
+        "the converted scene",
+        () -> window.session().filter(now -> now.file().path().endsWith("house.x3d")).isPresent());
+    assertThat(folder.resolve("house.x3d")).content().contains("<Group");
+  }
+
+  @Test
+  void aSceneThatIsNotConvertedIsSaidNotToBeOpen() throws IOException {
+    EnricherSession session = open("<Group DEF='Table'/>");
+    Path scene = vrml();
+    SwingUtilities.invokeLater(() -> window.open(scene));
+    hands.choose(hands.dialog(JDialog.class), "Cancel");
+    JLabel status = status();
+    hands.await("the message", () -> status.getText().startsWith("house.wrl was not opened"));
+    assertThat(window.session()).contains(session);
+    assertThat(folder.resolve("house.x3d")).doesNotExist();
+  }
+
+  @Test
+  void anOpeningIsAnnouncedInOnePlace() throws IOException {
+    Path settings = Files.createDirectories(folder.resolve("settings"));
+    window = GuiRobot.onEdt(() -> new EnricherWindow(settings, () -> {}));
+    hands.show(window.frame());
+    Path scene = TestSessions.with(folder, "<Group DEF='Table'/>").file().path();
+    List<String> said =
+        GuiRobot.onEdt(
+            () -> {
+              window.open(scene);
+              return components(window.frame().getContentPane())
+                  .filter(JLabel.class::isInstance)
+                  .map(each -> ((JLabel) each).getText())
+                  .filter(text -> text != null && text.contains("Opening"))
+                  .toList();
+            });
+    assertThat(said).hasSize(1);
+    hands.await("the scene", () -> window.session().isPresent());
+  }
+
   @Test
   void enterSavesTheChangesThatAreShown() throws IOException {
     EnricherSession session = open(TestSessions.object("Cup"));

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.selectiverenderer.authoring.Edit;
@@ -12,7 +13,9 @@ import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.authoring.SourceFormatter;
 import org.selectiverenderer.authoring.enrichment.DocumentEnrichment;
 import org.selectiverenderer.authoring.nodes.NodeEdits;
+import org.selectiverenderer.authoring.structure.NeededComponents;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.TextEdit;
 
@@ -29,10 +32,13 @@ public final class AreaEdits {
   private final SceneDocument document;
   private final DocumentEnrichment enrichment;
   private final NodeEdits nodes;
+  private final NeededComponents components;
 
-  public AreaEdits(DocumentEnrichment enrichment) {
+  /** Creates edits for a document with nodes of a catalogue. */
+  public AreaEdits(DocumentEnrichment enrichment, NodeCatalogue catalogue) {
     this.enrichment = enrichment;
     this.document = enrichment.document();
+    this.components = new NeededComponents(document, catalogue);
     this.nodes = new NodeEdits(document);
   }
 
@@ -53,7 +59,9 @@ public final class AreaEdits {
             + SourceFormatter.written("center", text(box.centre(), new float[3], box.size()), quote)
             + SourceFormatter.written("size", text(box.size(), new float[3], box.size()), quote)
             + "/>";
-    return new Edit("Add the area " + name, List.of(inserted(scene, line)));
+    List<TextEdit> changes = new ArrayList<>(components.of(Set.of("ProximitySensor")));
+    changes.add(inserted(scene, line));
+    return new Edit("Add the area " + name, changes);
   }
 
   /** Returns the element to which areas are added: the Scene, or its active Layer. */

@@ -11,6 +11,7 @@ import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.geometry.TriangleMath;
 import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.ElementTree;
 import org.selectiverenderer.x3d.source.TextEdit;
 
 /**
@@ -25,7 +26,9 @@ public final class GeometryRepair {
     /** Takes out faces that have no area. */
     REMOVE_EMPTY_FACES,
     /** Makes one of points that are equal. */
-    WELD
+    WELD,
+    /** Does so in all faces of the scene that are not accepted as they are. */
+    WELD_ALL
   }
 
   /** Normals within this of length 1 are left alone. */
@@ -45,7 +48,8 @@ public final class GeometryRepair {
   }
 
   /**
-   * Returns the repair of what a rule of the validator finds; empty where there is none.
+   * Returns the repair of what a rule of the validator or the {@link RepeatedPointsCheck} finds;
+   * empty where there is none.
    *
    * @param rule id of the rule: {@code SR203}
    */
@@ -57,15 +61,12 @@ public final class GeometryRepair {
           INDEXED.contains(element.name())
               ? Optional.of(Kind.REMOVE_EMPTY_FACES)
               : Optional.empty();
+      case RepeatedPointsCheck.RULE ->
+          INDEXED.contains(element.name())
+              ? Optional.of(Kind.WELD)
+              : element.parent().isEmpty() ? Optional.of(Kind.WELD_ALL) : Optional.empty();
       default -> Optional.empty();
     };
-  }
-
-  /** Returns the repair of what {@link RepeatedPointsCheck} finds; empty for another problem. */
-  public static Optional<Kind> ofMessage(String message, DocumentElement element) {
-    return message.endsWith(RepeatedPointsCheck.ADVICE) && INDEXED.contains(element.name())
-        ? Optional.of(Kind.WELD)
-        : Optional.empty();
   }
 
   /** Returns the edit of a repair. */
@@ -74,7 +75,36 @@ public final class GeometryRepair {
       case NORMALIZE -> normalize(element);
       case REMOVE_EMPTY_FACES -> removeEmptyFaces(element);
       case WELD -> weld(element);
+      case WELD_ALL -> weldAll();
     };
+  }
+
+  private Edit weldAll() {
+    ElementTree tree =
+        document
+            .tree()
+            .orElseThrow(() -> new EditRejectedException("The text has a fault; mend it first"));
+    String text = document.text().toString();
+    NodeConnections connections = new NodeConnections();
+    List<TextEdit> changes = new ArrayList<>();
+    int welded = 0;
+    int meshes = 0;
+    for (DocumentElement faces : new WeldableFaces(text, tree).list()) {
+      try {
+        PointWelding welding = PointWelding.of(text, tree, connections, faces);
+        if (welding.welded() > 0) {
+          changes.addAll(welding.changes());
+          welded += welding.welded();
+          meshes++;
+        }
+      } catch (EditRejectedException e) {
+        // These faces stay as they are, and are not listed either.
+      }
+    }
+    if (meshes == 0) {
+      throw new EditRejectedException("No points of the scene are equal; there is nothing to do");
+    }
+    return new Edit("Weld all: %d points of %d meshes".formatted(welded, meshes), changes);
   }
 
   private Edit weld(DocumentElement faces) {

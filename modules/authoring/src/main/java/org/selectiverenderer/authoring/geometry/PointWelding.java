@@ -5,10 +5,9 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.CancellationException;
 import org.selectiverenderer.authoring.EditRejectedException;
-import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.ElementTree;
 import org.selectiverenderer.x3d.source.TextEdit;
@@ -31,6 +30,8 @@ record PointWelding(List<TextEdit> changes, int welded, int points, double toler
   private static final Map<String, Integer> WIDTHS =
       Map.of("Normal", 3, "Color", 3, "ColorRGBA", 4, "TextureCoordinate", 2);
 
+  private static final int INTERRUPTED_EVERY = 1024;
+
   private static final Set<String> HARMLESS = Set.of("Coordinate", "IS");
 
   /**
@@ -41,29 +42,51 @@ record PointWelding(List<TextEdit> changes, int welded, int points, double toler
    */
   static PointWelding of(
       CharSequence text, ElementTree tree, NodeConnections connections, DocumentElement faces) {
-    boolean perFace = faces.name().equals("IndexedFaceSet");
-    refuseComputedNormals(faces, perFace);
+    refuseConnected(tree, connections, faces);
+    return ofItself(text, faces);
+  }
+
+  /**
+   * Refuses faces whose points others name, set or read. What else is refused, and how many points
+   * are welded, depends on the text of the faces alone.
+   */
+  static void refuseConnected(
+      ElementTree tree, NodeConnections connections, DocumentElement faces) {
     refusePrototypes(faces);
     if (connections.routed(faces)) {
       throw refused(faces, "are set by a ROUTE or from another file, with indices of the points");
     }
-    DocumentElement coordinate =
-        faces.children().stream()
-            .filter(child -> child.name().equals("Coordinate"))
-            .findFirst()
-            .orElseThrow(() -> refused(faces, "have no Coordinate node"));
-    refuseShared(tree, connections, coordinate);
-    NumberTokens points = NumberTokens.of(text, coordinate, "point");
+    refuseShared(tree, connections, coordinate(faces));
+    alongside(faces).forEach(child -> refuseShared(tree, connections, child));
+  }
+
+  private static DocumentElement coordinate(DocumentElement faces) {
+    return faces.children().stream()
+        .filter(child -> child.name().equals("Coordinate"))
+        .findFirst()
+        .orElseThrow(() -> refused(faces, "have no Coordinate node"));
+  }
+
+  /** Returns the children whose values are found by the index of the points. */
+  private static List<DocumentElement> alongside(DocumentElement faces) {
+    boolean perFace = faces.name().equals("IndexedFaceSet");
+    return faces.children().stream()
+        .filter(
+            child ->
+                !HARMLESS.contains(child.name())
+                    && !child.name().startsWith("Metadata")
+                    && usesPointIndex(faces, child, perFace))
+        .toList();
+  }
+
+  /** Plans the welding of faces that are not connected with others. */
+  static PointWelding ofItself(CharSequence text, DocumentElement faces) {
+    boolean perFace = faces.name().equals("IndexedFaceSet");
+    refuseComputedNormals(faces, perFace);
+    NumberTokens points = NumberTokens.of(text, coordinate(faces), "point");
     int count = points.size() / 3;
-    List<Values> alongside = new ArrayList<>();
-    for (DocumentElement child : faces.children()) {
-      if (!HARMLESS.contains(child.name())
-          && !child.name().startsWith("Metadata")
-          && usesPointIndex(faces, child, perFace)) {
-        refuseShared(tree, connections, child);
-        alongside.add(values(text, faces, child, count));
-      }
-    }
+    List<Values> alongside =
+        alongside(faces).stream().map(child -> values(text, faces, child, count)).toList();
     float[] p = points.floats();
     for (float number : p) {
       if (!Float.isFinite(number)) {
@@ -211,6 +234,9 @@ record PointWelding(List<TextEdit> changes, int welded, int points, double toler
     Map<Cell, List<Integer>> grid = new HashMap<>();
     int[] same = new int[count];
     for (int i = 0; i < count; i++) {
+      if (i % INTERRUPTED_EVERY == 0 && Thread.currentThread().isInterrupted()) {
+        throw new CancellationException(); // a check whose text has changed meanwhile
+      }
       long x = (long) Math.floor(p[3 * i] / width);
       long y = (long) Math.floor(p[3 * i + 1] / width);
       long z = (long) Math.floor(p[3 * i + 2] / width);
@@ -256,25 +282,5 @@ record PointWelding(List<TextEdit> changes, int welded, int points, double toler
 
   private static EditRejectedException refused(DocumentElement faces, String why) {
     return new EditRejectedException(faces + " " + why + "; they stay as they are");
-  }
-
-  /** Returns a sentence about the points that could be one; empty if none could. */
-  static Optional<String> finding(
-      CharSequence text, ElementTree tree, NodeConnections connections, DocumentElement faces) {
-    try {
-      PointWelding found = of(text, tree, connections, faces);
-      return found.welded() == 0
-          ? Optional.empty()
-          : Optional.of(
-              "%d of %d points of %s repeat another within %s%s"
-                  .formatted(
-                      found.welded(),
-                      found.points(),
-                      faces,
-                      DecimalFormatter.rounded(found.tolerance(), 9),
-                      RepeatedPointsCheck.ADVICE));
-    } catch (EditRejectedException e) {
-      return Optional.empty();
-    }
   }
 }

@@ -1,5 +1,7 @@
 package org.selectiverenderer.authoring.geometry;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.List;
 import org.selectiverenderer.geometry.BoundingBox;
 
@@ -48,6 +50,13 @@ final class WeldingTolerance {
 
   private static boolean known(float[] points, int index) {
     return index >= 0 && 3L * index + 2 < points.length;
+  }
+
+  /** Returns a tolerance with four digits that count: {@code 0.000001414}, {@code 3.2E-9}. */
+  static String text(double tolerance) {
+    BigDecimal rounded =
+        new BigDecimal(tolerance).round(new MathContext(4)).stripTrailingZeros();
+    return rounded.scale() < 0 ? rounded.toPlainString() : rounded.toString();
   }
 
   /** Returns the distance of two points. */

@@ -89,9 +89,7 @@ public final class NodeEdits {
     if (!UniqueNameGenerator.allowed(name)) {
       throw new EditRejectedException(
           "'%s' is not a valid DEF name; use a letter first and no spaces or quotes, such as %s"
-              .formatted(
-                  name,
-                  UniqueNameGenerator.identifier(name.isBlank() ? "Area" : "N" + name.strip())));
+              .formatted(name, proposal(name.strip())));
     }
     Optional<DocumentElement> other = tree().named(name, at);
     if (other.isPresent()) {
@@ -99,6 +97,11 @@ public final class NodeEdits {
           "%s is the name of the %s in line %d already; choose another one"
               .formatted(name, other.get().name(), document.location(other.get().start()).line()));
     }
+  }
+
+  private static String proposal(String name) {
+    String close = UniqueNameGenerator.identifier(name.isEmpty() ? "Area" : name);
+    return UniqueNameGenerator.allowed(close) ? close : "N" + close;
   }
 
   /**

@@ -49,6 +49,37 @@ public final class PlacementEdits {
     return new Edit(name, changes);
   }
 
+  /**
+   * Gives a node a value that an author typed, as it was typed.
+   *
+   * @param value as {@link PoseField#value} returns it
+   * @param name name of the undo step
+   * @return an empty edit if the value is there already, or needs no new Transform
+   * @throws EditRejectedException if the text comes from an entity
+   */
+  public Edit set(Placement placed, PoseField field, String value, String name) {
+    DocumentElement node = placed.node();
+    SourceFormatter layout = document.layout();
+    List<TextEdit> changes =
+        placed
+            .transform()
+            .map(
+                transform ->
+                    field.written(placed).equals(value)
+                        ? List.<TextEdit>of()
+                        : List.of(layout.attribute(transform, field.field(), value)))
+            .orElseGet(
+                () ->
+                    value.equals(field.usual())
+                        ? List.of()
+                        : List.of(
+                            around(
+                                node,
+                                SourceFormatter.written(
+                                    field.field(), value, layout.quote(node)))));
+    return new Edit(name, changes);
+  }
+
   private List<TextEdit> changes(Placement placed) {
     if (!placed.pose().matrix().isFinite()) {
       throw new EditRejectedException(

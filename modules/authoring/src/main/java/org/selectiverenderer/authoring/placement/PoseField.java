@@ -1,8 +1,5 @@
 package org.selectiverenderer.authoring.placement;
 
-import org.joml.Quaterniondc;
-import org.joml.Vector3d;
-import org.joml.Vector3dc;
 import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.x3d.field.FieldParser;
@@ -37,23 +34,27 @@ public enum PoseField {
     return placed.transform().flatMap(transform -> transform.text(field)).orElse("").strip();
   }
 
-  /**
-   * Returns the placement with another value of the field; an empty text is the value that changes
-   * nothing.
-   *
-   * @throws EditRejectedException if the text is no value, or would hide the node for good
-   */
-  public Placement set(Placement placed, String text) {
-    float[] v = parsed(text.isBlank() ? usual : text);
-    TransformPose pose = placed.pose();
-    Vector3dc translation = this == TRANSLATION ? vector(v) : pose.translation();
-    Quaterniondc rotation = this == ROTATION ? TransformPose.rotation(v) : pose.rotation();
-    Vector3dc scale = this == SCALE ? vector(v) : pose.scale();
-    return placed.with(
-        new TransformPose(translation, pose.center(), rotation, scale, pose.scaleOrientation()));
+  /** Returns the name of the Transform's field. */
+  String field() {
+    return field;
   }
 
-  private float[] parsed(String text) {
+  /**
+   * Returns what an author typed as the field's value: the same numbers, with single spaces; for an
+   * empty text the value that changes nothing.
+   *
+   * @throws EditRejectedException if the text is no value, has no direction of an axis, or would
+   *     hide the node for good
+   */
+  public String value(String text) {
+    if (text.isBlank()) {
+      return usual;
+    }
+    check(text);
+    return text.strip().replaceAll("[\\s,]+", " ");
+  }
+
+  private void check(String text) {
     FieldParser.Parsed parsed = new FieldParser().parse(type, text);
     parsed.flaws().stream()
         .filter(flaw -> flaw.severity() == Problem.Severity.ERROR)
@@ -74,10 +75,9 @@ public enum PoseField {
             "a scale of 0 leaves nothing to be seen or moved; delete the node instead");
       }
     }
-    return v;
-  }
-
-  private static Vector3d vector(float[] v) {
-    return new Vector3d(v[0], v[1], v[2]);
+    if (this == ROTATION && v[0] == 0 && v[1] == 0 && v[2] == 0) {
+      throw new EditRejectedException(
+          "an axis of 0 0 0 has no direction; write for example 0 1 0 before the angle");
+    }
   }
 }

@@ -6,12 +6,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.TreeMap;
+import java.util.function.Supplier;
+import org.selectiverenderer.authoring.DocumentSnapshot;
 import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.authoring.SourceFormatter;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.catalogue.Profile;
 import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.ElementTree;
 import org.selectiverenderer.x3d.source.TextEdit;
 
 /**
@@ -19,13 +21,28 @@ import org.selectiverenderer.x3d.source.TextEdit;
  * file that declares no profile, or an unknown one, gets none.
  */
 public final class NeededComponents {
-  private final SceneDocument document;
+  private final Supplier<Optional<ElementTree>> tree;
+  private final Supplier<SourceFormatter> layout;
   private final NodeCatalogue catalogue;
+
+  private NeededComponents(
+      Supplier<Optional<ElementTree>> tree,
+      Supplier<SourceFormatter> layout,
+      NodeCatalogue catalogue) {
+    this.tree = tree;
+    this.layout = layout;
+    this.catalogue = catalogue;
+  }
 
   /** Creates statements for a document with nodes of a catalogue. */
   public NeededComponents(SceneDocument document, NodeCatalogue catalogue) {
-    this.document = document;
-    this.catalogue = catalogue;
+    this(document::tree, document::layout, catalogue);
+  }
+
+  /** Creates statements for the elements of a snapshot with nodes of a catalogue. */
+  public NeededComponents(
+      DocumentSnapshot snapshot, ElementTree elements, NodeCatalogue catalogue) {
+    this(() -> Optional.of(elements), snapshot::layout, catalogue);
   }
 
   /** Returns the changes of the head that declare what elements need. */
@@ -38,23 +55,18 @@ public final class NeededComponents {
   /** Returns the changes of the head that declare what nodes need. */
   public List<TextEdit> of(Set<String> names) {
     Optional<DocumentElement> root =
-        document.tree().map(tree -> tree.root()).filter(found -> found.name().equals("X3D"));
+        tree.get().map(ElementTree::root).filter(found -> found.name().equals("X3D"));
     Optional<Profile> profile = root.flatMap(found -> found.text("profile")).flatMap(Profile::of);
     if (profile.isEmpty()) {
       return List.of();
     }
-    Map<String, Integer> levels = new TreeMap<>();
-    names.forEach(
-        name ->
-            catalogue
-                .find(name)
-                .filter(type -> profile.get().level(type.component()) < type.level())
-                .ifPresent(type -> levels.merge(type.component(), type.level(), Math::max)));
+    Map<String, Integer> levels =
+        profile.get().missing(names.stream().flatMap(name -> catalogue.find(name).stream()));
     return levels.isEmpty() ? List.of() : declared(root.get(), levels);
   }
 
   private List<TextEdit> declared(DocumentElement root, Map<String, Integer> levels) {
-    SourceFormatter layout = document.layout();
+    SourceFormatter formatter = layout.get();
     List<TextEdit> changes = new ArrayList<>();
     Optional<DocumentElement> head =
         root.children().stream().filter(child -> child.name().equals("head")).findFirst();
@@ -66,10 +78,10 @@ public final class NeededComponents {
     for (DocumentElement component : known) {
       Integer level = levels.remove(Profile.component(component.text("name").orElse("").strip()));
       if (level != null && level > number(component.text("level").orElse("1"))) {
-        changes.add(layout.attribute(component, "level", level.toString()));
+        changes.add(formatter.attribute(component, "level", level.toString()));
       }
     }
-    char quote = layout.quote(root);
+    char quote = formatter.quote(root);
     List<String> lines = new ArrayList<>();
     levels.forEach(
         (name, level) ->
@@ -85,11 +97,11 @@ public final class NeededComponents {
       lines.add(0, "<head>");
       lines.replaceAll(line -> line.startsWith("<component") ? "  " + line : line);
       lines.add("</head>");
-      changes.add(layout.insertFirst(root, lines));
+      changes.add(formatter.insertFirst(root, lines));
     } else if (known.isEmpty()) {
-      changes.add(layout.insertFirst(head.get(), lines));
+      changes.add(formatter.insertFirst(head.get(), lines));
     } else {
-      changes.add(layout.insertAfter(known.get(known.size() - 1), lines));
+      changes.add(formatter.insertAfter(known.get(known.size() - 1), lines));
     }
     return changes;
   }

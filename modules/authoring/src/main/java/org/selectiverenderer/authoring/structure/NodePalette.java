@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
@@ -13,6 +14,9 @@ import org.selectiverenderer.x3d.source.DocumentElement;
 /** Lists what can be inserted into a document: templates, and all nodes of the catalogue. */
 public final class NodePalette {
   private static final int PARENTS = 4;
+
+  private static final Set<String> DRAWN =
+      Set.of("Shape", "Inline", "ProtoInstance", "Switch", "LOD");
 
   private final SceneDocument document;
   private final NodeCatalogue catalogue;
@@ -92,30 +96,58 @@ public final class NodePalette {
   }
 
   /**
-   * Inserts a template: into the selected element if its fields take it, else behind it or behind
-   * the nearest element around it where it may stand.
+   * Inserts a template where {@link #position} says.
    *
    * @param selected empty for the end of the scene
    * @throws EditRejectedException if it fits nowhere
    */
   public StructureChange insert(Optional<DocumentElement> selected, NodeTemplate template) {
     SceneFragment fragment = SceneFragment.parse(template.text(), catalogue);
-    DocumentElement node = fragment.elements().get(0);
+    return new StructureEdits(document, catalogue)
+        .insert(fragment, position(selected, fragment.elements().get(0)), "Insert ");
+  }
+
+  /**
+   * Returns the element that a template is inserted into.
+   *
+   * @param selected empty for the end of the scene
+   * @throws EditRejectedException if it fits nowhere
+   */
+  public DocumentElement parent(Optional<DocumentElement> selected, NodeTemplate template) {
+    SceneFragment fragment = SceneFragment.parse(template.text(), catalogue);
+    return position(selected, fragment.elements().get(0)).parent();
+  }
+
+  /**
+   * Returns where a node is inserted: into the selected element if its fields take it, else behind
+   * it or behind the nearest element around it where it may stand. An object goes behind a selected
+   * object, as things that stand side by side do not belong into one another.
+   */
+  private ChildPosition position(Optional<DocumentElement> selected, DocumentElement node) {
     DocumentElement at =
         target(selected)
             .orElseThrow(
                 () -> new EditRejectedException("The file has no Scene to insert something into"));
-    StructureEdits edits = new StructureEdits(document, catalogue);
-    if (takes(at, node)) {
-      return edits.insert(fragment, ChildPosition.last(at), "Insert ");
+    if (suits(at, node)) {
+      return ChildPosition.last(at);
     }
     for (DocumentElement each = at; each.parent().isPresent(); each = each.parent().get()) {
-      if (takes(each.parent().get(), node)) {
-        return edits.insert(fragment, ChildPosition.after(each), "Insert ");
+      if (suits(each.parent().get(), node)) {
+        return ChildPosition.after(each);
       }
     }
     throw new EditRejectedException(
         "%s can go neither into %s nor around it".formatted(node.name(), at));
+  }
+
+  private boolean suits(DocumentElement parent, DocumentElement node) {
+    return takes(parent, node) && !(isObject(parent) && isObject(node));
+  }
+
+  /** Whether an element is a thing with a place of its own: a Transform that holds what is drawn. */
+  private static boolean isObject(DocumentElement element) {
+    return element.name().equals("Transform")
+        && element.children().stream().anyMatch(child -> DRAWN.contains(child.name()));
   }
 
   private boolean takes(DocumentElement parent, DocumentElement node) {

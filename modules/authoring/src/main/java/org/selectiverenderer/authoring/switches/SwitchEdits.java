@@ -3,6 +3,7 @@ package org.selectiverenderer.authoring.switches;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.authoring.SceneDocument;
@@ -15,6 +16,7 @@ import org.selectiverenderer.authoring.enrichment.EnrichmentEdits;
 import org.selectiverenderer.authoring.enrichment.EnrichmentEdits.SwitchMetadata;
 import org.selectiverenderer.authoring.nodes.NodeEdits;
 import org.selectiverenderer.authoring.nodes.Reindenter;
+import org.selectiverenderer.authoring.structure.NeededComponents;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.TextEdit;
@@ -30,12 +32,14 @@ public final class SwitchEdits {
   private final EnrichmentEdits metadata;
   private final NodeCatalogue catalogue;
   private final NodeEdits nodes;
+  private final NeededComponents components;
 
   public SwitchEdits(DocumentEnrichment enrichment, NodeCatalogue catalogue) {
     this.document = enrichment.document();
     this.metadata = new EnrichmentEdits(enrichment);
     this.catalogue = catalogue;
     this.nodes = new NodeEdits(document);
+    this.components = new NeededComponents(document, catalogue);
   }
 
   /** Wraps a node in a new Switch that shows it. */
@@ -50,8 +54,9 @@ public final class SwitchEdits {
             + SourceFormatter.written("whichChoice", "0", quote)
             + ">";
     String text = Reindenter.wrapped(document, node, open, "</Switch>");
-    return new Edit(
-        "Make the Switch " + name, List.of(new TextEdit(node.start(), node.end(), text)));
+    List<TextEdit> changes = new ArrayList<>(components.of(Set.of("Switch")));
+    changes.add(new TextEdit(node.start(), node.end(), text));
+    return new Edit("Make the Switch " + name, changes);
   }
 
   /**
@@ -150,7 +155,7 @@ public final class SwitchEdits {
 
   /** Adds an empty choice. */
   public Edit addEmpty(EnrichedSwitch node) {
-    return added(node, "Add an empty choice to " + node.name(), "<Group/>");
+    return added(node, "Add an empty choice to " + node.name(), "Group", "<Group/>");
   }
 
   /**
@@ -164,6 +169,7 @@ public final class SwitchEdits {
     return added(
         node,
         "Add a choice to " + node.name(),
+        "Inline",
         "<Inline"
             + SourceFormatter.written("DEF", name, quote)
             + SourceFormatter.written(
@@ -186,9 +192,9 @@ public final class SwitchEdits {
     return node.choices().get(node.choices().size() - 1).element();
   }
 
-  private Edit added(EnrichedSwitch node, String name, String line) {
+  private Edit added(EnrichedSwitch node, String name, String type, String line) {
     SourceFormatter layout = document.layout();
-    List<TextEdit> changes = new ArrayList<>();
+    List<TextEdit> changes = new ArrayList<>(components.of(Set.of(type)));
     if (node.choices().isEmpty()) {
       changes.add(layout.insertLast(node.element(), List.of(line)));
     } else {

@@ -9,6 +9,8 @@ import org.selectiverenderer.authoring.DocumentSnapshot;
 import org.selectiverenderer.authoring.MFStringParser;
 import org.selectiverenderer.authoring.SourceFormatter;
 import org.selectiverenderer.authoring.UniqueNameGenerator;
+import org.selectiverenderer.authoring.structure.NeededComponents;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.TextEdit;
 import org.selectiverenderer.x3d.write.FieldValueFormatter;
@@ -23,16 +25,22 @@ final class VersionSwitchEdit {
   private final SourceFormatter layout;
   private final UniqueNameGenerator names;
   private final Set<String> renamed;
+  private final NeededComponents components;
 
   /**
    * @param renamed the URLs of versions whose file names change
    */
-  VersionSwitchEdit(ElementNodeMapping scene, ObjectElements site, Collection<String> renamed) {
+  VersionSwitchEdit(
+      ElementNodeMapping scene,
+      ObjectElements site,
+      Collection<String> renamed,
+      NodeCatalogue catalogue) {
     this.renamed = Set.copyOf(renamed);
     this.scene = scene;
     this.site = site;
     this.layout = scene.snapshot().layout();
     this.names = new UniqueNameGenerator(scene.elements());
+    this.components = new NeededComponents(scene.snapshot(), scene.elements(), catalogue);
   }
 
   /**
@@ -75,6 +83,7 @@ final class VersionSwitchEdit {
           VersionSwitchWriter.lines(choice, inlines, urls, shared.quote(), shared.step());
       changes.add(shared.replace(lines));
     }
+    changes.addAll(components.of(Set.of("Switch", "Inline")));
     whole.elements().stream().skip(1).map(layout::remove).forEach(changes::add);
     changes.addAll(new SharedNodes(scene, whole.elements()).changes(choice));
     return changes;

@@ -174,7 +174,8 @@ public final class VersionsEdit {
       return Optional.empty();
     }
     ModelReader models = new ModelReader(catalogue, request.access());
-    return new VersionsPlanner(request, scene, site.get(), models, reader, problems).plan();
+    return new VersionsPlanner(request, scene, site.get(), models, reader, catalogue, problems)
+        .plan();
   }
 
   private static X3dReader reader(Request request, NodeCatalogue catalogue) {

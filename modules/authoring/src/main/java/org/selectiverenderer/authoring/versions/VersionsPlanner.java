@@ -23,6 +23,7 @@ import org.selectiverenderer.models.simplify.ModelSize;
 import org.selectiverenderer.models.simplify.SimplificationResult;
 import org.selectiverenderer.models.simplify.SimplificationTarget;
 import org.selectiverenderer.models.simplify.Simplifier;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.read.X3dReader;
 import org.selectiverenderer.x3d.source.DocumentElement;
@@ -46,6 +47,7 @@ final class VersionsPlanner {
   private final Path sceneFolder;
   private final Path outputFolder;
   private final VersionFileNames names;
+  private final NodeCatalogue catalogue;
 
   VersionsPlanner(
       VersionsEdit.Request request,
@@ -53,7 +55,9 @@ final class VersionsPlanner {
       ObjectElements site,
       ModelReader models,
       X3dReader reader,
+      NodeCatalogue catalogue,
       ProblemCollector problems) {
+    this.catalogue = catalogue;
     this.request = request;
     this.scene = scene;
     this.site = site;
@@ -236,7 +240,7 @@ final class VersionsPlanner {
     Edit edit =
         new Edit(
             "Make versions of " + request.object(),
-            new VersionSwitchEdit(scene, site, renamed).changes(urls));
+            new VersionSwitchEdit(scene, site, renamed, catalogue).changes(urls));
     PlannedFile changed = planned(request.output(), scene.snapshot().bytes(edit), false);
     return Optional.of(
         new VersionsEdit(scene.snapshot(), request.object(), versions, planned, changed, edit));

@@ -12,6 +12,7 @@ import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.authoring.enrichment.EnrichmentScenes;
 import org.selectiverenderer.schema.SensorSchemas;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 
 class AreaEditsTest {
   /** Thesis Fig 76. */
@@ -25,6 +26,10 @@ class AreaEditsTest {
         </Transform>
         <ROUTE fromNode='x' fromField='y' toNode='z' toField='w'/>
       """;
+
+  private static AreaEdits edits(EnrichmentScenes scene) {
+    return new AreaEdits(scene.enrichment, NodeCatalogue.load());
+  }
 
   private static AreaInstance area(EnrichmentScenes scene, String name) {
     return AreaLocator.of(scene.enrichment, scene.sensor(name)).orElseThrow();
@@ -56,7 +61,7 @@ class AreaEditsTest {
         2.368 * 1.644,
         1.338 * 3.159);
     assertThat(library.frame().turned()).isFalse();
-    AreaEdits edits = new AreaEdits(scene.enrichment);
+    AreaEdits edits = edits(scene);
     Edit edit = edits.place(library, box(4, 0, -1, 3, 2.368, 2), "Move BookcaseProx");
     scene.perform(edit);
     same(area(scene, "BookcaseProx").box(), 4, 0, -1, 3, 2.368, 2);
@@ -74,7 +79,7 @@ class AreaEditsTest {
     EnrichmentScenes scene =
         EnrichmentScenes.with(
             "<ProximitySensor DEF='P' center=\"1.23456 0 0.0\" size='2 2 2.00'/>\n");
-    AreaEdits edits = new AreaEdits(scene.enrichment);
+    AreaEdits edits = edits(scene);
     AreaInstance area = area(scene, "P");
     assertThat(edits.place(area, area.box(), "x").isEmpty()).isTrue();
     scene.perform(edits.place(area, area.box().movedBy(new Vector3d(0, 1, 0)), "Move P"));
@@ -98,7 +103,7 @@ class AreaEditsTest {
     AreaInstance right = area(scene, "Right");
     assertThat(right.frame().turned()).isFalse();
     same(right.box(), 0, 0, 0, 6, 2, 1);
-    AreaEdits edits = new AreaEdits(scene.enrichment);
+    AreaEdits edits = edits(scene);
     scene.perform(edits.place(right, box(0, 0, 0, 4, 2, 1), "Resize"));
     same(area(scene, "Right").box(), 0, 0, 0, 4, 2, 1);
     AreaInstance turned = area(scene, "Turned");
@@ -112,7 +117,7 @@ class AreaEditsTest {
   @Test
   void aNewAreaStandsBehindThoseThatAreThereWithTheirIndentation() {
     EnrichmentScenes scene = EnrichmentScenes.with(LIBRARY);
-    AreaEdits edits = new AreaEdits(scene.enrichment);
+    AreaEdits edits = edits(scene);
     Edit edit = edits.add("Desk", box(1, 2, 3, 4, 5, 6.5));
     assertThat(edit.name()).isEqualTo("Add the area Desk");
     scene.perform(edit);
@@ -132,7 +137,7 @@ class AreaEditsTest {
   @Test
   void theFirstAreaOfASceneStandsInFrontOfItsRoutesAndInTheLayerThatIsWalkedIn() {
     EnrichmentScenes plain = EnrichmentScenes.with("  <Group/>\n  <ROUTE fromNode='a'/>\n");
-    plain.perform(new AreaEdits(plain.enrichment).add("A", box(0, 0, 0, 1, 1, 1)));
+    plain.perform(edits(plain).add("A", box(0, 0, 0, 1, 1, 1)));
     assertThat(plain.nodes())
         .isEqualTo(
             "  <Group/>\n  <ProximitySensor DEF='A' center='0 0 0' size='1 1 1'/>\n"
@@ -146,12 +151,12 @@ class AreaEditsTest {
                 </Layer>
               </LayerSet>
             """);
-    layers.perform(new AreaEdits(layers.enrichment).add("A", box(0, 0, 0, 1, 1, 1)));
+    layers.perform(edits(layers).add("A", box(0, 0, 0, 1, 1, 1)));
     assertThat(layers.nodes())
         .contains("      <Group/>\n      <ProximitySensor DEF='A' ")
         .contains("/>\n    </Layer>");
     EnrichmentScenes empty = EnrichmentScenes.of("<X3D>\n  <Scene/>\n</X3D>\n");
-    empty.perform(new AreaEdits(empty.enrichment).add("A", box(0, 0, 0, 1, 1, 1)));
+    empty.perform(edits(empty).add("A", box(0, 0, 0, 1, 1, 1)));
     assertThat(empty.document.text().toString())
         .isEqualTo(
             "<X3D>\n  <Scene>\n    <ProximitySensor DEF='A' center='0 0 0' size='1 1 1'/>\n"
@@ -195,7 +200,7 @@ class AreaEditsTest {
     EnrichmentScenes scene = EnrichmentScenes.with(TWO);
     scene.perform(
         scene.edits().sensor(scene.sensor("A"), new SensorSchemas(List.of("Desk"), List.of())));
-    AreaEdits edits = new AreaEdits(scene.enrichment);
+    AreaEdits edits = edits(scene);
     scene.perform(edits.copy(area(scene, "A"), "A_2", new Vector3d(0.5, 0, 0)));
     AreaInstance copy = area(scene, "A_2");
     same(copy.box(), 0.5, 0, 0, 2, 2, 2);
@@ -218,5 +223,26 @@ class AreaEditsTest {
             <Transform translation='5 0 0'><Transform USE='Room'/></Transform>
             """);
     assertThat(area(scene, "A").elsewhere()).containsExactly("Room");
+  }
+
+  @Test
+  void anAreaDeclaresTheComponentThatItsProfileLacks() {
+    EnrichmentScenes scene =
+        EnrichmentScenes.of("<X3D profile='Interchange'>\n  <Scene>\n  </Scene>\n</X3D>\n");
+    scene.perform(edits(scene).add("A", box(0, 0, 0, 1, 1, 1)));
+    assertThat(scene.document.text().toString())
+        .isEqualTo(
+            """
+            <X3D profile='Interchange'>
+              <head>
+                <component name='EnvironmentalSensor' level='1'/>
+              </head>
+              <Scene>
+                <ProximitySensor DEF='A' center='0 0 0' size='1 1 1'/>
+              </Scene>
+            </X3D>
+            """);
+    scene.document.history().undo();
+    assertThat(scene.document.text().toString()).doesNotContain("component");
   }
 }

@@ -5,16 +5,20 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.authoring.DocumentSnapshot;
+import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.authoring.SceneDocument;
+import org.selectiverenderer.authoring.editing.FindingSuppression;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.TextEdit;
 
 class PointWeldingTest {
   /** Two triangles of a square, whose points 1 and 2 are repeated as 4 and 3. */
@@ -212,9 +216,117 @@ class PointWeldingTest {
     assertThat(found.get(0).message())
         .isEqualTo(
             "2 of 6 points of IndexedFaceSet Top repeat another within 0.000001414;"
-                + " welded, the file is smaller and looks the same");
-    assertThat(GeometryRepair.ofMessage(found.get(0).message(), faces(document)))
-        .contains(GeometryRepair.Kind.WELD);
+                + " welded, the file is smaller and looks the same [SR208]");
+    assertThat(GeometryRepair.of("SR208", faces(document))).contains(GeometryRepair.Kind.WELD);
+  }
+
+  @Test
+  void aSmallToleranceHasFourDigits() throws IOException {
+    SceneDocument document =
+        document(
+            "<IndexedFaceSet coordIndex='0 1 2 -1 3 4 5'><Coordinate point='0 0 0 1e-5 0 0 0 1e-5"
+                + " 0 0 1e-5 0 1e-5 0 0 1e-5 1e-5 0'/></IndexedFaceSet>");
+    assertThat(new RepeatedPointsCheck().check(document.snapshot()))
+        .singleElement()
+        .satisfies(found -> assertThat(found.message()).contains("within 1.414E-11;"));
+  }
+
+  private static String mesh(String def) {
+    return "<Shape><IndexedFaceSet DEF='"
+        + def
+        + "' coordIndex='0 1 2 -1 3 4 5'><Coordinate point='"
+        + SQUARE
+        + "'/></IndexedFaceSet></Shape>\r\n  ";
+  }
+
+  @Test
+  void manyMeshesAreOneFindingOfTheScene() throws IOException {
+    SceneDocument document = document(mesh("A") + mesh("B") + mesh("C") + mesh("D"));
+    assertThat(new RepeatedPointsCheck().check(document.snapshot()))
+        .singleElement()
+        .satisfies(
+            found -> {
+              assertThat(found.location().line()).isZero();
+              assertThat(found.message())
+                  .startsWith("4 meshes hold 8 repeated points, first IndexedFaceSet A in line 2;")
+                  .endsWith("[SR208]");
+            });
+    assertThat(new RepeatedPointsCheck().check(document(mesh("A") + mesh("B")).snapshot()))
+        .hasSize(3);
+    assertThat(GeometryRepair.of("SR208", document.tree().orElseThrow().root()))
+        .contains(GeometryRepair.Kind.WELD_ALL);
+  }
+
+  @Test
+  void allAreWeldedInOneStepButThoseThatAreAcceptedOrShared() throws IOException {
+    String accepted = "<!-- validate-ignore SR208: wanted: so -->\r\n  " + mesh("A");
+    String group = "<!--validate-ignore SR1 SR2--><Group>" + mesh("B") + "</Group>";
+    String shared =
+        mesh("E").replace("<Coordinate ", "<Coordinate DEF='P' ")
+            + "<Shape><PointSet><Coordinate USE='P'/></PointSet></Shape>";
+    String other = "<!-- validate-ignore SR207: another rule --> " + mesh("C");
+    SceneDocument document = document(accepted + group + shared + other + mesh("D"));
+    String before = document.text().toString();
+    assertThat(new RepeatedPointsCheck().check(document.snapshot()))
+        .extracting(Problem::message)
+        .hasSize(3)
+        .anyMatch(message -> message.startsWith("2 meshes hold 4 repeated points"))
+        .anyMatch(message -> message.contains("IndexedFaceSet C"))
+        .anyMatch(message -> message.contains("IndexedFaceSet D"));
+    DocumentElement root = document.tree().orElseThrow().root();
+    GeometryRepair repair = new GeometryRepair(document);
+    document.perform(repair.edit(GeometryRepair.Kind.WELD_ALL, root));
+    assertThat(document.history().names()).containsExactly("Weld all: 4 points of 2 meshes");
+    String after = document.text().toString();
+    assertThat(after).contains(accepted + group + shared + "<!-- validate-ignore SR207");
+    assertThat(after.split("point='0 0 0, 1 0 0, 0 1 0, 1 1 0'", -1)).hasSize(3);
+    assertThat(new RepeatedPointsCheck().check(document.snapshot())).isEmpty();
+    assertThatThrownBy(
+            () ->
+                repair.edit(
+                    GeometryRepair.Kind.WELD_ALL, document.tree().orElseThrow().root()))
+        .isInstanceOf(EditRejectedException.class)
+        .hasMessageContaining("nothing to do");
+    document.history().undo();
+    assertThat(document.text().toString()).isEqualTo(before);
+  }
+
+  @Test
+  void aCommentBeforeTheRootAcceptsThoseOfTheWholeScene() throws IOException {
+    SceneDocument document = document(mesh("A") + mesh("B") + mesh("C") + mesh("D"));
+    document.perform(
+        new FindingSuppression(document)
+            .suppress("SR208", document.tree().orElseThrow().root()));
+    assertThat(new RepeatedPointsCheck().check(document.snapshot())).isEmpty();
+  }
+
+  @Test
+  void onlyFacesThatChangedAreSearchedAnew() throws IOException {
+    SceneDocument document = document(mesh("A") + mesh("B") + mesh("C") + mesh("D"));
+    List<String> searched = new ArrayList<>();
+    RepeatedPointsCheck check =
+        new RepeatedPointsCheck(1_000_000, faces -> searched.add(faces.def().orElseThrow()));
+    check.check(document.snapshot());
+    assertThat(searched).containsExactly("A", "B", "C", "D");
+    searched.clear();
+    DocumentElement b = document.tree().orElseThrow().named("B").orElseThrow();
+    document.perform(new GeometryRepair(document).edit(GeometryRepair.Kind.WELD, b));
+    List<Problem> found = check.check(document.snapshot());
+    assertThat(searched).containsExactly("B");
+    assertThat(found).anyMatch(problem -> problem.message().startsWith("3 meshes hold 6"));
+    // What connects faces with others is looked at each time.
+    searched.clear();
+    int end = document.text().toString().indexOf("</Scene>");
+    document.perform(
+        new Edit(
+            "Route",
+            List.of(
+                TextEdit.insert(
+                    end,
+                    "<ROUTE fromNode='X' fromField='f' toNode='C' toField='set_coordIndex'/>"))));
+    assertThat(check.check(document.snapshot()))
+        .anyMatch(problem -> problem.message().startsWith("2 meshes hold 4"));
+    assertThat(searched).isEmpty();
   }
 
   @Test
@@ -241,7 +353,9 @@ class PointWeldingTest {
             + SQUARE
             + "'/></IndexedFaceSet>\n";
     DocumentSnapshot snapshot = document(faces.repeat(3)).snapshot();
-    assertThat(new RepeatedPointsCheck(2 * faces.length() + 5).check(snapshot)).hasSize(2);
-    assertThat(new RepeatedPointsCheck().check(snapshot)).hasSize(3);
+    assertThat(new RepeatedPointsCheck(2 * faces.length() + 5, each -> {}).check(snapshot))
+        .anyMatch(problem -> problem.message().startsWith("2 meshes"));
+    assertThat(new RepeatedPointsCheck().check(snapshot))
+        .anyMatch(problem -> problem.message().startsWith("3 meshes"));
   }
 }

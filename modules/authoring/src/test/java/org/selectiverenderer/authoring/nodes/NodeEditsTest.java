@@ -93,7 +93,7 @@ class NodeEditsTest {
     assertThatThrownBy(() -> edits.rename(named("Box"), "my box"))
         .isInstanceOf(EditRejectedException.class)
         .hasMessageContaining("'my box' is not a valid DEF name")
-        .hasMessageContaining("Nmy_box");
+        .hasMessageEndingWith("such as my_box");
     assertThatThrownBy(() -> edits.rename(named("Box"), "T"))
         .hasMessageContaining("TimeSensor in line 12 already");
     assertThat(edits.rename(named("Box"), " Box ").isEmpty()).isTrue();

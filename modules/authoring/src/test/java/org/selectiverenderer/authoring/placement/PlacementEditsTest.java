@@ -482,23 +482,44 @@ class PlacementEditsTest {
         EnrichmentScenes.with("<Switch DEF='W'><Group/></Switch><Group DEF='G'><Shape/></Group>\n");
     Placement of = placement(scene, "G");
     assertThat(PoseField.TRANSLATION.written(of)).isEmpty();
-    place(scene, PoseField.TRANSLATION.set(of, " 1.5, 0 -2 "));
+    set(scene, PoseField.TRANSLATION, "0 0 0"); // needs no Transform
+    assertThat(scene.nodes()).contains("<Group DEF='G'>").doesNotContain("<Transform");
+    set(scene, PoseField.TRANSLATION, " 1.5, 0 -2 ");
     of = placement(scene, "G");
     assertThat(PoseField.TRANSLATION.written(of)).isEqualTo("1.5 0 -2");
-    place(scene, PoseField.ROTATION.set(of, "0 2 0 1.5"));
-    place(scene, PoseField.SCALE.set(placement(scene, "G"), "2 2 2"));
+    set(scene, PoseField.ROTATION, "0 2 0 1.5");
+    set(scene, PoseField.SCALE, "2 2 2");
     assertThat(scene.nodes())
         .contains(
-            "<Transform translation='1.5 0 -2' rotation='0 1 0 1.5' scale='2 2 2'><Group DEF='G'>");
-    place(scene, PoseField.ROTATION.set(placement(scene, "G"), "0 0 0 3"));
-    assertThat(scene.nodes()).doesNotContain("NaN");
-    Placement now = placement(scene, "G");
-    place(scene, PoseField.SCALE.set(now, " "));
+            "<Transform translation='1.5 0 -2' rotation='0 2 0 1.5' scale='2 2 2'><Group DEF='G'>");
+    assertThatThrownBy(() -> PoseField.ROTATION.value("0 0 0 1.57"))
+        .isInstanceOf(EditRejectedException.class)
+        .hasMessageContaining("0 0 0");
+    set(scene, PoseField.SCALE, " ");
     assertThat(scene.nodes()).contains("scale='1 1 1'");
     for (String wrong : List.of("1", "1 2", "a b c", "1 2 3 4", "0 1 1", "1 NaN 1")) {
-      assertThatThrownBy(() -> PoseField.SCALE.set(now, wrong))
+      assertThatThrownBy(() -> PoseField.SCALE.value(wrong))
           .as(wrong)
           .isInstanceOf(EditRejectedException.class);
     }
+  }
+
+  private void set(EnrichmentScenes scene, PoseField field, String text) {
+    scene.perform(
+        new PlacementEdits(scene.document)
+            .set(placement(scene, "G"), field, field.value(text), "Set"));
+  }
+
+  /** What is dragged is rounded to a tenth of a millimetre; what is typed is not. */
+  @Test
+  void whatIsTypedIsWrittenAsItIs() {
+    EnrichmentScenes scene = EnrichmentScenes.with("<Group DEF='G'><Shape/></Group>\n");
+    set(scene, PoseField.TRANSLATION, "0.00004 0 1e-6");
+    assertThat(scene.nodes())
+        .containsPattern("<Transform translation='0.00004 0 1e-6'>\\s*<Group DEF='G'>");
+    set(scene, PoseField.ROTATION, "0 0 1 0.0000001");
+    assertThat(scene.nodes()).contains("rotation='0 0 1 0.0000001'");
+    set(scene, PoseField.TRANSLATION, "0.00005 0 1e-6");
+    assertThat(scene.nodes()).contains("translation='0.00005 0 1e-6'");
   }
 }

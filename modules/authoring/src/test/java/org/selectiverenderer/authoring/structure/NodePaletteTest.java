@@ -64,6 +64,19 @@ class NodePaletteTest {
   }
 
   @Test
+  void anObjectGoesBesideASelectedObjectAndIntoAGroup() {
+    NodePalette palette = new NodePalette(document, catalogue);
+    document.perform(palette.insert(Optional.empty(), palette.template("box")).edit());
+    assertThat(palette.parent(named("Box"), palette.template("cone")).name()).isEqualTo("Scene");
+    document.perform(palette.insert(named("Box"), palette.template("cone")).edit());
+    assertThat(named("Cone").orElseThrow().parent().orElseThrow().name()).isEqualTo("Scene");
+    document.perform(palette.insert(named("Box"), palette.template("group")).edit());
+    assertThat(named("Group").orElseThrow().parent()).isEqualTo(named("Box"));
+    document.perform(palette.insert(named("Group"), palette.template("cone")).edit());
+    assertThat(named("Cone_2").orElseThrow().parent()).isEqualTo(named("Group"));
+  }
+
+  @Test
   void everyTemplateDrawsNodesOfTheCatalogueAndFitsIntoAScene() {
     NodeTemplate.all()
         .values()

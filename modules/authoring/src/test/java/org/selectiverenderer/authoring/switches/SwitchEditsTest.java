@@ -83,6 +83,31 @@ class SwitchEditsTest {
   }
 
   @Test
+  void whatIsAddedDeclaresTheComponentsThatTheProfileLacks() {
+    EnrichmentScenes scene =
+        EnrichmentScenes.of(
+            """
+            <X3D profile='Interchange'>
+              <head>
+                <meta name='title' content='vase'/>
+              </head>
+              <Scene>
+                <Shape DEF='Vase'/>
+              </Scene>
+            </X3D>
+            """);
+    scene.perform(edits(scene).wrap(named(scene, "Vase"), "Switch_Vase"));
+    assertThat(scene.document.text().toString())
+        .contains("<head>\n    <component name='Grouping' level='2'/>\n    <meta")
+        .doesNotContain("Networking");
+    scene.perform(edits(scene).addInline(scene.switchNode("Switch_Vase"), "low.x3d"));
+    assertThat(scene.document.text().toString())
+        .contains(
+            "    <component name='Grouping' level='2'/>\n"
+                + "    <component name='Networking' level='2'/>\n    <meta");
+  }
+
+  @Test
   void aNodeIsWrappedWithItsLayoutAndUnwrappedToTheSameBytes() {
     EnrichmentScenes scene = EnrichmentScenes.with(PLAIN);
     DocumentElement node = named(scene, "Transform_Vase");

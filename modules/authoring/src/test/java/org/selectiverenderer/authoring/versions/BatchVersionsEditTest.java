@@ -97,6 +97,19 @@ class BatchVersionsEditTest {
   }
 
   @Test
+  void aSceneOfALowerProfileDeclaresWhatTheVersionsNeedOnce() throws IOException {
+    DocumentFile file = open(SCENE.replace("'Immersive'", "'Interchange'"));
+    plan(file, new SimplificationTarget.VertexPercent(50)).apply(file.document());
+    assertThat(file.document().text().toString())
+        .containsOnlyOnce(
+            "  <head>\n    <component name='Grouping' level='2'/>\n"
+                + "    <component name='Networking' level='2'/>\n  </head>\n")
+        .containsOnlyOnce("<component name='Grouping'");
+    file.document().history().undo();
+    assertThat(file.document().text().toString()).doesNotContain("component");
+  }
+
+  @Test
   void wholePiecesAreProposedAndWallsAndFloorsAreNot() throws IOException {
     Map<String, Remark> remarks =
         candidates(open(SCENE)).stream()

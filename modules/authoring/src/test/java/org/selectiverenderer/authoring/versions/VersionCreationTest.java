@@ -44,6 +44,40 @@ class VersionCreationTest extends VaseScene {
   }
 
   @Test
+  void theSceneAndTheFileOfVersion1DeclareTheComponentsThatTheirProfileLacks() throws IOException {
+    String head = "  <head>\n    <component name='Grouping' level='2'/>\n";
+    Path scene =
+        scene(
+            """
+            <X3D profile='Interchange' version='3.3'>
+            %s  </head>
+              <Scene>
+                <Group DEF='Set'>
+                  <Shape><Sphere/></Shape>
+                  <Inline url='"other.x3d"'/>
+                </Group>
+              </Scene>
+            </X3D>
+            """
+                .formatted(head));
+    other("other.x3d", shape("Ball", "<Sphere/>"));
+
+    make(scene, "Set", new SimplificationTarget.VertexPercent(50));
+
+    assertThat(scene)
+        .content()
+        .contains(head + "    <component name='Networking' level='2'/>\n  </head>")
+        .contains("<Switch DEF='Switch_Set'");
+    assertThat(folder.resolve("inlineNodes/Set_v1.x3d"))
+        .content()
+        .contains("profile='Interchange'", "<head>\n    <component name='Networking' level='2'/>\n");
+    assertThat(folder.resolve("inlineNodes/Set_v2.x3d"))
+        .content()
+        .contains("profile='Interchange'")
+        .doesNotContain("<component");
+  }
+
+  @Test
   void theFilesHoldWhatThePlanSays() throws IOException {
     VersionsEdit plan = make(scene(SCENE), "Vase");
 

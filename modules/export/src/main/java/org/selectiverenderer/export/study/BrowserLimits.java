@@ -54,9 +54,6 @@ final class BrowserLimits {
     if (!study.design().blocks().isEmpty()) {
       keys.fault("blocks", "the page shows areas, and cannot show blocks of trials yet");
     }
-    if (!study.design().factors().isEmpty()) {
-      keys.fault("factors", "the page knows \"conditions\", and cannot show factors yet");
-    }
     if (study.triggers().isPresent()) {
       keys.fault("triggers", "a web browser cannot send triggers by a serial port");
     }
@@ -76,7 +73,7 @@ final class BrowserLimits {
     }
     refuseWalks(keys);
     if (study.design().groups().stream()
-            .anyMatch(group -> group.settings().condition().equals(Optional.of(Condition.RANDOM)))
+            .anyMatch(group -> group.condition() == Condition.RANDOM)
         && PlannedSession.all(material).stream()
             .mapToLong(session -> study.lot(session.participant()))
             .anyMatch(lot -> lot != (int) lot)) {

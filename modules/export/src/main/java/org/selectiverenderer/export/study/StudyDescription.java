@@ -10,7 +10,6 @@ import org.selectiverenderer.base.files.Sha256;
 import org.selectiverenderer.export.WebScene;
 import org.selectiverenderer.formats.json.JsonTree;
 import org.selectiverenderer.formats.json.JsonWriter;
-import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.study.definition.Study;
 import org.selectiverenderer.study.questionnaire.Questionnaire;
 import org.selectiverenderer.study.session.LoadedStudy;
@@ -24,7 +23,7 @@ import org.selectiverenderer.study.session.SessionStep;
 final class StudyDescription {
   /** The messages to participants that the page shows beside those that begin with {@code web.}. */
   private static final List<String> WORDS =
-      List.of("next", "back", "left", "page", "form.refused", "form.cancel", "thanks.title");
+      List.of("next", "back", "left", "page", "form.cancel", "thanks.title");
 
   private static final String OWN_WORDS = "web.";
 
@@ -125,8 +124,7 @@ final class StudyDescription {
     json.put("slot", session.place() - 1); // a receiver counts from 0
     json.put("participant", session.participant());
     json.put("group", session.group().name());
-    json.put(
-        "condition", session.group().settings().condition().map(Condition::spelling).orElseThrow());
+    json.put("condition", session.group().condition().spelling());
     json.put("seed", (int) study.lot(session.participant()));
     session.steps().forEach(step -> json.withArray("/steps").add(step.id()));
     ParticipantOrder order = new ParticipantOrder(first.wording());

@@ -17,6 +17,7 @@ import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.export.ExportSettings;
 import org.selectiverenderer.export.ExportedScene;
+import org.selectiverenderer.export.JatosArchive;
 import org.selectiverenderer.export.SceneExporter;
 import org.selectiverenderer.export.WebPage;
 import org.selectiverenderer.export.WebScene;
@@ -35,9 +36,10 @@ import org.selectiverenderer.x3d.write.SceneFormat;
  * which tells the page what to show to whom, {@code study-settings.json} with what the lab sets,
  * and the scenes.
  *
+ * @param name the study's name, which researchers read
  * @param files all files of the folder
  */
-public record StudyFolder(List<PackagedFile> files) {
+public record StudyFolder(String name, List<PackagedFile> files) {
   /** Names of the two scenes of a study, and of their folders. */
   static final String SCENE = "scene";
 
@@ -45,6 +47,22 @@ public record StudyFolder(List<PackagedFile> files) {
 
   private static final String DESCRIPTION = "study-web.json";
   private static final String SETTINGS = "study-settings.json";
+
+  private static final Path PAGE = Path.of("index.html");
+
+  /** Who serves the page and takes the records. */
+  public enum Host {
+    /** Any web server; the lab names a receiver. */
+    WEB_SERVER(""),
+    /** JATOS, by its script jatos.js. */
+    JATOS("jatos");
+
+    private final String receiver;
+
+    Host(String receiver) {
+      this.receiver = receiver;
+    }
+  }
 
   public StudyFolder {
     files = List.copyOf(files);
@@ -54,13 +72,15 @@ public record StudyFolder(List<PackagedFile> files) {
    * Puts the page around a study; nothing is written.
    *
    * @param page the page of {@link WebPage#ofStudy}
+   * @param host who serves the folder
    * @param languages the study in each of its languages
    * @param problems receives what cannot be exported, as errors with lines
    * @return empty if the study cannot be exported, which is then reported
    * @throws IOException if a file cannot be read, with a sentence
    */
   public static Optional<StudyFolder> of(
-      WebPage page, List<LoadedStudy> languages, ProblemCollector problems) throws IOException {
+      WebPage page, Host host, List<LoadedStudy> languages, ProblemCollector problems)
+      throws IOException {
     LoadedStudy first = languages.get(0);
     Study study = first.study();
     ProblemCollector faults = new ProblemCollector(problems::add);
@@ -91,21 +111,31 @@ public record StudyFolder(List<PackagedFile> files) {
     String description = new StudyDescription(languages, pictures).text(scenes);
     List<PackagedFile> files = new ArrayList<>(page.files());
     files.add(text(DESCRIPTION, description));
-    files.add(text(SETTINGS, settings()));
+    files.add(text(SETTINGS, settings(host, study)));
     scenes.values().forEach(scene -> files.addAll(scene.files()));
     files.addAll(pictures.files());
-    return Optional.of(new StudyFolder(files));
+    return Optional.of(new StudyFolder(study.name(), files));
+  }
+
+  /**
+   * Returns the files of a study archive of JATOS, one of whose folders is this one.
+   *
+   * @throws IOException if a file cannot be read, with a sentence
+   */
+  public List<PackagedFile> jatosArchive() throws IOException {
+    return JatosArchive.files(name, PAGE, files);
   }
 
   /** Returns what a lab may set; the page works with it as it is. */
-  private static String settings() {
+  private static String settings(Host host, Study study) {
     var json = JsonTree.object();
-    json.put("receiver", "");
+    json.put("receiver", host.receiver);
     json.put("completion", "");
     json.put("fullScreen", true);
     json.put("minWidth", 800);
     json.put("minHeight", 500);
     json.put("minRefresh", 0);
+    json.put("minFrameRate", study.quality().minFps().orElse(0));
     return JsonWriter.of(json);
   }
 

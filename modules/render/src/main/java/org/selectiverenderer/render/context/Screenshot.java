@@ -16,6 +16,24 @@ import org.selectiverenderer.formats.image.PngEncoder;
  */
 public record Screenshot(int width, int height, byte[] rgba) {
 
+  /**
+   * Returns a picture with a part of another in it.
+   *
+   * @param fromX the column of this picture that is the first one of the other
+   * @param fromY the row of this picture that is the lowest one of the other
+   * @param x first column of the part in this picture
+   * @param y lowest row of the part in this picture
+   */
+  public Screenshot with(
+      Screenshot other, int fromX, int fromY, int x, int y, int partWidth, int partHeight) {
+    byte[] both = rgba.clone();
+    for (int row = y; row < y + partHeight; row++) {
+      int from = 4 * ((row - fromY) * other.width + x - fromX);
+      System.arraycopy(other.rgba, from, both, 4 * (row * width + x), 4 * partWidth);
+    }
+    return new Screenshot(width, height, both);
+  }
+
   /** Reads the lower left part of the framebuffer that is bound for reading. */
   public static Screenshot read(GL3 gl, int width, int height) {
     ByteBuffer pixels = Buffers.newDirectByteBuffer(width * height * 4);

@@ -146,7 +146,8 @@ public final class SceneRenderer {
         near,
         (items, camera) -> {
           culler.cull(items, List.of(camera), null);
-          draw(gl, visible, camera, eyes.get(0), around, HiddenAreaMesh.NONE);
+          PixelRectangle all = PixelRectangle.of(camera);
+          draw(gl, visible, camera, eyes.get(0), around, HiddenAreaMesh.NONE, all);
         });
   }
 
@@ -168,14 +169,21 @@ public final class SceneRenderer {
     draw(gl, seen, camera, setting, HiddenAreaMesh.NONE);
   }
 
+  /** Draws likewise, but only the pixels of a part of the viewport. */
+  public void draw(
+      GL3 gl, VisibleSet seen, Camera camera, LightingContext setting, PixelRectangle part) {
+    draw(gl, seen, camera, camera, setting, HiddenAreaMesh.NONE, part);
+  }
+
   /** Draws likewise, and fills the part of the view that a lens hides with black. */
   public void draw(
       GL3 gl, VisibleSet seen, Camera camera, LightingContext setting, HiddenAreaMesh hidden) {
-    draw(gl, seen, camera, camera, setting, hidden);
+    draw(gl, seen, camera, camera, setting, hidden, PixelRectangle.of(camera));
   }
 
   /**
    * @param bearer the camera that carries the headlight
+   * @param part the pixels that are drawn
    */
   private void draw(
       GL3 gl,
@@ -183,11 +191,12 @@ public final class SceneRenderer {
       Camera camera,
       Camera bearer,
       LightingContext setting,
-      HiddenAreaMesh hidden) {
+      HiddenAreaMesh hidden,
+      PixelRectangle part) {
     boolean opaque =
         !setting.over() || setting.backdrop().map(b -> b.transparency() == 0).orElse(false);
     gl.glViewport(camera.x(), camera.y(), camera.width(), camera.height());
-    gl.glScissor(camera.x(), camera.y(), camera.width(), camera.height());
+    gl.glScissor(part.x(), part.y(), part.width(), part.height());
     gl.glEnable(GL.GL_SCISSOR_TEST);
     if (opaque) {
       BackgroundRenderer.clear(gl, setting.backdrop().orElse(Background.BLACK));

@@ -5,6 +5,7 @@ import com.jogamp.opengl.GL2GL3;
 import com.jogamp.opengl.GL3;
 import com.jogamp.opengl.GLException;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.browser.World;
@@ -16,7 +17,9 @@ import org.selectiverenderer.render.context.GlInfo;
 import org.selectiverenderer.render.context.GlUnavailableException;
 import org.selectiverenderer.render.context.OffscreenContext;
 import org.selectiverenderer.render.context.OffscreenFramebuffer;
+import org.selectiverenderer.render.context.Screenshot;
 import org.selectiverenderer.render.draw.LightingContext;
+import org.selectiverenderer.render.draw.PixelRectangle;
 import org.selectiverenderer.render.draw.SceneRenderer;
 import org.selectiverenderer.render.draw.VisibleSet;
 
@@ -26,14 +29,36 @@ import org.selectiverenderer.render.draw.VisibleSet;
  * GL context and makes all calls.
  */
 public final class ScenePreviewRenderer implements AutoCloseable {
+  /** Share of a picture up to which only a changed part is drawn, with the same samples. */
+  private static final double SAME = 0.5;
+
+  /** The same for a picture that had more samples than are wanted now. */
+  private static final double FINER = 0.15;
+
+  /** Pixels around a changed part that are drawn too. */
+  private static final int BORDER = 2;
+
+  /** The side of the squares that parts consist of, in pixels; a multiple of all patterns. */
+  private static final int GRID = 32;
+
   private final OffscreenContext context;
   // With per-pixel lighting: a wireframe is to show the triangles of the model, not refined ones.
   private final SceneRenderer renderer = new SceneRenderer(2, ShadingMode.PIXEL);
   private final PreviewOverlayRenderer marks = new PreviewOverlayRenderer();
-  private @Nullable OffscreenFramebuffer target;
-
+  private final PictureDamage damage = new PictureDamage();
   private final GlInfo info;
-  private int samples;
+  private @Nullable Target target;
+  private @Nullable Target patch;
+
+  /** The picture that the next one may differ little from. */
+  private @Nullable PreviewImage last;
+
+  /** A framebuffer, and the samples that it was asked for with. */
+  private record Target(OffscreenFramebuffer buffer, int samples) {
+    boolean fits(int width, int height, int wantedSamples) {
+      return buffer.width() == width && buffer.height() == height && samples == wantedSamples;
+    }
+  }
 
   private ScenePreviewRenderer(OffscreenContext context) {
     this.context = context;
@@ -64,58 +89,142 @@ public final class ScenePreviewRenderer implements AutoCloseable {
    */
   public PreviewImage draw(
       World world, PreviewOptions marking, int width, int height, int wantedSamples) {
-    GL3 gl = context.gl();
-    OffscreenFramebuffer drawn = target(gl, width, height, wantedSamples);
-    drawn.bind(gl);
-    PreviewImage[] picture = new PreviewImage[1];
-    world.hold(() -> picture[0] = drawHeld(gl, drawn, world, marking));
-    return picture[0];
+    last = null;
+    return redraw(world, marking, width, height, wantedSamples);
   }
 
-  private OffscreenFramebuffer target(GL3 gl, int width, int height, int wantedSamples) {
-    if (target != null
-        && (target.width() != width || target.height() != height || samples != wantedSamples)) {
-      target.dispose(gl);
-      target = null;
+  /**
+   * Draws a picture likewise. If only a part of it differs from the previous one of the same size,
+   * only that is drawn, even if the previous one had more samples than are wanted now.
+   *
+   * @throws GlUnavailableException if a picture of that size cannot be drawn
+   */
+  public PreviewImage redraw(
+      World world, PreviewOptions marking, int width, int height, int wantedSamples) {
+    PreviewImage before = last;
+    last = null; // What is compared next is not what it shows, should drawing fail.
+    world.hold(() -> last = drawHeld(world, marking, width, height, wantedSamples, before));
+    PreviewImage drawn = Objects.requireNonNull(last);
+    if (marking.wireframe()) {
+      last = null;
     }
-    if (target == null) {
-      try {
-        target = new OffscreenFramebuffer(gl, width, height, wantedSamples);
-        samples = wantedSamples;
-      } catch (GLException e) {
-        throw new GlUnavailableException(
-            "a picture of that size cannot be drawn: " + e.getMessage(), e);
-      }
-    }
-    return target;
+    return drawn;
   }
 
   private PreviewImage drawHeld(
-      GL3 gl, OffscreenFramebuffer on, World world, PreviewOptions marking) {
-    world.seenIn(on.width(), on.height(), Optional.empty());
+      World world,
+      PreviewOptions marking,
+      int width,
+      int height,
+      int wantedSamples,
+      @Nullable PreviewImage before) {
+    GL3 gl = context.gl();
+    world.seenIn(width, height, Optional.empty());
     renderer.prepare(gl, world.instances());
     ViewSettings sight = ViewSettings.of(world);
     Camera camera =
-        Camera.of(
-            world.viewer(), on.width(), on.height(), sight.range().near(), sight.range().far());
-    List<Camera> eyes = List.of(camera);
+        Camera.of(world.viewer(), width, height, sight.range().near(), sight.range().far());
     LightingContext setting =
         new LightingContext(
             Optional.of(marking.backdrop().orElseGet(world::backdrop)),
             sight.headlight(),
             world.fog(),
             false);
-    renderer.reflect(gl, world.instances(), eyes, setting, sight.range().near());
-    VisibleSet seen = marking.wireframe() ? renderer.cullToView(eyes) : renderer.cull(eyes);
+    Optional<PixelRectangle> changed =
+        damage.next(world.instances(), renderer.items(), camera, setting, marking);
+    renderer.reflect(gl, world.instances(), List.of(camera), setting, sight.range().near());
+    VisibleSet seen = cull(camera, marking);
+    FrameStatistics statistics = new FrameStatistics(seen.shapes(), seen.indices() / 3);
+    if (before != null
+        && !marking.wireframe()
+        && changed.isPresent()
+        && small(changed.get(), camera, before.samples(), wantedSamples)) {
+      Screenshot pixels = before.pixels();
+      if (changed.get().area() > 0) {
+        pixels = patched(gl, before, changed.get(), camera, setting, marking);
+      }
+      return new PreviewImage(pixels, camera, statistics, before.samples());
+    }
+    target = target(gl, target, width, height, wantedSamples);
+    Screenshot pixels = paint(gl, target, seen, camera, setting, marking);
+    return new PreviewImage(pixels, camera, statistics, wantedSamples);
+  }
+
+  private VisibleSet cull(Camera camera, PreviewOptions marking) {
+    List<Camera> eyes = List.of(camera);
+    return marking.wireframe() ? renderer.cullToView(eyes) : renderer.cull(eyes);
+  }
+
+  /** Returns whether drawing only a changed part of the previous picture pays. */
+  private static boolean small(
+      PixelRectangle changed, Camera camera, int samples, int wantedSamples) {
+    double share = samples > wantedSamples ? FINER : SAME;
+    return samples >= wantedSamples
+        && changed.area() <= share * camera.width() * camera.height();
+  }
+
+  /**
+   * Draws a part of a picture into a framebuffer of its own, which is a little larger, since Mesa's
+   * software renderer loses samples at the border of a framebuffer or scissor rectangle.
+   */
+  private Screenshot patched(
+      GL3 gl,
+      PreviewImage before,
+      PixelRectangle part,
+      Camera camera,
+      LightingContext setting,
+      PreviewOptions marking) {
+    PixelRectangle drawn = part.enlarged(BORDER, GRID);
+    patch = target(gl, patch, drawn.width(), drawn.height(), before.samples());
+    VisibleSet seen = cull(drawn.within(camera), marking);
+    Camera moved =
+        new Camera(
+            camera.view(),
+            camera.projection(),
+            camera.x() - drawn.x(),
+            camera.y() - drawn.y(),
+            camera.width(),
+            camera.height());
+    Screenshot pixels = paint(gl, patch, seen, moved, setting, marking);
+    return before
+        .pixels()
+        .with(pixels, drawn.x(), drawn.y(), part.x(), part.y(), part.width(), part.height());
+  }
+
+  private Target target(
+      GL3 gl, @Nullable Target known, int width, int height, int wantedSamples) {
+    if (known != null && known.fits(width, height, wantedSamples)) {
+      return known;
+    }
+    if (known != null) {
+      known.buffer().dispose(gl);
+    }
+    try {
+      return new Target(
+          new OffscreenFramebuffer(gl, width, height, wantedSamples), wantedSamples);
+    } catch (GLException e) {
+      throw new GlUnavailableException(
+          "a picture of that size cannot be drawn: " + e.getMessage(), e);
+    }
+  }
+
+  private Screenshot paint(
+      GL3 gl,
+      Target on,
+      VisibleSet seen,
+      Camera camera,
+      LightingContext setting,
+      PreviewOptions marking) {
+    on.buffer().bind(gl);
     if (marking.wireframe()) {
       gl.glPolygonMode(GL.GL_FRONT_AND_BACK, GL2GL3.GL_LINE);
     }
-    renderer.draw(gl, seen, camera, setting);
+    PixelRectangle all = new PixelRectangle(0, 0, on.buffer().width(), on.buffer().height());
+    renderer.draw(gl, seen, camera, setting, all);
     gl.glPolygonMode(GL.GL_FRONT_AND_BACK, GL2GL3.GL_FILL);
     marks.boxes(gl, marking.boxes(), camera);
     marks.mask(gl, renderer.items(), marking.masked(), camera);
-    return new PreviewImage(
-        on.read(gl), camera, new FrameStatistics(seen.shapes(), seen.indices() / 3));
+    return on.buffer().read(gl);
   }
 
   @Override
@@ -123,8 +232,10 @@ public final class ScenePreviewRenderer implements AutoCloseable {
     GL3 gl = context.gl();
     renderer.dispose(gl);
     marks.dispose(gl);
-    if (target != null) {
-      target.dispose(gl);
+    for (Target each : new Target[] {target, patch}) {
+      if (each != null) {
+        each.buffer().dispose(gl);
+      }
     }
     context.close();
   }

@@ -19,6 +19,7 @@ import java.util.function.Predicate;
 import java.util.random.RandomGenerator;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.study.dataset.DataTable;
+import org.selectiverenderer.study.dataset.ParticipantsTable;
 import org.selectiverenderer.study.dataset.TableColumn;
 
 /**
@@ -32,7 +33,11 @@ final class AnonymousTables {
 
   /** Columns that tell who came when, or that name files with ids in them. */
   private static final Map<String, Set<String>> LEFT_OUT =
-      Map.of("participants", Set.of("place"), "exposures", Set.of("head_log"));
+      Map.of(
+          "participants",
+          Set.of("place", ParticipantsTable.RECRUITMENT),
+          "exposures",
+          Set.of("head_log"));
 
   private final Predicate<String> column;
   private final Set<String> freeKinds;

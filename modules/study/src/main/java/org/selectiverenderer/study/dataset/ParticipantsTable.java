@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.formats.csv.CsvColumnSpec;
@@ -25,6 +26,9 @@ import org.selectiverenderer.study.questionnaire.Questionnaire;
  * @param rows cells by column name; a missing value is empty
  */
 public record ParticipantsTable(List<String> columns, List<Map<String, String>> rows) {
+  /** Column of the ids of a recruiting service, which no dataset has. */
+  public static final String RECRUITMENT = "recruitment_ids";
+
   private static final String ID = "participant_id";
 
   private static final Map<String, TableColumn> KNOWN = known();
@@ -147,17 +151,30 @@ public record ParticipantsTable(List<String> columns, List<Map<String, String>> 
   }
 
   /**
-   * Returns the table as it is in the study's folder.
+   * Returns the table.
    *
    * @param form the study's form
+   * @param recruited ids of a recruiting service by participants; without any there is no column
    */
-  public DataTable table(Questionnaire form) {
-    DataTable table =
-        new DataTable(
-            "participants",
-            "a participant who was assigned a condition",
-            columns.stream().map(name -> column(name, form)).toList());
-    rows.forEach(row -> table.add(columns.stream().map(row::get).toList()));
+  DataTable table(Questionnaire form, Map<String, String> recruited) {
+    List<TableColumn> all = new ArrayList<>();
+    columns.forEach(name -> all.add(column(name, form)));
+    if (!recruited.isEmpty()) {
+      all.add(
+          TableColumn.text(
+              RECRUITMENT,
+              "ids that a recruiting service gave the participant, joined by |; they lead to a"
+                  + " person and are not passed on"));
+    }
+    DataTable table = new DataTable("participants", "a participant who was assigned a condition", all);
+    for (Map<String, String> row : rows) {
+      List<@Nullable String> cells = new ArrayList<>();
+      columns.forEach(name -> cells.add(row.get(name)));
+      if (!recruited.isEmpty()) {
+        cells.add(recruited.get(row.getOrDefault(ID, "").replaceFirst("^sub-", "")));
+      }
+      table.add(cells);
+    }
     return table;
   }
 }

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.time.OffsetDateTime;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -182,6 +183,23 @@ public final class RecordedSession {
    */
   Map<String, Map<String, TimedAnswer>> given() {
     return history.refused() ? Map.of() : history.given();
+  }
+
+  /**
+   * Returns the ids that a recruiting service gave the participant of a session in a browser, by
+   * their names; they lead to a person.
+   */
+  Map<String, String> recruitment() {
+    Map<String, String> ids = new LinkedHashMap<>();
+    events.stream()
+        .filter(line -> line.event().equals("recruitment"))
+        .forEach(
+            line ->
+                line.members()
+                    .path("ids")
+                    .properties()
+                    .forEach(id -> ids.putIfAbsent(id.getKey(), id.getValue().asText())));
+    return ids;
   }
 
   /** Returns the language of the participant's texts; empty if the journal does not say. */

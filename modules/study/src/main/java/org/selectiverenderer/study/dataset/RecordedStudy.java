@@ -2,10 +2,13 @@ package org.selectiverenderer.study.dataset;
 
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.study.definition.Study;
 import org.selectiverenderer.study.session.LoadedStudy;
@@ -24,6 +27,24 @@ public record RecordedStudy(
 
   public Study study() {
     return material.study();
+  }
+
+  /**
+   * Returns the table of participants; with a column of the ids of a recruiting service, where
+   * there are any. These lead to persons: they are for those who pay them, and in no dataset.
+   */
+  public DataTable participantsTable() {
+    Map<String, String> recruited = new HashMap<>();
+    for (RecordedSession session : sessions) {
+      String ids =
+          session.recruitment().entrySet().stream()
+              .map(id -> id.getKey() + "=" + id.getValue())
+              .collect(Collectors.joining("|"));
+      if (!ids.isEmpty()) {
+        recruited.putIfAbsent(session.folder().participant(), ids);
+      }
+    }
+    return participants.table(material.form(), recruited);
   }
 
   /**

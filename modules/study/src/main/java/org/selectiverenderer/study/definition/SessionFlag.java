@@ -25,6 +25,8 @@ public enum SessionFlag {
   TRIGGER_FAILED("trigger signal not sent"),
   /** The headset was taken off, or its runtime was lost, during an exposure. */
   HEADSET_LOST("headset taken off or lost"),
+  /** In a browser, the page lost the focus or left the full screen during an exposure. */
+  LEFT_PAGE("page left"),
   /** An exposure had fewer frames per second than the study asks for. */
   LOW_FRAME_RATE("too few frames per second"),
   /** A practice block ended without having reached its criterion. */

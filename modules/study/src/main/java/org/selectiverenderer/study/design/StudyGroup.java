@@ -45,6 +45,11 @@ public record StudyGroup(String name, Map<String, String> levels, TrialSettings 
         : List.copyOf(groups);
   }
 
+  /** Returns the condition in which areas are shown to the group. */
+  public Condition condition() {
+    return settings.condition().orElse(Condition.HIGH);
+  }
+
   private StudyGroup with(Factor factor, Factor.Level level) {
     Map<String, String> more = new LinkedHashMap<>(levels);
     more.put(factor.name(), level.name());

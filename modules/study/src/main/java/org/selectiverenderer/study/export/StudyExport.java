@@ -116,7 +116,7 @@ public record StudyExport(List<String> files) {
     }
     AnswerTableParser asked = new AnswerTableParser(problems);
     List<DataTable> tables = new ArrayList<>();
-    tables.add(study.participants().table(study.material().form()));
+    tables.add(study.participantsTable());
     tables.add(sessions);
     tables.addAll(runs.tables());
     tables.add(

@@ -107,6 +107,50 @@ public final class ParticipantsFile {
   }
 
   /**
+   * Records participants whose places another program has given away, such as a page in their
+   * browsers; one who is recorded already keeps what is recorded.
+   *
+   * @throws IOException if the file cannot be read or written
+   */
+  public void record(List<Assigned> elsewhere) throws IOException {
+    if (elsewhere.isEmpty()) {
+      return;
+    }
+    PrivateFiles.requireNoLink(file);
+    try (FileChannel channel =
+        PrivateFiles.open(
+            file, StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE)) {
+      lock(channel);
+      String text = text(channel);
+      Set<String> known = new HashSet<>();
+      parse(text).forEach(one -> known.add(one.participant()));
+      StringBuilder lines =
+          new StringBuilder(text.isEmpty() ? HEADER : text.endsWith("\n") ? "" : "\n");
+      boolean more = false;
+      for (Assigned one : elsewhere) {
+        if (known.add(one.participant())) {
+          more = true;
+          lines.append(
+              new Assigned(
+                      one.participant(),
+                      one.group(),
+                      one.place(),
+                      one.insteadOf(),
+                      cell(one.age()),
+                      one.simulated())
+                  .line());
+        }
+      }
+      if (more) {
+        channel.position(channel.size());
+        DiskSync.write(channel, lines.toString().getBytes(StandardCharsets.UTF_8));
+        channel.force(true);
+        DiskSync.forceFolder(study.folder());
+      }
+    }
+  }
+
+  /**
    * Formats a text as a cell: without tabs and line ends, and {@code n/a} for an empty text (BIDS).
    */
   private static String cell(String text) {

@@ -17,12 +17,9 @@ import org.selectiverenderer.study.design.StudyGroup;
 import org.selectiverenderer.study.design.Trial;
 import org.selectiverenderer.study.design.TrialResult;
 import org.selectiverenderer.study.questionnaire.Answer;
-import org.selectiverenderer.study.questionnaire.AnswerTableKind;
-import org.selectiverenderer.study.questionnaire.AnswersCsvBuilder;
 import org.selectiverenderer.study.questionnaire.Question;
 import org.selectiverenderer.study.questionnaire.Questionnaire;
 import org.selectiverenderer.study.questionnaire.QuestionnairePage;
-import org.selectiverenderer.study.questionnaire.Respondent;
 import org.selectiverenderer.tracker.TrackerSpec;
 
 /**
@@ -391,7 +388,10 @@ public final class Session implements AutoCloseable {
    */
   public void end() throws IOException {
     motion.close();
-    new AnswerTablesWriter(material, folder).write(history);
+    for (Map.Entry<String, String> table :
+        SessionAnswerFiles.of(material, folder, history).entrySet()) {
+      folder.writeOnce(table.getKey(), table.getValue());
+    }
     journal.keep("session-finished", Map.of());
   }
 
@@ -409,43 +409,6 @@ public final class Session implements AutoCloseable {
     try (lock;
         journal) {
       motion.close();
-    }
-  }
-
-  /** Writes the tables of a session's answers into its folder. */
-  private record AnswerTablesWriter(LoadedStudy material, SessionFolder folder) {
-    /** Writes the tables that have rows. */
-    void write(SessionHistory history) throws IOException {
-      AnswersCsvBuilder tables = new AnswersCsvBuilder();
-      for (SessionStep step : material.steps()) {
-        if (LoadedStudy.asks(step)) {
-          tables.add(
-              by(step, history),
-              material.questionnaire(step, folder.participant()),
-              history.given(step));
-        }
-      }
-      for (AnswerTableKind table : AnswerTableKind.values()) {
-        if (tables.has(table)) {
-          folder.writeOnce(table.file(), tables.text(table));
-        }
-      }
-      TrialsTable trials = new TrialsTable(material, true);
-      trials.add(folder.participant(), folder.number(), history);
-      if (!trials.isEmpty()) {
-        folder.writeOnce("trials.csv", trials.text());
-      }
-      if (tables.hasScores()) {
-        folder.writeOnce("scores.csv", tables.scores());
-      }
-    }
-
-    private Respondent by(SessionStep step, SessionHistory history) {
-      return new Respondent(
-          folder.participant(),
-          Integer.toString(folder.number()),
-          history.group().orElse(""),
-          step.id());
     }
   }
 }

@@ -104,7 +104,7 @@ public record SessionFolder(Path study, String participant, int number) {
   }
 
   /** Returns the head log's file of a run of a step, from 1. */
-  Path headLog(SessionStep step, int run) {
+  public Path headLog(SessionStep step, int run) {
     return path().resolve("head").resolve(headName(step, run) + ".csv");
   }
 

@@ -148,7 +148,7 @@ class StudyExportTest {
         """
             .formatted(question.isEmpty() ? "" : "," + question));
     RecordedStudy read = RecordedStudy.read(RecordedStudyFixture.material(study), problems);
-    return read.participants().table(read.material().form()).columns().stream()
+    return read.participantsTable().columns().stream()
         .filter(column -> column.name().equals("age"))
         .findFirst()
         .orElseThrow()

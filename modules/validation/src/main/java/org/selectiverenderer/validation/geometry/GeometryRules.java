@@ -91,13 +91,34 @@ public final class GeometryRules {
           .good(triangle("0 1 2 -1 1 0 3 -1", "0 0 0, 1 0 0, 0 1 0, 0 0 1"))
           .see("thesis 4.2.1");
 
+  /** What the enricher finds while a scene is edited; {@code validate} has no check of it. */
+  static final Rule REPEATED_POINTS =
+      Rule.info("SR208", "{count} of {all} points repeat another")
+          .because(
+              """
+              Points of the same place, normal, colour and texture coordinate make a file larger \
+              and hide from simplification that faces share an edge. The enricher finds them \
+              where welding leaves the picture as it is, and welds them; validate does not look \
+              for them, as many programs write them.""")
+          .bad(triangle("0 1 2 -1 3 4 5 -1", "0 0 0, 1 0 0, 0 1 0, 0 1 0, 1 0 0, 1 1 0"))
+          .good(triangle("0 1 2 -1 2 1 3 -1", "0 0 0, 1 0 0, 0 1 0, 1 1 0"))
+          .see("X3D 4.0, 13.3.6");
+
   private GeometryRules() {}
 
   /** The rules and their checks. */
   public static RuleGroup group() {
     return new RuleGroup(
         "Geometry",
-        List.of(INDEX_OUT_OF_RANGE, COUNTS, NO_AREA, TOO_FAR, NORMAL_LENGTH, NOTHING, NON_MANIFOLD),
+        List.of(
+            INDEX_OUT_OF_RANGE,
+            COUNTS,
+            NO_AREA,
+            TOO_FAR,
+            NORMAL_LENGTH,
+            NOTHING,
+            NON_MANIFOLD,
+            REPEATED_POINTS),
         List.of(
             new CompositeCheck(
                 List.of(

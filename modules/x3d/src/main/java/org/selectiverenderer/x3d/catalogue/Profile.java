@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeMap;
+import java.util.stream.Stream;
 
 /** The profiles of X3D and the components of each (X3D 4.0, annexes A to F, H and L). */
 public enum Profile {
@@ -71,6 +73,18 @@ public enum Profile {
   /** Returns the level at which the profile has a component; 0 for none. */
   public int level(String component) {
     return this == Full ? Integer.MAX_VALUE : levels.getOrDefault(component, 0);
+  }
+
+  /**
+   * Returns the components that a file of this profile must declare for nodes of some types, in
+   * order of their names, with the lowest levels that have them.
+   */
+  public Map<String, Integer> missing(Stream<NodeType> types) {
+    Map<String, Integer> missing = new TreeMap<>();
+    types
+        .filter(type -> level(type.component()) < type.level())
+        .forEach(type -> missing.merge(type.component(), type.level(), Math::max));
+    return missing;
   }
 
   /** Returns the name of a component in X3D 4.0. */

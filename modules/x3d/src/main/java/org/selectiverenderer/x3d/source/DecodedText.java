@@ -5,6 +5,7 @@ import java.nio.CharBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.Charset;
 import java.nio.charset.CharsetEncoder;
+import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
@@ -22,7 +23,9 @@ public final class DecodedText {
     this.source = source;
     this.characters = source.head(Integer.MAX_VALUE);
     this.mark = Arrays.copyOf(bytes, source.mark());
-    this.exact = source.complaint() == null && Arrays.equals(bytes(characters), bytes);
+    this.exact =
+        source.complaint() == null
+            && (source.ascii() || Arrays.equals(bytes(characters), bytes));
   }
 
   /** Decodes a file's uncompressed bytes. */
@@ -61,7 +64,10 @@ public final class DecodedText {
 
   /** Encodes another text; unencodable characters become character references. */
   public byte[] bytes(String changed) {
-    byte[] encoded = encoded(charset().newEncoder(), changed);
+    byte[] encoded =
+        charset().equals(StandardCharsets.UTF_8) && whole(changed)
+            ? changed.getBytes(StandardCharsets.UTF_8) // ten times as fast as an encoder
+            : encoded(charset().newEncoder(), changed);
     if (encoded == null) {
       CharsetEncoder encoder = charset().newEncoder(); // the first one has given up half-way
       StringBuilder escaped = new StringBuilder();
@@ -84,6 +90,16 @@ public final class DecodedText {
 
   private Charset charset() {
     return source.charset();
+  }
+
+  /** Returns whether a text has no surrogates, which have no encoding of their own. */
+  private static boolean whole(String text) {
+    for (int i = 0; i < text.length(); i++) {
+      if (Character.isSurrogate(text.charAt(i))) {
+        return false;
+      }
+    }
+    return true;
   }
 
   private static byte @Nullable [] encoded(CharsetEncoder encoder, String text) {

@@ -315,6 +315,11 @@ public final class DocumentElement {
     visit(element -> element.attached = false);
   }
 
+  /** Marks the element and its descendants as part of the text again. */
+  void attach() {
+    visit(element -> element.attached = true);
+  }
+
   @Override
   public String toString() {
     return def == null ? name : name + " " + def;

@@ -28,4 +28,12 @@ public record DocumentError(Kind kind, SourceLocation location, String message) 
     /** Too many elements or too deep nesting. */
     LIMIT
   }
+
+  /**
+   * Returns whether it is told from the tags around it: not by an attribute of one, such as the
+   * declaration of a prefix, nor by all of the text.
+   */
+  boolean plain() {
+    return kind == Kind.SYNTAX && !message.startsWith(XmlErrorMessages.PREFIX_FAULT);
+  }
 }

@@ -7,15 +7,26 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.SourceLocation;
 
 /** The tree of the elements of a well-formed text, which is updated incrementally by edits. */
 public final class ElementTree {
   /** The number of changes from which on parsing the whole text is faster. */
   private static final int MANY = 2000;
 
+  /** Characters behind a change in which a fault is looked for first. */
+  private static final long FIRST_LOOK = 1 << 16;
+
+  /** Characters before the end of such a part where a fault may come from its being cut there. */
+  private static final int CUT = 64;
+
   private final DocumentElement root;
   private final ElementSource source;
   private final ElementIndex names = new ElementIndex();
+
+  /** What has kept the last changes from being followed, if that is known. */
+  private @Nullable BrokenPart broken;
 
   ElementTree(DocumentElement root, ElementSource source) {
     this.root = root;
@@ -38,9 +49,21 @@ public final class ElementTree {
   /** The numbers of children before and after the part of an element that is parsed again. */
   private record Part(int before, int behind) {}
 
-  /** Marks all elements as removed, since the whole text will be parsed again. */
+  /**
+   * A part of the changed text that is not well-formed, where all before it is.
+   *
+   * @param head start tags of the elements that are open at its beginning
+   */
+  private record BrokenPart(int from, String head) {}
+
+  /** Marks all elements as removed, since the text is not well-formed or will be parsed again. */
   public void detach() {
     root.detach();
+  }
+
+  /** Marks all elements as present again, when the text is well-formed again. */
+  public void attach() {
+    root.attach();
   }
 
   /** Returns the root element, which is X3D in a scene. */
@@ -180,9 +203,11 @@ public final class ElementTree {
    * Updates the tree after changes of the text, parsing again only the affected elements.
    *
    * @param revision the revision of the text after the changes, which the source already has
-   * @return false if that was not possible; the tree is then invalid and must be parsed anew
+   * @return false, without a change, if that was not possible: then the tree is that of the text
+   *     before; {@link #fault} may say why
    */
   public boolean follow(List<TextEdit> changes, long revision) {
+    broken = null;
     if (changes.size() > MANY) {
       return false;
     }
@@ -198,15 +223,27 @@ public final class ElementTree {
           (a, b) -> new int[] {Math.min(a[0], b[0]), Math.max(a[1], b[1])});
     }
     ranges.keySet().removeIf(element -> readWithAnother(element, ranges));
+    OffsetMapping moved = new OffsetMapping(changes);
     Map<DocumentElement, Part> parts = new IdentityHashMap<>();
     ranges.forEach((element, range) -> parts.put(element, part(element, range)));
-    root.move(new OffsetMapping(changes));
-    for (Map.Entry<DocumentElement, Part> part : parts.entrySet()) {
-      if (!readAgain(part.getKey(), part.getValue(), revision)) {
+    List<DocumentElement> inOrder = new ArrayList<>(parts.keySet());
+    inOrder.sort(Comparator.comparingInt(element -> start(element, parts.get(element))));
+    Map<DocumentElement, DocumentElement> parsed = new IdentityHashMap<>();
+    for (DocumentElement element : inOrder) {
+      DocumentElement read = readAgain(element, parts.get(element), moved, revision);
+      if (read == null) {
         return false;
       }
+      parsed.put(element, read);
     }
+    root.move(moved);
+    parts.forEach((element, part) -> replace(element, part, parsed.get(element), revision));
     return true;
+  }
+
+  /** Returns the offset at which a part begins, before the changes. */
+  private static int start(DocumentElement element, Part part) {
+    return part.before() == 0 ? element.start() : element.children().get(part.before() - 1).end();
   }
 
   /** Returns whether an element lies in the part of an ancestor that is parsed again. */
@@ -233,13 +270,21 @@ public final class ElementTree {
     return new Part(before, children.size() - Math.max(before, firstFrom(children, range[1])));
   }
 
-  private boolean readAgain(DocumentElement element, Part part, long revision) {
+  /** Parses a part of the changed text; null if it has to be parsed with all around it. */
+  private @Nullable DocumentElement readAgain(
+      DocumentElement element, Part part, OffsetMapping moved, long revision) {
     CharSequence text = source.characters();
     List<DocumentElement> children = element.children();
     int last = children.size() - part.behind();
-    int from = part.before() == 0 ? element.start() : children.get(part.before() - 1).end();
-    int to = part.behind() == 0 ? element.end() : children.get(last).start();
-    String name = written(element, text);
+    int from =
+        part.before() == 0
+            ? moved.start(element.start())
+            : moved.end(children.get(part.before() - 1).end());
+    int to =
+        part.behind() == 0
+            ? moved.end(element.end())
+            : moved.start(children.get(last).start());
+    String name = written(element, moved, text);
     String head = part.before() == 0 ? "" : "<" + name + ">";
     String tail = part.behind() == 0 ? "" : "</" + name + ">";
     SourceText piece = SourceText.of(head + text.subSequence(from, to) + tail);
@@ -247,11 +292,28 @@ public final class ElementTree {
     try {
       parsed = ElementParser.root(piece, source, from - head.length(), revision);
     } catch (XmlParseException e) {
-      return false; // the whole text is parsed next, which reports the error
+      broken = new BrokenPart(from, around(element, moved, text) + head);
+      return null; // the text from there on is parsed next, which reports the error
     }
-    if (part.before() == 0 && part.behind() > 0 && !parsed.name().equals(element.name())) {
-      return false;
+    boolean other =
+        part.before() == 0 && part.behind() > 0 && !parsed.name().equals(element.name());
+    return other ? null : parsed;
+  }
+
+  /** Returns the start tags of the elements around another, without their attributes. */
+  private static String around(DocumentElement element, OffsetMapping moved, CharSequence text) {
+    StringBuilder tags = new StringBuilder();
+    for (DocumentElement at = element.parent().orElse(null);
+        at != null;
+        at = at.parent().orElse(null)) {
+      tags.insert(0, "<" + written(at, moved, text) + ">");
     }
+    return tags.toString();
+  }
+
+  private void replace(DocumentElement element, Part part, DocumentElement parsed, long revision) {
+    List<DocumentElement> children = element.children();
+    int last = children.size() - part.behind();
     for (DocumentElement gone : new ArrayList<>(children.subList(part.before(), last))) {
       names.remove(gone);
       gone.detach();
@@ -260,15 +322,70 @@ public final class ElementTree {
     element.graft(part.before(), part.behind(), parsed, part.before() == 0, revision);
     names.addOne(element);
     parsed.children().forEach(names::add);
-    return true;
+  }
+
+  /**
+   * Returns the fault of the text whose changes could not be followed, found by parsing no more of
+   * it than from the changed part to the fault; empty if all of it has to be parsed.
+   */
+  public Optional<DocumentError> fault() {
+    BrokenPart part = broken;
+    if (part == null || !source.entities().none()) {
+      return Optional.empty();
+    }
+    CharSequence text = source.characters();
+    int near = Math.max(0, part.from - XmlErrorMessages.LONGEST_REFERENCE);
+    if (text.subSequence(near, part.from).toString().indexOf('&') >= 0) {
+      return Optional.empty(); // A fault may be located at a reference before it.
+    }
+    for (long size = FIRST_LOOK; ; size *= 8) {
+      int end = (int) Math.min(text.length(), part.from + size);
+      String piece = part.head + text.subSequence(part.from, end);
+      DocumentError found = fault(piece);
+      boolean whole = end == text.length();
+      if (found == null ? whole : !found.plain()) {
+        return Optional.empty();
+      }
+      if (found != null && (whole || offset(found, piece) < piece.length() - CUT)) {
+        return Optional.of(inText(found, part, text));
+      }
+    }
+  }
+
+  private @Nullable DocumentError fault(String piece) {
+    try {
+      ElementParser.root(SourceText.of(piece), source, 0, 0);
+      return null;
+    } catch (XmlParseException e) {
+      return e.fault();
+    }
+  }
+
+  private static int offset(DocumentError fault, String piece) {
+    return new LineIndex(piece).start(piece, fault.location().line()) + fault.location().column();
+  }
+
+  /** Returns a fault that was found in a part with its location in the text. */
+  private DocumentError inText(DocumentError found, BrokenPart part, CharSequence text) {
+    SourceLocation at = found.location();
+    int start = part.from;
+    while (start > 0 && text.charAt(start - 1) != '\n' && text.charAt(start - 1) != '\r') {
+      start--;
+    }
+    int line = source.location(part.from).line() + at.line() - 1;
+    int column = at.line() > 1 ? at.column() : at.column() - part.head.length() + part.from - start;
+    return new DocumentError(
+        found.kind(), new SourceLocation(at.file(), line, column), found.message());
   }
 
   /** Returns the name in a start tag with its prefix. */
-  private static String written(DocumentElement element, CharSequence text) {
-    int end = element.start() + 1;
-    while (end < element.tagEnd() && text.charAt(end) > ' ' && "/>".indexOf(text.charAt(end)) < 0) {
+  private static String written(DocumentElement element, OffsetMapping moved, CharSequence text) {
+    int start = moved.start(element.start()) + 1;
+    int most = moved.end(element.tagEnd());
+    int end = start;
+    while (end < most && text.charAt(end) > ' ' && "/>".indexOf(text.charAt(end)) < 0) {
       end++;
     }
-    return text.subSequence(element.start() + 1, end).toString();
+    return text.subSequence(start, end).toString();
   }
 }

@@ -100,6 +100,11 @@ public final class SourceText implements CharSequence {
     return decode(bytes, start, length, charset);
   }
 
+  /** Returns whether it is parsed from bytes that all are ASCII. */
+  boolean ascii() {
+    return decoded == null;
+  }
+
   /** Returns the source text of characters, such as those of an edited text. */
   public static SourceText of(CharSequence text) {
     CharBuffer characters = CharBuffer.wrap(text);

@@ -16,7 +16,11 @@ final class XmlErrorMessages {
   private static final Pattern EXPECTED = Pattern.compile("expected </([^>]*)>");
   private static final Pattern PREFIX = Pattern.compile("prefix '([^']*)'");
 
-  private static final int LONGEST_REFERENCE = 32;
+  /** The beginning of the message about a prefix that is not declared. */
+  static final String PREFIX_FAULT = "the prefix ";
+
+  /** Characters in which a reference to an entity is looked for before a fault. */
+  static final int LONGEST_REFERENCE = 32;
 
   /** Parts of the parser's messages, and the corresponding messages for authors. */
   private static final Map<String, String> CAUSES =
@@ -55,7 +59,7 @@ final class XmlErrorMessages {
     }
     if (message.contains("unbound namespace prefix")) {
       Matcher prefix = PREFIX.matcher(raw);
-      return "the prefix "
+      return PREFIX_FAULT
           + (prefix.find() ? prefix.group(1) : "here")
           + " is not declared by an xmlns attribute";
     }

@@ -32,7 +32,7 @@ public final class NodeCommands {
   public NodeCommands(EnricherSession session) {
     this.session = session;
     nodes = new NodeEdits(session.document());
-    areas = new AreaEdits(session.enrichment());
+    areas = new AreaEdits(session.enrichment(), session.catalogue());
     switches = new SwitchEdits(session.enrichment(), session.catalogue());
   }
 

@@ -1,8 +1,10 @@
 package org.selectiverenderer.enricher.form;
 
 import java.awt.Dimension;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JLabel;
@@ -37,6 +39,8 @@ final class FindingsPanel extends JPanel {
   private final JPanel list =
       new ScrollablePanel(new MigLayout("insets 0, wrap 2, hidemode 3", "[][grow,fill]"));
   private transient List<ElementFinding> shown = List.of();
+  private transient Function<DocumentElement, List<ElementFinding>> problems =
+      element -> List.of();
 
   FindingsPanel(EnricherSession session) {
     super(new MigLayout("insets 4 8 4 8, wrap 1, gapy 2", "[grow,fill]", "[][grow,fill]"));
@@ -77,6 +81,11 @@ final class FindingsPanel extends JPanel {
     title.setEnabled(!shown.isEmpty());
   }
 
+  /** Sets what knows the problems of an element that a check in the background has found. */
+  void problems(Function<DocumentElement, List<ElementFinding>> known) {
+    problems = known;
+  }
+
   /** Shows the findings about an element. */
   void show(Optional<DocumentElement> element) {
     List<ElementFinding> now = element.map(this::findings).orElse(List.of());
@@ -95,6 +104,27 @@ final class FindingsPanel extends JPanel {
   }
 
   private List<ElementFinding> findings(DocumentElement element) {
+    List<ElementFinding> about = new ArrayList<>(own(element));
+    for (ElementFinding problem : problems.apply(element)) {
+      int at = 0;
+      while (at < about.size() && !tellsOf(problem, about.get(at))) {
+        at++;
+      }
+      if (at < about.size()) {
+        about.set(at, problem); // with the severity that the list of problems gives it
+      } else {
+        about.add(problem);
+      }
+    }
+    return about;
+  }
+
+  /** Whether a problem is a finding that is known at once, found again by the validator. */
+  private static boolean tellsOf(ElementFinding problem, ElementFinding known) {
+    return problem.element() == known.element() && problem.message().startsWith(known.message());
+  }
+
+  private List<ElementFinding> own(DocumentElement element) {
     List<ElementFinding> own =
         session
             .enrichment()
@@ -112,6 +142,7 @@ final class FindingsPanel extends JPanel {
     for (int i = 0; same && i < now.size(); i++) {
       same =
           now.get(i).message().equals(shown.get(i).message())
+              && now.get(i).severity() == shown.get(i).severity()
               && now.get(i).element() == shown.get(i).element();
     }
     return same;

@@ -14,6 +14,7 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.authoring.DocumentListener;
 import org.selectiverenderer.enricher.help.HelpTopic;
 import org.selectiverenderer.enricher.preview.VersionImageRenderer;
+import org.selectiverenderer.enricher.problems.ProblemsPanel;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
 import org.selectiverenderer.enricher.text.Texts;
@@ -76,6 +77,12 @@ public final class FormPanel extends JPanel {
   /** Sets what opens the versions dialog for an element. */
   public void onMakeVersions(Consumer<DocumentElement> action) {
     makeVersions = action;
+  }
+
+  /** Shows below the form what checks in the background find about the selected node, too. */
+  public void follow(ProblemsPanel problems) {
+    findings.problems(problems::about);
+    problems.onEntries(() -> findings.show(Optional.ofNullable(element)));
   }
 
   /** Writes what has been typed so far; called before saving and undoing. */

@@ -119,14 +119,16 @@ final class PlacementForm implements Form {
 
   private Optional<String> write(PoseField field, String text) {
     Optional<Placement> now = editor.placement(element);
-    if (now.isPresent()) {
-      try {
-        editor.place(List.of(field.set(now.get(), text)), VERBS.getOrDefault(field, "move"));
-      } catch (EditRejectedException e) {
-        return Optional.of(String.valueOf(e.getMessage()));
-      }
+    if (now.isEmpty()) {
+      return Optional.of(Texts.of("placement.form.gone"));
     }
-    return Optional.empty();
+    try {
+      String value = field.value(text);
+      editor.set(now.get(), field, value, VERBS.getOrDefault(field, "move"));
+      return Optional.empty();
+    } catch (EditRejectedException e) {
+      return Optional.of(String.valueOf(e.getMessage()));
+    }
   }
 
   @Override

@@ -6,10 +6,13 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.JFileChooser;
 import org.joml.AxisAngle4d;
 import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.authoring.structure.NodeTemplate;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.browser.viewer.Pose;
@@ -49,15 +52,26 @@ public final class InsertCommands {
   private final EnricherSession session;
   private final StructureCommands structure;
   private final Supplier<Optional<Pose>> viewer;
+  private final Ground ground;
+
+  /** Answers a place before the viewer on which an object can stand; empty where none is known. */
+  @FunctionalInterface
+  public interface Ground {
+    void ahead(Consumer<Optional<Vector3d>> answer);
+  }
 
   /**
    * @param viewer where the preview's viewer is; empty while there is none
    */
   public InsertCommands(
-      EnricherSession session, StructureCommands structure, Supplier<Optional<Pose>> viewer) {
+      EnricherSession session,
+      StructureCommands structure,
+      Supplier<Optional<Pose>> viewer,
+      Ground ground) {
     this.session = session;
     this.structure = structure;
     this.viewer = viewer;
+    this.ground = ground;
   }
 
   /** Asks for a node that may go where the selection is, and inserts it. */
@@ -81,10 +95,35 @@ public final class InsertCommands {
   public void insert(String name, Component over) {
     NodeTemplate template = structure.palette().template(name);
     switch (name) {
-      case "inline" -> file(over).ifPresent(file -> structure.insert(inlined(template, file)));
+      case "inline" -> file(over).ifPresent(file -> place(inlined(template, file)));
       case "view" ->
           structure.insert(viewer.get().map(pose -> at(template, pose)).orElse(template));
-      default -> structure.insert(inFront(template));
+      default -> place(template);
+    }
+  }
+
+  /** Inserts a template before the viewer: what stands, on what is there, not inside of it. */
+  private void place(NodeTemplate template) {
+    if (!inScene(template)) {
+      structure.insert(template);
+    } else if (template.text().startsWith("<Transform")) {
+      ground.ahead(
+          found ->
+              structure.insert(
+                  found
+                      .map(at -> shifted(template, at))
+                      .orElseGet(() -> inFront(template))));
+    } else {
+      structure.insert(inFront(template));
+    }
+  }
+
+  /** Whether a template gets into a node whose coordinates are those of the scene. */
+  private boolean inScene(NodeTemplate template) {
+    try {
+      return inSceneCoordinates(structure.palette().parent(session.selection(), template));
+    } catch (EditRejectedException e) {
+      return true; // said when it is inserted
     }
   }
 
@@ -105,7 +144,7 @@ public final class InsertCommands {
     boolean near = folder != null && Objects.equals(folder.getRoot(), path.getRoot());
     String url = near ? UrlRelativizer.between(folder, path) : path.toUri().toString();
     String name = String.valueOf(path.getFileName()).replaceFirst("\\.[^.]*$", "");
-    NodeTemplate placed = inFront(template).with("Inline", "url", FieldValueFormatter.strings(url));
+    NodeTemplate placed = template.with("Inline", "url", FieldValueFormatter.strings(url));
     return placed.with("Transform", "DEF", structure.free(name.isBlank() ? "Model" : name));
   }
 
@@ -130,14 +169,10 @@ public final class InsertCommands {
     return text.toString();
   }
 
-  /**
-   * Puts what has a place in front of the preview's viewer, on the ground under the eyes, if the
-   * selection is in scene coordinates.
-   */
+  /** Puts what has a place in front of the preview's viewer, on the ground under the eyes. */
   private NodeTemplate inFront(NodeTemplate template) {
     Optional<Pose> pose = viewer.get();
-    boolean inScene = session.selection().map(InsertCommands::inSceneCoordinates).orElse(true);
-    if (pose.isEmpty() || !inScene) {
+    if (pose.isEmpty()) {
       return template;
     }
     Vector3d ahead = pose.get().orientation().transform(new Vector3d(0, 0, -1));
@@ -146,13 +181,18 @@ public final class InsertCommands {
       ahead.set(0, 0, -1);
     }
     ahead.normalize(AHEAD).add(pose.get().position());
-    double ground = pose.get().position().y() - eyeHeight();
+    double floor = pose.get().position().y() - eyeHeight();
+    return shifted(template, new Vector3d(ahead.x, floor, ahead.z));
+  }
+
+  private static NodeTemplate shifted(NodeTemplate template, Vector3dc by) {
     NodeTemplate placed = template;
     for (String field :
         List.of("Transform translation", "PointLight location", "SpotLight location")) {
       String[] words = field.split(" ");
       placed =
-          placed.shifted(words[0], words[1], new double[] {ahead.x, ground, ahead.z}, DECIMALS);
+          placed.shifted(
+              words[0], words[1], new double[] {by.x(), by.y(), by.z()}, DECIMALS);
     }
     return placed;
   }

@@ -7,6 +7,7 @@ import java.util.function.Supplier;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.placement.Placement;
 import org.selectiverenderer.authoring.placement.PlacementEdits;
+import org.selectiverenderer.authoring.placement.PoseField;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
@@ -43,6 +44,17 @@ public final class PlacementEditor {
         () ->
             new PlacementEdits(session.document())
                 .place(placed, Texts.of("placement." + verb, what)));
+  }
+
+  /**
+   * Gives a node a value that the author typed; what is selected stays selected.
+   *
+   * @param value as {@link PoseField#value} returns it
+   * @param verb key of the undo step's name in the bundle {@code placement}
+   */
+  public void set(Placement placed, PoseField field, String value, String verb) {
+    String step = Texts.of("placement." + verb, name(placed.node()));
+    perform(() -> new PlacementEdits(session.document()).set(placed, field, value, step));
   }
 
   private static String name(DocumentElement node) {

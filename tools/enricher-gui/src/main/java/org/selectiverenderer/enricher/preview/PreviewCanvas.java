@@ -205,7 +205,7 @@ final class PreviewCanvas extends AccessibleCanvas {
               (int) (label.y() / scale) - height,
               width,
               height);
-      while (all.stream().anyMatch(other -> other.place().intersects(place))) {
+      while (covered(place, all)) {
         place.y += height;
       }
       Shown here = new Shown(place, label);
@@ -221,6 +221,15 @@ final class PreviewCanvas extends AccessibleCanvas {
           text(all.get(i).label()), place.x + PAD, place.y + PAD / 2 + metrics.getAscent());
     }
     shown = all;
+  }
+
+  private static boolean covered(Rectangle place, List<Shown> labels) {
+    for (Shown label : labels) { // No stream: a large scene has tens of thousands of such pairs.
+      if (label.place().intersects(place)) {
+        return true;
+      }
+    }
+    return false;
   }
 
   private void paintLines(Graphics2D g, List<String> lines) {

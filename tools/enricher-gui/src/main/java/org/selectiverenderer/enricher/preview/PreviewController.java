@@ -25,6 +25,9 @@ final class PreviewController implements AutoCloseable {
   /** Longest time step of the walk in seconds, so that the viewer does not jump after a pause. */
   private static final double LONGEST = 0.25;
 
+  /** Polygons that a software renderer takes a tenth of a second or more to draw smoothly. */
+  private static final long HEAVY = 100_000;
+
   private final PreviewRenderer painter;
   private final int motionSamples = AntiAliasing.forMotion();
   private final PreviewCameraController eye = new PreviewCameraController();
@@ -86,6 +89,13 @@ final class PreviewController implements AutoCloseable {
   /** Whether the last frame had few samples and a smoother one has to follow. */
   boolean rough() {
     return rough;
+  }
+
+  /** Whether a smooth picture of the scene takes so long that a rough one has to come first. */
+  boolean heavy() {
+    return motionSamples < AntiAliasing.SMOOTH
+        && scene != null
+        && scene.world().instances().shownPolygons() > HEAVY;
   }
 
   /** Requests a new frame. */
@@ -295,7 +305,7 @@ final class PreviewController implements AutoCloseable {
    * Draws the next frame.
    *
    * @param seconds time since the previous frame
-   * @param hurried whether further frames are likely to follow at once
+   * @param hurried whether a picture is wanted soon rather than smooth, as a smoother one follows
    * @return empty when nothing has changed or there is nothing to show
    */
   Optional<PreviewFrame> frame(double seconds, boolean hurried) {
@@ -322,8 +332,8 @@ final class PreviewController implements AutoCloseable {
       scene.look(eye.orbit().pose());
     }
     int samples = live || hurried ? motionSamples : AntiAliasing.SMOOTH;
-    rough = !live && samples < AntiAliasing.SMOOTH;
     PreviewFrame drawn = painter.draw(scene, selection, !moving(), width, height, samples);
+    rough = !live && drawn.samples() < AntiAliasing.SMOOTH;
     camera = drawn.camera();
     last = drawn;
     return Optional.of(drawn);

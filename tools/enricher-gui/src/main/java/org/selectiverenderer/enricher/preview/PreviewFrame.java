@@ -16,6 +16,7 @@ import org.selectiverenderer.schema.SensorSchemas;
  * @param labels of the sensor boxes; none when they are not shown
  * @param polygons polygons of the whole scene in its present versions
  * @param drawn polygons after culling
+ * @param samples per pixel; 0 for no anti-aliasing
  * @param areas areas that the walking viewer is in, in the order of entering
  * @param schemas active schemas, by walking or by simulation
  * @param walking whether the author walks
@@ -33,6 +34,7 @@ record PreviewFrame(
     List<Label> labels,
     long polygons,
     long drawn,
+    int samples,
     List<String> areas,
     List<String> schemas,
     boolean walking,
@@ -52,6 +54,7 @@ record PreviewFrame(
         otherLabels,
         polygons,
         drawn,
+        samples,
         areas,
         schemas,
         walking,

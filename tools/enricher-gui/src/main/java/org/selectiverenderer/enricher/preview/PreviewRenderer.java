@@ -57,6 +57,7 @@ final class PreviewRenderer {
    *
    * @param comparing whether the reference image may be rendered too
    * @param width of one picture, pixels
+   * @param samples per pixel; a picture that differs a little from the last one may have more
    */
   PreviewFrame draw(
       PreviewScene shown,
@@ -72,7 +73,7 @@ final class PreviewRenderer {
       outlined.addAll(queries.shapes(selection));
     }
     PreviewImage picture =
-        view.draw(
+        view.redraw(
             shown.world(),
             new PreviewOptions(
                 sensorsShown ? shown.areas().marks(selected.orElse(null)) : List.of(),
@@ -90,6 +91,7 @@ final class PreviewRenderer {
         labels(shown, selection, picture.camera()),
         shown.world().instances().shownPolygons(),
         picture.drawn().triangles(),
+        picture.samples(),
         shown.enteredAreas(),
         shown.schemas(),
         shown.walking().isPresent(),

@@ -133,7 +133,8 @@ final class PreviewThread implements AutoCloseable, PreviewUpdater.Target {
     long drawn = begun;
     while (!ended) {
       Consumer<PreviewController> what = next(stage, stage.live() ? begun + FRAME : drawn + REST);
-      boolean hurried = what != null && System.nanoTime() - drawn < REST;
+      boolean wanted = what != null;
+      boolean recent = System.nanoTime() - drawn < REST;
       try {
         while (what != null && !ended) {
           what.accept(stage);
@@ -141,6 +142,7 @@ final class PreviewThread implements AutoCloseable, PreviewUpdater.Target {
         }
         if (!ended) {
           long now = System.nanoTime();
+          boolean hurried = wanted && (recent || stage.heavy());
           Optional<PreviewFrame> frame = stage.frame((now - begun) * 1e-9, hurried);
           animation = stage.animation();
           frame.ifPresent(listener::drawn);

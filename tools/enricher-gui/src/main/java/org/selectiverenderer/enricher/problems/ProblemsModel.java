@@ -72,7 +72,6 @@ final class ProblemsModel {
                 entry
                     .rule()
                     .flatMap(rule -> GeometryRepair.of(rule, element))
-                    .or(() -> GeometryRepair.ofMessage(entry.message(), element))
                     .map(
                         kind ->
                             new ElementFinding.Fix(
@@ -81,6 +80,7 @@ final class ProblemsModel {
                                       case NORMALIZE -> "problems.normalize";
                                       case REMOVE_EMPTY_FACES -> "problems.emptyfaces";
                                       case WELD -> "problems.weld";
+                                      case WELD_ALL -> "problems.weldall";
                                     }),
                                 () -> new GeometryRepair(document).edit(kind, element))));
   }
@@ -197,6 +197,31 @@ final class ProblemsModel {
    */
   boolean faulty(DocumentElement element) {
     return faulty.contains(element);
+  }
+
+  /** Returns the problems of a node, with those of its metadata, in document order. */
+  List<ElementFinding> about(DocumentElement node) {
+    return all.stream()
+        .flatMap(
+            entry ->
+                entry
+                    .element()
+                    .filter(element -> describes(element, node))
+                    .map(
+                        element ->
+                            new ElementFinding(
+                                element, entry.severity(), entry.message(), entry.fix()))
+                    .stream())
+        .toList();
+  }
+
+  /** Whether an element is a node or stands in its metadata. */
+  private static boolean describes(DocumentElement element, DocumentElement node) {
+    DocumentElement at = element;
+    while (at != node && at.name().startsWith("Metadata") && at.parent().isPresent()) {
+      at = at.parent().get();
+    }
+    return at == node;
   }
 
   List<ProblemEntry> entries() {

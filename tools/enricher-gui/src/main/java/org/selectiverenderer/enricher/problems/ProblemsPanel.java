@@ -64,6 +64,7 @@ public final class ProblemsPanel extends JPanel {
   private transient Consumer<SourceLocation> onElsewhere = place -> {};
   private transient Consumer<Optional<String>> onExplain = rule -> {};
   private transient IntConsumer onPlace = offset -> {};
+  private transient Runnable onEntries = () -> {};
 
   /**
    * @param checks checks that run in the background after each pause in editing
@@ -180,6 +181,17 @@ public final class ProblemsPanel extends JPanel {
   public void onCounts(Consumer<ProblemCounts> listener) {
     onCounts = listener;
     listener.accept(model.counts(busy));
+  }
+
+  /** Sets the listener of the problems, which is called now and whenever they may have changed. */
+  public void onEntries(Runnable listener) {
+    onEntries = listener;
+    listener.run();
+  }
+
+  /** Returns the problems of a node, with those of its metadata, in document order. */
+  public List<ElementFinding> about(DocumentElement node) {
+    return model.about(node);
   }
 
   /** Sets what shows the offset of a problem in the text, after its element is selected. */
@@ -338,6 +350,7 @@ public final class ProblemsPanel extends JPanel {
         .setAccessibleName(counts.left().orElseGet(() -> Texts.of("counts.allenriched")));
     chosen();
     onCounts.accept(counts);
+    onEntries.run();
   }
 
   /** Checks again, as the validator's settings have changed, though the document has not. */

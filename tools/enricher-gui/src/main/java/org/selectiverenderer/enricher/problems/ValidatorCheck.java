@@ -14,6 +14,7 @@ import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.validation.Finding;
+import org.selectiverenderer.validation.Rule;
 import org.selectiverenderer.validation.SourceFile;
 import org.selectiverenderer.validation.ValidationSettings;
 import org.selectiverenderer.validation.run.RuleCatalogue;
@@ -79,6 +80,32 @@ public final class ValidatorCheck implements DocumentCheck {
               whole,
               Texts.of("problems.uncheckable", String.valueOf(e.getMessage()))));
     }
+  }
+
+  /**
+   * Returns another check of one rule, whose findings follow the settings too: none where the rule
+   * is ignored, and with the severity that they give it.
+   *
+   * @param id the rule's id: {@code SR208}
+   */
+  public DocumentCheck graded(String id, DocumentCheck check) {
+    Rule rule = rules.find(id).orElseThrow();
+    return snapshot -> {
+      ValidationSettings wanted;
+      try {
+        // What is wrong with them is told once, by the validator's check.
+        wanted = settings.read(new ProblemCollector()).orElse(ValidationSettings.standard());
+      } catch (IOException e) {
+        wanted = ValidationSettings.standard();
+      }
+      if (wanted.ignores(id)) {
+        return List.of();
+      }
+      Problem.Severity severity = wanted.severity(rule);
+      return check.check(snapshot).stream()
+          .map(found -> new Problem(severity, found.location(), found.message()))
+          .toList();
+    };
   }
 
   private static Problem problem(Finding finding, String main, String document) {

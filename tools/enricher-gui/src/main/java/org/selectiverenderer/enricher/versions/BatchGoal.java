@@ -3,6 +3,7 @@ package org.selectiverenderer.enricher.versions;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.models.simplify.SimplificationTarget;
 
@@ -44,6 +45,9 @@ record BatchGoal(List<SimplificationTarget> targets, String fault) {
   /** A comma between digits: a decimal number to some, two numbers to others. */
   private static final Pattern EITHER = Pattern.compile("(\\d+),(\\d+)");
 
+  /** Three numbers or more with commas between can only be a list. */
+  private static final Pattern LIST = Pattern.compile("[\\d.]+(,[\\d.]+){2,}");
+
   private static final Pattern DECIMAL = Pattern.compile("\\d{1,9}(\\.\\d{1,9})?|\\.\\d{1,9}");
 
   /** Copies the list. */
@@ -51,10 +55,10 @@ record BatchGoal(List<SimplificationTarget> targets, String fault) {
     targets = List.copyOf(targets);
   }
 
-  /** Reads numbers above 0 and at most 100; semicolons, spaces, or commas with spaces separate. */
+  /** Reads numbers above 0 and at most 100; semicolons, spaces, or commas separate. */
   static BatchGoal read(Kind kind, String text) {
     List<SimplificationTarget> goals = new ArrayList<>();
-    for (String number : SEPARATORS.split(text.strip())) {
+    for (String number : numbers(text)) {
       if (EITHER.matcher(number).matches()) {
         return wrong(
             Texts.of(
@@ -78,6 +82,13 @@ record BatchGoal(List<SimplificationTarget> targets, String fault) {
     return goals.size() > VersionsModel.MOST
         ? wrong(Texts.of("manyversions.toomany", String.valueOf(VersionsModel.MOST)))
         : new BatchGoal(goals, "");
+  }
+
+  private static List<String> numbers(String text) {
+    return Stream.of(SEPARATORS.split(text.strip()))
+        .flatMap(
+            part -> LIST.matcher(part).matches() ? Stream.of(part.split(",")) : Stream.of(part))
+        .toList();
   }
 
   private static BatchGoal wrong(String sentence) {

@@ -288,6 +288,16 @@ class FormPanelTest {
   }
 
   @Test
+  void whatTheValidatorSaysOfANodeStandsInItsFormToo() throws Exception {
+    try (FormWindowDriver window = open(false)) {
+      window.select("Desk");
+      Eventually.await("the finding of SR404", () -> window.texts().contains("no exitTimeSchema"));
+      JLabel said = (JLabel) window.named("Findings");
+      assertThat(EventThread.get(said::getText)).startsWith("2 problems"); // and an unused schema
+    }
+  }
+
+  @Test
   void whatMeansNothingIsMarkedAndNotWritten() throws Exception {
     try (FormWindowDriver window = open(false)) {
       window.select("Switch_Bin");

@@ -21,12 +21,14 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import javax.swing.JFrame;
 import javax.swing.JTabbedPane;
 import javax.swing.UIManager;
 import javax.swing.UnsupportedLookAndFeelException;
+import javax.swing.text.JTextComponent;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.authoring.file.DocumentFile;
 import org.selectiverenderer.enricher.help.HelpPanel;
@@ -65,6 +67,7 @@ final class FormWindowDriver implements AutoCloseable {
             RuleCatalogue.standard(),
             problems -> Optional.of(ValidationSettings.standard()));
     problems = get(() -> new ProblemsPanel(session, List.of(validator)));
+    edt(() -> form.follow(problems));
     window = get(this::window);
     robot = new Robot();
     robot.setAutoDelay(5);
@@ -102,6 +105,16 @@ final class FormWindowDriver implements AutoCloseable {
 
   String text(String def) {
     return get(() -> session.document().text(element(def)));
+  }
+
+  /** What the form says in sentences. */
+  String texts() {
+    return get(
+        () ->
+            all(form)
+                .filter(JTextComponent.class::isInstance)
+                .map(each -> ((JTextComponent) each).getText())
+                .collect(Collectors.joining(" ")));
   }
 
   /** The component in view that has a name. */

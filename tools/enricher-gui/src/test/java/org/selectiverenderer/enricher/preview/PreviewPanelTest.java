@@ -21,6 +21,7 @@ import org.selectiverenderer.enricher.EventThread;
 import org.selectiverenderer.enricher.area.AsyncSceneQueries;
 import org.selectiverenderer.enricher.area.FloorPlanImage;
 import org.selectiverenderer.geometry.BoundingBox;
+import org.selectiverenderer.render.AntiAliasing;
 import org.selectiverenderer.testing.ShowsWindows;
 import org.selectiverenderer.testing.robot.AccessibleNameCheck;
 import org.selectiverenderer.x3d.source.DocumentElement;
@@ -118,9 +119,11 @@ class PreviewPanelTest extends PreviewFixture {
       window.await(frame -> middle(frame) == GREEN);
       window.robot.mouseMove(5, 5);
       // Farther away: the object gets smaller, and stays so after the edit.
-      long near = count(window.await(frameAfter(window, "MINUS")), GREEN);
+      Predicate<PreviewFrame> smooth = frame -> frame.samples() == AntiAliasing.SMOOTH;
+      long near = count(window.await(frameAfter(window, "MINUS").and(smooth)), GREEN);
       replace(window, "emissiveColor='0 1 0'", "emissiveColor='1 1 0'");
-      PreviewFrame edited = window.await(frame -> middle(frame) == 0xffff00);
+      PreviewFrame edited =
+          window.await(smooth.and(frame -> middle(frame) == 0xffff00));
       assertThat(count(edited, 0xffff00)).isBetween(near - 50, near + 50);
       replace(window, "</Switch>", "</Swich>");
       window.panel.reload();

@@ -212,8 +212,17 @@ class BatchVersionsDialogTest {
     assertThat(goals.targets()).hasSize(4);
     assertThat(goals.targets().get(3)).isEqualTo(new SimplificationTarget.VertexPercent(5.5));
     assertThat(goals.fault()).isEmpty();
+    // Three numbers can only be a list.
+    for (String list : List.of("50,25,10", "50,25,10; 5.5", "50,25.5,10")) {
+      BatchGoal read = BatchGoal.read(BatchGoal.Kind.PERCENT, list);
+      assertThat(read.fault()).as(list).isEmpty();
+      assertThat(read.targets()).as(list).hasSizeGreaterThanOrEqualTo(3);
+    }
     for (String wrong :
         List.of(
+            "50,25,",
+            "50,,25",
+            "50,25,101",
             "",
             "x",
             "0",

@@ -1,0 +1,118 @@
+package org.selectiverenderer.study.web;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalLong;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.study.questionnaire.Answer;
+import org.selectiverenderer.study.questionnaire.Question;
+import org.selectiverenderer.study.session.SessionStep;
+
+/**
+ * A record of the page, checked: a step of a session that has ended.
+ *
+ * @param text the line's JSON, as it is kept
+ * @param origin when the page was opened, by which two openings of it are told apart; empty in
+ *     records of older pages
+ * @param mono seconds of the page's monotonic clock at the step's begin
+ * @param interruptions when the page was left and came back
+ * @param repeated whether the step had been begun before, on a page that was closed
+ * @param log what an exposure logged
+ */
+record WebRecord(
+    SourceLocation place,
+    String text,
+    Identity identity,
+    SessionStep step,
+    Instant started,
+    Instant ended,
+    OptionalLong origin,
+    OptionalDouble mono,
+    List<Interruption> interruptions,
+    Map<String, String> recruitment,
+    Map<String, String> device,
+    List<Given> answers,
+    boolean refused,
+    boolean repeated,
+    Optional<WebExposureLog> log) {
+
+  WebRecord {
+    interruptions = List.copyOf(interruptions);
+    answers = List.copyOf(answers);
+  }
+
+  /**
+   * What all records of a session have in common.
+   *
+   * @param participant id of the participant in the plan
+   * @param slot place in the plan, from 1
+   */
+  record Identity(
+      String session,
+      int slot,
+      String participant,
+      String group,
+      String language,
+      String checksum) {}
+
+  /**
+   * The page lost or got the focus, or left or got the full screen.
+   *
+   * @param t seconds since the step began
+   */
+  record Interruption(double t, String event) {}
+
+  /**
+   * An answer.
+   *
+   * @param place of the question on its page, from 1; 0 if unknown
+   */
+  record Given(Question question, Answer answer, OptionalLong milliseconds, int place) {}
+
+  /** Returns the seconds from the step's begin to its end. */
+  double seconds() {
+    return Duration.between(started, ended).toMillis() * 1e-3;
+  }
+
+  /** Returns when the exposure began, in seconds since the step did. */
+  double logBegan(WebExposureLog logged) {
+    double after =
+        mono.isPresent()
+            ? logged.began() - mono.getAsDouble()
+            : seconds() - logged.end(); // the record was made right after the last frame
+    return Math.max(0, Math.min(after, seconds()));
+  }
+
+  /**
+   * Returns for how long the page was left while the exposure was shown, in seconds: without the
+   * focus, or out of the full screen.
+   */
+  double secondsLeft(WebExposureLog logged) {
+    double from = logBegan(logged);
+    double to = from + logged.end();
+    boolean blurred = false;
+    boolean small = false;
+    double since = 0;
+    double left = 0;
+    for (Interruption one : interruptions) {
+      if (blurred || small) {
+        left += Math.max(0, Math.min(to, one.t()) - Math.max(from, since));
+      }
+      switch (one.event()) {
+        case "blur" -> blurred = true;
+        case "focus" -> blurred = false;
+        case "fullscreenexit" -> small = true;
+        case "fullscreenenter" -> small = false;
+        default -> {
+          // A newer page may tell more.
+        }
+      }
+      since = one.t();
+    }
+    return left + (blurred || small ? Math.max(0, to - Math.max(from, since)) : 0);
+  }
+}

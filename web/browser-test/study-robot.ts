@@ -1,0 +1,127 @@
+import { execFileSync, spawn, type ChildProcess } from 'node:child_process';
+import { once } from 'node:events';
+import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
+import path from 'node:path';
+import type { Page } from 'puppeteer-core';
+import { ROOT } from './chromium.js';
+
+/** Writes a study of one exposure: consent, two seconds in the office, what was there, one question; returns its file. */
+export function officeStudy(folder: string): string {
+  const scene = path.relative(folder, path.join(ROOT, 'scenes', 'trashcan.x3d')).split(path.sep).join('/');
+  writeFileSync(
+    path.join(folder, 'closing.json'),
+    JSON.stringify({
+      name: 'closing',
+      pages: [{ title: 'Thank you', questions: [{ id: 'noticed', kind: 'text', text: 'What did you notice?' }] }],
+    }),
+  );
+  writeFileSync(
+    path.join(folder, 'things.csv'),
+    'area,object,consistency,present,en\noffice,can,consistent,yes,Trash can\noffice,boat,inconsistent,no,Boat\n',
+  );
+  writeFileSync(
+    path.join(folder, 'study.json'),
+    JSON.stringify({
+      name: 'Office',
+      scene,
+      conditions: ['selective', 'high'],
+      participants: 6,
+      areas: [{ name: 'office', viewpoint: 'OfficeView', seconds: 2 }],
+      fade: 0.1,
+      questionnaires: [{ kind: 'recognition', name: 'memory', items: 'things.csv' }, { file: 'closing.json' }],
+    }),
+  );
+  return path.join(folder, 'study.json');
+}
+
+/** Presses the button with a text, as soon as it is there and may be pressed. */
+export async function press(page: Page, text: string): Promise<void> {
+  await page.locator(`::-p-xpath(//button[normalize-space()='${text}' and not(@disabled)])`).setTimeout(120_000).click();
+}
+
+/** Waits until the page says a text. */
+export async function told(page: Page, text: string): Promise<void> {
+  await page.waitForFunction((wanted) => document.body.innerText.includes(wanted), { timeout: 120_000 }, text);
+}
+
+/** Answers the consent and the questions of the form, with the options of an index. */
+export async function fillForm(page: Page, option: number): Promise<void> {
+  await press(page, 'Begin');
+  await page.waitForSelector('form.questionnaire', { timeout: 120_000 });
+  await page.evaluate((index) => {
+    document.querySelectorAll<HTMLElement>('.choice').forEach((box) => { [...box.querySelectorAll('input')].at(index)?.click(); });
+    document.querySelectorAll<HTMLInputElement>('form input:not([type=radio], [type=checkbox])').forEach((line) => {
+      line.value = '30';
+      line.dispatchEvent(new Event('input', { bubbles: true }));
+    });
+  }, option);
+  await press(page, 'Continue');
+}
+
+/** Says yes to all that may have been there, with the least confidence; writes the answer of the last page, and goes on. */
+export async function writeAnswer(page: Page, text: string): Promise<void> {
+  await page.waitForSelector('form.questionnaire .choice', { timeout: 120_000 });
+  await page.evaluate(() => {
+    document.querySelectorAll<HTMLElement>('.choice').forEach((box) => box.querySelector('input')?.click());
+  });
+  await press(page, 'Continue');
+  const line = await page.waitForSelector('form.questionnaire :is(textarea, input)', { timeout: 120_000 });
+  await line?.type(text);
+  await press(page, 'Continue');
+}
+
+/** A record as the page sends it. */
+export interface Received {
+  readonly study?: string;
+  readonly session: string;
+  readonly slot: number;
+  readonly step: string;
+  readonly condition: string;
+  readonly refused?: boolean;
+  readonly repeated?: boolean;
+  readonly recruitment?: Readonly<Record<string, string>>;
+  readonly device?: Readonly<Record<string, unknown>>;
+  readonly answers?: readonly { readonly question: string; readonly value: string }[];
+  readonly log?: { readonly columns: readonly string[]; readonly rows: readonly (readonly number[])[] };
+}
+
+const RECEIVE = path.join(ROOT, 'tools', 'web-receiver', 'receive.py');
+
+/** The reference receiver, for pages of an origin. */
+export class ReferenceReceiver {
+  private constructor(
+    readonly url: string,
+    private readonly database: string,
+    private readonly child: ChildProcess,
+  ) {}
+
+  static async start(folder: string, origin: string): Promise<ReferenceReceiver> {
+    const database = path.join(folder, 'office.sqlite');
+    const options = ['--study', 'Office', '--origin', origin, '--slots', '6', '--port', '0'];
+    const child = spawn('python3', [RECEIVE, database, ...options], { stdio: ['ignore', 'pipe', 'inherit'] });
+    const [first] = (await once(child.stdout, 'data')) as [Buffer];
+    const url = /http:\/\/\S+?:\d+/.exec(first.toString())?.[0];
+    if (!url) {
+      throw new Error(`the receiver does not say where it listens: ${first.toString()}`);
+    }
+    return new ReferenceReceiver(url, database, child);
+  }
+
+  /** Returns the records of each session, in the order of their parts. */
+  records(data: string): Received[][] {
+    execFileSync('python3', [RECEIVE, this.database, '--write', data]);
+    return readdirSync(data).filter((name) => name.endsWith('.jsonl'))
+      .map((name) => readFileSync(path.join(data, name), 'utf8').trim().split('\n').filter(Boolean)
+        .map((line) => JSON.parse(line) as Received));
+  }
+
+  stop(): void {
+    this.child.kill();
+  }
+}
+
+/** Sets keys of the settings that the lab has. */
+export function set(site: string, keys: Readonly<Record<string, unknown>>): void {
+  const file = path.join(site, 'study-settings.json');
+  writeFileSync(file, JSON.stringify({ ...(JSON.parse(readFileSync(file, 'utf8')) as object), ...keys }));
+}
