@@ -10,9 +10,6 @@ export interface Description extends ExportedScene {
   readonly files: Readonly<Record<string, number>>;
 }
 
-<<<<<<< HEAD
-/** The address of the page asks for this. */
-=======
 /** Returns the bytes of the files that the first picture may need, by their address. */
 export function firstFiles({ file, files, later = [] }: Description): Record<string, number> {
   const page = 'http://host/'; // addresses are compared, wherever the page is
@@ -21,8 +18,7 @@ export function firstFiles({ file, files, later = [] }: Description): Record<str
   return Object.fromEntries(Object.entries(files).filter(([name]) => !left.has(new URL(name, page).href)));
 }
 
-/** What the address of the page asks for. */
->>>>>>> x36h
+/** The address of the page asks for this. */
 export interface Request {
   readonly condition: Condition;
   readonly seed: number;

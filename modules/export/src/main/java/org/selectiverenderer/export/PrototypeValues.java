@@ -12,8 +12,8 @@ import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.TextEdit;
 
 /**
- * The values of a prototype instance for the fields of the nodes in the prototype's body that are
- * connected by IS (X3D 4.0, 4.4.4.3): the instance's own, or the defaults of the declaration.
+ * A prototype instance gives values to the fields of the nodes in the prototype's body that are
+ * connected by IS (X3D 4.0, 4.4.4.3): its own, or the defaults of the declaration.
  */
 final class PrototypeValues {
   private final SceneDocument document;
