@@ -131,6 +131,33 @@ describe('the page of the trash can', () => {
     await page.close();
   });
 
+  it('loads the version that nobody sees after the first picture', async () => {
+    const server = await serve(site);
+    opened.push(server.close);
+    const page = await browser.newPage();
+    // Notes what has come when the first picture is there.
+    await page.evaluateOnNewDocument(() => {
+      let shown: unknown;
+      Object.defineProperty(window, 'selectiveRenderer', {
+        get: () => shown,
+        set: (value) => {
+          shown = value;
+          (window as { first?: string[] }).first = performance.getEntriesByType('resource').map((entry) => entry.name);
+        },
+      });
+    });
+    await page.goto(server.url);
+    await page.waitForFunction(() => (window as { first?: string[] }).first, { timeout: 240_000 });
+    const first = await page.evaluate(() => (window as { first?: string[] }).first?.map((name) => name.split('/').pop()));
+    expect(first).toContain('trashCan_v2.x3dz');
+    expect(first).not.toContain('trashCan_v1.x3dz');
+    await page.waitForFunction(
+      () => performance.getEntriesByType('resource').some((entry) => entry.name.endsWith('trashCan_v1.x3dz')),
+      { timeout: 240_000 },
+    );
+    await page.close();
+  });
+
   it('shows all objects with all polygons when its address says so, and follows the list of conditions', async () => {
     const { page } = await open(site, '?condition=high&lang=el');
     const choice = (): Promise<number | undefined> =>

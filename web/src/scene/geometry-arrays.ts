@@ -1,4 +1,4 @@
-/** An array of X_ITE that is filled number by number, and then handed to the graphics card. */
+/** X_ITE fills such an array number by number, and then hands it to the graphics card. */
 export interface GeometryArray extends Array<number> {
   getValue: (this: GeometryArray) => Float32Array;
   shrinkToFit: (this: GeometryArray) => Float32Array;

@@ -1,6 +1,6 @@
 import type { FieldNode } from './xite.js';
 
-/** A version of an object that a scene does not load at once, as LaterVersions.java writes it. */
+/** A scene does not load this version of an object at once; LaterVersions.java writes it. */
 export interface LaterVersion {
   /** DEF name of the object's Switch. */
   readonly object: string;
@@ -12,7 +12,7 @@ export interface LaterVersion {
   readonly files: readonly string[];
 }
 
-/** What versions are loaded by. */
+/** Versions are loaded by this. */
 export interface Loader {
   /** Returns a node of the scene. */
   named(name: string): FieldNode;
@@ -22,7 +22,7 @@ export interface Loader {
   loaded(inlines: readonly FieldNode[]): Promise<void>;
 }
 
-/** The versions of a scene that are not loaded yet. */
+/** Holds the versions of a scene that are not loaded yet. */
 export class LaterVersions {
   private readonly left: Set<LaterVersion>;
 

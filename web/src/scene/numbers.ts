@@ -1,4 +1,4 @@
-/** What X_ITE's parser of values in text offers: its place in the text, and the last number that it has read. */
+/** X_ITE's parser of values in text knows its place in the text, and the last number that it has read. */
 export interface ValueParser {
   input: string;
   lastIndex: number;

@@ -24,7 +24,7 @@ export interface ExportedScene {
   readonly normalMaps?: boolean;
 }
 
-/** What the first picture shows. */
+/** The first picture shows this. */
 export interface Beginning {
   readonly condition: Condition;
   readonly seed: number;

@@ -8,12 +8,12 @@ export type Namespace = typeof X3D;
 export type Scene = X3D.X3DScene;
 export type Node = X3D.SFNode;
 
-/** What X_ITE prepares for the graphics card of a model. */
+/** X_ITE prepares this of a model for the graphics card. */
 interface Geometry {
   generateTangents: (this: Geometry) => void;
 }
 
-/** Parts of X_ITE that its own components use, too. */
+/** X_ITE's own components ask for parts of it by these names. */
 interface Internals {
   require(name: 'VRMLParser'): { prototype: ValueParser } | undefined;
   require(name: 'X3DGeometryNode'): { createArray(): GeometryArray; prototype: Geometry } | undefined;

@@ -98,7 +98,7 @@ class ExportCommandTest extends CommandTestCase {
     assertThat(messages()).contains("--seed 3000000000", "32 bits");
   }
 
-  /** A room whose only enriched object is in the body of a prototype. */
+  /** A room whose only enriched object is in a prototype, to whose instance a ROUTE leads. */
   private Path prototype() throws IOException {
     return Files.writeString(
         folder.resolve("room.x3d"),
@@ -110,7 +110,8 @@ class ExportCommandTest extends CommandTestCase {
         <MetadataString containerField='value' name='schemaBelonginess' value='"Desk"'/></MetadataSet></MetadataSet>
         <Shape><Box/></Shape></Switch>
         </ProtoBody></ProtoDeclare>
-        <ProtoInstance name='Bin'/>
+        <ProtoInstance name='Bin' DEF='Mine'/><BooleanToggle DEF='Toggle'/>
+        <ROUTE fromNode='Toggle' fromField='toggle' toNode='Mine' toField='visible'/>
         </Scene></X3D>
         """);
   }
@@ -120,7 +121,7 @@ class ExportCommandTest extends CommandTestCase {
     Path scene = prototype();
     execute("validate", scene.toString(), "--for-export");
     assertThat(printed())
-        .contains(":3:1: error:", "SR801", "is in the declaration of a prototype")
+        .contains(":8:1: error:", "SR801", "the prototype Bin, which has enriched nodes")
         .contains("room.x3d");
     execute("validate", scene.toString());
     assertThat(printed()).doesNotContain("SR801");

@@ -30,13 +30,13 @@ public final class ExportRules {
           .because(
               """
               The command export writes a copy of the scene for browsers that know nothing of this \
-              program, whose controller is a Script with ROUTEs. ROUTEs reach no node in the \
-              declaration of a prototype, and a copy lacks the files that the scene may not read.""")
+              program, whose controller is a Script with ROUTEs. ROUTEs reach no node in a \
+              prototype, so that its instances are written out, which cannot be done where a \
+              ROUTE leads to one; and a copy lacks the files that the scene may not read.""")
           .bad(
               """
-              <ProtoDeclare name='Bin'><ProtoBody>
-                <Switch DEF='Versions'><!-- with schema metadata --></Switch>
-              </ProtoBody></ProtoDeclare>""")
+              <ProtoInstance DEF='Bin' name='BinWithVersions'/>
+              <ROUTE fromNode='Click' fromField='isActive' toNode='Bin' toField='open'/>""")
           .good("<Switch DEF='Versions'><!-- with schema metadata --></Switch>")
           .see("docs/export.md");
 

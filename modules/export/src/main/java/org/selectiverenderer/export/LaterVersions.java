@@ -22,12 +22,12 @@ import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.TextEdit;
 
 /**
- * Versions whose Inlines a page loads after its first picture: those that are not shown at the
- * beginning, which often are the largest. The Inlines then have {@code load='false'} in the scene.
+ * A page loads these versions after its first picture: those that are not shown at the beginning,
+ * which often are the largest. Their Inlines have {@code load='false'} in the scene.
  */
 final class LaterVersions {
   /**
-   * A version that is loaded later.
+   * This version is loaded later.
    *
    * @param object DEF of the Switch
    * @param choice the place of the version in it

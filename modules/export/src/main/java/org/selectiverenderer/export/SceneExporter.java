@@ -92,6 +92,9 @@ public final class SceneExporter {
       return Optional.empty();
     }
     SceneDocument document = flat.get();
+    if (!new PrototypeFlattener(catalogue, problems).flatten(document)) {
+      return Optional.empty();
+    }
     DocumentEnrichment enrichment = new DocumentEnrichment(document, catalogue);
     Optional<String> script = Optional.empty();
     if (!any || enrichment.switches().stream().anyMatch(EnrichedSwitch::enriched)) {

@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -26,6 +27,7 @@ import org.selectiverenderer.browser.sai.EmbeddedBrowser;
 import org.selectiverenderer.browser.viewer.CameraPath;
 import org.selectiverenderer.browser.viewer.CameraPathReader;
 import org.selectiverenderer.browser.viewer.PathMotion;
+import org.selectiverenderer.control.ControlEvent;
 import org.selectiverenderer.control.SelectiveController;
 import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
@@ -68,6 +70,17 @@ class ControllerScriptTest {
   private List<Change> walk(
       String scene, String way, boolean controlled, Condition condition, long seed)
       throws IOException {
+    return walk(scene, way, controlled, condition, seed, event -> {});
+  }
+
+  private List<Change> walk(
+      String scene,
+      String way,
+      boolean controlled,
+      Condition condition,
+      long seed,
+      Consumer<ControlEvent> events)
+      throws IOException {
     CameraPath path =
         CameraPathReader.read(Path.of("scenes/paths").resolve(way), new ProblemCollector())
             .orElseThrow();
@@ -85,7 +98,7 @@ class ControllerScriptTest {
       SelectiveController.Settings settings = new SelectiveController.Settings(condition, seed);
       SelectiveController controller =
           controlled
-              ? new SelectiveController(browser, settings, event -> {}, problem -> {})
+              ? new SelectiveController(browser, settings, events, problem -> {})
               : null;
       world.instances().update();
       List<Change> changes = new ArrayList<>();
@@ -111,7 +124,11 @@ class ControllerScriptTest {
     }
   }
 
+  /** Returns the names of the objects that can be asked for: those in no prototype. */
   private static List<String> objects(String scene) throws IOException {
+    if (scene.contains("<ProtoDeclare")) {
+      return List.of();
+    }
     SceneDocument document = SceneDocument.of("scene.x3d", scene.getBytes(StandardCharsets.UTF_8));
     return ControlledNodes.of(new DocumentEnrichment(document, NodeCatalogue.load()))
         .objects()
@@ -146,6 +163,74 @@ class ControllerScriptTest {
     assertThat(walk(document.text().toString(), path, false, Condition.SELECTIVE, 0))
         .hasSizeGreaterThan(2)
         .isEqualTo(walk(scene, path, true, Condition.SELECTIVE, 0));
+  }
+
+  /** The objects of prototypes have no names in the scene: their changes are those that are told. */
+  @Test
+  void objectsOfPrototypeInstancesSwitchWhenTheControllerSwitchesThem() throws IOException {
+    String scene = bare(Files.readString(Path.of("scenes/trashcan.x3d")));
+    int start = scene.indexOf("<Switch ");
+    int end = scene.indexOf("</Switch>") + "</Switch>".length();
+    String object =
+        scene
+            .substring(start, end)
+            .replace(
+                "whichChoice='1'>",
+                "><IS><connect nodeField='whichChoice' protoField='first'/></IS>");
+    String declarations =
+        "<ProtoDeclare name='Bin'><ProtoInterface>"
+            + "<field name='first' type='SFInt32' accessType='inputOutput' value='1'/>"
+            + "<field name='parts' type='MFNode' accessType='inputOutput'><Group DEF='None'/></field>"
+            + "</ProtoInterface><ProtoBody><Transform><IS>"
+            + "<connect nodeField='children' protoField='parts'/></IS>"
+            + object
+            + "</Transform></ProtoBody></ProtoDeclare>"
+            + "<ProtoDeclare name='Bins'><ProtoInterface>"
+            + "<field name='begins' type='SFInt32' accessType='initializeOnly' value='0'/>"
+            + "</ProtoInterface><ProtoBody><Group><ProtoInstance name='Bin'><IS>"
+            + "<connect nodeField='first' protoField='begins'/></IS></ProtoInstance></Group>"
+            + "</ProtoBody></ProtoDeclare>";
+    String instances =
+        "<ProtoInstance name='Bin' DEF='One'><fieldValue name='parts'><Shape/></fieldValue>"
+            + "</ProtoInstance><ProtoInstance name='Bins'/><ProtoInstance USE='One'/>";
+    String prototypes =
+        (scene.substring(0, start) + instances + scene.substring(end))
+            .replace("<Scene>", "<Scene>" + declarations);
+    SceneDocument document =
+        SceneDocument.of("scene.x3d", prototypes.getBytes(StandardCharsets.UTF_8));
+    ProblemCollector problems = new ProblemCollector();
+
+    assertThat(new PrototypeFlattener(NodeCatalogue.load(), problems).flatten(document)).isTrue();
+
+    assertThat(problems.list()).isEmpty();
+    String flat = document.text().toString();
+    assertThat(flat)
+        .doesNotContain("Proto", "IS>")
+        .contains("<Group DEF='One'>", "<Group USE='One'/>", "<Shape/>");
+    assertThat(objects(flat)).hasSize(2);
+    List<String> told = new ArrayList<>();
+    walk(
+        prototypes,
+        "desk-visit.csv",
+        true,
+        Condition.SELECTIVE,
+        0,
+        event -> {
+          if (event instanceof ControlEvent.SwitchChange change) {
+            long frame = Math.round(change.time() * RATE) % 1024; // the clock begins at 2 to the 30
+            told.add(frame + " " + change.to());
+          }
+        });
+    List<Change> shown =
+        walk(
+            exported(flat, Condition.SELECTIVE, 0).text().toString(),
+            "desk-visit.csv",
+            false,
+            Condition.SELECTIVE,
+            0);
+    assertThat(told).hasSize(3); // one begins as the desk wants it
+    assertThat(shown.subList(2, shown.size()).stream().map(c -> c.frame() + " " + c.choice()))
+        .containsExactlyInAnyOrderElementsOf(told);
   }
 
   @Test

@@ -154,19 +154,39 @@ class SceneExporterTest {
     }
   }
 
+  private static String prototype(String content) {
+    return "<ProtoDeclare name='P'><ProtoBody>\n"
+        + object("Switch_Cup", content)
+        + "</ProtoBody></ProtoDeclare>\n";
+  }
+
   @Test
-  void enrichedNodesInAPrototypeAreRefusedWithTheirPlace() throws IOException {
+  void instancesOfPrototypesWithEnrichedNodesAreWrittenOut() throws IOException {
+    String after =
+        exported(
+            scene(
+                AREA
+                    + prototype("<Shape/>")
+                    + "<ProtoInstance name='P' DEF='Mine'/><ProtoInstance name='P'/>"));
+
+    assertThat(after)
+        .contains("<Group DEF='Mine'>", "Switch_Cup", "toNode=\"Switch_Cup_2\"")
+        .doesNotContain("Proto");
+  }
+
+  @Test
+  void anInstanceWithRoutesIsRefusedWithItsPlace() throws IOException {
     String content =
         scene(
-            "<ProtoDeclare name='P'><ProtoBody>\n"
-                + object("Switch_Cup", "<Shape/>")
-                + "</ProtoBody></ProtoDeclare><ProtoInstance name='P'/>");
+            prototype("<Shape/>")
+                + "<ProtoInstance name='P' DEF='Mine'/><BooleanToggle DEF='T'/>"
+                + "<ROUTE fromNode='T' fromField='toggle' toNode='Mine' toField='visible'/>");
 
     assertThat(export(content, SceneFormat.XML)).isEmpty();
     assertThat(problems.list())
         .singleElement()
-        .satisfies(problem -> assertThat(problem.location().line()).isEqualTo(3))
-        .satisfies(problem -> assertThat(problem.message()).contains("prototype"));
+        .satisfies(problem -> assertThat(problem.location().line()).isEqualTo(4))
+        .satisfies(problem -> assertThat(problem.message()).contains("prototype P", "ROUTE"));
   }
 
   @Test
