@@ -66,6 +66,9 @@ final class Workbench {
   /** Height in pixels of the views in which both have room. */
   private static final int BOTH = 700;
 
+  /** Least width in pixels of the views. */
+  private static final int VIEWS = 120;
+
   private final EnricherSession session;
   private final EnricherSettings settings;
   private final Autosave autosave;
@@ -88,7 +91,6 @@ final class Workbench {
   private final JSplitPane left;
   private final JSplitPane right;
   private final JSplitPane all;
-  private final FormDividerController column;
   private final NodeMenu menu;
   private final StructureCommands structure;
   private final FocusedKeys focused;
@@ -165,7 +167,6 @@ final class Workbench {
     addTab("Plan", Texts.of("area.plan"), plan);
     addTab("Help", Texts.of("window.tab.help"), help);
     right = split(JSplitPane.HORIZONTAL_SPLIT, tabs, form, 1, "form");
-    column = new FormDividerController(right, session);
     left = split(JSplitPane.HORIZONTAL_SPLIT, tree.component(), right, 0, "tree");
     all = split(JSplitPane.VERTICAL_SPLIT, left, problems, 1, "problems");
     focused = new FocusedKeys(all, List.of(tree.component(), preview, plan));
@@ -179,7 +180,6 @@ final class Workbench {
     disposals.add(tree::dispose);
     disposals.add(source::dispose);
     disposals.add(form::dispose);
-    disposals.add(column::dispose);
     disposals.add(help::dispose);
     disposals.add(plan::dispose);
     disposals.add(preview::dispose);
@@ -374,7 +374,8 @@ final class Workbench {
   void layOut(int width, int height) {
     left.setDividerLocation(settings.number("split.tree", Math.min(230, width / 4)));
     int rest = width - left.getDividerLocation() - left.getDividerSize();
-    column.layOut(rest, settings.number("split.form", Math.min(375, rest / 2)));
+    int form = settings.number("split.form", Math.min(375, rest / 2));
+    right.setDividerLocation(Math.max(VIEWS, rest - form));
     int views = height - settings.number("split.problems", Math.min(130, height / 4));
     schemas.setDividerLocation(settings.number("split.cost", Math.max(100, views - COSTS)));
     schemasAndCosts.open(settings.flag("costs", views >= BOTH));
@@ -386,7 +387,7 @@ final class Workbench {
   void remember() {
     settings.put("tab", views.get(tabs.getSelectedIndex()));
     settings.put("split.tree", left.getDividerLocation());
-    settings.put("split.form", column.width());
+    settings.put("split.form", right.getWidth() - right.getDividerLocation());
     settings.put("split.cost", schemas.getDividerLocation());
     settings.put("split.problems", all.getHeight() - all.getDividerLocation());
   }

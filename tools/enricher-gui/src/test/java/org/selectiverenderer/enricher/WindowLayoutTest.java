@@ -2,6 +2,7 @@ package org.selectiverenderer.enricher;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Rectangle;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -14,6 +15,7 @@ import javax.swing.AbstractButton;
 import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
 import javax.swing.JTable;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -157,6 +159,28 @@ class WindowLayoutTest {
       }
     }
     return Optional.empty();
+  }
+
+  @Test
+  void theFirstSelectionDoesNotMoveThePicture() throws IOException {
+    EnricherSession session = open("en");
+    validate();
+    Rectangle before = picture();
+    GuiRobot.onEdt(
+        () -> {
+          session.select(
+              session.document().tree().orElseThrow().named("Switch_Object1").orElseThrow(), this);
+          return true;
+        });
+    validate();
+    assertThat(picture()).isEqualTo(before);
+  }
+
+  private Rectangle picture() {
+    return GuiRobot.onEdt(
+        () ->
+            SwingUtilities.convertRectangle(
+                tabs().getParent(), tabs().getBounds(), window.frame().getRootPane()));
   }
 
   @Test

@@ -13,7 +13,7 @@
  * org.selectiverenderer.authoring.area.SnapGrid} snaps lengths.
  *
  * <p>In: a document, boxes. Out: areas, edits, not yet made. Uses {@code authoring}, {@code
- * authoring.enrichment}, {@code authoring.nodes}, {@code geometry}, {@code polygon} for oriented
+ * authoring.enrichment}, {@code authoring.nodes}, {@code authoring.structure}, {@code geometry}, {@code polygon} for oriented
  * boxes, {@code schema} and {@code x3d}.
  */
 @NullMarked

@@ -4,7 +4,7 @@
  * first, then written as a transaction.
  *
  * <p>In: a document's snapshot, an object's DEF name, goals. Out: files of versions, an edit. Uses
- * {@code authoring}, {@code authoring.file}, {@code models}, {@code models.simplify}, {@code x3d}
+ * {@code authoring}, {@code authoring.file}, {@code authoring.structure}, {@code models}, {@code models.simplify}, {@code x3d}
  * and {@code base}.
  */
 @NullMarked
