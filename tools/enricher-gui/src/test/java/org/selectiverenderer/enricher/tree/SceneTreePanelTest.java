@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.Rectangle;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import javax.swing.JFrame;
 import javax.swing.JTree;
 import org.junit.jupiter.api.Test;
@@ -101,5 +102,50 @@ class SceneTreePanelTest {
             return true;
           });
     }
+  }
+
+  @Test
+  void anElementWithoutANameHasAHintOfWhatIsInIt() throws IOException {
+    EnricherSession session =
+        TestSessions.with(
+            folder,
+            """
+            <Transform><ProtoInstance name='Lamp'/></Transform>
+            <Transform><Shape><IndexedFaceSet coordIndex='0 1 2 3 -1'/></Shape></Transform>
+            <Transform DEF='Desk'/>
+            """);
+    SceneTreePanel panel = GuiRobot.onEdt(() -> new SceneTreePanel(session, element -> false));
+    JTree tree = panel.tree();
+    List<String> names =
+        GuiRobot.onEdt(
+            () ->
+                session.document().tree().orElseThrow().scene().orElseThrow().children().stream()
+                    .map(
+                        element ->
+                            tree.getCellRenderer()
+                                .getTreeCellRendererComponent(
+                                    tree, element, false, false, false, 0, false)
+                                .getAccessibleContext()
+                                .getAccessibleName())
+                    .toList());
+    assertThat(names)
+        .containsExactly(
+            "Transform, Lamp", "Transform, IndexedFaceSet, 2 polygons", "Transform  Desk");
+    JFrame frame =
+        GuiRobot.onEdt(
+            () -> {
+              JFrame made = new JFrame();
+              made.setContentPane(panel.component());
+              made.setSize(330, 300);
+              return made;
+            });
+    hands.show(frame);
+    GuiRobot.picture(frame.getContentPane(), "tree-hints", 2);
+    GuiRobot.onEdt(
+        () -> {
+          frame.dispose();
+          panel.dispose();
+          return true;
+        });
   }
 }
