@@ -86,6 +86,8 @@ study-plan.png                     study
 study-session.png                  study
 threshold-trial.png                window
 trashcan-versions.png              run
+web-study-list.png                 web
+web-study-phone.png                web
 '
 
 explain() {
@@ -100,7 +102,7 @@ explain() {
     headset) echo 'what an eye sees of the questions inside a headset, drawn by HeadsetQuestionsTest' ;;
     light) echo 'by tools/compare-light, beside paths of light' ;;
     plots) echo 'written with its page by a test; CONTRIBUTING.md has the command' ;;
-    web) echo 'the page that export --to web writes, in Chromium, by web/browser-test' ;;
+    web) echo 'a page that export --to web writes, in Chromium, by web/browser-test' ;;
     monado) echo 'by .ci/openxr with Monado; needs root, and the system that .ci/openxr setup makes' ;;
     rehearsal) echo 'by experiment check, and a window of a session of experiment preview' ;;
     report) echo 'a figure of experiment analyse, of simulated participants' ;;
@@ -361,6 +363,12 @@ webPage() { # OUT: the page of the apartment; needs Chromium, and what npm ci br
   small "$tmp/web.png" "$1" -resize 900x -colors 200
 }
 
+studyPage() { # STEM OUT RESIZE: a page of a study; needs the same
+  mkdir -p "$tmp/web-study"
+  (cd web && PICTURES=$tmp/web-study npx vitest run --dir browser-test study-layout)
+  small "$tmp/web-study/$1.png" "$2" -resize "$3" -colors 64
+}
+
 take() { # NAME HOW
   local name=$1 how=$2 to=$out/$1 stem=${1%.*}
   case $name in
@@ -422,6 +430,8 @@ take() { # NAME HOW
       fi
       ;;
     export-web.png) webPage "$to" ;;
+    web-study-list.png) studyPage "$stem" "$to" 900x ;;
+    web-study-phone.png) studyPage "$stem" "$to" 390x ;;
     polygons-*) plotted PolygonsPageTest -Dpolygons.update=true "$name" ;;
     performance-*) plotted PerformancePlotsTest -Dplots.update=true "$name" ;;
     openxr.jpg)

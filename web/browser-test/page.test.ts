@@ -211,6 +211,34 @@ describe('the page of the trash can', () => {
     await page.close();
   });
 
+  it('measures walls and floor from where the viewer is now', async () => {
+    const { page } = await open(site);
+    const near = (dx: number, dy: number): Promise<{ floor: number; wall: number }> =>
+      page.evaluate(async (x, y) => {
+        const world = window.selectiveRenderer?.world;
+        if (!world) {
+          throw new Error('no scene');
+        }
+        const pose = world.pose();
+        world.setPose({ ...pose, x: pose.x + x, y: pose.y + y });
+        await world.browser.nextFrame();
+        await world.browser.nextFrame();
+        const steps = Array.from({ length: 60 }, (_, i) => (i + 1) / 20);
+        const wall = steps.find((step) => Math.abs(world.free(-step, 0).x + step) > 1e-3) ?? NaN;
+        return { floor: world.floor() ?? NaN, wall };
+      }, dx, dy);
+    await page.evaluate(() => {
+      if (window.selectiveRenderer) {
+        window.selectiveRenderer.walker.walks = false;
+      }
+    });
+    const from = await near(0, 0);
+    const to = await near(0.5, 0.4);
+    expect(to.wall - from.wall).toBeCloseTo(0.5, 1);
+    expect(to.floor - from.floor).toBeCloseTo(0.4, 1);
+    await page.close();
+  });
+
   it('tells frames, areas and versions where they are asked for', async () => {
     const { page } = await open(site, '?details=1', 800, 600);
     await page.waitForFunction(() => document.getElementById('details')?.textContent.includes('Switch_TrashCan: 1'));

@@ -11,6 +11,7 @@ describe('study-settings.json', () => {
       minHeight: 0,
       minRefresh: 0,
       minFrameRate: 0,
+      headset: 'offer',
     });
   });
 
@@ -21,6 +22,10 @@ describe('study-settings.json', () => {
 
   it.each(['javascript:alert(1)', 'ftp://host/', 7])('names no receiver %s', (receiver) => {
     expect(() => settings({ receiver })).toThrow('"receiver" must be an address that begins with https://');
+  });
+
+  it.each(['always', true, null])('shows nothing in a headset %s', (headset) => {
+    expect(() => settings({ headset })).toThrow('"headset" must be "offer", "require" or "no"');
   });
 
   it.each([-1, '800', NaN])('has no width %s', (minWidth) => {

@@ -46,6 +46,11 @@ export class Headset implements Rig {
     this.guard();
   }
 
+  /** Returns whether the web browser knows a headset. */
+  static async known(): Promise<boolean> {
+    return await webxr()?.isSessionSupported('immersive-vr').catch(() => false) ?? false;
+  }
+
   /**
    * Returns the headset that the web browser knows; undefined for none.
    *
@@ -53,12 +58,12 @@ export class Headset implements Rig {
    */
   static async find(canvas: HTMLElement, shown: Browser): Promise<Headset | undefined> {
     const system = webxr();
-    if (!system || !await system.isSessionSupported('immersive-vr').catch(() => false)) {
+    if (!system || !await Headset.known()) {
       return undefined;
     }
     const browser = shown as Browser & XiteHeadset;
     // Loaded before anybody presses: a session begins only within a moment after the press.
-    await browser.loadComponents(browser.getComponent('WebXR'), browser.getComponent('Geometry2D'));
+    await browser.loadComponents(...['WebXR', 'Geometry2D', 'Geometry3D'].map((name) => browser.getComponent(name)));
     browser.xrAddButton();
     // X_ITE needs its own button, but nobody is to press it: it would begin a session without the workarounds here.
     canvas.shadowRoot?.querySelector('.x_ite-private-xr-button')?.setAttribute('style', 'display: none !important');
@@ -67,7 +72,7 @@ export class Headset implements Rig {
 
   /** Whether a session shows the scene in the headset. */
   get worn(): boolean {
-    return this.viewer !== undefined;
+    return this.session !== undefined && this.viewer !== undefined;
   }
 
   get inputs(): readonly XrInputSource[] {
@@ -162,9 +167,9 @@ export class Headset implements Rig {
     });
     session.addEventListener('end', () => {
       this.session = undefined;
+      this.listeners.forEach(({ left }) => { left?.(); });
       this.space = undefined;
       this.viewer = undefined;
-      this.listeners.forEach(({ left }) => { left?.(); });
     });
   }
 

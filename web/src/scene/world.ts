@@ -1,7 +1,7 @@
 import { angles, orientation, type Pose } from './pose.js';
 import { LaterVersions, type LaterVersion } from './later.js';
 import { room, type Rig } from './rig.js';
-import { named, prepareTangents, xite, type Browser, type FieldNode, type Namespace, type Scene } from './xite.js';
+import { browserOf, named, prepareTangents, type Browser, type FieldNode, type Namespace, type Scene, xite } from './xite.js';
 
 /** The conditions in which a scene can be shown, as of the command run. */
 export const CONDITIONS = ['selective', 'high', 'high-low', 'random'] as const;
@@ -36,6 +36,16 @@ interface Vector {
   readonly z: number;
 }
 
+/** What X_ITE's declarations lack. */
+interface Internals {
+  getWorld(): { traverse(type: unknown): void };
+  /** Returns nothing without a headset. */
+  getPose(): unknown;
+}
+interface TraverseTypes {
+  readonly TraverseType: { readonly COLLISION: unknown };
+}
+
 /**
  * The part of its pixels in which a scene is drawn while it is loaded: X_ITE draws it again and again, which takes as
  * long as loading where no graphics card helps.
@@ -58,13 +68,16 @@ export class World {
   private readonly listeners = new Set<(event: WorldEvent) => void>();
   private readonly inside = new Set<string>();
   private readonly viewpoint: FieldNode;
+  private readonly everywhere: FieldNode;
+  private readonly internals: Internals;
   private bound: FieldNode | undefined;
   private rig: Rig | undefined;
   private head: Pose;
   private readonly later: LaterVersions;
 
   private constructor(
-    private readonly x3d: Namespace,
+    /** X_ITE's types, of which nodes that are added have their fields. */
+    readonly x3d: Namespace,
     readonly browser: Browser,
     private readonly scene: Scene,
     private readonly controller: FieldNode | undefined,
@@ -77,6 +90,8 @@ export class World {
     });
     this.areas = controller ? strings(controller.areaNames) : [];
     this.objects = controller ? strings(controller.objectNames) : [];
+    this.internals = browser as unknown as Internals;
+    this.everywhere = scene.createNode('ProximitySensor') as unknown as FieldNode;
     this.viewpoint = scene.createNode('Viewpoint') as unknown as FieldNode;
     scene.addRootNode(this.viewpoint);
     this.head = this.adopt();
@@ -93,7 +108,10 @@ export class World {
   static async open(canvas: HTMLElement, exported: ExportedScene, beginning?: Beginning): Promise<World> {
     const x3d = xite();
     prepareTangents(exported.normalMaps !== false);
-    const browser = x3d.getBrowser(canvas as never) as unknown as Browser;
+    const browser = browserOf(canvas);
+    if ((browser as unknown as Internals).getPose()) {
+      return World.loaded(x3d, browser, exported, beginning); // a headset has no picture of fewer pixels
+    }
     const scale = browser.getBrowserOption('ContentScale');
     browser.setBrowserOption('ContentScale', DRAFT);
     try {
@@ -205,7 +223,9 @@ export class World {
 
   /** Has a headset carry the eyes from now on, or nothing; the viewer stays and looks the same way. */
   wear(rig: Rig | undefined): void {
-    const eyes = this.rig ? { ...this.head, y: poseOf(this.viewpoint).y + this.rig.drop } : this.head;
+    // A sensor may have told of a headset before it counts; the viewpoint is still where the viewer stood.
+    const stood = poseOf(this.viewpoint);
+    const eyes = this.rig ? { ...this.head, y: stood.y + this.rig.drop } : stood;
     this.rig = rig;
     this.setPose(this.upright({ ...eyes, pitch: 0, roll: 0 }));
   }
@@ -247,8 +267,27 @@ export class World {
       : undefined;
   }
 
+  /** Makes a node, which is not in the scene yet. */
+  node(type: string, fields: Readonly<Record<string, unknown>>): FieldNode {
+    const made = this.scene.createNode(type as 'Group') as unknown as FieldNode;
+    Object.assign(made, fields);
+    return made;
+  }
+
+  /** Puts a node of the page's own into the scene. */
+  add(node: FieldNode): void {
+    this.scene.addRootNode(node);
+  }
+
+  /** Has the head carry a Transform. */
+  carry(transform: FieldNode): void {
+    this.scene.addRoute(this.everywhere, 'position_changed', transform, 'translation');
+  }
+
   /** Asks X_ITE about what is near; it looks from the viewpoint, which a headset leaves behind. */
   private fromEyes<T>(ask: () => T): T {
+    // X_ITE collects what is near only for viewers of its own that collide, and knows what was near once otherwise.
+    this.internals.getWorld().traverse((this.x3d as unknown as TraverseTypes).TraverseType.COLLISION);
     if (!this.rig) {
       return ask();
     }
@@ -262,11 +301,11 @@ export class World {
     }
   }
 
-  /** Returns how the scene wants to be walked: metres per second, height of eyes and of the highest step in metres. */
-  walker(): { speed: number; eyes: number; stairs: number } {
+  /** Returns how the scene wants to be walked: metres per second; radius, height of eyes and of the highest step in metres. */
+  walker(): { speed: number; radius: number; eyes: number; stairs: number } {
     const info = this.browser.activeNavigationInfo as unknown as FieldNode | null;
     const size = numbers(info?.avatarSize);
-    return { speed: Number(info?.speed ?? 1), eyes: size[1] ?? 1.6, stairs: size[2] ?? 0.75 };
+    return { speed: Number(info?.speed ?? 1), radius: size[0] ?? 0.25, eyes: size[1] ?? 1.6, stairs: size[2] ?? 0.75 };
   }
 
   /** Waits for the next frame, and takes over what the scene itself binds. */
@@ -324,7 +363,7 @@ export class World {
         this.tell({ kind: 'switch', object, choice: Number(choice) });
       });
     }
-    const sensor = this.scene.createNode('ProximitySensor') as unknown as FieldNode;
+    const sensor = this.everywhere;
     sensor.size = new this.x3d.SFVec3f(EVERYWHERE, EVERYWHERE, EVERYWHERE);
     this.scene.addRootNode(sensor);
     sensor.addFieldCallback(this, 'position_changed', (value) => {

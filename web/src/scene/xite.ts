@@ -50,6 +50,11 @@ function quicken(x3d: Internals): void {
   }
 }
 
+/** Returns X_ITE's browser of its element. */
+export function browserOf(canvas: HTMLElement): Browser {
+  return xite().getBrowser(canvas as never) as unknown as Browser;
+}
+
 /** Returns a node of a scene by its DEF name. */
 export function named(scene: Scene, name: string): FieldNode {
   return scene.getNamedNode(name) as FieldNode;

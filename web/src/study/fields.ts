@@ -35,12 +35,13 @@ export function fieldElement(field: Field, label: string, value: string, words: 
 }
 
 function choice(field: Field & { type: 'choice' }, label: string, value: string, changed: Changed): HTMLElement {
-  const box = element('div', 'choice');
+  const scale = field.least || field.most || field.options.every((option) => option.note);
+  const box = element('div', scale ? 'choice scale' : 'choice');
   box.setAttribute('role', field.several ? 'group' : 'radiogroup');
   box.setAttribute('aria-label', label);
   const name = `choice-${++made}`;
   if (field.least) {
-    box.append(element('span', 'end', field.least));
+    box.append(element('span', 'end least', field.least));
   }
   const inputs = field.options.map((option) => {
     const input = document.createElement('input');
@@ -57,7 +58,7 @@ function choice(field: Field & { type: 'choice' }, label: string, value: string,
     return input;
   });
   if (field.most) {
-    box.append(element('span', 'end', field.most));
+    box.append(element('span', 'end most', field.most));
   }
   return box;
 }
@@ -127,7 +128,7 @@ function slider(field: Field & { type: 'slider' }, label: string, value: string,
       set();
     }
   });
-  box.append(element('span', 'end', field.least ?? ''), input, element('span', 'end', field.most ?? ''), number);
+  box.append(element('span', 'end least', field.least ?? ''), input, element('span', 'end most', field.most ?? ''), number);
   return box;
 }
 

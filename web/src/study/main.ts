@@ -3,6 +3,7 @@ import fullscreen from '@jspsych/plugin-fullscreen';
 import htmlButtonResponse from '@jspsych/plugin-html-button-response';
 import { initJsPsych } from 'jspsych';
 import { dataWords } from '../data/words.js';
+import { Headset } from '../scene/headset.js';
 import { parse, Wording, type Slot, type Study } from './description.js';
 import { escaped } from './escape.js';
 import { element as make } from './fields.js';
@@ -43,6 +44,13 @@ function failed(error: unknown, sentence = ''): void {
 async function run(): Promise<void> {
   const study = parse(await json('study-web.json'));
   const lab = settings(await json('study-settings.json'));
+  const headset = lab.headset !== 'no' && await Headset.known();
+  if (lab.headset === 'require' && !headset) {
+    // Said before a place of the plan is taken.
+    const first = study.texts[language(location.search, navigator.languages, study.languages)];
+    element('message').replaceChildren(make('p', '', new Wording(first?.words ?? {}).of('web.headset.required')));
+    return;
+  }
   const jatos = lab.receiver === JATOS ? await loadJatos() : undefined;
   const query = jatos ? queryOf(jatos) : location.search;
   const ids = recruitment(query);
@@ -105,9 +113,12 @@ async function ask(
   const outcome = { refused: false, slow: false };
   const left = slot.steps.filter((step) => !done.includes(step));
   const keep = (step: string): void => { session.place.write({ language: spoken, done, open: step }); };
+  stage.interrupted = (event) => { recorder.interrupted(event); };
+  const headset = lab.headset !== 'no' && await stage.findHeadset() ? lab.headset : 'no';
   const steps = timeline(
     {
       study,
+      headset,
       slot,
       texts,
       words,
@@ -168,6 +179,7 @@ async function ask(
       : []),
     ...steps,
   ] as never);
+  await stage.leave();
   if (document.fullscreenElement) {
     await document.exitFullscreen();
   }
@@ -189,7 +201,7 @@ async function finish(session: Session, lab: Settings, ids: Readonly<Record<stri
   element('study').hidden = true;
   await session.sink.finish();
   session.place.forget();
-  const end = make('div', 'end');
+  const end = make('div', 'thanks');
   end.append(make('h1', '', words.of('thanks.title')));
   if (session.sink instanceof RecordFile) {
     end.append(session.sink.link(words.of('web.save'), `${session.id}.jsonl`));

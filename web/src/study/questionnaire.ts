@@ -21,12 +21,14 @@ export type QuestionnairePlugin = new () => JsPsychPlugin<typeof info>;
  * Makes the plugin.
  *
  * @param pages gives the pages of a step
- * @param done is handed the result
+ * @param ask asks in a headset; returns whether all was answered there
+ * @param done is handed the result, and whether a headset asked
  */
 export function questionnairePlugin(
   pages: (step: string) => readonly Page[],
   words: Wording,
-  done: (result: QuestionnaireResult) => void,
+  ask: (state: QuestionnaireState) => Promise<boolean>,
+  done: (result: QuestionnaireResult, inHeadset: boolean) => void,
 ): QuestionnairePlugin & { info: typeof info } {
   return class {
     static readonly info = info;
@@ -34,10 +36,13 @@ export function questionnairePlugin(
     async trial(display: HTMLElement, trial: TrialType<typeof info>, ready?: () => void): Promise<{ refused: boolean }> {
       ready?.();
       const state = new QuestionnaireState(pages(trial.step));
-      new QuestionnaireView(display, state, words);
+      const inHeadset = await ask(state);
+      if (!inHeadset) {
+        new QuestionnaireView(display, state, words);
+      }
       const result = await state.result;
       display.replaceChildren();
-      done(result);
+      done(result, inHeadset);
       return { refused: result.refused };
     }
   };

@@ -1,6 +1,9 @@
 /** The receiver that stands for JATOS, which serves the page then. */
 export const JATOS = 'jatos';
 
+/** Whether the scenes are shown in a headset of the browser: nobody is asked, people choose, or nobody takes part without. */
+const HEADSET = ['no', 'offer', 'require'] as const;
+
 /** A lab sets these in study-settings.json. */
 export interface Settings {
   /** Address of the receiver of the data; JATOS for jatos.js; empty for none. */
@@ -15,6 +18,7 @@ export interface Settings {
   readonly minRefresh: number;
   /** Pictures of the scene that must come in a second before the session begins; 0 for any. */
   readonly minFrameRate: number;
+  readonly headset: (typeof HEADSET)[number];
 }
 
 /** Checks what study-settings.json holds; a key that is missing has its usual value. */
@@ -42,7 +46,16 @@ export function settings(json: unknown): Settings {
     minHeight: number('minHeight'),
     minRefresh: number('minRefresh'),
     minFrameRate: number('minFrameRate'),
+    headset: worn(found.headset),
   };
+}
+
+function worn(value: unknown = 'offer'): Settings['headset'] {
+  const found = HEADSET.find((each) => each === value);
+  if (!found) {
+    throw new Error('study-settings.json: "headset" must be "offer", "require" or "no"');
+  }
+  return found;
 }
 
 /** The names under which Prolific and Sona tell who comes. */

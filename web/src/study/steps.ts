@@ -4,6 +4,7 @@ import { ordered, type Slot, type Step, type Study, type Texts, type Wording } f
 import { escaped } from './escape.js';
 import type { Log } from './head-log.js';
 import { questionnairePlugin } from './questionnaire.js';
+import { entryPlugin } from './headset/entry.js';
 import type { QuestionnaireResult } from './questionnaire-state.js';
 import type { Recorder } from './recorder.js';
 import type { Stage } from './stage.js';
@@ -19,6 +20,8 @@ export interface StepContext {
   readonly words: Wording;
   readonly stage: Stage;
   readonly recorder: Recorder;
+  /** Whether the scenes are shown in a headset, if the browser knows one. */
+  readonly headset: 'no' | 'offer' | 'require';
   /** The step that an earlier page left under way; empty for none. */
   readonly repeated: string;
   /** Returns what the first record tells besides. */
@@ -41,17 +44,22 @@ export function timeline(context: StepContext, done: readonly string[]): unknown
 
 function questions(context: StepContext, id: string): unknown[] {
   const { recorder, texts, slot } = context;
-  const ended = (result: QuestionnaireResult): void => {
+  const ended = (result: QuestionnaireResult, inHeadset: boolean): void => {
     if (result.refused) {
       recorder.end({ refused: true });
       context.refused();
       return;
     }
-    recorder.end({ ...(id === slot.steps[0] ? context.first() : {}), answers: result.answers });
+    recorder.end({ ...(id === slot.steps[0] ? context.first() : {}), ...display(inHeadset), answers: result.answers });
     context.ended(id);
   };
   return [{
-    type: questionnairePlugin((step) => ordered(texts.questionnaires[step] ?? [], slot.order?.[step]), context.words, ended),
+    type: questionnairePlugin(
+      (step) => ordered(texts.questionnaires[step] ?? [], slot.order?.[step]),
+      context.words,
+      (state) => context.stage.ask(state, context.words),
+      ended,
+    ),
     step: id,
     on_start: () => { begin(context, id); },
   }];
@@ -61,11 +69,12 @@ function scene(context: StepContext, id: string, step: SceneStep): unknown[] {
   const { words, slot, study } = context;
   const timed = step.kind === 'exposure';
   const again = context.repeated === id;
+  const worn = { atBeginning: false };
   const ended = (log: Log): void => {
     context.recorder.end(
       timed
-        ? { area: step.area, seconds: step.seconds, stay: step.stay, ...(again ? { repeated: true } : {}), log }
-        : {},
+        ? { ...display(worn.atBeginning),  area: step.area, seconds: step.seconds, stay: step.stay, ...(again ? { repeated: true } : {}), log }
+        : display(worn.atBeginning),
     );
     context.ended(id);
   };
@@ -78,16 +87,26 @@ function scene(context: StepContext, id: string, step: SceneStep): unknown[] {
     stay: timed ? step.stay : 'free',
     condition: slot.condition satisfies Condition,
     seed: slot.seed,
-    on_start: () => { begin(context, id); },
+    on_start: () => {
+      worn.atBeginning = context.stage.worn;
+      begin(context, id);
+    },
   };
-  if (!timed) {
+  if (!timed && context.headset === 'no') {
     return [shown];
+  }
+  if (!timed) {
+    return [entry(context, step.scene, [], [words.of('web.headset.walk'), words.of('web.headset.practice')]), shown];
   }
   const lines = [
     ...(again ? [words.of('web.again')] : []),
     words.of('web.exposure', step.seconds),
     words.of(step.stay === 'turn' ? 'web.turn' : 'web.walk'),
   ];
+  if (context.headset !== 'no') {
+    const inHeadset = [...lines.slice(0, -1), words.of(step.stay === 'turn' ? 'web.headset.turn' : 'web.headset.walk')];
+    return [entry(context, step.scene, lines, inHeadset), shown];
+  }
   return [
     {
       type: htmlButtonResponse,
@@ -97,6 +116,21 @@ function scene(context: StepContext, id: string, step: SceneStep): unknown[] {
     },
     shown,
   ];
+}
+
+/** Tells what comes next, and lets people put the headset on. */
+function entry(context: StepContext, scene: string, onScreen: readonly string[], inHeadset: readonly string[]): unknown {
+  return {
+    type: entryPlugin(context.stage, context.words, context.headset === 'require'),
+    scene,
+    on_screen: onScreen,
+    in_headset: inHeadset,
+  };
+}
+
+/** Returns what a record says of where a step was shown. */
+function display(inHeadset: boolean): { readonly display?: string } {
+  return inHeadset ? { display: 'webxr' } : {};
 }
 
 /** Loads the scene while its instruction is read; the button that shows it waits for that. */

@@ -50,11 +50,11 @@ export function exposurePlugin(
       display.replaceChildren(status);
       const { world, walker } = await stage.open(trial.scene, words, (text) => { status.textContent = text; });
       ready?.();
+      stage.darken();
       await begin(world, trial);
       display.replaceChildren();
       walker.stays = trial.stay === 'turn';
       stage.release();
-      window.selectiveRenderer = { world, walker };
       const timed = (trial.seconds ?? 0) > 0;
       const log = timed
         ? await expose(stage, world, walker, new Fade(trial.fade ?? 0, trial.seconds ?? 0))
@@ -110,11 +110,14 @@ async function practise(stage: Stage, world: World, walker: Walker, display: HTM
   bar.append(element('p', '', words.of('web.walk')), button);
   display.replaceChildren(bar);
   const ended = { now: false };
-  button.addEventListener('click', () => { ended.now = true; });
+  const end = (): void => { ended.now = true; };
+  button.addEventListener('click', end);
+  stage.squeezed = end;
   stage.show(1);
   while (!ended.now) {
     walker.move();
     await world.nextFrame();
   }
+  stage.squeezed = undefined;
   return { columns: [], rows: [], events: [] };
 }

@@ -238,6 +238,56 @@ class LauncherTest {
     assertThat(notes()).contains("flag -XX:SharedArchiveFile=" + archive);
   }
 
+  /** Else the second would delete what the first is writing, and both would slow their windows. */
+  @Test
+  void twoStartsShortlyAfterOneAnotherMakeOneArchiveAtLowPriority() throws Exception {
+    aPackage();
+    Files.writeString(home.resolve("app/classes.list"), "java/lang/Object");
+    Files.writeString(home.resolve("app/splash.png"), "a picture");
+    // Makes the archive once it may.
+    tool(
+        "runtime/bin/java",
+        """
+        case "$*" in
+          *-Xshare:dump*)
+            [ "$(nice)" -lt 10 ] || echo low >>"$NOTES"
+            echo dumping >>"$NOTES"
+            for turn in $(seq 300); do [ -e "$MAY" ] || sleep 0.1; done
+            for word in "$@"; do
+              case $word in -XX:SharedArchiveFile=*) echo classes >"${word#*=}" ;; esac
+            done
+            ;;
+          *) echo window >>"$NOTES" ;;
+        esac
+        """);
+    Files.move(
+        tools.resolve("runtime/bin/java"),
+        home.resolve("runtime/bin/java"),
+        StandardCopyOption.REPLACE_EXISTING);
+    Path may = folder.resolve("may");
+    environment.put("MAY", may.toString());
+
+    launch("start");
+    Eventually.await("the first dump", () -> notes().contains("dumping"));
+    launch("start");
+    launch("validate"); // In the foreground it would wait for its own.
+    Files.writeString(may, "");
+    Path archive = home.resolve("app/selective-renderer-17.0.2.jsa");
+    Path lock = home.resolve("app/selective-renderer-archive.lock");
+    Eventually.await("the archive", () -> Files.exists(archive) && !Files.exists(lock));
+    assertThat(notes()).filteredOn("dumping"::equals).hasSize(1);
+    assertThat(notes()).filteredOn("window"::equals).hasSize(3);
+    assertThat(notes()).contains("low");
+
+    // The lock of a start that was killed is taken over.
+    Files.delete(archive);
+    Files.createDirectory(lock);
+    Files.writeString(lock.resolve("process"), "999999999");
+    launch("validate");
+    assertThat(archive).exists();
+    assertThat(lock).doesNotExist();
+  }
+
   /** A participant's pictures come as fast as in later sessions. */
   @Test
   void noArchiveIsMadeBesideTheSessionsOfAStudy() throws Exception {

@@ -60,15 +60,16 @@ final class ExperimentExportCommand extends CliCommand {
       paramLabel = "DIR|FILE",
       index = "1",
       arity = "0..1",
-      description = "with --to web: folder to write, new or empty; with --to jatos: new file to write")
+      description =
+          "with --to web: folder to write, new or empty; with --to jatos: new file to write")
   private @Nullable Path page;
 
   @Option(
       names = "--to",
       paramLabel = "FORM",
       description =
-          "what is written: tables (the default), web, a page that runs the study in a web browser, or"
-              + " jatos, the page as a study archive of JATOS")
+          "what is written: tables (the default), web, a page that runs the study in a web browser,"
+              + " or jatos, the page as a study archive of JATOS")
   private Form form = Form.tables;
 
   @Option(

@@ -16,8 +16,8 @@
  * 30 MB opens in less than a second on 4 cores, and an edit of it takes some 10 milliseconds. Where
  * a part does not parse, the text is parsed from there to the error; the tree of the text before is
  * kept, and mended when what has changed since is well-formed again. What cannot be decided in a
- * part has the whole text parsed. {@code RandomEditsTest} compares the tree with a freshly parsed one after thousands of random
- * edits.
+ * part has the whole text parsed. {@code RandomEditsTest} compares the tree with a freshly parsed
+ * one after thousands of random edits.
  *
  * <p>The library domtrip-core was the alternative: it keeps files byte for byte too, but knows no
  * positions in the text, which source view and messages need, has no undo, and writes all of the

@@ -12,9 +12,11 @@ import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.authoring.SourceFormatter;
 import org.selectiverenderer.authoring.nodes.NodeEdits;
+import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.SourceAttribute;
 import org.selectiverenderer.x3d.source.TextEdit;
+import org.selectiverenderer.x3d.write.FieldValueFormatter;
 
 /**
  * Creates edits of single fields: each edit changes one attribute, or the fieldValue of one field
@@ -171,9 +173,21 @@ public final class FieldEdits {
     return InterfaceFieldList.applies(of) ? of.text("name").orElse("").strip() : "";
   }
 
-  /** Sets a field of {@link #alike} elements in one step; a name only of the first. */
+  /**
+   * Sets a field of {@link #alike} elements in one step; a name only of the first. A text without
+   * quotation marks that is typed for strings is one string.
+   */
   public Edit set(List<DocumentElement> elements, NodeField field, String value) {
-    return together("Set ", elements, field, each -> set(each, field, value));
+    String spelled = spelled(field, value);
+    return together("Set ", elements, field, each -> set(each, field, spelled));
+  }
+
+  private static String spelled(NodeField field, String value) {
+    boolean strings =
+        field.definition().filter(of -> of.type() == FieldType.MFString).isPresent();
+    return strings && !value.isBlank() && value.indexOf('"') < 0
+        ? FieldValueFormatter.strings(value.strip())
+        : value;
   }
 
   /** Resets a field of {@link #alike} elements in one step; a name only of the first. */

@@ -179,7 +179,7 @@ public final class DocumentEnrichment {
     String schema = unmatched.schema();
     return new ElementFinding(
         unmatched.node(),
-        unmatched.meant().isPresent() ? Problem.Severity.WARNING : Problem.Severity.INFO,
+        Problem.Severity.WARNING, // as the validator says of the same
         unmatched.message(),
         unmatched
             .meant()

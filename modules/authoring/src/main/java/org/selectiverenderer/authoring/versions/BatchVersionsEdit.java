@@ -9,6 +9,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import java.util.concurrent.CancellationException;
 import org.selectiverenderer.authoring.DocumentSnapshot;
 import org.selectiverenderer.authoring.Edit;
@@ -29,7 +31,7 @@ import org.selectiverenderer.x3d.source.XmlParseException;
  * object without a DEF name gets one. Each object is planned on the text that the one before has
  * left, so that what one moves to its file the next does not look for in the scene.
  *
- * @param objects the objects that get versions, those with the most polygons first
+ * @param objects the objects that get versions, in the order of the scene
  * @param files the files of all versions
  * @param scene the changed scene
  * @param edit the change of the scene's text
@@ -137,7 +139,7 @@ public record BatchVersionsEdit(
     private final NodeCatalogue catalogue;
     private final ProblemCollector problems;
     private final ComposedEdit text;
-    private final List<VersionedObject> objects = new ArrayList<>();
+    private final SortedMap<Integer, VersionedObject> objects = new TreeMap<>();
     private final List<PlannedFile> files = new ArrayList<>();
     private final Set<String> taken = new HashSet<>();
     private final List<Shift> shifts = new ArrayList<>();
@@ -195,7 +197,7 @@ public record BatchVersionsEdit(
       adopt(plan.get().edit().changes());
       plan.get().files().forEach(file -> taken.add(key(file.file())));
       files.addAll(plan.get().files());
-      objects.add(new VersionedObject(name, versions));
+      objects.put(item.object().start(), new VersionedObject(name, versions));
     }
 
     /** Returns the change that gives a name, before the other attributes as authors write it. */
@@ -257,7 +259,8 @@ public record BatchVersionsEdit(
     BatchVersionsEdit result() throws IOException {
       Edit edit = new Edit("Make versions of " + objects.size() + " objects", text.changes());
       PlannedFile scene = VersionsPlanner.planned(request.output(), snapshot.bytes(edit), false);
-      return new BatchVersionsEdit(objects, files, scene, edit, snapshot.revision());
+      return new BatchVersionsEdit(
+          List.copyOf(objects.values()), files, scene, edit, snapshot.revision());
     }
   }
 }

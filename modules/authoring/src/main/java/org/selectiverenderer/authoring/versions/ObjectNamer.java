@@ -1,12 +1,15 @@
 package org.selectiverenderer.authoring.versions;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.selectiverenderer.authoring.MFStringParser;
 import org.selectiverenderer.authoring.UniqueNameGenerator;
 import org.selectiverenderer.x3d.source.DocumentElement;
@@ -22,6 +25,9 @@ final class ObjectNamer {
   private static final int LONGEST = 48;
 
   private static final int WORDS = 3;
+
+  /** The most elements of an object in which a name is looked for. */
+  private static final int LOOKED_AT = 5000;
 
   private static final Pattern FILE = Pattern.compile("([^/\\\\#?]+?)(?:_v\\d+)?\\.[A-Za-z0-9]+$");
   private static final Pattern BETWEEN_WORDS = Pattern.compile("[^\\p{L}\\p{N}_-]+");
@@ -47,25 +53,30 @@ final class ObjectNamer {
 
   /** Returns a name that no node has and that has not been returned before. */
   String name(DocumentElement element) {
+    return names.free(
+        found(text, element)
+            .or(() -> geometry(element).map(DocumentElement::name).map(ObjectNamer::identifier))
+            .orElse("Object"));
+  }
+
+  /** Returns what a reader takes an element for; empty where only its geometry tells. */
+  static Optional<String> found(CharSequence text, DocumentElement element) {
     List<Optional<String>> found = new ArrayList<>();
-    found.add(comment(element));
+    found.add(comment(text, element));
     found.add(element.text("name"));
     found.add(first(element, inner -> url(inner, Set.of("Inline"))));
     found.add(first(element, inner -> plain(inner.def().or(inner::use))));
     found.add(first(element, ObjectNamer::prototype));
     found.add(first(element, inner -> url(inner, TEXTURES)));
-    String wanted =
-        found.stream()
-            .flatMap(Optional::stream)
-            .map(ObjectNamer::identifier)
-            .filter(name -> !name.isEmpty())
-            .findFirst()
-            .orElseGet(() -> identifier(type(element)));
-    return names.free(wanted);
+    return found.stream()
+        .flatMap(Optional::stream)
+        .map(ObjectNamer::identifier)
+        .filter(name -> !name.isEmpty())
+        .findFirst();
   }
 
   /** Returns the comment directly above an element, unless it is long or holds markup. */
-  private Optional<String> comment(DocumentElement element) {
+  private static Optional<String> comment(CharSequence text, DocumentElement element) {
     int at = element.start();
     while (at > 0 && Character.isWhitespace(text.charAt(at - 1))) {
       at--;
@@ -87,9 +98,26 @@ final class ObjectNamer {
   }
 
   private static Optional<String> first(DocumentElement element, Reading reading) {
-    List<String> found = new ArrayList<>();
-    element.visit(inner -> reading.of(inner).ifPresent(found::add));
-    return found.stream().findFirst();
+    return within(element).flatMap(inner -> reading.of(inner).stream()).findFirst();
+  }
+
+  /** Returns an element and its descendants in document order, as far as they are looked at. */
+  private static Stream<DocumentElement> within(DocumentElement element) {
+    Deque<DocumentElement> open = new ArrayDeque<>(List.of(element));
+    return Stream.generate(
+            () -> {
+              DocumentElement next = open.poll();
+              if (next != null) {
+                List<DocumentElement> children = next.children();
+                for (int i = children.size() - 1; i >= 0; i--) {
+                  open.push(children.get(i));
+                }
+              }
+              return Optional.ofNullable(next);
+            })
+        .limit(LOOKED_AT)
+        .takeWhile(Optional::isPresent)
+        .flatMap(Optional::stream);
   }
 
   private static Optional<String> prototype(DocumentElement element) {
@@ -115,20 +143,21 @@ final class ObjectNamer {
         .filter(name -> name.codePoints().anyMatch(Character::isLetter));
   }
 
-  /** Returns the type of the only geometry, else {@code Object}. */
-  private static String type(DocumentElement element) {
-    List<String> types = new ArrayList<>();
-    element.visit(
-        inner -> {
-          if (inner.name().equals("Shape")) {
-            inner.children().stream()
-                .map(DocumentElement::name)
-                .filter(name -> !name.equals("Appearance") && !name.startsWith("Metadata"))
-                .findFirst()
-                .ifPresent(types::add);
-          }
-        });
-    return types.size() == 1 ? types.get(0) : "Object";
+  /** Returns the geometry of an element with a single Shape. */
+  static Optional<DocumentElement> geometry(DocumentElement element) {
+    List<DocumentElement> found =
+        within(element)
+            .filter(inner -> inner.name().equals("Shape"))
+            .flatMap(
+                shape ->
+                    shape.children().stream()
+                        .filter(child -> !child.name().equals("Appearance"))
+                        .filter(child -> !child.name().startsWith("Metadata"))
+                        .findFirst()
+                        .stream())
+            .limit(2)
+            .toList();
+    return found.size() == 1 ? Optional.of(found.get(0)) : Optional.empty();
   }
 
   /** Returns the first words as an identifier: {@code Office_chair}; empty for none. */

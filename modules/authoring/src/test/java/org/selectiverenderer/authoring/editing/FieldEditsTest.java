@@ -93,6 +93,26 @@ class FieldEditsTest {
   }
 
   @Test
+  void whatIsTypedForStringsWithoutQuotationMarksIsOneString() throws IOException {
+    SceneDocument scene =
+        SceneDocument.of(
+            "scene.x3d",
+            "<X3D><Scene><ImageTexture DEF='Photo'/></Scene></X3D>"
+                .getBytes(StandardCharsets.UTF_8));
+    DocumentElement photo = scene.tree().orElseThrow().named("Photo").orElseThrow();
+    NodeField url =
+        NodeFieldList.of(scene, CATALOGUE, photo).stream()
+            .filter(field -> field.name().equals("url"))
+            .findFirst()
+            .orElseThrow();
+    FieldEdits writing = new FieldEdits(scene);
+    scene.perform(writing.set(List.of(photo), url, " my photo.png "));
+    assertThat(scene.snapshot().text()).contains("url='\"my photo.png\"'");
+    scene.perform(writing.set(List.of(photo), url, "\"a.png\" \"b.png\""));
+    assertThat(scene.snapshot().text()).contains("url='\"a.png\" \"b.png\"'");
+  }
+
+  @Test
   void onlyTheBytesOfOneAttributeChangeInOneStep() {
     document.perform(edits.set(named("M"), "shininess", "0.25"));
     assertThat(document.snapshot().text()).isEqualTo(SCENE.replace("\"9\"", "\"0.25\""));

@@ -8,6 +8,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.authoring.ElementFinding;
+import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.schema.ConsistencyDegree;
 import org.selectiverenderer.schema.SensorSchemas;
 
@@ -50,6 +51,26 @@ class SchemaEditsTest {
     scene.document.history().undo();
     assertThat(scene.nodes()).isEqualTo(nodes);
     assertThat(scene.sensor("DeskProx").element()).isSameAs(before.element());
+  }
+
+  @Test
+  void aSchemaThatNothingActivatesIsAsGraveAsTheValidatorSays() {
+    EnrichmentScenes scene =
+        EnrichmentScenes.with(
+            """
+              <ProximitySensor DEF='P' size='1 1 1'>
+                <MetadataSet containerField='metadata'>
+                  <MetadataString containerField='value' name='enterTimeSchema' value='"Desk"'/>
+                </MetadataSet>
+              </ProximitySensor>
+            """);
+    assertThat(scene.enrichment.schemaFindings().values())
+        .singleElement()
+        .satisfies(
+            finding -> {
+              assertThat(finding.message()).contains("Desk"); // SR405 and SR406 are warnings
+              assertThat(finding.severity()).isEqualTo(Problem.Severity.WARNING);
+            });
   }
 
   @Test

@@ -198,7 +198,7 @@ class BatchVersionsEditTest {
     plan.apply(document);
     assertThat(plan.objects())
         .extracting(BatchVersionsEdit.VersionedObject::name)
-        .containsExactlyInAnyOrder(
+        .containsExactly( // in the order of the scene
             "Office_chair", "Leather2", "Sphere", "Group_Lamp", "Transform_Lamp", "Shared");
     assertThat(document.text().toString())
         .contains("<Transform DEF='Office_chair' translation='2 0.5 1'>")
@@ -249,6 +249,27 @@ class BatchVersionsEditTest {
             object ->
                 assertThat(object.versions().get(1).polygons())
                     .isLessThan(object.versions().get(0).polygons()));
+  }
+
+  @Test
+  void aTransformAroundAnInstanceIsNamedAfterItsPrototype() throws IOException {
+    DocumentFile file =
+        open(
+            """
+            <X3D profile='Immersive' version='3.3'><Scene>
+              <ProtoDeclare name='Lamp'>
+                <ProtoInterface>
+                  <field accessType='initializeOnly' name='shade' type='SFColor' value='1 .9 .5'/>
+                </ProtoInterface>
+                <ProtoBody><Transform><Shape><Sphere/></Shape></Transform></ProtoBody>
+              </ProtoDeclare>
+              <Transform translation='-1 .3 2'>
+                <ProtoInstance name='Lamp'><fieldValue name='shade' value='.9 .2 .2'/></ProtoInstance>
+              </Transform>
+              <Transform translation='4 .3 3'><ProtoInstance name='Lamp'/></Transform>
+            </Scene></X3D>
+            """);
+    assertThat(candidates(file)).extracting(VersionCandidate::name).containsExactly("Lamp", "Lamp_2");
   }
 
   @Test

@@ -136,6 +136,7 @@ public record StudyFolder(String name, List<PackagedFile> files) {
     json.put("minHeight", 500);
     json.put("minRefresh", 0);
     json.put("minFrameRate", study.quality().minFps().orElse(0));
+    json.put("headset", "offer");
     return JsonWriter.of(json);
   }
 

@@ -20,6 +20,15 @@ public record PixelRectangle(int x, int y, int width, int height) {
     return (long) width * height;
   }
 
+  /** Returns the smallest rectangle that holds this one and another. */
+  public PixelRectangle union(PixelRectangle other) {
+    int left = Math.min(x, other.x);
+    int bottom = Math.min(y, other.y);
+    int right = Math.max(x + width, other.x + other.width);
+    int top = Math.max(y + height, other.y + other.height);
+    return new PixelRectangle(left, bottom, right - left, top - bottom);
+  }
+
   /**
    * Returns a rectangle with a border around it, of whole squares of a grid; it may reach beyond
    * the picture.

@@ -24,7 +24,7 @@ import org.selectiverenderer.render.draw.LightingContext;
 import org.selectiverenderer.render.draw.PixelRectangle;
 
 /**
- * Finds the part of a picture in which it differs from the previous one of the same scene: the
+ * Finds the parts of a picture in which it differs from the previous one of the same scene: the
  * damage, as window systems call it. Where an effect reaches beyond the shape that has changed, such
  * as a light, or cannot be told from the shapes, such as a movie, that is the whole picture.
  */
@@ -33,6 +33,9 @@ final class PictureDamage {
   private static final int MARGIN = 3;
 
   private static final double NEAR = 1e-6;
+
+  /** Most rectangles; more are united. */
+  private static final int MOST = 4;
 
   private @Nullable Picture last;
 
@@ -89,9 +92,9 @@ final class PictureDamage {
    * Compares what is to be drawn with the previous picture, and remembers it.
    *
    * @param items all draw items of the tree, shown or not
-   * @return what has to be drawn again; empty if that is all. Of no width if nothing has changed.
+   * @return the rectangles that have to be drawn again; empty if all has to be
    */
-  Optional<PixelRectangle> next(
+  Optional<List<PixelRectangle>> next(
       InstanceTree tree,
       List<DrawItem> items,
       Camera camera,
@@ -159,25 +162,25 @@ final class PictureDamage {
     return true;
   }
 
-  private static Optional<PixelRectangle> damage(Picture before, Picture now) {
-    Extent extent = new Extent(now.camera);
+  private static Optional<List<PixelRectangle>> damage(Picture before, Picture now) {
+    Rectangles rectangles = new Rectangles(now.camera);
     now.shapes.forEach(
         (shape, state) -> {
           ShapeState was = before.shapes.get(shape);
           if (was == null || !was.same(state)) {
-            extent.add(state);
+            rectangles.add(state);
           }
         });
     before.shapes.forEach(
         (shape, was) -> {
           ShapeState state = now.shapes.get(shape);
           if (state == null || !was.same(state)) {
-            extent.add(was);
+            rectangles.add(was);
           }
         });
-    boxesOnlyIn(before.boxes, now.boxes).forEach(extent::add);
-    boxesOnlyIn(now.boxes, before.boxes).forEach(extent::add);
-    return extent.pixels();
+    boxesOnlyIn(before.boxes, now.boxes).forEach(rectangles::add);
+    boxesOnlyIn(now.boxes, before.boxes).forEach(rectangles::add);
+    return rectangles.unbounded ? Optional.empty() : Optional.of(rectangles.found);
   }
 
   /** Returns the boxes that are not in the same place of another list. */
@@ -196,19 +199,16 @@ final class PictureDamage {
     return only;
   }
 
-  /** The pixels that boxes cover. */
-  private static final class Extent {
+  /** A few rectangles that hold the pixels of all that is added. */
+  private static final class Rectangles {
+    final List<PixelRectangle> found = new ArrayList<>();
     private final Camera camera;
     private final Matrix4dc clip;
-    private double left = Double.POSITIVE_INFINITY;
-    private double bottom = Double.POSITIVE_INFINITY;
-    private double right = Double.NEGATIVE_INFINITY;
-    private double top = Double.NEGATIVE_INFINITY;
 
-    /** Whether a box reaches behind the viewer, where it has no place in the picture. */
-    private boolean unbounded;
+    /** Whether something reaches behind the viewer, where it has no place in the picture. */
+    boolean unbounded;
 
-    Extent(Camera camera) {
+    Rectangles(Camera camera) {
       this.camera = camera;
       clip = camera.projection().mul(camera.view(), new Matrix4d());
     }
@@ -216,58 +216,63 @@ final class PictureDamage {
     void add(ShapeState state) {
       // The width of lines and points is one of pixels.
       unbounded |= state.item.source().primitive() != Mesh.Primitive.TRIANGLES;
-      add(state.bounds);
-    }
-
-    /** Adds an axis-aligned box: min x, y, z, max x, y, z; one with min above max is empty. */
-    private void add(double[] box) {
-      for (int corner = 0; corner < 8 && box[0] <= box[3]; corner++) {
-        add(
-            new Vector4d(
-                box[(corner & 1) == 0 ? 0 : 3],
-                box[(corner & 2) == 0 ? 1 : 4],
-                box[(corner & 4) == 0 ? 2 : 5],
-                1));
+      double[] box = state.bounds;
+      if (box[0] <= box[3]) {
+        Matrix4d cube = new Matrix4d();
+        cube.translation((box[0] + box[3]) / 2, (box[1] + box[4]) / 2, (box[2] + box[5]) / 2);
+        add(cube.scale(box[3] - box[0], box[4] - box[1], box[5] - box[2]));
       }
     }
 
     /** Adds the cube of side 1 about the origin in a place. */
     void add(Matrix4dc place) {
+      double left = Double.POSITIVE_INFINITY;
+      double bottom = Double.POSITIVE_INFINITY;
+      double right = Double.NEGATIVE_INFINITY;
+      double top = Double.NEGATIVE_INFINITY;
       for (int corner = 0; corner < 8; corner++) {
         double x = (corner & 1) - 0.5;
         double y = (corner >> 1 & 1) - 0.5;
         double z = (corner >> 2) - 0.5;
-        add(place.transform(new Vector4d(x, y, z, 1)));
+        Vector4d point = clip.transform(place.transform(new Vector4d(x, y, z, 1)));
+        double column = (point.x / point.w + 1) / 2 * camera.width();
+        double row = (point.y / point.w + 1) / 2 * camera.height();
+        unbounded |= point.w < NEAR || !Double.isFinite(column) || !Double.isFinite(row);
+        left = Math.min(left, column);
+        bottom = Math.min(bottom, row);
+        right = Math.max(right, column);
+        top = Math.max(top, row);
+      }
+      int x = within(Math.floor(left) - MARGIN, camera.width());
+      int y = within(Math.floor(bottom) - MARGIN, camera.height());
+      int endX = within(Math.ceil(right) + MARGIN, camera.width());
+      int endY = within(Math.ceil(top) + MARGIN, camera.height());
+      if (!unbounded && endX > x && endY > y) {
+        found.add(new PixelRectangle(camera.x() + x, camera.y() + y, endX - x, endY - y));
+        mergeOverMost();
       }
     }
 
-    private void add(Vector4d point) {
-      clip.transform(point);
-      double x = point.x / point.w;
-      double y = point.y / point.w;
-      if (point.w < NEAR || !Double.isFinite(x) || !Double.isFinite(y)) {
-        unbounded = true;
+    /** Unites the two rectangles that lose least by it, where there are more than a few. */
+    private void mergeOverMost() {
+      if (found.size() <= MOST) {
         return;
       }
-      left = Math.min(left, x);
-      bottom = Math.min(bottom, y);
-      right = Math.max(right, x);
-      top = Math.max(top, y);
-    }
-
-    Optional<PixelRectangle> pixels() {
-      if (unbounded) {
-        return Optional.empty();
+      int one = 0;
+      int other = 1;
+      long least = Long.MAX_VALUE;
+      for (int i = 0; i < found.size(); i++) {
+        for (int j = i + 1; j < found.size(); j++) {
+          PixelRectangle both = found.get(i).union(found.get(j));
+          long lost = both.area() - found.get(i).area() - found.get(j).area();
+          if (lost < least) {
+            least = lost;
+            one = i;
+            other = j;
+          }
+        }
       }
-      int x = within(Math.floor((left + 1) / 2 * camera.width()) - MARGIN, camera.width());
-      int y = within(Math.floor((bottom + 1) / 2 * camera.height()) - MARGIN, camera.height());
-      int endX = within(Math.ceil((right + 1) / 2 * camera.width()) + MARGIN, camera.width());
-      int endY = within(Math.ceil((top + 1) / 2 * camera.height()) + MARGIN, camera.height());
-      boolean none = endX <= x || endY <= y;
-      return Optional.of(
-          none
-              ? new PixelRectangle(camera.x(), camera.y(), 0, 0)
-              : new PixelRectangle(camera.x() + x, camera.y() + y, endX - x, endY - y));
+      found.set(one, found.get(one).union(found.remove(other)));
     }
 
     private static int within(double pixel, int most) {

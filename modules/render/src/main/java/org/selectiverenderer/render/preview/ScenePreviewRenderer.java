@@ -130,7 +130,7 @@ public final class ScenePreviewRenderer implements AutoCloseable {
             sight.headlight(),
             world.fog(),
             false);
-    Optional<PixelRectangle> changed =
+    Optional<List<PixelRectangle>> changed =
         damage.next(world.instances(), renderer.items(), camera, setting, marking);
     renderer.reflect(gl, world.instances(), List.of(camera), setting, sight.range().near());
     VisibleSet seen = cull(camera, marking);
@@ -140,13 +140,16 @@ public final class ScenePreviewRenderer implements AutoCloseable {
         && changed.isPresent()
         && small(changed.get(), camera, before.samples(), wantedSamples)) {
       Screenshot pixels = before.pixels();
-      if (changed.get().area() > 0) {
-        pixels = patched(gl, before, changed.get(), camera, setting, marking);
+      for (PixelRectangle part : changed.get()) {
+        pixels = patched(gl, pixels, part, before.samples(), camera, setting, marking);
       }
       return new PreviewImage(pixels, camera, statistics, before.samples());
     }
-    target = target(gl, target, width, height, wantedSamples);
-    Screenshot pixels = paint(gl, target, seen, camera, setting, marking);
+    Target known = target;
+    target = null; // It is disposed of should the next one not be had.
+    Target on = target(gl, known, width, height, wantedSamples);
+    target = on;
+    Screenshot pixels = paint(gl, on, seen, camera, setting, marking);
     return new PreviewImage(pixels, camera, statistics, wantedSamples);
   }
 
@@ -155,12 +158,13 @@ public final class ScenePreviewRenderer implements AutoCloseable {
     return marking.wireframe() ? renderer.cullToView(eyes) : renderer.cull(eyes);
   }
 
-  /** Returns whether drawing only a changed part of the previous picture pays. */
+  /** Returns whether drawing only the changed parts of the previous picture pays. */
   private static boolean small(
-      PixelRectangle changed, Camera camera, int samples, int wantedSamples) {
+      List<PixelRectangle> changed, Camera camera, int samples, int wantedSamples) {
     double share = samples > wantedSamples ? FINER : SAME;
     return samples >= wantedSamples
-        && changed.area() <= share * camera.width() * camera.height();
+        && changed.stream().mapToLong(PixelRectangle::area).sum()
+            <= share * camera.width() * camera.height();
   }
 
   /**
@@ -169,13 +173,17 @@ public final class ScenePreviewRenderer implements AutoCloseable {
    */
   private Screenshot patched(
       GL3 gl,
-      PreviewImage before,
+      Screenshot before,
       PixelRectangle part,
+      int samples,
       Camera camera,
       LightingContext setting,
       PreviewOptions marking) {
     PixelRectangle drawn = part.enlarged(BORDER, GRID);
-    patch = target(gl, patch, drawn.width(), drawn.height(), before.samples());
+    Target known = patch;
+    patch = null;
+    Target on = target(gl, known, drawn.width(), drawn.height(), samples);
+    patch = on;
     VisibleSet seen = cull(drawn.within(camera), marking);
     Camera moved =
         new Camera(
@@ -185,10 +193,9 @@ public final class ScenePreviewRenderer implements AutoCloseable {
             camera.y() - drawn.y(),
             camera.width(),
             camera.height());
-    Screenshot pixels = paint(gl, patch, seen, moved, setting, marking);
-    return before
-        .pixels()
-        .with(pixels, drawn.x(), drawn.y(), part.x(), part.y(), part.width(), part.height());
+    Screenshot pixels = paint(gl, on, seen, moved, setting, marking);
+    return before.with(
+        pixels, drawn.x(), drawn.y(), part.x(), part.y(), part.width(), part.height());
   }
 
   private Target target(

@@ -120,7 +120,7 @@ class PictureDamageTest {
     return view.draw(world, options, WIDTH, HEIGHT, SMOOTH);
   }
 
-  /** The pixels in which two pictures differ, as column, row and most difference. */
+  /** The pixels in which two pictures differ but for rounding: column, row, most difference. */
   private static List<String> differing(PreviewImage one, PreviewImage other) {
     byte[] a = one.pixels().rgba();
     byte[] b = other.pixels().rgba();
@@ -130,7 +130,7 @@ class PictureDamageTest {
       for (int i = 4 * pixel; i < 4 * pixel + 4; i++) {
         most = Math.max(most, Math.abs((a[i] & 0xff) - (b[i] & 0xff)));
       }
-      if (most > 0) {
+      if (most > 1) {
         differing.add(pixel % WIDTH + " " + pixel / WIDTH + ": " + most);
       }
     }
@@ -177,9 +177,9 @@ class PictureDamageTest {
 
   @Test
   void anotherSelection() {
-    first(masked(shapesOf("Place_8")));
+    first(masked(shapesOf("Place_0")));
 
-    assertThat(partLikeWhole(masked(shapesOf("Place_9")))).isTrue();
+    assertThat(partLikeWhole(masked(shapesOf("Place_29")))).isTrue();
   }
 
   @Test

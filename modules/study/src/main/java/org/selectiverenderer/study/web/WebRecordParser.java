@@ -1,6 +1,7 @@
 package org.selectiverenderer.study.web;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import java.nio.charset.StandardCharsets;
 import java.time.DateTimeException;
 import java.time.Duration;
 import java.time.Instant;
@@ -87,7 +88,7 @@ final class WebRecordParser {
     boolean exposure = step instanceof SessionStep.Exposure;
     return new WebRecord(
         place,
-        json.toString(),
+        kept(json),
         identity(json, session),
         step,
         started,
@@ -103,6 +104,14 @@ final class WebRecordParser {
         step instanceof SessionStep.Form && json.path("refused").asBoolean(),
         exposure && json.path("repeated").asBoolean(),
         exposure ? log(json.path("log"), place) : Optional.empty());
+  }
+
+  /**
+   * Returns the text that is kept. A text of JavaScript may end within a character, half of which
+   * no file holds: it must be the same when it is read again.
+   */
+  private static String kept(JsonNode json) {
+    return new String(json.toString().getBytes(StandardCharsets.UTF_8), StandardCharsets.UTF_8);
   }
 
   private WebRecord.Identity identity(JsonNode json, String session) throws Fault {

@@ -3,23 +3,19 @@ package org.selectiverenderer.study.web;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import org.selectiverenderer.base.decimal.DecimalRounding;
 import org.selectiverenderer.base.files.FileOperations;
 import org.selectiverenderer.base.files.FileTransaction;
 import org.selectiverenderer.base.files.InputFileReader;
 import org.selectiverenderer.base.files.PrivateFiles;
 import org.selectiverenderer.formats.json.JsonTree;
 import org.selectiverenderer.formats.json.JsonWriter;
-import org.selectiverenderer.study.definition.SessionFlag;
 import org.selectiverenderer.study.definition.Study;
 import org.selectiverenderer.study.questionnaire.Answer;
 import org.selectiverenderer.study.questionnaire.Question;
@@ -88,7 +84,17 @@ final class WebSessionFiles {
     PrivateFiles.createFoldersIn(study.folder(), study.folder().relativize(path.resolve("head")));
     try (SessionLock lock = SessionLock.take(path, software)) {
       Map<Path, String> files = new LinkedHashMap<>();
-      WebSessionJournal journal = new Telling(folder, records, files).journal();
+      WebSessionJournal journal =
+          new WebSessionEvents(
+                  material,
+                  software,
+                  exposures,
+                  faults,
+                  plan.get(records.get(0).identity().slot()),
+                  folder,
+                  records,
+                  files)
+              .journal();
       SessionHistory history = SessionHistory.of(journal.events());
       if (history.over()) {
         SessionAnswerFiles.of(material, folder, history)
@@ -114,7 +120,7 @@ final class WebSessionFiles {
                   identity.group(),
                   identity.slot(),
                   Optional.empty(),
-                  age(records),
+                  age(material, records),
                   false));
     }
   }
@@ -128,7 +134,8 @@ final class WebSessionFiles {
     return JsonWriter.of(JsonTree.of(settings));
   }
 
-  private static Map<String, String> device(List<WebRecord> records) {
+  /** Returns what the page told of the device. */
+  static Map<String, String> device(List<WebRecord> records) {
     return records.stream()
         .map(WebRecord::device)
         .filter(device -> !device.isEmpty())
@@ -136,193 +143,13 @@ final class WebSessionFiles {
         .orElse(Map.of());
   }
 
-  private String age(List<WebRecord> records) {
+  /** Returns the age that the participant gave; empty for none. */
+  static String age(LoadedStudy material, List<WebRecord> records) {
     Map<String, Answer> form = new HashMap<>();
     records.stream()
         .filter(record -> record.step() instanceof SessionStep.Form)
         .flatMap(record -> record.answers().stream())
         .forEach(given -> form.putIfAbsent(given.question().id(), given.answer()));
     return material.form().set(Question.Sets.AGE, form).orElse("");
-  }
-
-  /** Tells the records of a session as the events of its journal. */
-  private final class Telling {
-    private final SessionFolder folder;
-    private final List<WebRecord> records;
-    private final Map<Path, String> files;
-    private final Set<String> finished = new HashSet<>();
-    private final Map<String, Integer> runs = new HashMap<>();
-    private boolean assigned;
-
-    /**
-     * @param files receives the head logs
-     */
-    Telling(SessionFolder folder, List<WebRecord> records, Map<Path, String> files) {
-      this.folder = folder;
-      this.records = records;
-      this.files = files;
-    }
-
-    WebSessionJournal journal() {
-      WebRecord first = records.get(0);
-      Map<String, Object> began = new LinkedHashMap<>();
-      began.put("participant", folder.participant());
-      began.put("session", folder.number());
-      began.put("study", material.study().name());
-      began.put("study_sha256", first.identity().checksum());
-      began.put("language", first.identity().language());
-      began.put("software", software);
-      began.put("source", "web");
-      began.put(SESSION, first.identity().session());
-      began.put("planned_as", first.identity().participant());
-      began.put("unattended", false);
-      Map<String, Object> resumed =
-          Map.of("study_sha256", first.identity().checksum(), "software", software);
-      WebSessionJournal journal = new WebSessionJournal(first, began, resumed);
-      Map<String, String> device = device(records);
-      if (!device.isEmpty()) {
-        journal.add(0, "device", "", device);
-      }
-      records.stream()
-          .map(WebRecord::recruitment)
-          .filter(ids -> !ids.isEmpty())
-          .findFirst()
-          .ifPresent(ids -> journal.add(0, "recruitment", "", Map.of("ids", ids)));
-      for (WebRecord record : records) {
-        if (record.step() instanceof SessionStep.Exposure || !finished.contains(id(record))) {
-          tell(record, journal, device);
-        } else {
-          faults.tell(
-              record.place(),
-              "the step %s was done before in this session; this record of it is left out"
-                  .formatted(id(record)));
-        }
-      }
-      List<String> all = material.steps().stream().map(SessionStep::id).toList();
-      if (finished.containsAll(all)) {
-        journal.add(records.get(records.size() - 1).seconds(), "session-finished", "", Map.of());
-      }
-      return journal;
-    }
-
-    private static String id(WebRecord record) {
-      return record.step().id();
-    }
-
-    private void tell(WebRecord record, WebSessionJournal journal, Map<String, String> device) {
-      journal.begin(record);
-      if (record.refused()) {
-        journal.add(0, "step-began", id(record), Map.of("run", 1));
-        journal.add(record.seconds(), "refused", "", Map.of());
-        return;
-      }
-      if (!assigned && !(record.step() instanceof SessionStep.Form)) {
-        assign(0, journal); // The record of the form is missing.
-      }
-      int run = runs.merge(id(record), 1, Integer::sum);
-      Map<String, Object> began = new LinkedHashMap<>();
-      began.put("run", run);
-      if (record.log().isPresent()) {
-        String log = folder.headLog(record.step(), run).getFileName().toString();
-        began.put("head_log", log.substring(0, log.lastIndexOf('.')));
-      }
-      journal.add(0, "step-began", id(record), began);
-      if (run > 1) {
-        journal.flag(0, SessionFlag.REPEATED_EXPOSURE, Map.of("run", run));
-      }
-      Map<String, Object> ended = new LinkedHashMap<>();
-      record.log().ifPresent(log -> exposure(record, log, run, device, journal, ended));
-      record.answers().forEach(given -> answer(record, given, journal));
-      if (record.step() instanceof SessionStep.Form) {
-        assign(record.seconds(), journal);
-      }
-      journal.add(record.seconds(), "step-finished", id(record), ended);
-      finished.add(id(record));
-    }
-
-    private void exposure(
-        WebRecord record,
-        WebExposureLog log,
-        int run,
-        Map<String, String> device,
-        WebSessionJournal journal,
-        Map<String, Object> ended) {
-      double began = record.logBegan(log);
-      WebExposureFiles.HeadLogTexts texts = exposures.headLog(record, log, device);
-      Path csv = folder.headLog(record.step(), run);
-      String name = csv.getFileName().toString();
-      files.put(csv, texts.csv());
-      files.put(
-          csv.resolveSibling(name.substring(0, name.lastIndexOf('.')) + ".json"), texts.json());
-      double complete = Math.min(material.study().fade(), log.end());
-      boolean shown = false;
-      for (Map<String, Object> event : texts.events()) {
-        double t = (Double) event.get("t");
-        if (!shown && t > complete) {
-          shown = true;
-          shown(record, began, complete, journal);
-        }
-        journal.add(began + t, "scene", id(record), Map.of("what", event));
-      }
-      if (!shown) {
-        shown(record, began, complete, journal);
-      }
-      exposures.flag(record, log, journal);
-      ended.put("frames", log.frames().size());
-      ended.put("fps", DecimalRounding.to(1, log.framesPerSecond()));
-    }
-
-    private static void shown(
-        WebRecord record, double began, double t, WebSessionJournal journal) {
-      journal.add(began + t, "shown", id(record), Map.of("t", DecimalRounding.to(3, t)));
-    }
-
-    private static void answer(
-        WebRecord record, WebRecord.Given given, WebSessionJournal journal) {
-      Map<String, Object> event = new LinkedHashMap<>();
-      event.put("object", given.question().id());
-      event.put("value", given.answer().value());
-      if (given.answer().confidence() > 0) {
-        event.put("confidence", given.answer().confidence());
-      }
-      given.milliseconds().ifPresent(ms -> event.put("ms", ms));
-      event.put("place", given.place());
-      if (given.question().personal()) {
-        event.put("personal", true); // A later change of the study does not unmark it.
-      }
-      journal.add(record.seconds(), "answer", id(record), event);
-    }
-
-    private void assign(double seconds, WebSessionJournal journal) {
-      assigned = true;
-      WebRecord.Identity identity = records.get(0).identity();
-      Map<String, Object> event = new LinkedHashMap<>();
-      event.put("condition", identity.group());
-      event.put("place", identity.slot());
-      event.put("assigned_by", "schedule");
-      event.put("age", age(records));
-      journal.add(seconds, "assigned", "", event);
-      if (!material.study().areas().isEmpty()) {
-        journal.add(
-            seconds,
-            "area-order",
-            "",
-            Map.of(
-                "order",
-                material.study().course().order().spelling(),
-                "areas",
-                areas(identity.slot())));
-      }
-    }
-
-    private List<String> areas(int slot) {
-      List<String> areas = new ArrayList<>();
-      for (SessionStep step : plan.get(slot).steps()) {
-        if (step instanceof SessionStep.Exposure exposure) {
-          areas.add(exposure.area().name());
-        }
-      }
-      return areas;
-    }
   }
 }

@@ -45,7 +45,8 @@ final class WebSessionLines {
     } else if (!other.equals(content)) {
       faults.tell(
           line.place(),
-          "part %d of the session %s is there with other content, in line %d of %s; this one is left out"
+          ("part %d of the session %s is there with other content, in line %d of %s; this one is"
+                  + " left out")
               .formatted(part, session, parts.get(part).number(), parts.get(part).file()));
       return;
     }

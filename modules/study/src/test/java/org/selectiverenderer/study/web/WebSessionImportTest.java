@@ -144,6 +144,15 @@ class WebSessionImportTest extends WebStudyFixture {
   }
 
   @Test
+  void halfACharacterIsNoOtherRecordWhenItComesAgain() throws IOException {
+    write("a.jsonl", List.of(form(1, 1).replace("brown", "brown\\ud83d"), memory(1, 1, "yes")));
+    collect();
+    assertThat(collect()).isEqualTo(new WebSessionImport.Summary(0, 0, 1));
+    assertThat(answers().others()).contains("brown?");
+    assertThat(told()).isEmpty();
+  }
+
+  @Test
   void twoSessionsOfOnePlaceAreTwoParticipantsAndTold() throws IOException {
     write("a.jsonl", whole(5, 3));
     write("b.jsonl", whole(4, 3));

@@ -16,6 +16,7 @@ import org.selectiverenderer.x3d.source.EntityTable;
  * @param path names of the elements around it, from the outermost
  * @param around the nearest Switch or ProximitySensor that it stands in
  * @param advice a sentence about what can be done with it
+ * @param versions whether versions of it can be made
  */
 record ElementSummary(
     String path, Optional<DocumentElement> around, String advice, boolean versions) {
@@ -32,9 +33,8 @@ record ElementSummary(
       around = around.isEmpty() && formed ? at : around;
     }
     Collections.reverse(names);
-    boolean instance = node.name().equals("ProtoInstance");
     boolean object =
-        instance
+        node.name().equals("ProtoInstance")
             || catalogue
                 .find(node.name())
                 .filter(
@@ -43,17 +43,14 @@ record ElementSummary(
                             || type.is("X3DShapeNode")
                             || inlines(node.name()))
                 .isPresent();
-    boolean named = node.def().isPresent() || instance; // its prototype has a name
     boolean free = around.isEmpty() && node.use().isEmpty();
     String advice;
     if (node.isReference()) {
       advice = reference(document, node);
     } else if (around.isPresent()) {
       advice = Texts.of("form.part", around.get().toString());
-    } else if (object && named && free) {
-      advice = Texts.of("form.versions");
     } else if (object && free) {
-      advice = Texts.of("form.name");
+      advice = Texts.of("form.versions");
     } else {
       advice = Texts.of("form.formless");
     }
@@ -61,7 +58,7 @@ record ElementSummary(
         String.join(" \u203a ", names),
         around,
         document.locked().orElse(advice),
-        object && named && free && document.locked().isEmpty());
+        object && free && document.locked().isEmpty());
   }
 
   /** Describes what an entity reference stands for. */

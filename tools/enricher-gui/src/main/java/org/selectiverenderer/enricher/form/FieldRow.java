@@ -89,6 +89,10 @@ final class FieldRow {
           colour.setEnabled(free);
           text.putClientProperty("JTextField.trailingComponent", colour);
           swatch = colour;
+        } else if (field.name().equals(FieldsForm.URL) && field.ofPrototype().isEmpty()) {
+          UrlChooser file = new UrlChooser(session, field.name(), this::choose);
+          file.setEnabled(free);
+          text.putClientProperty("JTextField.trailingComponent", file);
         }
       }
     }

@@ -30,6 +30,9 @@ final class FieldsForm implements Form {
   /** Most fields of a prototype that are shown while the form is to show written ones only. */
   private static final int MANY = 60;
 
+  /** The field without which a node that has it shows nothing: it is always in the form. */
+  static final String URL = "url";
+
   private final EnricherSession session;
   private final DocumentElement element;
   private final JPanel rows =
@@ -97,7 +100,10 @@ final class FieldsForm implements Form {
     return fields.stream()
         .filter(
             field ->
-                choice.all || field.written().isPresent() || offered.contains(FieldRow.key(field)))
+                choice.all
+                    || field.written().isPresent()
+                    || field.name().equals(URL) && element.use().isEmpty()
+                    || offered.contains(FieldRow.key(field)))
         .toList();
   }
 

@@ -213,7 +213,11 @@ public final class FormPanel extends JPanel {
   }
 
   private static String name(DocumentElement of) {
-    return of.def().or(of::use).orElse(Texts.of("form.nameless", of.name()));
+    boolean prototype = of.name().equals("ProtoInstance") || of.name().endsWith("ProtoDeclare");
+    return of.def()
+        .or(of::use)
+        .or(() -> of.text("name").filter(name -> prototype))
+        .orElse(Texts.of("form.nameless", of.name()));
   }
 
   /** Stops following the session. */

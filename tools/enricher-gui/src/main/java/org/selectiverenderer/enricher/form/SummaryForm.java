@@ -21,7 +21,7 @@ final class SummaryForm implements Form {
   private final JPanel panel = new JPanel(new MigLayout("insets 0, wrap 1", "[grow,fill]"));
 
   /**
-   * @param makeVersions opens the versions dialog for an element with a DEF name
+   * @param makeVersions opens the versions dialog for an element
    */
   SummaryForm(
       EnricherSession session, DocumentElement element, Consumer<DocumentElement> makeVersions) {

@@ -29,6 +29,7 @@ import org.selectiverenderer.authoring.DocumentListener;
 import org.selectiverenderer.authoring.images.ImageReference;
 import org.selectiverenderer.authoring.images.ImageSearch;
 import org.selectiverenderer.authoring.images.ImageUrlEdit;
+import org.selectiverenderer.enricher.component.ColumnHeads;
 import org.selectiverenderer.enricher.component.NamedFileChooser;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.task.BackgroundTask;
@@ -91,6 +92,7 @@ public final class ImagesDialog extends JDialog {
     for (int i = 0; i < widths.length; i++) {
       table.getColumnModel().getColumn(i).setPreferredWidth(UIScale.scale(widths[i]));
     }
+    ColumnHeads.fit(table);
     JScrollPane pane = new JScrollPane(table);
     pane.setPreferredSize(new Dimension(UIScale.scale(920), UIScale.scale(380)));
     return pane;

@@ -4,7 +4,6 @@ import java.awt.Component;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
@@ -16,12 +15,12 @@ import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.authoring.structure.NodeTemplate;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.browser.viewer.Pose;
+import org.selectiverenderer.enricher.component.FileUrl;
 import org.selectiverenderer.enricher.component.NamedFileChooser;
 import org.selectiverenderer.enricher.menu.StructureCommands;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
-import org.selectiverenderer.x3d.url.UrlRelativizer;
 import org.selectiverenderer.x3d.write.FieldValueFormatter;
 
 /** The commands that insert templates and nodes at the selection. */
@@ -139,11 +138,8 @@ public final class InsertCommands {
 
   /** Returns the template of an Inline with the url and the name of a file. */
   NodeTemplate inlined(NodeTemplate template, Path file) {
-    Path folder = session.file().path().toAbsolutePath().getParent();
-    Path path = file.toAbsolutePath().normalize();
-    boolean near = folder != null && Objects.equals(folder.getRoot(), path.getRoot());
-    String url = near ? UrlRelativizer.between(folder, path) : path.toUri().toString();
-    String name = String.valueOf(path.getFileName()).replaceFirst("\\.[^.]*$", "");
+    String url = FileUrl.of(session.file().path(), file);
+    String name = String.valueOf(file.getFileName()).replaceFirst("\\.[^.]*$", "");
     NodeTemplate placed = template.with("Inline", "url", FieldValueFormatter.strings(url));
     return placed.with("Transform", "DEF", structure.free(name.isBlank() ? "Model" : name));
   }

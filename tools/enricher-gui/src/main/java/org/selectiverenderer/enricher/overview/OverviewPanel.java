@@ -256,7 +256,9 @@ public final class OverviewPanel extends JPanel {
                 DecimalFormatter.grouped(all));
     int schemas = model.schemas().size();
     status.setText(
-        shown + ", " + Texts.of("counts.schemas", schemas, DecimalFormatter.grouped(schemas)));
+        all == 0
+            ? Texts.of("overview.noobjects")
+            : shown + ", " + Texts.of("counts.schemas", schemas, DecimalFormatter.grouped(schemas)));
   }
 
   private void say(String message) {

@@ -16,6 +16,7 @@ import javax.swing.table.DefaultTableColumnModel;
 import javax.swing.table.JTableHeader;
 import javax.swing.table.TableColumn;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.enricher.component.ShortcutTable;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.swing.PlainText;
 import org.selectiverenderer.x3d.source.DocumentElement;
@@ -26,7 +27,7 @@ import org.selectiverenderer.x3d.source.DocumentElement;
  * of them.
  */
 @SuppressWarnings("serial") // never written
-final class SchemaTable extends JTable {
+final class SchemaTable extends ShortcutTable {
   private static final long serialVersionUID = 1L;
 
   private final OverviewTableModel model;

@@ -89,13 +89,10 @@ final class ChildrenDiff {
       if (place.line() < 2 || place.column() > FARTHEST) {
         return Optional.empty();
       }
-      // Materials and textures mean other things in X3D 3 than in X3D 4 (X3D 4.0, 12.2.4).
       added =
-          "<X3D profile='Full' version='%s'><Scene>".formatted(version(come.get(0)))
-              + "\n".repeat(place.line() - 1)
+          "\n".repeat(place.line() - 1)
               + " ".repeat(place.column() - 1)
-              + text.substring(come.get(0).start(), come.get(come.size() - 1).end())
-              + "</Scene></X3D>";
+              + text.substring(come.get(0).start(), come.get(come.size() - 1).end());
     }
     return Optional.of(
         new ScenePatch.Children(
@@ -106,15 +103,6 @@ final class ChildrenDiff {
             sibling.map(ChangedPart.Sibling::place),
             added,
             come.size()));
-  }
-
-  /** Returns the version of X3D that the file of an element names, if it is a usual one. */
-  private static String version(DocumentElement element) {
-    DocumentElement root = element;
-    while (root.parent().isPresent()) {
-      root = root.parent().get();
-    }
-    return root.text("version").filter(text -> text.matches("[34]\\.[0-9]")).orElse("4.0");
   }
 
   private boolean groups(String owner) {

@@ -134,9 +134,10 @@ final class PreviewController implements AutoCloseable {
   /**
    * Applies what an edit of the text has changed; the viewer's pose and a walk are kept.
    *
+   * @param added the new nodes of the patch
    * @return false if that is not possible and the document has to be loaded again
    */
-  boolean patch(ScenePatch patch) {
+  boolean patch(ScenePatch patch, AddedNodes added) {
     PreviewScene of = scene;
     if (of == null || of.revision() >= patch.revision()) {
       return of != null; // A later state has been loaded meanwhile.
@@ -144,7 +145,7 @@ final class PreviewController implements AutoCloseable {
     boolean walked = moving();
     Pose before = of.pose();
     of.stand();
-    boolean taken = of.patch(patch);
+    boolean taken = of.patch(patch, added);
     if (taken && patch.metadataOnly() && schemas.isEmpty()) {
       told = true; // Metadata show in the labels only.
     } else {

@@ -162,6 +162,14 @@ final class PreviewNodeIndex {
     return found;
   }
 
+  /**
+   * Returns the node that stands in a group for the element at a position: for an instance of a
+   * prototype, the first node of its body.
+   */
+  Optional<Node> standing(Place place) {
+    return Optional.ofNullable(byPlace.get(place));
+  }
+
   /** Updates the positions after an edit that has moved start tags. */
   void move(ScenePatch patch) {
     if (patch.moved().isEmpty() && patch.shift().isEmpty()) {

@@ -86,17 +86,22 @@ final class PreviewScene implements AutoCloseable {
     return revision;
   }
 
+  LoadedPreview loaded() {
+    return loaded;
+  }
+
   /**
    * Updates the scene to another state of the document; not while the author walks.
    *
+   * @param added the new nodes of the patch
    * @return false, without a change, if the patch does not apply
    */
-  boolean patch(ScenePatch patch) {
+  boolean patch(ScenePatch patch, AddedNodes added) {
     if (patch.from() != revision) {
       return false;
     }
     Optional<ResolvedScenePatch> running =
-        ResolvedScenePatch.of(patch, nodes, world.scene().root(), loaded);
+        ResolvedScenePatch.of(patch, nodes, world.scene().root(), loaded.loader(), added);
     if (running.isEmpty()) {
       return false;
     }

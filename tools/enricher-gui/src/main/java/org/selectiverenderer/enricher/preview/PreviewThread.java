@@ -35,6 +35,10 @@ final class PreviewThread implements AutoCloseable, PreviewUpdater.Target {
 
   private final LinkedBlockingQueue<Consumer<PreviewController>> told = new LinkedBlockingQueue<>();
   private final AtomicReference<@Nullable LoadedPreview> next = new AtomicReference<>();
+
+  /** The scene that was handed over last; null where nothing can be shown. */
+  private volatile @Nullable LoadedPreview last;
+
   private final Listener listener;
   private final Thread thread;
   private volatile boolean ended;
@@ -63,15 +67,27 @@ final class PreviewThread implements AutoCloseable, PreviewUpdater.Target {
   }
 
   /**
-   * Queues a patch of the scene that is shown. Thread-safe.
+   * Queues a patch of the scene that was handed over last. On the caller's thread its new nodes are
+   * read, with the files that they name: the picture does not wait for them.
    *
-   * @param refused runs on this thread if the patch does not apply and the scene must be loaded
+   * @param refused runs on either thread if the patch does not apply and the scene must be loaded
    */
   @Override
   public void patch(ScenePatch patch, Runnable refused) {
+    LoadedPreview of = last;
+    if (of == null) {
+      return; // There is no picture.
+    }
+    AddedNodes added;
+    try {
+      added = AddedNodes.of(patch, of);
+    } catch (RuntimeException e) { // As when its loader has been closed meanwhile.
+      refused.run();
+      return;
+    }
     ask(
         stage -> {
-          if (!stage.patch(patch)) {
+          if (!stage.patch(patch, added)) {
             refused.run();
           }
         });
@@ -95,6 +111,7 @@ final class PreviewThread implements AutoCloseable, PreviewUpdater.Target {
   /** Hands over a loaded scene, which replaces one that has not been shown yet. Thread-safe. */
   @Override
   public void show(LoadedPreview loaded) {
+    last = loaded;
     replaceNext(loaded);
     tell(
         stage -> {
@@ -104,6 +121,7 @@ final class PreviewThread implements AutoCloseable, PreviewUpdater.Target {
           }
         });
     if (!thread.isAlive()) {
+      last = null;
       replaceNext(null);
     }
   }
@@ -124,6 +142,7 @@ final class PreviewThread implements AutoCloseable, PreviewUpdater.Target {
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     } finally {
+      last = null;
       replaceNext(null);
     }
   }

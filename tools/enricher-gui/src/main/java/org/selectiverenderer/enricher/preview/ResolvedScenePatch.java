@@ -50,11 +50,12 @@ final class ResolvedScenePatch {
    * Resolves the nodes of a patch.
    *
    * @param root the root node of the scene
-   * @param loaded the scene's loader, which parses the metadata and new nodes
+   * @param loader the scene's loader, which parses the metadata
+   * @param added the new nodes of the patch
    * @return empty if a node is missing or of another type
    */
   static Optional<ResolvedScenePatch> of(
-      ScenePatch patch, PreviewNodeIndex nodes, Node root, LoadedPreview loaded) {
+      ScenePatch patch, PreviewNodeIndex nodes, Node root, SceneLoader loader, AddedNodes added) {
     Set<Place> places = new HashSet<>();
     patch.fields().forEach(field -> places.add(field.place()));
     patch.metadata().forEach(metadata -> places.add(metadata.place()));
@@ -73,17 +74,17 @@ final class ResolvedScenePatch {
       }
       events.add(new Event(node, field.name(), field.value()));
     }
-    Optional<Read> read =
-        patch.metadata().isEmpty() ? Optional.empty() : read(patch.metadata(), loaded.loader());
+    Optional<Read> parsed =
+        patch.metadata().isEmpty() ? Optional.empty() : read(patch.metadata(), loader);
     for (int i = 0; i < patch.metadata().size(); i++) {
       ScenePatch.Metadata metadata = patch.metadata().get(i);
       Node node = found.get(metadata.place());
-      if (node == null || read.isEmpty() || !node.type().name().equals(metadata.type())) {
+      if (node == null || parsed.isEmpty() || !node.type().name().equals(metadata.type())) {
         return Optional.empty();
       }
-      events.add(new Event(node, METADATA, read.get().nodes().get(i)));
+      events.add(new Event(node, METADATA, parsed.get().nodes().get(i)));
     }
-    Map<String, Node> names = new LinkedHashMap<>(read.map(Read::names).orElse(Map.of()));
+    Map<String, Node> names = new LinkedHashMap<>(parsed.map(Read::names).orElse(Map.of()));
     List<String> unnamed = new ArrayList<>();
     for (ScenePatch.Name name : patch.names()) {
       Node node = found.get(name.place());
@@ -94,39 +95,26 @@ final class ResolvedScenePatch {
       name.is().ifPresent(now -> names.put(now, node));
     }
     Set<String> types = new HashSet<>();
-    for (ScenePatch.Children children : patch.children()) {
+    for (int i = 0; i < patch.children().size(); i++) {
+      ScenePatch.Children children = patch.children().get(i);
       Node owner = children.owner().map(found::get).orElse(root);
-      Optional<Scene> added = added(children, loaded);
+      Optional<Node> sibling =
+          children
+              .sibling()
+              .flatMap(at -> Optional.ofNullable(found.get(at)).or(() -> nodes.standing(at)));
+      Optional<Scene> read = added.scenes().get(i);
       Optional<List<Node>> now =
-          added.flatMap(scene -> children(owner, children, found, scene.root().nodes(CHILDREN)));
+          read.flatMap(
+              scene -> children(owner, children, found, sibling, scene.root().nodes(CHILDREN)));
       if (now.isEmpty()) {
         return Optional.empty();
       }
       events.add(new Event(owner, CHILDREN, now.get()));
       unnamed.addAll(children.unnamed());
-      names.putAll(added.get().named());
-      added.get().types().ifPresent(types::addAll);
+      names.putAll(read.get().named());
+      read.get().types().ifPresent(types::addAll);
     }
     return Optional.of(new ResolvedScenePatch(events, names, unnamed, types));
-  }
-
-  /** Reads new children; a scene without nodes where there are none. */
-  private static Optional<Scene> added(ScenePatch.Children children, LoadedPreview loaded) {
-    String text = children.count() == 0 ? "<X3D version='4.0'><Scene/></X3D>" : children.added();
-    byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
-    ProblemCollector problems = new ProblemCollector(); // The document's own checks report them.
-    try {
-      Scene read =
-          loaded
-              .loader()
-              .load(CHILDREN, new ByteArrayInputStream(bytes), loaded.folder(), problems)
-              .scene();
-      return read.root().nodes(CHILDREN).size() == children.count()
-          ? Optional.of(read)
-          : Optional.empty();
-    } catch (IOException e) {
-      return Optional.empty();
-    }
   }
 
   /** Returns the children that a group has after the patch; empty if it has others before. */
@@ -134,6 +122,7 @@ final class ResolvedScenePatch {
       @Nullable Node owner,
       ScenePatch.Children children,
       Map<Place, Node> found,
+      Optional<Node> sibling,
       List<Node> added) {
     boolean root = children.owner().isEmpty();
     if (owner == null || !root && !owner.type().name().equals(children.type())) {
@@ -148,8 +137,7 @@ final class ResolvedScenePatch {
     }
     int index = 0;
     if (children.sibling().isPresent()) {
-      Node sibling = found.get(children.sibling().get());
-      index = now.lastIndexOf(sibling) + 1;
+      index = sibling.map(now::lastIndexOf).orElse(-1) + 1;
       if (index == 0) {
         return Optional.empty();
       }

@@ -83,7 +83,7 @@ record ScenePatch(
    * @param unnamed the DEF names that are gone with them
    * @param sibling the place of the child, before, behind which the new ones are; empty for the
    *     beginning
-   * @param added a scene with the new children, in the lines and columns where they are
+   * @param added the new children, in the lines and columns where they are
    * @param count how many they are
    */
   record Children(

@@ -79,22 +79,34 @@ final class SensorBoxOverlay {
       polygons = new long[0];
       return;
     }
+    List<Counted> shown = new ArrayList<>();
+    for (ShapeInstance shape : shapes) {
+      if (shape.shown() && shape.bounds()[0] <= shape.bounds()[3]) {
+        double[] b = shape.bounds();
+        Vector3d middle = new Vector3d(b[0] + b[3], b[1] + b[4], b[2] + b[5]).mul(0.5);
+        shown.add(new Counted(middle, shape.mesh().map(mesh -> mesh.polygons()).orElse(0)));
+      }
+    }
     polygons = new long[areas.size()];
+    Vector3d local = new Vector3d();
     for (int i = 0; i < polygons.length; i++) {
       List<Matrix4d> inverse = new ArrayList<>();
       places(areas.get(i).node()).forEach(place -> inverse.add(new Matrix4d(place).invert()));
-      for (ShapeInstance shape : shapes) {
-        if (shape.shown() && shape.bounds()[0] <= shape.bounds()[3] && holds(inverse, shape)) {
-          polygons[i] += shape.mesh().map(mesh -> mesh.polygons()).orElse(0);
+      for (Counted shape : shown) {
+        if (holds(inverse, shape.middle(), local)) {
+          polygons[i] += shape.polygons();
         }
       }
     }
   }
 
-  private static boolean holds(List<Matrix4d> inverse, ShapeInstance shape) {
-    double[] b = shape.bounds();
-    Vector3d middle = new Vector3d(b[0] + b[3], b[1] + b[4], b[2] + b[5]).mul(0.5);
-    Vector3d local = new Vector3d();
+  /** A shape that may be in an area. */
+  private record Counted(Vector3d middle, int polygons) {}
+
+  /**
+   * @param local is overwritten
+   */
+  private static boolean holds(List<Matrix4d> inverse, Vector3d middle, Vector3d local) {
     for (Matrix4d place : inverse) {
       place.transformPosition(middle, local);
       if (Math.abs(local.x) <= 0.5 && Math.abs(local.y) <= 0.5 && Math.abs(local.z) <= 0.5) {

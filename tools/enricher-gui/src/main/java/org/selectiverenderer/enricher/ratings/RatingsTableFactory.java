@@ -11,6 +11,8 @@ import javax.swing.JTable;
 import javax.swing.ListSelectionModel;
 import javax.swing.table.TableModel;
 import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.enricher.component.ColumnHeads;
+import org.selectiverenderer.enricher.component.ShortcutTable;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.swing.PlainText;
 
@@ -36,11 +38,12 @@ final class RatingsTableFactory {
     for (int i = 0; i < shares.length; i++) {
       table.getColumnModel().getColumn(i).setPreferredWidth(10 * shares[i]);
     }
+    ColumnHeads.fit(table);
     return table;
   }
 
   private static JTable table(TableModel model, String name) {
-    JTable table = new JTable(model);
+    JTable table = new ShortcutTable(model);
     PlainText.cells(table);
     table.setFillsViewportHeight(true);
     table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);

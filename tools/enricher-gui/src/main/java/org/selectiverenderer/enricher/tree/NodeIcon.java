@@ -51,12 +51,20 @@ record NodeIcon(Kind kind, Mark mark) implements Icon {
     g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
     g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
     g.setStroke(new BasicStroke(1.3f));
-    g.setColor(color(key(kind)));
+    g.setColor(onSelection(c) ? c.getForeground() : color(key(kind)));
     draw(g);
     if (mark != Mark.NONE) {
       drawMark(g);
     }
     g.dispose();
+  }
+
+  /** Whether it is drawn on the colour of a selected row, on which only the text's is seen. */
+  private static boolean onSelection(Component c) {
+    Color text = c.getForeground();
+    return text != null
+        && text.equals(UIManager.getColor("Tree.selectionForeground"))
+        && !text.equals(UIManager.getColor("Tree.foreground"));
   }
 
   /** Draws the badge: a disc with a tick or a triangle, distinct by shape as well as by colour. */

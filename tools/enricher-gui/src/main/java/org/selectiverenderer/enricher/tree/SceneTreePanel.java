@@ -18,6 +18,7 @@ import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import javax.swing.ToolTipManager;
+import javax.swing.UIManager;
 import javax.swing.tree.TreePath;
 import javax.swing.tree.TreeSelectionModel;
 import net.miginfocom.swing.MigLayout;
@@ -296,20 +297,33 @@ public final class SceneTreePanel {
             });
   }
 
-  /** Scrolls to a row, sideways too: of deep nodes a tree would show the first letter only. */
+  /**
+   * Scrolls to a row, sideways too: of deep nodes a tree would show the first letter only, of long
+   * names the end only, without the arrows that expand.
+   */
   private void scrollTo(TreePath path) {
-    tree.scrollPathToVisible(path);
-    sideways(path);
+    tree.makeVisible(path);
+    scrollToRow(path);
     // Once more: a scroll bar that comes up for it takes the last row's place.
-    SwingUtilities.invokeLater(() -> sideways(path));
+    SwingUtilities.invokeLater(() -> scrollToRow(path));
   }
 
-  private void sideways(TreePath path) {
+  private void scrollToRow(TreePath path) {
     Rectangle row = tree.getPathBounds(path);
     if (row != null) {
-      row.width = Math.min(row.width, tree.getVisibleRect().width);
-      tree.scrollRectToVisible(row);
+      Rectangle seen = tree.getVisibleRect();
+      int arrow = Math.max(0, row.x - arrows());
+      int enough = row.x + Math.min(row.width, seen.width / 2);
+      int end = Math.max(0, row.x + row.width - seen.width);
+      boolean there = seen.x <= arrow && enough <= seen.x + seen.width;
+      int left = there ? seen.x : enough <= seen.width ? 0 : Math.min(arrow, end);
+      tree.scrollRectToVisible(new Rectangle(left, row.y, seen.width, row.height));
     }
+  }
+
+  /** The width of what expands a row, before its icon. */
+  private static int arrows() {
+    return UIManager.getInt("Tree.leftChildIndent") + UIManager.getInt("Tree.rightChildIndent");
   }
 
   private void changed(org.selectiverenderer.authoring.DocumentListener.Change change) {

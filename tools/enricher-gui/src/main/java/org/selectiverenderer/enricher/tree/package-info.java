@@ -4,7 +4,8 @@
  *
  * <p>In: a session. Out: selections, and nodes that are dragged to other places. Uses {@code
  * enricher.component}, {@code enricher.session}, {@code enricher.text}, {@code authoring}, {@code
- * authoring.enrichment}, {@code authoring.structure} and {@code x3d.source}.
+ * authoring.enrichment}, {@code authoring.structure}, {@code authoring.versions} for hints of
+ * unnamed elements and {@code x3d.source}.
  */
 @NullMarked
 package org.selectiverenderer.enricher.tree;

@@ -5,6 +5,7 @@ import java.awt.Dimension;
 import java.awt.Window;
 import java.io.IOException;
 import java.util.List;
+import java.util.Set;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import javax.swing.JButton;
@@ -28,14 +29,17 @@ import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.authoring.DocumentSnapshot;
 import org.selectiverenderer.authoring.EditRejectedException;
+import org.selectiverenderer.authoring.enrichment.EnrichedSwitch;
 import org.selectiverenderer.authoring.versions.BatchProgress;
 import org.selectiverenderer.authoring.versions.BatchVersionsEdit;
 import org.selectiverenderer.authoring.versions.PlannedFile;
 import org.selectiverenderer.authoring.versions.VersionCandidate;
 import org.selectiverenderer.authoring.versions.VersionCandidateFinder;
 import org.selectiverenderer.authoring.versions.VersionsEdit;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.enricher.component.ShortcutTable;
 import org.selectiverenderer.enricher.component.TextChangeListener;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.task.BackgroundTask;
@@ -60,7 +64,7 @@ public final class BatchVersionsDialog extends JDialog {
   private final EnricherSession session;
   private final List<DocumentElement> selected;
   private final BatchTableModel model = new BatchTableModel();
-  private final JTable table = new JTable(model);
+  private final JTable table = new ShortcutTable(model);
   private final JCheckBox only = new JCheckBox();
   private final JSpinner above =
       new JSpinner(new SpinnerNumberModel(VersionCandidateFinder.FEW, 0, 10_000_000, 100));
@@ -158,6 +162,7 @@ public final class BatchVersionsDialog extends JDialog {
   private JScrollPane table() {
     PlainText.cells(table);
     name(table, "manyversions.table");
+    table.setDefaultRenderer(Integer.class, new GroupedNumberRenderer());
     table.setFillsViewportHeight(true);
     table.setAutoCreateRowSorter(true);
     table.putClientProperty("terminateEditOnFocusLost", true);
@@ -287,8 +292,8 @@ public final class BatchVersionsDialog extends JDialog {
               ? Texts.of(
                   "manyversions.count",
                   count,
-                  String.valueOf(count),
-                  String.valueOf(model.getRowCount()))
+                  DecimalFormatter.grouped(count),
+                  DecimalFormatter.grouped(model.getRowCount()))
               : notice);
     }
   }
@@ -329,9 +334,15 @@ public final class BatchVersionsDialog extends JDialog {
       return;
     }
     session.document().removeListener(changes);
+    Set<DocumentElement> before = Set.copyOf(switches());
     try {
       plan.apply(session.document());
       dispose();
+      List<DocumentElement> made =
+          switches().stream().filter(element -> !before.contains(element)).toList();
+      if (!made.isEmpty()) {
+        session.selectAll(made, this); // as their schemas are stated next
+      }
       session.message(
           Texts.of(
               "manyversions.made",
@@ -345,6 +356,10 @@ public final class BatchVersionsDialog extends JDialog {
       session.document().addListener(changes);
       say(String.valueOf(e.getMessage()));
     }
+  }
+
+  private List<DocumentElement> switches() {
+    return session.enrichment().switches().stream().map(EnrichedSwitch::element).toList();
   }
 
   /** Asks before existing files are replaced, naming them; returns whether to go on. */

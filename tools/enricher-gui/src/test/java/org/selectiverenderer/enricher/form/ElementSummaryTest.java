@@ -34,6 +34,18 @@ class ElementSummaryTest {
             unknown -> assertThat(unknown).contains("does not declare this entity"));
   }
 
+  @Test
+  void aShapeWithoutANameCanHaveVersions() throws IOException {
+    EnricherSession session = TestSessions.with(folder, "<Shape><Sphere/></Shape>");
+    DocumentElement shape =
+        session.document().tree().orElseThrow().scene().orElseThrow().children().get(0);
+    ElementSummary said = ElementSummary.of(session.document(), session.catalogue(), shape);
+    assertThat(said.advice())
+        .startsWith("Versions of it with fewer polygons can be made")
+        .contains("Make Versions of Many Objects");
+    assertThat(said.versions()).isTrue();
+  }
+
   private static String advice(EnricherSession session, DocumentElement node) {
     return ElementSummary.of(session.document(), session.catalogue(), node).advice();
   }

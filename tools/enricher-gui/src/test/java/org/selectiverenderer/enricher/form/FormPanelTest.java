@@ -46,6 +46,7 @@ class FormPanelTest {
           <Inline DEF='High' url='"bin.x3d"'/>
         </Switch>
         <Transform DEF='Table'><Shape><Box/></Shape></Transform>
+        <Inline/>
       </Scene></X3D>
       """;
 
@@ -294,6 +295,24 @@ class FormPanelTest {
       Eventually.await("the finding of SR404", () -> window.texts().contains("no exitTimeSchema"));
       JLabel said = (JLabel) window.named("Findings");
       assertThat(EventThread.get(said::getText)).startsWith("2 problems"); // and an unused schema
+    }
+  }
+
+  @Test
+  void aFieldOfUrlsIsShownBeforeItIsWrittenWithAButtonToChooseAFile() throws Exception {
+    try (FormWindowDriver window = open(false)) {
+      EventThread.edt(
+          () ->
+              window.session.select(
+                  window.session.document().tree().orElseThrow().scene().orElseThrow().children()
+                      .get(3),
+                  this));
+      JTextComponent url = (JTextComponent) window.named("field url");
+      assertThat(window.named("file of url")).isNotNull();
+      window.fill(url, "bin.x3d");
+      window.press(KeyEvent.VK_ENTER);
+      assertThat(EventThread.get(() -> window.session.document().snapshot().text()))
+          .contains("<Inline url='\"bin.x3d\"'/>");
     }
   }
 

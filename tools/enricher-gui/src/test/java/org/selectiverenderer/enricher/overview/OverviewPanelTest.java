@@ -84,6 +84,16 @@ class OverviewPanelTest {
   }
 
   @Test
+  void aShortcutWithADigitEditsNoCell() throws IOException {
+    TestSessions.theme(false);
+    JTable table = shown(TestSessions.with(folder, AREA + TestSessions.object("Sink")));
+    hands.click(table, 0, 0);
+    hands.press(KeyEvent.VK_CONTROL, KeyEvent.VK_2);
+    assertThat(GuiRobot.onEdt(table::isEditing)).isFalse();
+    close(table);
+  }
+
+  @Test
   void keysFillCellsAndTheRowIsTheSessionsSelection() throws IOException {
     TestSessions.theme(false);
     EnricherSession session =

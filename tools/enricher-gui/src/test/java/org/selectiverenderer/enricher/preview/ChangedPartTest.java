@@ -6,8 +6,10 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -15,6 +17,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.authoring.DocumentSnapshot;
 import org.selectiverenderer.authoring.SceneDocument;
+import org.selectiverenderer.browser.instance.ShapeInstance;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 
@@ -99,7 +102,7 @@ class ChangedPartTest {
         PreviewScene loaded = load(now)) {
       running.asIf(List.of("DeskSchema"));
       loaded.asIf(List.of("DeskSchema"));
-      assertThat(running.patch(edited.patch().orElseThrow())).isTrue();
+      assertThat(ScenePatchTest.patched(running, edited.patch().orElseThrow())).isTrue();
       assertThat(ScenePatchTest.told(running)).isEqualTo(ScenePatchTest.told(loaded));
       assertThat(running.nodes().all().toString()).isEqualTo(loaded.nodes().all().toString());
       assertThat(running.revision()).isEqualTo(now.revision());
@@ -145,6 +148,68 @@ class ChangedPartTest {
         new Edited(SCENE).replace("<Group DEF='Beside'/>", "<Group/>\n\n  <Group DEF='Beside'/>"));
   }
 
+  @ParameterizedTest
+  @CsvSource(
+      quoteCharacter = '|',
+      textBlock =
+          """
+          <Group DEF='Mark'/>,            <Group/><Group DEF='Mark'/>
+          <Group DEF='Mark'/>,            ||
+          <Group DEF='Behind'/>,          <Shape DEF='New'><Box/></Shape><Group DEF='Behind'/>
+          |<ProtoInstance name='Lamp'/>|, |<ProtoInstance name='Lamp'/><Group/>|
+          """)
+  void whatStandsBehindAnInstanceOfAPrototypeIsTakenOver(String what, String by)
+      throws IOException {
+    takenOver(
+        new Edited(
+                SCENE.replace(
+                    "<Group DEF='Beside'/>",
+                    "<ProtoInstance DEF='L' name='Lamp'/><Group DEF='Mark'/>"
+                        + "<Transform><ProtoInstance name='Lamp'/><Group DEF='Behind'/>"
+                        + "</Transform>"))
+            .replace(what, by));
+  }
+
+  /** A texture is drawn instead of a colour in X3D 3, and on it in X3D 4 (X3D 4.0, 12.2.4). */
+  @ParameterizedTest
+  @CsvSource({"3.3", "4.0"})
+  void nodesThatComeBackMeanWhatTheyMeantInTheVersionOfTheScene(String version)
+      throws IOException {
+    String shape =
+        "<Shape DEF='Red'><Appearance><Material diffuseColor='1 0 0'/>"
+            + "<PixelTexture image='1 1 3 0xFFFFFF'/></Appearance><Box/></Shape>";
+    Edited edited =
+        new Edited(
+            "<X3D profile='Immersive' version='%s'>\n<Scene><Group DEF='G'/>%s</Scene></X3D>"
+                .formatted(version, shape));
+    try (PreviewScene running = load(edited.before);
+        PreviewScene loaded = load(edited.before)) {
+      DocumentSnapshot before = edited.before;
+      for (String[] each : new String[][] {{shape, ""}, {"</Scene>", shape + "</Scene>"}}) {
+        edited.ranges.clear();
+        edited.replace(each[0], each[1]);
+        DocumentSnapshot was = before;
+        DocumentSnapshot now = edited.document.snapshot();
+        assertThat(
+                ScenePatchTest.patched(running, edited.parts().stream()
+                        .flatMap(
+                            p -> SceneTextDiff.between(was, now, p, NodeCatalogue.load()).stream())
+                        .findFirst()
+                        .orElseThrow()))
+            .isTrue();
+        before = now;
+      }
+      assertThat(material(running)).isEqualTo(material(loaded));
+    }
+  }
+
+  private static String material(PreviewScene scene) {
+    return scene.nodes().shapes(scene.world().scene().find("Red").orElseThrow()).stream()
+        .map(ShapeInstance::surface)
+        .map(surface -> Arrays.toString(surface.diffuse()) + surface.tints())
+        .collect(Collectors.joining());
+  }
+
   @Test
   void severalEditsAreTakenOverTogether() throws IOException {
     takenOver(
@@ -177,7 +242,7 @@ class ChangedPartTest {
             edited.parts().stream()
                 .flatMap(p -> SceneTextDiff.between(was, now, p, NodeCatalogue.load()).stream())
                 .findFirst();
-        assertThat(running.patch(patch.orElseThrow())).as(each[0]).isTrue();
+        assertThat(ScenePatchTest.patched(running, patch.orElseThrow())).as(each[0]).isTrue();
         before = now;
         try (PreviewScene loaded = load(now)) {
           assertThat(ScenePatchTest.told(running))

@@ -102,7 +102,7 @@ class ScenePatchTest {
     try (PreviewScene running = load(edited[0]);
         PreviewScene loaded = load(edited[1])) {
       running.asIf(List.of("DeskSchema"));
-      assertThat(running.patch(patch(edited).orElseThrow())).isTrue();
+      assertThat(patched(running, patch(edited).orElseThrow())).isTrue();
       loaded.asIf(List.of("DeskSchema"));
       assertThat(told(running)).isEqualTo(told(loaded));
       assertThat(running.revision()).isEqualTo(edited[1].revision());
@@ -115,7 +115,7 @@ class ScenePatchTest {
     try (PreviewScene running = load(edited[0])) {
       SwitchNode can = (SwitchNode) running.world().scene().find("Can").orElseThrow();
       running.version(can, 1);
-      assertThat(running.patch(patch(edited).orElseThrow())).isTrue();
+      assertThat(patched(running, patch(edited).orElseThrow())).isTrue();
       assertThat(running.versioned()).contains(can);
       assertThat(can.whichChoice()).isEqualTo(1);
     }
@@ -136,7 +136,7 @@ class ScenePatchTest {
             """);
     try (PreviewScene running = load(edited[0]);
         PreviewScene loaded = load(edited[1])) {
-      assertThat(running.patch(patch(edited).orElseThrow())).isTrue();
+      assertThat(patched(running, patch(edited).orElseThrow())).isTrue();
       for (PreviewScene each : List.of(running, loaded)) {
         each.asIf(List.of("DeskSchema"));
         assertThat(each.world().scene().find("Cup").orElseThrow().integer("whichChoice")).isZero();
@@ -153,7 +153,7 @@ class ScenePatchTest {
         PreviewScene loaded = load(edited[1])) {
       Node box = running.world().scene().find("Low").orElseThrow();
       SourceAnchor there = loaded.nodes().anchor(loaded.world().scene().find("Low").orElseThrow());
-      assertThat(running.patch(patch(edited).orElseThrow())).isTrue();
+      assertThat(patched(running, patch(edited).orElseThrow())).isTrue();
       assertThat(running.nodes().anchor(box)).isEqualTo(there);
       SourceAnchor nameless = new SourceAnchor(Optional.empty(), there.line(), there.column());
       assertThat(running.nodes().find(List.of(nameless))).containsSame(box);
@@ -216,12 +216,16 @@ class ScenePatchTest {
     DocumentSnapshot[] edited = edited("0 1 0", "1 1 0");
     ScenePatch patch = patch(edited).orElseThrow();
     try (PreviewScene running = load(edited[0])) {
-      assertThat(running.patch(patch)).isTrue();
-      assertThat(running.patch(patch)).as("for the second time").isFalse();
+      assertThat(patched(running, patch)).isTrue();
+      assertThat(patched(running, patch)).as("for the second time").isFalse();
     }
   }
 
   /** All fields of all nodes, metadata too. */
+  static boolean patched(PreviewScene scene, ScenePatch patch) {
+    return scene.patch(patch, AddedNodes.of(patch, scene.loaded()));
+  }
+
   static String told(PreviewScene scene) {
     StringBuilder text =
         new StringBuilder(new TreeSet<>(scene.world().scene().named().keySet()) + "\n");

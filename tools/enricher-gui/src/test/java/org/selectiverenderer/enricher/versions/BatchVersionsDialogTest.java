@@ -16,6 +16,8 @@ import javax.swing.JTable;
 import javax.swing.JTextField;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.authoring.enrichment.EnrichedSwitch;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.enricher.robot.TestSessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
@@ -82,9 +84,44 @@ class BatchVersionsDialogTest {
     assertThat(folder.resolve("inlineNodes/Vase_v3.x3d")).exists();
     assertThat(folder.resolve("inlineNodes/Bowl_v2.x3d")).exists();
     assertThat(session.enrichment().switches()).hasSize(2);
+    assertThat(session.selectedElements())
+        .as("the Switches, whose schemas are stated next")
+        .containsExactlyElementsOf(
+            session.enrichment().switches().stream().map(EnrichedSwitch::element).toList());
     session.document().history().undo();
     assertThat(session.document().text().toString()).isEqualTo(before);
     assertThat(folder.resolve("inlineNodes")).doesNotExist();
+  }
+
+  @Test
+  void polygonsAreGroupedAndAShortcutEditsNoCell() throws IOException {
+    TestSessions.theme(false);
+    String many =
+        "<Shape><ElevationGrid xDimension='40' zDimension='40' height='%s'/></Shape>"
+            .formatted("0 1 ".repeat(800));
+    BatchVersionsDialog dialog = dialog(TestSessions.with(folder, many));
+    JTable table = GuiRobot.named(dialog, "Objects to make versions of", JTable.class);
+    hands.await("the objects", () -> table.getRowCount() == 1);
+    String shown =
+        GuiRobot.onEdt(
+            () ->
+                ((JLabel)
+                        table.prepareRenderer(
+                            table.getCellRenderer(0, BatchTableModel.POLYGONS),
+                            0,
+                            BatchTableModel.POLYGONS))
+                    .getText());
+    assertThat(shown).isEqualTo(DecimalFormatter.grouped(2 * 39 * 39)).hasSize(5);
+    hands.click(table, 0, BatchTableModel.GOAL);
+    hands.press(KeyEvent.VK_CONTROL, KeyEvent.VK_2);
+    assertThat(GuiRobot.onEdt(table::isEditing)).isFalse();
+    hands.press(KeyEvent.VK_2);
+    assertThat(GuiRobot.onEdt(table::isEditing)).isTrue();
+    GuiRobot.onEdt(
+        () -> {
+          dialog.dispose();
+          return null;
+        });
   }
 
   @Test
