@@ -43,6 +43,7 @@ import org.selectiverenderer.enricher.diff.DiffDialog;
 import org.selectiverenderer.enricher.ratings.RatingsDialog;
 import org.selectiverenderer.enricher.robot.TestSessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.testing.ShowsWindows;
 import org.selectiverenderer.testing.robot.AccessibleNameCheck;
 import org.selectiverenderer.testing.robot.GuiRobot;
@@ -257,12 +258,14 @@ class EnricherWindowTest {
     clickRow(0);
     for (int key : new int[] {KeyEvent.VK_4, KeyEvent.VK_1, KeyEvent.VK_4}) {
       hands.press(KeyEvent.VK_CONTROL, key);
+      String wanted = Texts.of(key == KeyEvent.VK_4 ? "area.plan" : "preview.picture");
       hands.await(
-          "the picture",
+          "the keyboard in " + wanted,
           () ->
               KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner()
                       instanceof AccessibleCanvas picture
-                  && picture.isShowing());
+                  && picture.isShowing()
+                  && picture.getAccessibleContext().getAccessibleName().equals(wanted));
     }
   }
 

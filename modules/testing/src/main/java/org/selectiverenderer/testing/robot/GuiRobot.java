@@ -212,12 +212,17 @@ public final class GuiRobot {
         component::isFocusOwner);
   }
 
-  /** The area of a component, which is scrolled into view as a user would do it. */
+  /**
+   * The part of a component that can be seen, after it is scrolled into view as a user would do it:
+   * the middle of a large text is outside its window.
+   */
   private static Rectangle inView(Component component) {
     if (component.getParent() instanceof JComponent around) {
       around.scrollRectToVisible(component.getBounds()); // text fields would scroll only their text
     }
-    return new Rectangle(component.getSize());
+    return component instanceof JComponent of && !of.getVisibleRect().isEmpty()
+        ? of.getVisibleRect()
+        : new Rectangle(component.getSize());
   }
 
   /** Clicks a cell of a table by its place on the screen. */
