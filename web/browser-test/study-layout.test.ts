@@ -98,7 +98,7 @@ async function answer(page: Page, label: string): Promise<void> {
 
 async function picture(page: Page, name: string): Promise<void> {
   if (PICTURES) {
-    await page.screenshot({ path: path.join(PICTURES, `${name}.png`) as `${string}.png` });
+    await page.screenshot({ path: path.join(PICTURES, `${name}.png`) });
   }
 }
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { copyArraysFast, type GeometryArray } from '../src/scene/geometry-arrays.js';
+import { copyArraysFast } from '../src/scene/geometry-arrays.js';
 
 class Vertices extends Array<number> {
   getValue(): Float32Array {
@@ -12,7 +12,7 @@ class Vertices extends Array<number> {
 
 describe("X_ITE's arrays of vertices", () => {
   it('are copied for the graphics card, into the same memory where the length is the same', () => {
-    const vertices = new Vertices() as GeometryArray;
+    const vertices = new Vertices();
     copyArraysFast(new Vertices());
     expect([...vertices.getValue()]).toEqual([]);
     vertices.push(1, 2.5, -3);
@@ -29,7 +29,7 @@ describe("X_ITE's arrays of vertices", () => {
   });
 
   it('keep their contents apart', () => {
-    const [one, other] = [new Vertices() as GeometryArray, new Vertices() as GeometryArray];
+    const [one, other] = [new Vertices(), new Vertices()];
     copyArraysFast(one);
     one.push(1);
     one.shrinkToFit();

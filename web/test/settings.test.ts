@@ -11,7 +11,7 @@ describe('study-settings.json', () => {
       minHeight: 0,
       minRefresh: 0,
       minFrameRate: 0,
-      headset: 'offer',
+      headset: 'no',
     });
   });
 

@@ -35,7 +35,7 @@ export function fieldElement(field: Field, label: string, value: string, words: 
 }
 
 function choice(field: Field & { type: 'choice' }, label: string, value: string, changed: Changed): HTMLElement {
-  const scale = field.least || field.most || field.options.every((option) => option.note);
+  const scale = [field.least, field.most].some(Boolean) || field.options.every((option) => option.note);
   const box = element('div', scale ? 'choice scale' : 'choice');
   box.setAttribute('role', field.several ? 'group' : 'radiogroup');
   box.setAttribute('aria-label', label);

@@ -50,7 +50,7 @@ export function settings(json: unknown): Settings {
   };
 }
 
-function worn(value: unknown = 'offer'): Settings['headset'] {
+function worn(value: unknown = 'no'): Settings['headset'] {
   const found = HEADSET.find((each) => each === value);
   if (!found) {
     throw new Error('study-settings.json: "headset" must be "offer", "require" or "no"');

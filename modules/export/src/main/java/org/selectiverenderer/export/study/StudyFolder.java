@@ -136,7 +136,7 @@ public record StudyFolder(String name, List<PackagedFile> files) {
     json.put("minHeight", 500);
     json.put("minRefresh", 0);
     json.put("minFrameRate", study.quality().minFps().orElse(0));
-    json.put("headset", "offer");
+    json.put("headset", "no");
     return JsonWriter.of(json);
   }
 
