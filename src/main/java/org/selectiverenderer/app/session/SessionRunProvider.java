@@ -264,8 +264,7 @@ final class SessionRunProvider implements RunSequence.Runs {
         step,
         scene,
         new SelectiveController.Settings(
-            session.group().map(StudyGroup::condition).orElse(Condition.HIGH),
-            lot()),
+            session.group().map(StudyGroup::condition).orElse(Condition.HIGH), lot()),
         show.presentation().withIpd(session.ipd() / 1000),
         log);
   }

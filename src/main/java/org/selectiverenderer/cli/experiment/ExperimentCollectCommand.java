@@ -201,7 +201,8 @@ final class ExperimentCollectCommand extends CliCommand {
     console()
         .message(
             "from browsers: %s added, %d with more records, %d there already"
-                .formatted(Pluralizer.of(made.added(), "session"), made.changed(), made.unchanged()));
+                .formatted(
+                    Pluralizer.of(made.added(), "session"), made.changed(), made.unchanged()));
   }
 
   /** Collects the answers of the study, or of all sites; empty if these do not go together. */

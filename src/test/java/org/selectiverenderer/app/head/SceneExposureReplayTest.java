@@ -85,11 +85,14 @@ class SceneExposureReplayTest {
 
   @Test
   void aSceneThatIsNotThereIsSaidInASentence() throws IOException {
-    Path copy = Files.writeString(folder.resolve("hall.x3d"), "<X3D><Scene><Viewpoint DEF='OfficeView'/></Scene></X3D>");
+    Path copy =
+        Files.writeString(
+            folder.resolve("hall.x3d"), "<X3D><Scene><Viewpoint DEF='OfficeView'/></Scene></X3D>");
     Study study = study(copy);
     Files.delete(copy);
     assertThatThrownBy(
-            () -> new SceneExposureReplay().of(study, exposure(study, List.of(at(0, 0, 0, 0, 0, 0)))))
+            () ->
+                new SceneExposureReplay().of(study, exposure(study, List.of(at(0, 0, 0, 0, 0, 0)))))
         .isInstanceOf(IOException.class)
         .hasMessageContaining("hall.x3d");
   }

@@ -190,6 +190,7 @@ class ExportCommandTest extends CommandTestCase {
     String path = "scenes/paths/desk-visit.csv";
     assertThat(execute("simulate", scene.toString(), "--path", path)).isZero();
     // The page loads the other version when it is chosen; its polygons are not there before.
-    assertThat(printed()).contains("DeskProx activates DeskSchema", "choice 1 -> 0", "13079 at most");
+    assertThat(printed())
+        .contains("DeskProx activates DeskSchema", "choice 1 -> 0", "13079 at most");
   }
 }

@@ -16,8 +16,7 @@ import org.selectiverenderer.x3d.source.Gzip;
  */
 final class NormalMaps {
   /** Parts of the names of fields, of glTF's keys and of X_ITE's attributes of shaders. */
-  private static final List<String> NAMES =
-      List.of("ormalTexture", "nisotropy", "angent");
+  private static final List<String> NAMES = List.of("ormalTexture", "nisotropy", "angent");
 
   /** Endings of files that name no nodes. */
   private static final Set<String> PLAIN =

@@ -21,8 +21,7 @@ final class PrototypeValues {
   private final DocumentElement declaration;
   private final Set<String> placed = new HashSet<>();
 
-  PrototypeValues(
-      SceneDocument document, DocumentElement instance, DocumentElement declaration) {
+  PrototypeValues(SceneDocument document, DocumentElement instance, DocumentElement declaration) {
     this.document = document;
     this.instance = instance;
     this.declaration = declaration;
@@ -89,8 +88,7 @@ final class PrototypeValues {
   private static Optional<DocumentElement> named(
       DocumentElement parent, String element, String name) {
     return parent.children().stream()
-        .filter(
-            child -> child.name().equals(element) && child.text("name").orElse("").equals(name))
+        .filter(child -> child.name().equals(element) && child.text("name").orElse("").equals(name))
         .findFirst();
   }
 

@@ -97,9 +97,7 @@ class ControllerScriptTest {
       EmbeddedBrowser browser = new EmbeddedBrowser(world, loader, line -> {}, Map.of());
       SelectiveController.Settings settings = new SelectiveController.Settings(condition, seed);
       SelectiveController controller =
-          controlled
-              ? new SelectiveController(browser, settings, events, problem -> {})
-              : null;
+          controlled ? new SelectiveController(browser, settings, events, problem -> {}) : null;
       world.instances().update();
       List<Change> changes = new ArrayList<>();
       Map<String, Integer> shown = new HashMap<>();
@@ -165,7 +163,9 @@ class ControllerScriptTest {
         .isEqualTo(walk(scene, path, true, Condition.SELECTIVE, 0));
   }
 
-  /** The objects of prototypes have no names in the scene: their changes are those that are told. */
+  /**
+   * The objects of prototypes have no names in the scene: their changes are those that are told.
+   */
   @Test
   void objectsOfPrototypeInstancesSwitchWhenTheControllerSwitchesThem() throws IOException {
     String scene = bare(Files.readString(Path.of("scenes/trashcan.x3d")));

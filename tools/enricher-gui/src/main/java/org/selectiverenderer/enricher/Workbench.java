@@ -126,8 +126,7 @@ final class Workbench {
         new ProblemsPanel(
             session,
             List.of(
-                validator,
-                validator.graded(RepeatedPointsCheck.RULE, new RepeatedPointsCheck())));
+                validator, validator.graded(RepeatedPointsCheck.RULE, new RepeatedPointsCheck())));
     tree = new SceneTreePanel(session, problems::faulty);
     problems.onCounts(
         now -> {

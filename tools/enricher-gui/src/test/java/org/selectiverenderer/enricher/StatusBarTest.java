@@ -26,7 +26,8 @@ class StatusBarTest {
       GuiRobot.onEdt(
           () -> {
             status.announced("Opening a.x3d");
-            return tasks.run("Opening a.x3d", () -> end.await(1, TimeUnit.MINUTES), done -> {}, failed -> {});
+            return tasks.run(
+                "Opening a.x3d", () -> end.await(1, TimeUnit.MINUTES), done -> {}, failed -> {});
           });
       hands.await("the progress", bar::isVisible);
       assertThat(GuiRobot.onEdt(bar::isStringPainted)).isFalse();
@@ -35,7 +36,8 @@ class StatusBarTest {
             status.announced("");
             return true;
           });
-      hands.await("the name", () -> bar.isStringPainted() && bar.getString().equals("Opening a.x3d"));
+      hands.await(
+          "the name", () -> bar.isStringPainted() && bar.getString().equals("Opening a.x3d"));
       end.countDown();
       hands.await("the end", () -> !bar.isVisible());
       GuiRobot.onEdt(

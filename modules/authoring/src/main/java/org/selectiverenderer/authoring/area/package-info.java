@@ -13,8 +13,8 @@
  * org.selectiverenderer.authoring.area.SnapGrid} snaps lengths.
  *
  * <p>In: a document, boxes. Out: areas, edits, not yet made. Uses {@code authoring}, {@code
- * authoring.enrichment}, {@code authoring.nodes}, {@code authoring.structure}, {@code geometry}, {@code polygon} for oriented
- * boxes, {@code schema} and {@code x3d}.
+ * authoring.enrichment}, {@code authoring.nodes}, {@code authoring.structure}, {@code geometry},
+ * {@code polygon} for oriented boxes, {@code schema} and {@code x3d}.
  */
 @NullMarked
 package org.selectiverenderer.authoring.area;

@@ -183,8 +183,7 @@ public final class FieldEdits {
   }
 
   private static String spelled(NodeField field, String value) {
-    boolean strings =
-        field.definition().filter(of -> of.type() == FieldType.MFString).isPresent();
+    boolean strings = field.definition().filter(of -> of.type() == FieldType.MFString).isPresent();
     return strings && !value.isBlank() && value.indexOf('"') < 0
         ? FieldValueFormatter.strings(value.strip())
         : value;

@@ -70,8 +70,7 @@ public final class FindingSuppression {
       int at =
           Collections.binarySearch(
               siblings, element, Comparator.comparingInt(DocumentElement::start));
-      return Math.min(
-          element.start(), at > 0 ? siblings.get(at - 1).end() : parent.tagEnd());
+      return Math.min(element.start(), at > 0 ? siblings.get(at - 1).end() : parent.tagEnd());
     }
   }
 

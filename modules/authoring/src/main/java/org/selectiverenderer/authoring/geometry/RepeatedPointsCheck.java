@@ -20,11 +20,13 @@ import org.selectiverenderer.x3d.source.XmlParseException;
 
 /**
  * A check that finds faces whose points repeat others and could be welded. A few faces are listed
- * one by one; more than one of them also in a single finding of the scene, at its root. It remembers
- * what it found in faces, so that only those that changed are searched anew. Thread-safe.
+ * one by one; more than one of them also in a single finding of the scene, at its root. It
+ * remembers what it found in faces, so that only those that changed are searched anew. Thread-safe.
  */
 public final class RepeatedPointsCheck implements DocumentCheck {
-  /** The id of the rule, which is in the validator's catalogue, though the validator has no check. */
+  /**
+   * The id of the rule, which is in the validator's catalogue, though the validator has no check.
+   */
   public static final String RULE = "SR208";
 
   private static final String ADVICE =

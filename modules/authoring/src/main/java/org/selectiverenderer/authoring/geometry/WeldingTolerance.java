@@ -54,8 +54,7 @@ final class WeldingTolerance {
 
   /** Returns a tolerance with four digits that count: {@code 0.000001414}, {@code 3.2E-9}. */
   static String text(double tolerance) {
-    BigDecimal rounded =
-        new BigDecimal(tolerance).round(new MathContext(4)).stripTrailingZeros();
+    BigDecimal rounded = new BigDecimal(tolerance).round(new MathContext(4)).stripTrailingZeros();
     return rounded.scale() < 0 ? rounded.toPlainString() : rounded.toString();
   }
 

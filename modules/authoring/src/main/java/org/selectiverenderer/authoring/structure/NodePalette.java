@@ -144,7 +144,9 @@ public final class NodePalette {
     return takes(parent, node) && !(isObject(parent) && isObject(node));
   }
 
-  /** Whether an element is a thing with a place of its own: a Transform that holds what is drawn. */
+  /**
+   * Whether an element is a thing with a place of its own: a Transform that holds what is drawn.
+   */
   private static boolean isObject(DocumentElement element) {
     return element.name().equals("Transform")
         && element.children().stream().anyMatch(child -> DRAWN.contains(child.name()));

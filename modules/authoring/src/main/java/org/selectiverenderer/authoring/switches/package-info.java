@@ -4,7 +4,8 @@
  * stays shown.
  *
  * <p>In: a document, a Switch or a node. Out: edits, not yet performed. Uses {@code authoring},
- * {@code authoring.enrichment}, {@code authoring.nodes}, {@code authoring.structure} and {@code x3d}.
+ * {@code authoring.enrichment}, {@code authoring.nodes}, {@code authoring.structure} and {@code
+ * x3d}.
  */
 @NullMarked
 package org.selectiverenderer.authoring.switches;

@@ -9,8 +9,8 @@ import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
  * Hints by which elements without names are told apart: what a reader of the file takes them for,
- * as {@link VersionsEdit#proposedName} does, else their geometry. Hints are kept as long as the text
- * stays. Not thread-safe.
+ * as {@link VersionsEdit#proposedName} does, else their geometry. Hints are kept as long as the
+ * text stays. Not thread-safe.
  */
 public final class ElementHints {
   private static final Set<String> HINTED =

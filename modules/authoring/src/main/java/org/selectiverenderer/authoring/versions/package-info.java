@@ -4,8 +4,8 @@
  * first, then written as a transaction.
  *
  * <p>In: a document's snapshot, an object's DEF name, goals. Out: files of versions, an edit. Uses
- * {@code authoring}, {@code authoring.file}, {@code authoring.structure}, {@code models}, {@code models.simplify}, {@code x3d}
- * and {@code base}.
+ * {@code authoring}, {@code authoring.file}, {@code authoring.structure}, {@code models}, {@code
+ * models.simplify}, {@code x3d} and {@code base}.
  */
 @NullMarked
 package org.selectiverenderer.authoring.versions;

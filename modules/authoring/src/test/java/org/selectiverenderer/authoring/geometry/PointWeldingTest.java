@@ -282,9 +282,7 @@ class PointWeldingTest {
     assertThat(after.split("point='0 0 0, 1 0 0, 0 1 0, 1 1 0'", -1)).hasSize(3);
     assertThat(new RepeatedPointsCheck().check(document.snapshot())).isEmpty();
     assertThatThrownBy(
-            () ->
-                repair.edit(
-                    GeometryRepair.Kind.WELD_ALL, document.tree().orElseThrow().root()))
+            () -> repair.edit(GeometryRepair.Kind.WELD_ALL, document.tree().orElseThrow().root()))
         .isInstanceOf(EditRejectedException.class)
         .hasMessageContaining("nothing to do");
     document.history().undo();
@@ -295,8 +293,7 @@ class PointWeldingTest {
   void aCommentBeforeTheRootAcceptsThoseOfTheWholeScene() throws IOException {
     SceneDocument document = document(mesh("A") + mesh("B") + mesh("C") + mesh("D"));
     document.perform(
-        new FindingSuppression(document)
-            .suppress("SR208", document.tree().orElseThrow().root()));
+        new FindingSuppression(document).suppress("SR208", document.tree().orElseThrow().root()));
     assertThat(new RepeatedPointsCheck().check(document.snapshot())).isEmpty();
   }
 

@@ -269,7 +269,9 @@ class BatchVersionsEditTest {
               <Transform translation='4 .3 3'><ProtoInstance name='Lamp'/></Transform>
             </Scene></X3D>
             """);
-    assertThat(candidates(file)).extracting(VersionCandidate::name).containsExactly("Lamp", "Lamp_2");
+    assertThat(candidates(file))
+        .extracting(VersionCandidate::name)
+        .containsExactly("Lamp", "Lamp_2");
   }
 
   @Test

@@ -70,7 +70,8 @@ class VersionCreationTest extends VaseScene {
         .contains("<Switch DEF='Switch_Set'");
     assertThat(folder.resolve("inlineNodes/Set_v1.x3d"))
         .content()
-        .contains("profile='Interchange'", "<head>\n    <component name='Networking' level='2'/>\n");
+        .contains(
+            "profile='Interchange'", "<head>\n    <component name='Networking' level='2'/>\n");
     assertThat(folder.resolve("inlineNodes/Set_v2.x3d"))
         .content()
         .contains("profile='Interchange'")

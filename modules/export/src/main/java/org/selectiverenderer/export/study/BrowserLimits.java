@@ -72,8 +72,7 @@ final class BrowserLimits {
       keys.fault("closed", "the page cannot close rooms yet; \"stay\": \"turn\" keeps the place");
     }
     refuseWalks(keys);
-    if (study.design().groups().stream()
-            .anyMatch(group -> group.condition() == Condition.RANDOM)
+    if (study.design().groups().stream().anyMatch(group -> group.condition() == Condition.RANDOM)
         && PlannedSession.all(material).stream()
             .mapToLong(session -> study.lot(session.participant()))
             .anyMatch(lot -> lot != (int) lot)) {

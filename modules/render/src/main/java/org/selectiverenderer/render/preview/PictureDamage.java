@@ -25,8 +25,8 @@ import org.selectiverenderer.render.draw.PixelRectangle;
 
 /**
  * Finds the parts of a picture in which it differs from the previous one of the same scene: the
- * damage, as window systems call it. Where an effect reaches beyond the shape that has changed, such
- * as a light, or cannot be told from the shapes, such as a movie, that is the whole picture.
+ * damage, as window systems call it. Where an effect reaches beyond the shape that has changed,
+ * such as a light, or cannot be told from the shapes, such as a movie, that is the whole picture.
  */
 final class PictureDamage {
   /** Pixels by which edges and their smoothing reach beyond a projected box. */

@@ -198,8 +198,7 @@ public final class ScenePreviewRenderer implements AutoCloseable {
         pixels, drawn.x(), drawn.y(), part.x(), part.y(), part.width(), part.height());
   }
 
-  private Target target(
-      GL3 gl, @Nullable Target known, int width, int height, int wantedSamples) {
+  private Target target(GL3 gl, @Nullable Target known, int width, int height, int wantedSamples) {
     if (known != null && known.fits(width, height, wantedSamples)) {
       return known;
     }
@@ -207,8 +206,7 @@ public final class ScenePreviewRenderer implements AutoCloseable {
       known.buffer().dispose(gl);
     }
     try {
-      return new Target(
-          new OffscreenFramebuffer(gl, width, height, wantedSamples), wantedSamples);
+      return new Target(new OffscreenFramebuffer(gl, width, height, wantedSamples), wantedSamples);
     } catch (GLException e) {
       throw new GlUnavailableException(
           "a picture of that size cannot be drawn: " + e.getMessage(), e);

@@ -39,8 +39,7 @@ class PictureDamageTest {
 
   private final ProblemCollector problems = new ProblemCollector();
   private final SceneLoader loader =
-      new SceneLoader(
-          NodeCatalogue.load(), new NodeFactory(), ReadLimits.standard(), problems);
+      new SceneLoader(NodeCatalogue.load(), new NodeFactory(), ReadLimits.standard(), problems);
   private ScenePreviewRenderer view;
   private World world;
 
@@ -73,8 +72,7 @@ class PictureDamageTest {
     scene.append("<Transform translation='0 0 -5'><Shape><IndexedLineSet coordIndex='0 1 -1'>");
     scene.append("<Coordinate point='-9 -9 0 9 9 0'/></IndexedLineSet></Shape></Transform>");
     byte[] bytes = scene.append("</Scene></X3D>").toString().getBytes(StandardCharsets.UTF_8);
-    world =
-        new World(loader.load("test", new ByteArrayInputStream(bytes), Path.of("")), problems);
+    world = new World(loader.load("test", new ByteArrayInputStream(bytes), Path.of("")), problems);
     step();
     assertThat(problems.list()).isEmpty();
   }
@@ -187,8 +185,7 @@ class PictureDamageTest {
     first(PreviewOptions.NONE);
     Matrix4d place = new Matrix4d().translation(1.1, 0.07, 1).scale(2.5);
     BoxOverlay box = new BoxOverlay(place, new float[] {1, 0, 0, 1}, new float[] {1, 0, 0, .2f});
-    PreviewOptions boxed =
-        new PreviewOptions(List.of(box), Set.of(), false, Optional.empty());
+    PreviewOptions boxed = new PreviewOptions(List.of(box), Set.of(), false, Optional.empty());
 
     assertThat(partLikeWhole(boxed)).isTrue();
     assertThat(partLikeWhole(PreviewOptions.NONE)).isTrue();

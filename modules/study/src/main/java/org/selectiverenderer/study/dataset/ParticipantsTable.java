@@ -166,7 +166,8 @@ public record ParticipantsTable(List<String> columns, List<Map<String, String>> 
               "ids that a recruiting service gave the participant, joined by |; they lead to a"
                   + " person and are not passed on"));
     }
-    DataTable table = new DataTable("participants", "a participant who was assigned a condition", all);
+    DataTable table =
+        new DataTable("participants", "a participant who was assigned a condition", all);
     for (Map<String, String> row : rows) {
       List<@Nullable String> cells = new ArrayList<>();
       columns.forEach(name -> cells.add(row.get(name)));

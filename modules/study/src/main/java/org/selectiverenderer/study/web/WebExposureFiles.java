@@ -80,8 +80,19 @@ final class WebExposureFiles {
               || turn.difference(before, new Quaterniond()).angle() >= STILL_ANGLE;
       samples.add(
           new HeadSample(
-              frame.t(), frame.x(), frame.y(), frame.z(), frame.yaw(), frame.pitch(), frame.roll(),
-              moved, view.object(), view.distance(), view.version(), view.cone(), view.schemas(),
+              frame.t(),
+              frame.x(),
+              frame.y(),
+              frame.z(),
+              frame.yaw(),
+              frame.pitch(),
+              frame.roll(),
+              moved,
+              view.object(),
+              view.distance(),
+              view.version(),
+              view.cone(),
+              view.schemas(),
               frame.ms(),
               new HeadSample.Moment(
                   frame.visible(),
@@ -91,7 +102,9 @@ final class WebExposureFiles {
       before.set(turn);
     }
     return new HeadLogTexts(
-        HeadLogText.csv(samples), seen.description().json(), SceneEventMembers.of(log, seen.frames()));
+        HeadLogText.csv(samples),
+        seen.description().json(),
+        SceneEventMembers.of(log, seen.frames()));
   }
 
   private static double way(Frame from, Frame to) {
@@ -170,8 +183,7 @@ final class WebExposureFiles {
     List<String> why =
         quality.minFps().isPresent()
             ? quality.tooSlow(fps, slow)
-            : new QualityCriteria(OptionalDouble.of(MIN_FPS), 1, 0, Set.of())
-                .tooSlow(fps, slow);
+            : new QualityCriteria(OptionalDouble.of(MIN_FPS), 1, 0, Set.of()).tooSlow(fps, slow);
     if (!why.isEmpty()) {
       Map<String, Object> more = new LinkedHashMap<>();
       more.put("fps", DecimalRounding.to(1, fps));

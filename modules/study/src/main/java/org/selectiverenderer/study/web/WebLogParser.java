@@ -67,13 +67,20 @@ final class WebLogParser {
       double most = column.equals("t") ? LONGEST : FARTHEST;
       OptionalDouble cell =
           WebRecordParser.number(row.path(columns.getOrDefault(column, -1)), -most, most);
-      require(
-          cell.isPresent(), "row %d of the log has no valid %s".formatted(number, column));
+      require(cell.isPresent(), "row %d of the log has no valid %s".formatted(number, column));
       cells[i] = cell.getAsDouble();
     }
     return new Frame(
-        cells[0], cells[1], cells[2], cells[3], cells[4], cells[5], cells[6], cells[7],
-        cells[8] != 0, cells[9]);
+        cells[0],
+        cells[1],
+        cells[2],
+        cells[3],
+        cells[4],
+        cells[5],
+        cells[6],
+        cells[7],
+        cells[8] != 0,
+        cells[9]);
   }
 
   private static List<SceneEvent> events(JsonNode json) {

@@ -97,8 +97,7 @@ final class WebRecordIndex {
     }
     List<Path> files;
     try (Stream<Path> found = Files.walk(path, DEEPEST)) {
-      files =
-          found.filter(WebRecordIndex::holdsRecords).limit(MOST_FILES + 1L).sorted().toList();
+      files = found.filter(WebRecordIndex::holdsRecords).limit(MOST_FILES + 1L).sorted().toList();
     }
     if (files.isEmpty() || files.size() > MOST_FILES) {
       throw new IOException(
@@ -153,8 +152,7 @@ final class WebRecordIndex {
     SourceLocation place = new SourceLocation(file.toString(), number, 1);
     if (length > MOST_BYTES) {
       faults.tell(
-          place,
-          "the line has more than %d MiB; it is left out".formatted(MOST_BYTES >> 20));
+          place, "the line has more than %d MiB; it is left out".formatted(MOST_BYTES >> 20));
       return;
     }
     String text = bytes.toString(StandardCharsets.UTF_8);
@@ -193,7 +191,8 @@ final class WebRecordIndex {
     if (!json.isObject() || !part && !json.path("step").isTextual()) {
       return "this is neither a record of a study's page nor a part of several";
     }
-    if (part && !(json.get("part").canConvertToInt()
+    if (part
+        && !(json.get("part").canConvertToInt()
             && json.get("part").asInt() >= 0
             && json.get("part").asInt() <= MOST_PART)) {
       return "\"part\" is not a number from 0 to " + MOST_PART;
@@ -219,8 +218,7 @@ final class WebRecordIndex {
         };
     Optional<CsvTable> table =
         CsvTable.read(file, CsvColumnSpec.of(List.of("session", "missing", "final")), misfit);
-    if (table.isEmpty()
-        || !Stream.of("session", "missing", "final").allMatch(table.get()::has)) {
+    if (table.isEmpty() || !Stream.of("session", "missing", "final").allMatch(table.get()::has)) {
       return;
     }
     table

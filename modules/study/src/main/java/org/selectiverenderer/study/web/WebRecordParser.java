@@ -203,8 +203,7 @@ final class WebRecordParser {
 
   private Questionnaire questionnaire(SessionStep step) {
     // The order of the questions, which differs between participants, does not matter here.
-    return questionnaires.computeIfAbsent(
-        step.id(), id -> material.questionnaire(step, "001"));
+    return questionnaires.computeIfAbsent(step.id(), id -> material.questionnaire(step, "001"));
   }
 
   private WebRecord.Given answer(Questionnaire questionnaire, JsonNode json) throws Fault {

@@ -146,8 +146,7 @@ final class WebSessionEvents {
     Path csv = folder.headLog(record.step(), run);
     String name = csv.getFileName().toString();
     files.put(csv, texts.csv());
-    files.put(
-        csv.resolveSibling(name.substring(0, name.lastIndexOf('.')) + ".json"), texts.json());
+    files.put(csv.resolveSibling(name.substring(0, name.lastIndexOf('.')) + ".json"), texts.json());
     double complete = Math.min(material.study().fade(), log.end());
     boolean shown = false;
     for (Map<String, Object> event : texts.events()) {
@@ -166,13 +165,11 @@ final class WebSessionEvents {
     ended.put("fps", DecimalRounding.to(1, log.framesPerSecond()));
   }
 
-  private static void shown(
-      WebRecord record, double began, double t, WebSessionJournal journal) {
+  private static void shown(WebRecord record, double began, double t, WebSessionJournal journal) {
     journal.add(began + t, "shown", id(record), Map.of("t", DecimalRounding.to(3, t)));
   }
 
-  private static void answer(
-      WebRecord record, WebRecord.Given given, WebSessionJournal journal) {
+  private static void answer(WebRecord record, WebRecord.Given given, WebSessionJournal journal) {
     Map<String, Object> event = new LinkedHashMap<>();
     event.put("object", given.question().id());
     event.put("value", given.answer().value());
@@ -201,11 +198,7 @@ final class WebSessionEvents {
           seconds,
           "area-order",
           "",
-          Map.of(
-              "order",
-              material.study().course().order().spelling(),
-              "areas",
-              areas()));
+          Map.of("order", material.study().course().order().spelling(), "areas", areas()));
     }
   }
 

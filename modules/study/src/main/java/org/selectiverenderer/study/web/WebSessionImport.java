@@ -35,8 +35,7 @@ public final class WebSessionImport {
   public static final String PREFIX = "web";
 
   /** Ids by which a recruiting service names a person. */
-  private static final Set<String> PEOPLE =
-      Set.of("PROLIFIC_PID", "sona_id", "survey_code", "id");
+  private static final Set<String> PEOPLE = Set.of("PROLIFIC_PID", "sona_id", "survey_code", "id");
 
   /**
    * What was imported.
@@ -147,16 +146,14 @@ public final class WebSessionImport {
           lines.lines().isEmpty()
               ? SourceLocation.of(material.study().folder().toString())
               : lines.lines().get(0).place();
-      problems.info(
-          place, "the session %s has no records that count".formatted(lines.session()));
+      problems.info(place, "the session %s has no records that count".formatted(lines.session()));
       return;
     }
     WebRecord first = records.get(0);
     SessionFolder folder =
         before != null
             ? before
-            : new SessionFolder(
-                material.study().folder(), free(first.identity().participant()), 1);
+            : new SessionFolder(material.study().folder(), free(first.identity().participant()), 1);
     tellGaps(lines, first.place(), folder);
     if (!files.present(first.identity())) {
       otherVersions.merge(first.identity().checksum(), 1, Integer::sum);
@@ -167,8 +164,7 @@ public final class WebSessionImport {
     }
     files.write(folder, records, kept.lines()).ifPresent(assigned::add);
     known.put(lines.session(), folder);
-    records.forEach(
-        record -> people(JsonTree.of(record.recruitment()), folder.participant()));
+    records.forEach(record -> people(JsonTree.of(record.recruitment()), folder.participant()));
     if (before == null) {
       added++;
     } else {

@@ -38,8 +38,8 @@ class HostileRecordsTest extends WebStudyFixture {
         "\"ended\":\"2026 | \"ended\":\"2025 | \"ended\" is not within two days after \"started\"",
         "\"checksum\":\" | \"checksum\":\"../ | \"checksum\" is not a SHA-256 checksum",
       })
-  void aRecordThatIsNotThePagesIsLeftOutAndTheOthersAreRead(
-      String from, String to, String told) throws IOException {
+  void aRecordThatIsNotThePagesIsLeftOutAndTheOthersAreRead(String from, String to, String told)
+      throws IOException {
     Path file =
         write(
             "a.jsonl",
@@ -106,8 +106,7 @@ class HostileRecordsTest extends WebStudyFixture {
         "\"columns\":[\"t\", | \"columns\":[\"u\", | the log has no column t",
         "\"node\":\"Coat\",\"choice\":0 | \"node\":\"\",\"choice\":0 | event 3 of the log is not as the page writes it",
       })
-  void aLogThatIsNotThePagesIsLeftOutAlone(String from, String to, String told)
-      throws IOException {
+  void aLogThatIsNotThePagesIsLeftOutAlone(String from, String to, String told) throws IOException {
     List<String> records = new ArrayList<>(whole(1, 1));
     records.set(1, records.get(1).replace(from, to));
     write("a.jsonl", records);

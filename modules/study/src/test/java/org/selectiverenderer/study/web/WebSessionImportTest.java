@@ -26,9 +26,7 @@ class WebSessionImportTest extends WebStudyFixture {
 
   private List<String> table(String name) throws IOException {
     return StudyExport.tables(
-            RecordedStudy.read(material(), problems),
-            StudyExport.Answers.of(answers()),
-            problems)
+            RecordedStudy.read(material(), problems), StudyExport.Answers.of(answers()), problems)
         .stream()
         .filter(table -> table.name().equals(name))
         .findFirst()
@@ -94,7 +92,8 @@ class WebSessionImportTest extends WebStudyFixture {
     String first = part(1, 0, false, records.subList(0, 1));
     write(
         "jatos_results.txt",
-        List.of(first, part(1, 2, false, records.subList(2, 3)), first, part(2, 0, true, whole(2, 2))));
+        List.of(
+            first, part(1, 2, false, records.subList(2, 3)), first, part(2, 0, true, whole(2, 2))));
 
     collect();
 
@@ -113,8 +112,7 @@ class WebSessionImportTest extends WebStudyFixture {
   void anotherPartOfTheSameNumberIsRefused() throws IOException {
     write(
         "parts.txt",
-        List.of(
-            part(1, 0, true, whole(1, 1)), part(1, 0, true, List.of(memory(1, 1, "no")))));
+        List.of(part(1, 0, true, whole(1, 1)), part(1, 0, true, List.of(memory(1, 1, "no")))));
     collect();
     assertThat(told())
         .containsExactly(
@@ -209,8 +207,7 @@ class WebSessionImportTest extends WebStudyFixture {
 
   @Test
   void leavingThePageBeforeTheExposureIsNotFlagged() throws IOException {
-    String left =
-        "\"interruptions\":[{\"t\":2,\"event\":\"blur\"},{\"t\":3,\"event\":\"focus\"}]";
+    String left = "\"interruptions\":[{\"t\":2,\"event\":\"blur\"},{\"t\":3,\"event\":\"focus\"}]";
     write("a.jsonl", List.of(form(1, 1), exposure(1, 1, left), memory(1, 1, "yes")));
     collect();
     assertThat(Files.readString(ofSession("web001", "events.jsonl"))).doesNotContain("left-page");
@@ -218,8 +215,7 @@ class WebSessionImportTest extends WebStudyFixture {
 
   @Test
   void aFrameRateBelowTwentyIsFlaggedWhereTheStudyNamesNone() throws IOException {
-    String slow =
-        record(1, 1, "exposure-hall", 2, "\"interruptions\":[],\"log\":" + log(15, 6));
+    String slow = record(1, 1, "exposure-hall", 2, "\"interruptions\":[],\"log\":" + log(15, 6));
     write("a.jsonl", List.of(form(1, 1), slow, memory(1, 1, "yes")));
     collect();
     assertThat(table("sessions")).element(1).asString().contains(",low-frame-rate,");
@@ -230,13 +226,11 @@ class WebSessionImportTest extends WebStudyFixture {
   @Test
   void theStudysOwnFrameRateIsAskedFor() throws IOException {
     Path study = folder.resolve("study/study.json");
-    String slow =
-        record(1, 1, "exposure-hall", 2, "\"interruptions\":[],\"log\":" + log(15, 6));
+    String slow = record(1, 1, "exposure-hall", 2, "\"interruptions\":[],\"log\":" + log(15, 6));
     write("a.jsonl", List.of(form(1, 1), slow, memory(1, 1, "yes")));
     Files.writeString(
         study,
-        Files.readString(study)
-            .replace("\"fade\"", "\"quality\": {\"min_fps\": 10}, \"fade\""));
+        Files.readString(study).replace("\"fade\"", "\"quality\": {\"min_fps\": 10}, \"fade\""));
     collect();
     assertThat(table("sessions")).element(1).asString().doesNotContain("low-frame-rate");
     assertThat(told())
@@ -315,7 +309,10 @@ class WebSessionImportTest extends WebStudyFixture {
       texts.add(Files.readString(file));
     }
     assertThat(files)
-        .anyMatch(file -> file.endsWith("sub-web001_ses-01_task-exposurehall_tracksys-head_run-01_motion.tsv"));
+        .anyMatch(
+            file ->
+                file.endsWith(
+                    "sub-web001_ses-01_task-exposurehall_tracksys-head_run-01_motion.tsv"));
     assertThat(texts).noneMatch(text -> text.contains("person1") || text.contains("Maria"));
     assertThat(table("participants")).element(1).asString().contains("person1");
   }

@@ -29,8 +29,18 @@ abstract class WebStudyFixture {
       (study, exposure) ->
           new ExposureReplay.Replayed(
               new HeadLogMetadata(
-                  exposure.started().toString(), "hall.x3d", exposure.group().name(),
-                  exposure.seed(), exposure.display(), "none", 1, 1, 1, 10, false, SceneMap.EMPTY),
+                  exposure.started().toString(),
+                  "hall.x3d",
+                  exposure.group().name(),
+                  exposure.seed(),
+                  exposure.display(),
+                  "none",
+                  1,
+                  1,
+                  1,
+                  10,
+                  false,
+                  SceneMap.EMPTY),
               exposure.log().frames().stream()
                   .map(
                       frame ->
@@ -93,14 +103,14 @@ abstract class WebStudyFixture {
 
   /** Returns the condition that the plan has for a place. */
   String group(int slot) throws IOException {
-    return org.selectiverenderer.study.session.PlannedSession.all(material()).get(slot - 1)
+    return org.selectiverenderer.study.session.PlannedSession.all(material())
+        .get(slot - 1)
         .group()
         .name();
   }
 
   /** Returns a record of a session at a place, whose step began at a minute. */
-  String record(int session, int slot, String step, int minute, String content)
-      throws IOException {
+  String record(int session, int slot, String step, int minute, String content) throws IOException {
     return String.format(
         Locale.ROOT,
         "{\"study\":\"Hall\",\"checksum\":\"%s\",\"session\":\"%s\",\"slot\":%d,"

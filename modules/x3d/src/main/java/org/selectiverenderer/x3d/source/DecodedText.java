@@ -24,8 +24,7 @@ public final class DecodedText {
     this.characters = source.head(Integer.MAX_VALUE);
     this.mark = Arrays.copyOf(bytes, source.mark());
     this.exact =
-        source.complaint() == null
-            && (source.ascii() || Arrays.equals(bytes(characters), bytes));
+        source.complaint() == null && (source.ascii() || Arrays.equals(bytes(characters), bytes));
   }
 
   /** Decodes a file's uncompressed bytes. */

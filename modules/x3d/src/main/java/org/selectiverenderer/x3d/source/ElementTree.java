@@ -281,9 +281,7 @@ public final class ElementTree {
             ? moved.start(element.start())
             : moved.end(children.get(part.before() - 1).end());
     int to =
-        part.behind() == 0
-            ? moved.end(element.end())
-            : moved.start(children.get(last).start());
+        part.behind() == 0 ? moved.end(element.end()) : moved.start(children.get(last).start());
     String name = written(element, moved, text);
     String head = part.before() == 0 ? "" : "<" + name + ">";
     String tail = part.behind() == 0 ? "" : "</" + name + ">";

@@ -15,7 +15,8 @@ public final class ColumnHeads {
       TableColumn column = table.getColumnModel().getColumn(i);
       int width =
           heads
-                  .getTableCellRendererComponent(table, column.getHeaderValue(), false, false, -1, i)
+                  .getTableCellRendererComponent(
+                      table, column.getHeaderValue(), false, false, -1, i)
                   .getPreferredSize()
                   .width
               + 2 * table.getColumnModel().getColumnMargin();

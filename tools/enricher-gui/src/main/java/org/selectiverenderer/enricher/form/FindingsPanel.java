@@ -39,8 +39,7 @@ final class FindingsPanel extends JPanel {
   private final JPanel list =
       new ScrollablePanel(new MigLayout("insets 0, wrap 2, hidemode 3", "[][grow,fill]"));
   private transient List<ElementFinding> shown = List.of();
-  private transient Function<DocumentElement, List<ElementFinding>> problems =
-      element -> List.of();
+  private transient Function<DocumentElement, List<ElementFinding>> problems = element -> List.of();
 
   FindingsPanel(EnricherSession session) {
     super(new MigLayout("insets 4 8 4 8, wrap 1, gapy 2", "[grow,fill]", "[][grow,fill]"));

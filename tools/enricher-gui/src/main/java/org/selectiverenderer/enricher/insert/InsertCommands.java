@@ -109,9 +109,7 @@ public final class InsertCommands {
       ground.ahead(
           found ->
               structure.insert(
-                  found
-                      .map(at -> shifted(template, at))
-                      .orElseGet(() -> inFront(template))));
+                  found.map(at -> shifted(template, at)).orElseGet(() -> inFront(template))));
     } else {
       structure.insert(inFront(template));
     }
@@ -186,9 +184,7 @@ public final class InsertCommands {
     for (String field :
         List.of("Transform translation", "PointLight location", "SpotLight location")) {
       String[] words = field.split(" ");
-      placed =
-          placed.shifted(
-              words[0], words[1], new double[] {by.x(), by.y(), by.z()}, DECIMALS);
+      placed = placed.shifted(words[0], words[1], new double[] {by.x(), by.y(), by.z()}, DECIMALS);
     }
     return placed;
   }

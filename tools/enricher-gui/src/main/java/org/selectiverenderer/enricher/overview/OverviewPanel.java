@@ -258,7 +258,9 @@ public final class OverviewPanel extends JPanel {
     status.setText(
         all == 0
             ? Texts.of("overview.noobjects")
-            : shown + ", " + Texts.of("counts.schemas", schemas, DecimalFormatter.grouped(schemas)));
+            : shown
+                + ", "
+                + Texts.of("counts.schemas", schemas, DecimalFormatter.grouped(schemas)));
   }
 
   private void say(String message) {

@@ -84,7 +84,8 @@ final class PlacementQueries {
 
   /** Returns where a viewer's eyes may be who stands on something in a box. */
   private static BoundingBox around(BoundingBox box) {
-    return box.union(BoundingBox.of(box.min(), box.max().add(0, box.height() < EYES ? TALL : 0, 0)));
+    return box.union(
+        BoundingBox.of(box.min(), box.max().add(0, box.height() < EYES ? TALL : 0, 0)));
   }
 
   private static void keepOver(BoundingBox box, Vector3d point) {
@@ -102,7 +103,8 @@ final class PlacementQueries {
     Optional<RayCaster.Hit> hit =
         scene
             .hit(eye, sight)
-            .filter(found -> found.normal().y() > LEVEL && shown.grown(NEAR).contains(found.point()));
+            .filter(
+                found -> found.normal().y() > LEVEL && shown.grown(NEAR).contains(found.point()));
     if (hit.isPresent()) {
       return new Vector3d(hit.get().point());
     }

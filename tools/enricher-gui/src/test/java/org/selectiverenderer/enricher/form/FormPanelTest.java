@@ -304,7 +304,14 @@ class FormPanelTest {
       EventThread.edt(
           () ->
               window.session.select(
-                  window.session.document().tree().orElseThrow().scene().orElseThrow().children()
+                  window
+                      .session
+                      .document()
+                      .tree()
+                      .orElseThrow()
+                      .scene()
+                      .orElseThrow()
+                      .children()
                       .get(3),
                   this));
       JTextComponent url = (JTextComponent) window.named("field url");

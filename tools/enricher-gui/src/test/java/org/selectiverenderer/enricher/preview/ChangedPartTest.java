@@ -173,8 +173,7 @@ class ChangedPartTest {
   /** A texture is drawn instead of a colour in X3D 3, and on it in X3D 4 (X3D 4.0, 12.2.4). */
   @ParameterizedTest
   @CsvSource({"3.3", "4.0"})
-  void nodesThatComeBackMeanWhatTheyMeantInTheVersionOfTheScene(String version)
-      throws IOException {
+  void nodesThatComeBackMeanWhatTheyMeantInTheVersionOfTheScene(String version) throws IOException {
     String shape =
         "<Shape DEF='Red'><Appearance><Material diffuseColor='1 0 0'/>"
             + "<PixelTexture image='1 1 3 0xFFFFFF'/></Appearance><Box/></Shape>";
@@ -191,7 +190,9 @@ class ChangedPartTest {
         DocumentSnapshot was = before;
         DocumentSnapshot now = edited.document.snapshot();
         assertThat(
-                ScenePatchTest.patched(running, edited.parts().stream()
+                ScenePatchTest.patched(
+                    running,
+                    edited.parts().stream()
                         .flatMap(
                             p -> SceneTextDiff.between(was, now, p, NodeCatalogue.load()).stream())
                         .findFirst()

@@ -49,8 +49,7 @@ class PatchLoadingTest {
     server.start();
     String host = "127.0.0.1:" + server.getAddress().getPort();
     String text = "<X3D version='4.0'>\n<Scene><Group DEF='G'/></Scene></X3D>";
-    SceneDocument document =
-        SceneDocument.of("scene.x3d", text.getBytes(StandardCharsets.UTF_8));
+    SceneDocument document = SceneDocument.of("scene.x3d", text.getBytes(StandardCharsets.UTF_8));
     DocumentSnapshot before = document.snapshot();
     List<ChangedRange> changed = new ArrayList<>();
     document.addListener(change -> changed.add(ChangedRange.of(change)));
@@ -69,8 +68,7 @@ class PatchLoadingTest {
             .findFirst()
             .orElseThrow();
     ContentAccessPolicy access =
-        new ContentAccessPolicy(
-            List.of(), new HttpFetcher(List.of(new HostPattern(host))));
+        new ContentAccessPolicy(List.of(), new HttpFetcher(List.of(new HostPattern(host))));
     CountDownLatch taken = new CountDownLatch(1);
     AtomicBoolean refused = new AtomicBoolean();
     try (PreviewThread preview = new PreviewThread(new Silent())) {

@@ -52,9 +52,9 @@ class PlacementQueriesTest {
 
   @Test
   void aViewFromAbovePutsItOnTheSurfaceInTheMiddleOfThePicture() throws Exception {
-    String table = "<Transform translation='2 0.7 1'><Shape><Box size='2 0.1 1'/></Shape></Transform>";
-    Vector3d at =
-        ahead("<Viewpoint position='2 9 1' orientation='1 0 0 -1.5708'/>" + ROOM + table);
+    String table =
+        "<Transform translation='2 0.7 1'><Shape><Box size='2 0.1 1'/></Shape></Transform>";
+    Vector3d at = ahead("<Viewpoint position='2 9 1' orientation='1 0 0 -1.5708'/>" + ROOM + table);
     assertThat(at.distance(2, 0.75, 1)).as("%s", at).isLessThan(0.01);
   }
 

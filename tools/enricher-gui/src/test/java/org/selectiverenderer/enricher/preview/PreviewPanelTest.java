@@ -122,8 +122,7 @@ class PreviewPanelTest extends PreviewFixture {
       Predicate<PreviewFrame> smooth = frame -> frame.samples() == AntiAliasing.SMOOTH;
       long near = count(window.await(frameAfter(window, "MINUS").and(smooth)), GREEN);
       replace(window, "emissiveColor='0 1 0'", "emissiveColor='1 1 0'");
-      PreviewFrame edited =
-          window.await(smooth.and(frame -> middle(frame) == 0xffff00));
+      PreviewFrame edited = window.await(smooth.and(frame -> middle(frame) == 0xffff00));
       assertThat(count(edited, 0xffff00)).isBetween(near - 50, near + 50);
       replace(window, "</Switch>", "</Swich>");
       window.panel.reload();

@@ -265,7 +265,8 @@ class GeometryProblemsTest {
   private static long rows(JTable table, String words) {
     return IntStream.range(0, table.getRowCount())
         .filter(
-            row -> String.valueOf(table.getValueAt(row, ProblemsTableModel.MESSAGE)).contains(words))
+            row ->
+                String.valueOf(table.getValueAt(row, ProblemsTableModel.MESSAGE)).contains(words))
         .count();
   }
 

@@ -34,6 +34,7 @@ class NodeIconTest {
     Color grey = UIManager.getColor("Actions.Grey");
     assertThat(has(drawn(selected), new Color(selected.getRGB()))).isTrue();
     assertThat(has(drawn(selected), new Color(grey.getRGB()))).isFalse();
-    assertThat(has(drawn(UIManager.getColor("Tree.foreground")), new Color(grey.getRGB()))).isTrue();
+    assertThat(has(drawn(UIManager.getColor("Tree.foreground")), new Color(grey.getRGB())))
+        .isTrue();
   }
 }

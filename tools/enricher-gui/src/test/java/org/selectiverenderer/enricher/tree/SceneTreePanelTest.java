@@ -87,8 +87,7 @@ class SceneTreePanelTest {
     try {
       GuiRobot.onEdt(
           () -> {
-            session.select(
-                session.document().tree().orElseThrow().named(name).orElseThrow(), this);
+            session.select(session.document().tree().orElseThrow().named(name).orElseThrow(), this);
             return true;
           });
       hands.await("the selection", () -> panel.tree().getSelectionCount() == 1);
