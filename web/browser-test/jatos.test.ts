@@ -55,8 +55,8 @@ it('hands the records of a study to JATOS, and ends the run there', async () => 
   await told(page, 'All is done.');
   const kept = await page.evaluate(() => (window as unknown as { kept: Kept }).kept);
   const records = kept.results.flatMap((part) => (JSON.parse(part) as { records: Received[] }).records);
-  expect(records.map((record) => record.step)).toEqual(['form', 'exposure-office', 'closing']);
-  expect(records.map((record) => record.slot)).toEqual([3, 3, 3]);
+  expect(records.map((record) => record.step)).toEqual(['form', 'exposure-office', 'memory-office', 'closing']);
+  expect(records.map((record) => record.slot)).toEqual([3, 3, 3, 3]);
   expect(records[0]?.recruitment).toEqual({ PROLIFIC_PID: 'robot' });
   expect(kept.batch).toEqual({ next: 4 });
   expect(kept.ended).toEqual([true]);
