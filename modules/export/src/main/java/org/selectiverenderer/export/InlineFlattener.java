@@ -95,7 +95,7 @@ final class InlineFlattener {
     }
     SceneDocument document = read.get();
     around.add(file);
-    boolean whole = true;
+    boolean whole = prototypesHere(document, file, around);
     // Each replacement parses the document anew, so that the elements are found anew, too.
     for (Optional<Inlined> next = next(document, file, around);
         next.isPresent() && whole;
@@ -104,6 +104,32 @@ final class InlineFlattener {
     }
     around.remove(file);
     return whole ? read : Optional.empty();
+  }
+
+  /** Reports prototypes of other files that hold enriched nodes; returns whether there are none. */
+  private boolean prototypesHere(SceneDocument document, Path file, Set<Path> around)
+      throws IOException {
+    boolean none = true;
+    for (DocumentElement element : elements(document)) {
+      if (elsewhere(element, file, around)) {
+        none = false;
+        problems.error(
+            element.location(),
+            "the prototype %s comes from a file with enriched nodes, which no ROUTE of the scene"
+                    .formatted(element.text("name").orElse(""))
+                + " reaches; declare the prototype in the scene");
+      }
+    }
+    return none;
+  }
+
+  private boolean elsewhere(DocumentElement element, Path file, Set<Path> around)
+      throws IOException {
+    if (!element.name().equals("ExternProtoDeclare")) {
+      return false;
+    }
+    Optional<Path> target = target(element, file);
+    return target.isPresent() && !around.contains(target.get()) && enriched(target.get(), around);
   }
 
   /** An Inline of a file with enriched nodes. */
@@ -125,9 +151,11 @@ final class InlineFlattener {
     return Optional.empty();
   }
 
-  /** Returns the file that an Inline shows, if it is one that the scene may read. */
-  private Optional<Path> target(DocumentElement inline, Path file) {
-    for (String url : MFStringParser.strings(inline.text("url").orElse(""))) {
+  /** Returns the file that a url field names, if it is one that the scene may read. */
+  private Optional<Path> target(DocumentElement element, Path file) {
+    for (String named : MFStringParser.strings(element.text("url").orElse(""))) {
+      int fragment = named.indexOf('#');
+      String url = fragment < 0 ? named : named.substring(0, fragment);
       if (resolver.resolve(url, BaseUrl.folder(folder(file)))
           instanceof UrlResolver.Target.Found found) {
         return found.content().file();
@@ -151,6 +179,9 @@ final class InlineFlattener {
           nodes.switches().stream().anyMatch(EnrichedSwitch::enriched)
               || nodes.sensors().stream().anyMatch(EnrichedSensor::enriched)
               || next(read.get(), file, around).isPresent();
+      for (DocumentElement element : elements(read.get())) {
+        found = found || elsewhere(element, file, around);
+      }
     }
     enriched.put(file, found);
     return found;

@@ -190,6 +190,40 @@ class SceneExporterTest {
   }
 
   @Test
+  void aPrototypeOfAnotherFileWithEnrichedNodesIsRefusedWithItsPlace() throws IOException {
+    Files.writeString(folder.resolve("rooms/bins.x3d"), scene(prototype("<Shape/>")));
+    String content =
+        scene(
+            AREA
+                + object("Switch_Cup", "<Shape/>")
+                + "\n<ExternProtoDeclare name='Bin' url='\"rooms/bins.x3d#P\"'/>"
+                + "<ProtoInstance name='Bin'/>");
+
+    assertThat(export(content, SceneFormat.XML)).isEmpty();
+    assertThat(problems.list())
+        .singleElement()
+        .satisfies(problem -> assertThat(problem.location().line()).isEqualTo(3))
+        .satisfies(
+            problem ->
+                assertThat(problem.message())
+                    .contains("prototype Bin", "declare the prototype in the scene"));
+  }
+
+  @Test
+  void aPrototypeOfAnotherFileWithoutEnrichedNodesStays() throws IOException {
+    Files.writeString(
+        folder.resolve("rooms/bins.x3d"),
+        scene("<ProtoDeclare name='P'><ProtoBody><Shape/></ProtoBody></ProtoDeclare>"));
+    String content =
+        scene(
+            AREA
+                + object("Switch_Cup", "<Shape/>")
+                + "<ExternProtoDeclare name='Bin' url='\"rooms/bins.x3d#P\"'/>"
+                + "<ProtoInstance name='Bin'/>");
+    assertThat(exported(content)).contains("ExternProtoDeclare");
+  }
+
+  @Test
   void aSceneWithoutEnrichedObjectsIsRefused() throws IOException {
     assertThat(export(scene("<Shape><Box/></Shape>"), SceneFormat.XML)).isEmpty();
     assertThat(problems.list())
