@@ -82,7 +82,8 @@ final class WebSessionFiles {
     Study study = material.study();
     Path path = folder.path();
     PrivateFiles.createFoldersIn(study.folder(), study.folder().relativize(path.resolve("head")));
-    try (SessionLock lock = SessionLock.take(path, software)) {
+    SessionLock lock = SessionLock.take(path, software); // nobody else writes the session meanwhile
+    try (lock) {
       Map<Path, String> files = new LinkedHashMap<>();
       WebSessionJournal journal =
           new WebSessionEvents(
