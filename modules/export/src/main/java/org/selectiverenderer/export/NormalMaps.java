@@ -12,7 +12,7 @@ import org.selectiverenderer.x3d.source.Gzip;
 
 /**
  * Tells whether a file may use tangents of surfaces: by a normal map, by anisotropy or in a shader.
- * X_ITE computes them for every model, which takes half of its time to load an apartment.
+ * X_ITE computes them for every model, a large part of its time to load an apartment.
  */
 final class NormalMaps {
   /** Parts of the names of fields, of glTF's keys and of X_ITE's attributes of shaders. */
