@@ -247,6 +247,15 @@ describe('the page of the trash can', () => {
     await page.close();
   });
 
+  it('writes how to walk above what is touched, on the width of a phone', async () => {
+    const { page } = await open(site, '', 390, 844);
+    const [hint, first] = await page.evaluate(() =>
+      ['#hint', '#condition'].map((part) => document.querySelector(part)?.getBoundingClientRect().toJSON() as DOMRect));
+    expect(hint?.height).toBeGreaterThan(0);
+    expect(hint?.bottom).toBeLessThanOrEqual(first?.top ?? 0);
+    await page.close();
+  });
+
   it('says in a sentence which file it lacks', async () => {
     const torn = path.join(folder, 'torn');
     cpSync(site, torn, { recursive: true });
