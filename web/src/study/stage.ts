@@ -189,9 +189,12 @@ export class Stage {
       await this.leave();
       return false;
     }
-    const pictures = await picturesOf(state.pages);
-    new PanelQuestionnaire(room, state, words, pictures);
-    const answered = await Promise.race([state.result.then(() => true), this.gone()]);
+    const gone = this.gone(); // from now on: the headset may be left while pictures are loaded
+    const pictures = await Promise.race([picturesOf(state.pages), gone]);
+    if (pictures) {
+      new PanelQuestionnaire(room, state, words, pictures);
+    }
+    const answered = await Promise.race([state.result.then(() => true), gone]);
     room.clear();
     return answered;
   }

@@ -68,9 +68,11 @@ async function chosen(
       stage.onScreen = true;
     });
     const headset = button(words.of('web.headset.enter'), () => {
+      headset.disabled = true; // until the session is there, or is refused
       stage.enter().then(
         () => { resolve(false); },
         (error: unknown) => {
+          headset.disabled = false;
           fault.textContent = `${words.of('web.headset.failed')} ${error instanceof Error ? error.message : String(error)}`;
         },
       );

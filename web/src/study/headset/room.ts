@@ -43,21 +43,19 @@ export class HeadsetRoom {
     this.canvas.width = WIDTH;
     this.canvas.height = HEIGHT;
     const { x3d } = world;
-    this.texture = world.node('ImageTexture', {
-      textureProperties: world.node('TextureProperties', { generateMipMaps: true }),
-    });
+    this.texture = world.node('ImageTexture', {});
     this.place = world.node('Transform', {});
     this.place.children = new x3d.MFNode(world.node('Shape', {
       geometry: world.node('Rectangle2D', { size: new x3d.SFVec2f(WIDE, (WIDE * HEIGHT) / WIDTH) }),
-      appearance: world.node('Appearance', { material: world.node('UnlitMaterial', {}), texture: this.texture }),
+      appearance: world.node('Appearance', { texture: this.texture }), // without a material no light falls on it
     }));
     this.panel = world.node('Switch', { whichChoice: -1, children: new x3d.MFNode(this.place) });
     const wall = world.node('Transform', { translation: new x3d.SFVec3f(0, BELOW, 0) });
-    wall.children = new x3d.MFNode(ball(world, WALL, world.node('UnlitMaterial', { emissiveColor: new x3d.SFColor(0.16, 0.17, 0.19) })));
+    wall.children = new x3d.MFNode(ball(world, WALL, glow(world, 0.16, 0.17, 0.19)));
     world.add(wall);
     world.add(this.panel);
 
-    this.black = world.node('UnlitMaterial', { emissiveColor: new x3d.SFColor(0, 0, 0) });
+    this.black = glow(world, 0, 0, 0);
     const about = world.node('Transform', {});
     // Farther than the near plane of the eyes, which X_ITE has at half the walker's radius, also aslant.
     about.children = new x3d.MFNode(ball(world, 1.1 * world.walker().radius, this.black));
@@ -155,3 +153,14 @@ function ball(world: World, radius: number, material: FieldNode): FieldNode {
   });
 }
 
+/** Makes a material of one colour, whatever light falls on it; an UnlitMaterial is in X3D 4 only. */
+function glow(world: World, red: number, green: number, blue: number): FieldNode {
+  const { x3d } = world;
+  const none = new x3d.SFColor(0, 0, 0);
+  return world.node('Material', {
+    ambientIntensity: 0,
+    diffuseColor: none,
+    specularColor: none,
+    emissiveColor: new x3d.SFColor(red, green, blue),
+  });
+}

@@ -1,6 +1,8 @@
 package org.selectiverenderer.authoring;
 
 import java.util.List;
+import java.util.Optional;
+import org.selectiverenderer.x3d.source.DocumentError;
 import org.selectiverenderer.x3d.source.ElementTree;
 import org.selectiverenderer.x3d.source.TextEdit;
 
@@ -22,8 +24,16 @@ final class BrokenTree {
   /** The end of the range in the present text. */
   private int end;
 
+  /** Whether the tree was asked about the present text, so that its fault is that of it. */
+  private boolean told;
+
   BrokenTree(ElementTree tree) {
     this.tree = tree;
+  }
+
+  /** Returns the fault of the present text; empty if nobody looked for it in this text. */
+  Optional<DocumentError> fault() {
+    return told ? tree.fault() : Optional.empty();
   }
 
   /** Returns the tree, which is that of the earlier text until it is mended. */
@@ -40,9 +50,11 @@ final class BrokenTree {
    */
   boolean mended(List<TextEdit> changes, boolean attempt, CharSequence text, long revision) {
     add(changes);
+    boolean near = end - from <= MOST;
+    told = !attempt || near;
     boolean mends =
         attempt
-            && end - from <= MOST
+            && near
             && tree.follow(
                 List.of(new TextEdit(from, to, text.subSequence(from, end).toString())), revision);
     if (mends) {

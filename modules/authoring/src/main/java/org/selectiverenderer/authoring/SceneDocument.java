@@ -336,7 +336,7 @@ public final class SceneDocument {
       return;
     }
     boolean mended = broken.mended(changes, tree == null, buffer.characters(), revision);
-    DocumentError found = mended ? null : broken.tree().fault().orElse(null);
+    DocumentError found = mended ? null : broken.fault().orElse(null);
     if (mended || found != null) {
       tree = mended ? broken.tree() : null;
       fault = found;

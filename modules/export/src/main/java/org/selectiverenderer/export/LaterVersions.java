@@ -5,8 +5,10 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.selectiverenderer.authoring.Edit;
@@ -72,6 +74,7 @@ final class LaterVersions {
     UniqueNameGenerator names = new UniqueNameGenerator(tree, tree.scene().orElseThrow());
     List<Version> versions = new ArrayList<>();
     List<TextEdit> edits = new ArrayList<>();
+    Map<DocumentElement, String> named = new HashMap<>(); // an object may be in another's version
     for (int i = 0; i < objects.size(); i++) {
       EnrichedSwitch object = objects.get(i);
       for (EnrichedSwitch.ChoiceNode choice : object.choices()) {
@@ -83,12 +86,15 @@ final class LaterVersions {
         List<String> inlines = new ArrayList<>();
         List<String> files = new ArrayList<>();
         for (DocumentElement inline : inlines(choice.element(), known)) {
-          String name = inline.def().orElseGet(() -> names.unused("Later"));
-          if (inline.def().isEmpty()) {
-            edits.add(document.layout().attribute(inline, "DEF", name));
+          if (!named.containsKey(inline)) {
+            String name = inline.def().orElseGet(() -> names.unused("Later"));
+            if (inline.def().isEmpty()) {
+              edits.add(document.layout().attribute(inline, "DEF", name));
+            }
+            edits.add(document.layout().attribute(inline, "load", "false"));
+            named.put(inline, name);
           }
-          edits.add(document.layout().attribute(inline, "load", "false"));
-          inlines.add(name);
+          inlines.add(named.get(inline));
           files.addAll(MFStringParser.strings(inline.text("url").orElse("")));
         }
         if (!inlines.isEmpty()) {
@@ -115,11 +121,24 @@ final class LaterVersions {
               && element.use().isEmpty()
               && !element.isReference()
               && element.text("load").isEmpty()
-              && element.def().filter(known::contains).isEmpty()) {
+              && !shared(element, version, known)) {
             found.add(element);
           }
         });
     return found;
+  }
+
+  /** Returns whether an element, or what of a version is around it, has one of some names. */
+  private static boolean shared(
+      DocumentElement element, DocumentElement version, Set<String> known) {
+    for (DocumentElement at = element; ; at = at.parent().orElseThrow()) {
+      if (at.def().filter(known::contains).isPresent()) {
+        return true;
+      }
+      if (at == version) {
+        return false;
+      }
+    }
   }
 
   /** Returns the names of the nodes that are used again, or that statements name. */

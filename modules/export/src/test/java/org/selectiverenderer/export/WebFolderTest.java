@@ -122,6 +122,26 @@ class WebFolderTest {
   }
 
   @Test
+  void anInlineOfAnObjectInTheVersionOfAnotherIsChangedOnce() throws IOException {
+    model("fine.x3d", "<Shape><Sphere/></Shape>");
+    String inner = object("<Inline url='\"fine.x3d\"'/><Group/>").replace("_Cup", "_Spoon");
+    WebFolder page =
+        page(Condition.SELECTIVE, object("<Group>" + inner + "</Group><Group DEF='Low'/>"));
+    assertThat(text(page)).containsOnlyOnce("load='false'").containsOnlyOnce("DEF='Later'");
+    assertThat(description(page).get("later"))
+        .isNotEmpty()
+        .allSatisfy(version -> assertThat(version.get("inlines").toString()).contains("Later"));
+  }
+
+  @Test
+  void aVersionThatIsShownElsewhereIsLoadedAtOnce() throws IOException {
+    model("fine.x3d", "<Shape><Sphere/></Shape>");
+    String version = "<Group DEF='Fine'><Inline url='\"fine.x3d\"'/></Group><Group/>";
+    assertThat(text(page(Condition.SELECTIVE, object(version) + "<Group USE='Fine'/>")))
+        .doesNotContain("load=");
+  }
+
+  @Test
   void thePageLearnsWhetherAModelHasNormalMaps() throws IOException {
     model("fine.x3d", "<Shape><Sphere/></Shape>");
     String versions = "<Inline url='\"fine.x3d\"'/><Group/>";

@@ -96,10 +96,11 @@ record WebRecord(
     double to = from + logged.end();
     boolean blurred = false;
     boolean small = false;
+    boolean off = false;
     double since = 0;
     double left = 0;
     for (Interruption one : interruptions) {
-      if (blurred || small) {
+      if (blurred || small || off) {
         left += Math.max(0, Math.min(to, one.t()) - Math.max(from, since));
       }
       switch (one.event()) {
@@ -107,12 +108,14 @@ record WebRecord(
         case "focus" -> blurred = false;
         case "fullscreenexit" -> small = true;
         case "fullscreenenter" -> small = false;
+        case "headset-off" -> off = true;
+        case "headset-on", "headset-left" -> off = false; // the rest is on the page
         default -> {
           // A newer page may tell more.
         }
       }
       since = one.t();
     }
-    return left + (blurred || small ? Math.max(0, to - Math.max(from, since)) : 0);
+    return left + (blurred || small || off ? Math.max(0, to - Math.max(from, since)) : 0);
   }
 }

@@ -13,6 +13,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
@@ -52,6 +53,7 @@ public final class WebSessionImport {
   private final WebRecordParser parser;
   private final WebSessionFiles files;
   private final Set<String> taken = new HashSet<>();
+  private final Set<String> registered = new HashSet<>();
   private final Map<String, SessionFolder> known = new HashMap<>();
   private final Map<String, String> people = new HashMap<>();
   private final List<ParticipantsFile.Assigned> assigned = new ArrayList<>();
@@ -113,7 +115,8 @@ public final class WebSessionImport {
   private void lookRound() throws IOException {
     new ParticipantsFile(material.study())
         .all()
-        .forEach(one -> taken.add(one.participant().toLowerCase(Locale.ROOT)));
+        .forEach(one -> registered.add(one.participant().toLowerCase(Locale.ROOT)));
+    taken.addAll(registered);
     for (SessionFolder folder : SessionFolder.all(material.study())) {
       taken.add(folder.participant().toLowerCase(Locale.ROOT));
       if (!folder.participant().startsWith(PREFIX)) {
@@ -158,11 +161,18 @@ public final class WebSessionImport {
     if (!files.present(first.identity())) {
       otherVersions.merge(first.identity().checksum(), 1, Integer::sum);
     }
-    if (before != null && records.size() == kept.records().size()) {
+    boolean same = before != null && records.size() == kept.records().size();
+    if (same && registered.contains(folder.participant().toLowerCase(Locale.ROOT))) {
       unchanged++;
       return;
     }
-    files.write(folder, records, kept.lines()).ifPresent(assigned::add);
+    // One without a row in the table of participants gets it, should that have failed before.
+    Optional<ParticipantsFile.Assigned> row = files.write(folder, records, kept.lines());
+    row.ifPresent(assigned::add);
+    if (same && row.isEmpty()) {
+      unchanged++;
+      return;
+    }
     known.put(lines.session(), folder);
     records.forEach(record -> people(JsonTree.of(record.recruitment()), folder.participant()));
     if (before == null) {

@@ -11,6 +11,8 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.selectiverenderer.study.dataset.RecordedSession;
+import org.selectiverenderer.study.dataset.RecordedStudy;
 
 /** Whoever has the page can send what they like: what is wrong is told, the rest is read. */
 class HostileRecordsTest extends WebStudyFixture {
@@ -153,6 +155,19 @@ class HostileRecordsTest extends WebStudyFixture {
         .hasSize(21)
         .endsWith("there are more faults in this file, which are not told");
     assertThat(sessions()).containsExactly("sub-web001");
+  }
+
+  @Test
+  void whatADeviceIsCalledIsNoEventOfTheSession() throws IOException {
+    String forged = "\"device\":{\"event\":\"assigned\",\"condition\":\"low\",";
+    List<String> records = new ArrayList<>(whole(1, 1));
+    records.set(0, records.get(0).replace("\"device\":{", forged));
+    write("all.jsonl", records);
+    collect();
+    assertThat(
+            RecordedStudy.read(material(), problems).sessions().stream()
+                .map(RecordedSession::condition))
+        .containsExactly(group(1));
   }
 
   @Test

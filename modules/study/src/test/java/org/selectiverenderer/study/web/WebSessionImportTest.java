@@ -206,6 +206,40 @@ class WebSessionImportTest extends WebStudyFixture {
   }
 
   @Test
+  void aHeadsetThatIsTakenOffLosesNoInterruption() throws IOException {
+    String events =
+        "\"interruptions\":[{\"t\":12,\"event\":\"headset-off\"},"
+            + "{\"t\":13,\"event\":\"headset-on\"},{\"t\":14,\"event\":\"blur\"},"
+            + "{\"t\":15,\"event\":\"focus\"}]";
+    write("all.jsonl", List.of(form(1, 1), exposure(1, 1, events), memory(1, 1, "yes")));
+    collect();
+    assertThat(told()).isEmpty();
+    assertThat(table("sessions")).element(1).asString().contains("left-page");
+  }
+
+  @Test
+  void aClockThatWasSetBackDuringAStepLosesNoRecord() throws IOException {
+    List<String> records = new ArrayList<>(whole(1, 1));
+    records.set(2, records.get(2).replace("10:03:30.000Z", "10:02:50.000Z"));
+    write("all.jsonl", records);
+    collect();
+    assertThat(told()).isEmpty();
+    assertThat(answers().responses()).contains("web001");
+  }
+
+  @Test
+  void aRowThatIsLackingInTheTableOfParticipantsIsWrittenAgain() throws IOException {
+    write("all.jsonl", whole(1, 1));
+    collect();
+    Path participants = folder.resolve("study/participants.tsv");
+    String rows = Files.readString(participants);
+    Files.delete(participants); // as if it could not be written
+    assertThat(collect().changed()).isEqualTo(1);
+    assertThat(participants).content().isEqualTo(rows);
+    assertThat(collect()).isEqualTo(new WebSessionImport.Summary(0, 0, 1));
+  }
+
+  @Test
   void leavingThePageBeforeTheExposureIsNotFlagged() throws IOException {
     String left = "\"interruptions\":[{\"t\":2,\"event\":\"blur\"},{\"t\":3,\"event\":\"focus\"}]";
     write("a.jsonl", List.of(form(1, 1), exposure(1, 1, left), memory(1, 1, "yes")));
