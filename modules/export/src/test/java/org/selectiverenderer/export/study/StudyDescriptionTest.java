@@ -18,7 +18,8 @@ import org.selectiverenderer.study.session.PlannedSession;
 
 class StudyDescriptionTest {
   private static final Path GOLDEN =
-      Path.of("modules/export/src/test/resources/org/selectiverenderer/export/study/study-web.json");
+      Path.of(
+          "modules/export/src/test/resources/org/selectiverenderer/export/study/study-web.json");
 
   @TempDir Path folder;
 

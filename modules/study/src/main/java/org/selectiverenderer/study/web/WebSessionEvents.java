@@ -75,7 +75,8 @@ final class WebSessionEvents {
     WebSessionJournal journal = new WebSessionJournal(first, began, resumed);
     Map<String, String> device = WebSessionFiles.device(records);
     if (!device.isEmpty()) {
-      journal.add(0, "device", "", Map.of("device", device)); // no key of a stranger is one of the event
+      journal.add(
+          0, "device", "", Map.of("device", device)); // no key of a stranger is one of the event
     }
     records.stream()
         .map(WebRecord::recruitment)
