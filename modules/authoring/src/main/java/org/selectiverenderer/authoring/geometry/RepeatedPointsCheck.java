@@ -35,7 +35,7 @@ public final class RepeatedPointsCheck implements DocumentCheck {
   /** The most faces that are listed one by one. */
   private static final int FEW = 3;
 
-  /** What is found in faces, which depends on their text alone. */
+  /** A result of one mesh depends on the text of its faces alone. */
   private record Repeated(int welded, int points, double tolerance) {
     static final Repeated NONE = new Repeated(0, 0, 0);
   }
@@ -45,7 +45,7 @@ public final class RepeatedPointsCheck implements DocumentCheck {
   private final long mostInAll;
   private final Consumer<DocumentElement> onSearch;
 
-  /** What the last whole check found, by the digest of the text of faces. */
+  /** The results of the last whole check are kept by the digest of the text of faces. */
   private volatile Map<String, Repeated> known = Map.of();
 
   /** Searches the faces of scenes. */

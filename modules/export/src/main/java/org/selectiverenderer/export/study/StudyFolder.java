@@ -50,7 +50,7 @@ public record StudyFolder(String name, List<PackagedFile> files) {
 
   private static final Path PAGE = Path.of("index.html");
 
-  /** Who serves the page and takes the records. */
+  /** A host serves the page and takes the records. */
   public enum Host {
     /** Any web server; the lab names a receiver. */
     WEB_SERVER(""),

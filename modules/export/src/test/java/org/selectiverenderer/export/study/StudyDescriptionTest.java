@@ -23,7 +23,7 @@ class StudyDescriptionTest {
 
   @TempDir Path folder;
 
-  /** What the page shows and to whom; -Dreports.update=true writes it anew. */
+  /** The golden file holds all that the page reads; -Dreports.update=true writes it anew. */
   @Test
   void aSmallStudyIsDescribedAsThePageReadsIt() throws IOException {
     StudyFixture fixture = new StudyFixture(folder);

@@ -36,7 +36,7 @@ public interface ExposureReplay {
   }
 
   /**
-   * What a head log says of a frame besides the pose.
+   * A row of a head log says this of a frame besides the pose.
    *
    * @param object name of the object in the middle of the view; empty for none
    * @param distance to its surface; NaN for none
@@ -56,7 +56,7 @@ public interface ExposureReplay {
   }
 
   /**
-   * What was in view.
+   * A replay tells the frames of an exposure and the columns of its head log.
    *
    * @param frames one for each frame of the log
    */

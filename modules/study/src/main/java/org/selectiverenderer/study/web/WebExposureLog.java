@@ -3,7 +3,7 @@ package org.selectiverenderer.study.web;
 import java.util.List;
 
 /**
- * What a page logged of an exposure.
+ * A page logged this of an exposure.
  *
  * @param frames in order of time, at least one
  * @param events what areas and objects did, in order of time

@@ -46,7 +46,7 @@ record WebRecord(
   }
 
   /**
-   * What all records of a session have in common.
+   * An identity is common to all records of a session.
    *
    * @param participant id of the participant in the plan
    * @param slot place in the plan, from 1

@@ -31,7 +31,7 @@ import org.selectiverenderer.formats.json.JsonTree;
  * is a record, or a part of several as the page sends it.
  */
 final class WebRecordIndex {
-  /** What the receiver takes at once is 16 MiB. */
+  /** The receiver takes at most 16 MiB at once. */
   private static final int MOST_BYTES = 32 << 20;
 
   private static final int MOST_LINES = 1_000_000;

@@ -39,7 +39,7 @@ public final class WebSessionImport {
   private static final Set<String> PEOPLE = Set.of("PROLIFIC_PID", "sona_id", "survey_code", "id");
 
   /**
-   * What was imported.
+   * A summary counts the sessions that were imported.
    *
    * @param added sessions that were not there before
    * @param changed sessions for which more records have come

@@ -19,7 +19,7 @@ import org.selectiverenderer.study.definition.SessionFlag;
  * and where the page tells it its monotonic clock, whose origin holds until the page is closed.
  */
 final class WebSessionJournal {
-  /** As in the program's own sessions. */
+  /** The clocks may differ by so many seconds, as in the program's own sessions. */
   private static final double TOLERANCE = 2;
 
   private final List<ObjectNode> events = new ArrayList<>();
