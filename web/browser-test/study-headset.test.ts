@@ -105,7 +105,7 @@ it('is taken part in with a headset: the head enters an area, the object changes
   expect(await page.evaluate(() => !window.quest?.activeSession)).toBe(true);
   expect(errors).toEqual([]);
 
-  const [records = []] = receiver.records(path.join(folder, 'data'));
+  const [records = []] = receiver.written().records;
   expect(records.map(({ step, ...record }) => [step, (record as { display?: string }).display])).toEqual([
     ['form', undefined],
     ['exposure-office', 'webxr'],
@@ -123,6 +123,6 @@ it('is taken part in with a headset: the head enters an area, the object changes
   expect(closing?.answers?.map(({ question, value }) => [question, value])).toEqual([['seen', 'bin'], ['sure', '4']]);
   await browser.close();
   server.close();
-  receiver.stop();
+  await receiver.stop();
   remove();
 }, 600_000);

@@ -1,6 +1,6 @@
 import { execFileSync, spawn, type ChildProcess } from 'node:child_process';
 import { once } from 'node:events';
-import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import type { Page } from 'puppeteer-core';
 import { ROOT } from './chromium.js';
@@ -91,33 +91,52 @@ const RECEIVE = path.join(ROOT, 'tools', 'web-receiver', 'receive.py');
 export class ReferenceReceiver {
   private constructor(
     readonly url: string,
-    private readonly database: string,
-    private readonly child: ChildProcess,
+    private readonly folder: string,
+    private readonly origin: string,
+    private child: ChildProcess,
   ) {}
 
   static async start(folder: string, origin: string): Promise<ReferenceReceiver> {
-    const database = path.join(folder, 'office.sqlite');
-    const options = ['--study', 'Office', '--origin', origin, '--slots', '6', '--port', '0'];
-    const child = spawn('python3', [RECEIVE, database, ...options], { stdio: ['ignore', 'pipe', 'inherit'] });
+    const { child, url } = await ReferenceReceiver.listen(folder, origin, '0');
+    return new ReferenceReceiver(url, folder, origin, child);
+  }
+
+  private static async listen(folder: string, origin: string, port: string): Promise<{ child: ChildProcess; url: string }> {
+    const options = ['--study', 'Office', '--origin', origin, '--slots', '6', '--port', port];
+    const child = spawn('python3', [RECEIVE, database(folder), ...options], { stdio: ['ignore', 'pipe', 'inherit'] });
     const [first] = (await once(child.stdout, 'data')) as [Buffer];
     const url = /http:\/\/\S+?:\d+/.exec(first.toString())?.[0];
     if (!url) {
       throw new Error(`the receiver does not say where it listens: ${first.toString()}`);
     }
-    return new ReferenceReceiver(url, database, child);
+    return { child, url };
   }
 
-  /** Returns the records of each session, in the order of their parts. */
-  records(data: string): Received[][] {
-    execFileSync('python3', [RECEIVE, this.database, '--write', data]);
-    return readdirSync(data).filter((name) => name.endsWith('.jsonl'))
+  /** Returns the records of each session that have arrived, in the order of their parts, and the folder with their files. */
+  written(): { records: Received[][]; data: string } {
+    const data = path.join(mkdtempSync(path.join(this.folder, 'received-')), 'data');
+    execFileSync('python3', [RECEIVE, database(this.folder), '--write', data]);
+    const records = readdirSync(data).filter((name) => name.endsWith('.jsonl'))
       .map((name) => readFileSync(path.join(data, name), 'utf8').trim().split('\n').filter(Boolean)
         .map((line) => JSON.parse(line) as Received));
+    return { records, data };
   }
 
-  stop(): void {
+  /** Ends the receiver: from now on nothing arrives. */
+  async stop(): Promise<void> {
+    const ended = once(this.child, 'exit');
     this.child.kill();
+    await ended;
   }
+
+  /** Starts the receiver again at the address that pages know. */
+  async restart(): Promise<void> {
+    this.child = (await ReferenceReceiver.listen(this.folder, this.origin, new URL(this.url).port)).child;
+  }
+}
+
+function database(folder: string): string {
+  return path.join(folder, 'office.sqlite');
 }
 
 /** Sets keys of the settings that the lab has. */
