@@ -74,7 +74,7 @@ describe('a copy for other browsers', () => {
     });
     await page.setViewport({ width: 320, height: 240 });
     await page.goto(server.url);
-    const file = `${encoding}/trashcan.${encoding === 'json' ? 'x3dj' : encoding}`;
+    const file = `${encoding}/trashcan.${encoding}`;
     await page.waitForFunction(() => (window as { X3D?: unknown }).X3D);
     await page.evaluate(async (url) => {
       const { X3D } = window as unknown as { X3D: Namespace };
