@@ -122,8 +122,11 @@ async function walk(along) {
 /** Runs in the page: reads the versions that come later, and draws two frames, so that neither counts as a frame. */
 async function prepare() {
   const { world } = window.selectiveRenderer;
+  const scale = world.browser.getBrowserOption('ContentScale');
+  world.browser.setBrowserOption('ContentScale', 0.1); // reading waits for frames
   world.browser.beginUpdate();
   while (await world.loadNext());
+  world.browser.setBrowserOption('ContentScale', scale);
   await world.browser.nextFrame();
   await world.browser.nextFrame();
   window.drawn();
