@@ -44,6 +44,9 @@ function failed(error: unknown, sentence = ''): void {
 async function run(): Promise<void> {
   const study = parse(await json('study-web.json'));
   const lab = settings(await json('study-settings.json'));
+  if (lab.headset !== 'no' && Object.values(study.steps).some((step) => step.kind === 'block')) {
+    throw new Error('study-settings.json: "headset" must be "no", as the page cannot show blocks of trials in a headset yet');
+  }
   const headset = lab.headset !== 'no' && await Headset.known();
   if (lab.headset === 'require' && !headset) {
     // Said before a place of the plan is taken.
@@ -109,10 +112,11 @@ async function ask(
   });
   const stage = new Stage(element('stage'), element('scene'), element('curtain'), study.scenes, study.mute === true);
   const done = [...(session.kept?.done ?? [])];
+  const wrong = [...(session.kept?.wrong ?? [])];
   let device: Record<string, unknown> = {};
   const outcome = { refused: false, slow: false };
   const left = slot.steps.filter((step) => !done.includes(step));
-  const keep = (step: string): void => { session.place.write({ language: spoken, done, open: step }); };
+  const keep = (step: string): void => { session.place.write({ language: spoken, done, wrong, open: step }); };
   stage.interrupted = (event) => { recorder.interrupted(event); };
   const headset = lab.headset !== 'no' && await stage.findHeadset() ? lab.headset : 'no';
   const steps = timeline(
@@ -127,8 +131,13 @@ async function ask(
       repeated: session.kept?.open ?? '',
       first: () => ({ recruitment: ids, device }),
       begun: keep,
-      ended: (step) => {
+      done,
+      wrong,
+      ended: (step, correct) => {
         done.push(step);
+        if (correct === false) {
+          wrong.push(step);
+        }
         keep('');
       },
       refused: () => {
@@ -136,7 +145,6 @@ async function ask(
         jsPsych.abortExperiment();
       },
     },
-    done,
   );
   await jsPsych.run([
     {
@@ -166,7 +174,7 @@ async function ask(
           button_label: escaped(words.of('next')),
         }]
       : []),
-    ...(shows(study, left)
+    ...(shows(study, slot, left)
       ? [{
           type: sceneCheckPlugin(study, slot, left, stage, words, (rate) => {
             device = { ...device, scene_rate: rate };

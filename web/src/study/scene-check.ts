@@ -1,4 +1,6 @@
 import { type JsPsychPlugin, ParameterType, type TrialType } from 'jspsych';
+import { rising } from '../page/progress.js';
+import type { Condition } from '../scene/world.js';
 import type { Slot, Study, Wording } from './description.js';
 import { element } from './fields.js';
 import { FrameRate } from './frame-rate.js';
@@ -45,8 +47,11 @@ export function sceneCheckPlugin(
       const status = element('p', 'loading');
       status.setAttribute('role', 'status');
       display.replaceChildren(status);
-      await preload(filesOf(study, left), (percent) => { status.textContent = words.of('web.loading', percent); });
-      const rate = await measure(study, slot, left, stage, words, status);
+      // Files that are there are opened again: participants see one progress.
+      const say = rising((percent) => { status.textContent = words.of('web.loading', percent); });
+      const view = viewOf(study, slot, left);
+      await preload(filesOf(study, slot, left), say);
+      const rate = view ? await measure(view, stage, words, say, status) : 0;
       display.replaceChildren();
       measured(rate);
       return { frames_per_second: rate };
@@ -55,38 +60,53 @@ export function sceneCheckPlugin(
 }
 
 /** Returns whether steps show a scene, which is then worth a check. */
-export function shows(study: Study, steps: readonly string[]): boolean {
-  return steps.some((id) => study.steps[id]?.kind === 'exposure' || study.steps[id]?.kind === 'practice');
+export function shows(study: Study, slot: Slot, steps: readonly string[]): boolean {
+  return viewOf(study, slot, steps) !== undefined;
 }
 
-function filesOf(study: Study, steps: readonly string[]): Record<string, number> {
+/** A scene as a step begins with it. */
+interface View {
+  readonly scene: string;
+  readonly viewpoint: string;
+  readonly condition: Condition;
+  readonly choices: Readonly<Record<string, number>>;
+}
+
+function filesOf(study: Study, slot: Slot, steps: readonly string[]): Record<string, number> {
   const files: Record<string, number> = {};
-  for (const id of steps) {
-    const step = study.steps[id];
-    if (step && 'scene' in step) {
-      Object.assign(files, study.scenes[step.scene]?.files);
-    }
+  for (const { scene } of steps.flatMap((id) => viewsOf(study, slot, id))) {
+    Object.assign(files, study.scenes[scene]?.files);
   }
   return files;
 }
 
+/** Returns what a step shows, the trials of a block in their order. */
+function viewsOf(study: Study, slot: Slot, id: string): View[] {
+  const step = study.steps[id];
+  if (step?.kind === 'block') {
+    return (slot.trials?.[id] ?? []).flat().flatMap((at) => study.trials?.[at] ?? []);
+  }
+  return step && 'scene' in step ? [{ ...step, condition: slot.condition, choices: {} }] : [];
+}
+
+/** Returns the view that is measured: that of the first exposure or trial, else that of the practice. */
+function viewOf(study: Study, slot: Slot, steps: readonly string[]): View | undefined {
+  const practice = steps.filter((id) => study.steps[id]?.kind === 'practice');
+  return [...steps.filter((id) => !practice.includes(id)), ...practice].flatMap((id) => viewsOf(study, slot, id))[0];
+}
+
 async function measure(
-  study: Study,
-  slot: Slot,
-  left: readonly string[],
+  view: View,
   stage: Stage,
   words: Wording,
+  say: (percent: number) => void,
   status: HTMLElement,
 ): Promise<number> {
-  const steps = left.flatMap((id) => study.steps[id] ?? []);
-  const step = steps.find((each) => each.kind === 'exposure') ?? steps.find((each) => each.kind === 'practice');
-  if (!step || !('scene' in step)) {
-    return 0;
-  }
-  const { world } = await stage.open(step.scene, words, (text) => { status.textContent = text; });
-  world.setCondition(slot.condition, slot.seed);
-  if (step.viewpoint) {
-    world.visitNamed(step.viewpoint);
+  const { world } = await stage.open(view.scene, say);
+  world.setCondition(view.condition, 0);
+  world.hold(view.choices);
+  if (view.viewpoint) {
+    world.visitNamed(view.viewpoint);
   }
   status.classList.add('over');
   status.textContent = words.of('web.measuring');
@@ -97,6 +117,7 @@ async function measure(
     await world.nextFrame();
     if (rate.picture(performance.now())) {
       stage.hide();
+      world.release();
       return Math.round(10 * rate.perSecond()) / 10;
     }
   }

@@ -33,7 +33,7 @@ class StudyDescriptionTest {
                     StudyFixture.text(
                         "  \"fade\": 0.5,\n  \"stay\": \"turn\",\n  \"quality\": {\"min_fps\": 30},\n")),
                 new StudyPictures())
-            .text(Map.of());
+            .text(Map.of(), Map.of());
     if (Boolean.getBoolean("reports.update")) {
       Files.writeString(GOLDEN, withoutWords(text) + "\n");
     }
@@ -56,7 +56,7 @@ class StudyDescriptionTest {
     assertThat(new BrowserLimits(study.get(0), fixture.collector()).keep()).isTrue();
     JsonNode slots =
         new ObjectMapper()
-            .readTree(new StudyDescription(study, new StudyPictures()).text(Map.of()))
+            .readTree(new StudyDescription(study, new StudyPictures()).text(Map.of(), Map.of()))
             .path("slots");
     List<PlannedSession> plan = PlannedSession.all(study.get(0));
     for (int i = 0; i < plan.size(); i++) {
