@@ -71,7 +71,7 @@ public final class WebSessionImport {
     parser = new WebRecordParser(material, faults);
     files =
         new WebSessionFiles(
-            material, software, new WebExposureFiles(material.study(), replay, problems), faults);
+            material, software, new WebExposureFiles(material, replay, problems), faults);
   }
 
   /**
