@@ -191,6 +191,13 @@ export class ReferenceReceiver {
     return { records, data };
   }
 
+  /** Returns how many places of the plan are taken. */
+  taken(): number {
+    const { data } = this.written();
+    return readFileSync(path.join(data, 'sessions.csv'), 'utf8').trim().split('\n').slice(1)
+      .filter((row) => row.split(',')[1] !== '').length;
+  }
+
   /** Ends the receiver: from now on nothing arrives. */
   async stop(): Promise<void> {
     const ended = once(this.child, 'exit');

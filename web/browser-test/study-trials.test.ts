@@ -119,7 +119,11 @@ it('runs a practice until it is passed, and a block with questions, as the plan 
   const slot = String(all[0]?.slot);
   const planned = plan.slice(1)
     .filter((row) => Number(cell(row, 'place')) === Number(slot) && cell(row, 'block') === 'main')
-    .map((row) => [cell(row, 'trial'), cell(row, 'wall'), cell(row, 'side')].join());
+    .map((row) => [
+      cell(row, 'trial'),
+      /wall=(\w+)/.exec(cell(row, 'levels'))?.[1],
+      /side=(\w+)/.exec(cell(row, 'stimulus'))?.[1],
+    ].join());
   expect(planned).toHaveLength(4);
   const main = rows.slice(1).filter((row) => row[3] === 'main');
   expect(main.map((row) => [row[4], row[7], row[8]].join())).toEqual(planned);

@@ -1,7 +1,7 @@
 import { type JsPsychPlugin, ParameterType, type TrialType } from 'jspsych';
 import { rising } from '../page/progress.js';
 import type { Condition } from '../scene/world.js';
-import type { Slot, Study, Wording } from './description.js';
+import type { Study, Wording } from './description.js';
 import { element } from './fields.js';
 import { FrameRate } from './frame-rate.js';
 import { preload } from './preload.js';
@@ -26,17 +26,17 @@ const info = {
 export type SceneCheckPlugin = new () => JsPsychPlugin<typeof info>;
 
 /**
- * Makes the plugin.
+ * Makes the plugin. A device that draws too slowly is told so and measured again, as often as the participant wants: the
+ * session begins when it is fast enough.
  *
- * @param left the steps that are still to come
+ * @param needed pictures per second
  * @param measured is handed the pictures per second
  */
 export function sceneCheckPlugin(
   study: Study,
-  slot: Slot,
-  left: readonly string[],
   stage: Stage,
   words: Wording,
+  needed: number,
   measured: (rate: number) => void,
 ): SceneCheckPlugin & { info: typeof info } {
   return class {
@@ -49,19 +49,38 @@ export function sceneCheckPlugin(
       display.replaceChildren(status);
       // Files that are there are opened again: participants see one progress.
       const say = rising((percent) => { status.textContent = words.of('web.loading', percent); });
-      const view = viewOf(study, slot, left);
-      await preload(filesOf(study, slot, left), say);
-      const rate = view ? await measure(view, stage, words, say, status) : 0;
-      display.replaceChildren();
-      measured(rate);
-      return { frames_per_second: rate };
+      const view = viewOf(study);
+      await preload(filesOf(study), say);
+      for (;;) {
+        const rate = view ? await measure(view, stage, words, say, status) : 0;
+        if (!view || rate >= needed) {
+          display.replaceChildren();
+          measured(rate);
+          return { frames_per_second: rate };
+        }
+        await tooSlow(display, words, rate, needed);
+        status.classList.remove('over');
+        display.replaceChildren(status);
+      }
     }
   };
 }
 
-/** Returns whether steps show a scene, which is then worth a check. */
-export function shows(study: Study, slot: Slot, steps: readonly string[]): boolean {
-  return viewOf(study, slot, steps) !== undefined;
+/** Says how fast the device is and has to be; returns when it is to be measured again. */
+async function tooSlow(display: HTMLElement, words: Wording, rate: number, needed: number): Promise<void> {
+  const again = document.createElement('button');
+  again.type = 'button';
+  again.className = 'jspsych-btn';
+  again.textContent = words.of('web.slow.again');
+  const told = element('p', '', words.of('web.slow', rate, needed));
+  told.setAttribute('role', 'alert');
+  display.replaceChildren(told, again);
+  await new Promise((pressed) => { again.addEventListener('click', pressed); });
+}
+
+/** Returns whether a study shows a scene, which is then worth a check. */
+export function shows(study: Study): boolean {
+  return viewOf(study) !== undefined;
 }
 
 /** A scene as a step begins with it. */
@@ -72,27 +91,20 @@ interface View {
   readonly choices: Readonly<Record<string, number>>;
 }
 
-function filesOf(study: Study, slot: Slot, steps: readonly string[]): Record<string, number> {
-  const files: Record<string, number> = {};
-  for (const { scene } of steps.flatMap((id) => viewsOf(study, slot, id))) {
-    Object.assign(files, study.scenes[scene]?.files);
-  }
-  return files;
+function filesOf(study: Study): Record<string, number> {
+  return Object.assign({}, ...Object.values(study.scenes).map(({ files }) => files)) as Record<string, number>;
 }
 
-/** Returns what a step shows, the trials of a block in their order. */
-function viewsOf(study: Study, slot: Slot, id: string): View[] {
-  const step = study.steps[id];
-  if (step?.kind === 'block') {
-    return (slot.trials?.[id] ?? []).flat().flatMap((at) => study.trials?.[at] ?? []);
-  }
-  return step && 'scene' in step ? [{ ...step, condition: slot.condition, choices: {} }] : [];
-}
-
-/** Returns the view that is measured: that of the first exposure or trial, else that of the practice. */
-function viewOf(study: Study, slot: Slot, steps: readonly string[]): View | undefined {
-  const practice = steps.filter((id) => study.steps[id]?.kind === 'practice');
-  return [...steps.filter((id) => !practice.includes(id)), ...practice].flatMap((id) => viewsOf(study, slot, id))[0];
+/**
+ * Returns the view that is measured: that of the first exposure or trial, else that of the practice. It is the same for
+ * everybody, whatever the place in the plan, in the condition that has most to draw: who may take part must not depend on
+ * the condition.
+ */
+function viewOf(study: Study): View | undefined {
+  const steps = Object.values(study.steps);
+  const step = steps.find(({ kind }) => kind === 'exposure') ?? steps.find(({ kind }) => kind === 'practice');
+  const condition = study.slots.some((slot) => slot.condition === 'high') ? 'high' : (study.slots[0]?.condition ?? 'high');
+  return study.trials?.[0] ?? (step && 'scene' in step ? { ...step, condition, choices: {} } : undefined);
 }
 
 async function measure(
