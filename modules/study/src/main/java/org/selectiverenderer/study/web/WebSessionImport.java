@@ -264,12 +264,6 @@ public final class WebSessionImport {
                   missing.size() == 1 ? "part" : "parts",
                   String.join(", ", missing)));
     }
-    if (lines.counted() && !lines.ended()) {
-      problems.info(
-          file,
-          "the session %s (%s) has no final part: the participant has left, or not all has arrived"
-              .formatted(lines.session(), folder.participant()));
-    }
   }
 
   private void people(JsonNode ids, String participant) {
