@@ -132,6 +132,7 @@ class WebSessionImportTest extends WebStudyFixture {
     collect();
     assertThat(Files.readString(ofSession("web001", "events.jsonl")))
         .contains("\"shown_in\":\"webxr\"");
+    assertThat(table("exposures")).element(1).asString().contains(",webxr,not-seen|headset-lost,");
     assertThat(table("sessions")).element(1).asString().contains(",not-seen|headset-lost,");
   }
 
