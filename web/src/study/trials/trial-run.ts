@@ -156,7 +156,7 @@ export class TrialRun {
       case 'instruction':
         return [
           ...filled(this.placed.trial, phase.text).split('\n').map((line) => element('p', '', line)),
-          element('p', 'hint', this.words.of('trial.read')),
+          ...(this.buttons ? [] : [element('p', 'hint', this.words.of('trial.read'))]),
           this.button(this.words.of('next'), 'space'),
         ];
       case 'fixation':

@@ -193,7 +193,7 @@ final class ExperimentCollectCommand extends CliCommand {
     List<String> left = new ArrayList<>();
     tell(answers.responses(), "recognition answers", "--responses", printed, responses, rows, left);
     tell(answers.ratings(), "ratings", "--ratings", false, ratings, rows, left);
-    tell(answers.others(), "other answers, with the form", "--answers", false, others, rows, left);
+    tell(answers.others(), "other answers and the form", "--answers", false, others, rows, left);
     tell(answers.scores(), "scores", "--scores", false, scores, rows, left);
     tell(answers.trials(), "trials", "--trials", false, trials, rows, left);
     console()
@@ -202,9 +202,9 @@ final class ExperimentCollectCommand extends CliCommand {
                 .formatted(
                     Pluralizer.of(answers.answers(), "answer"),
                     Pluralizer.of(answers.participants(), "participant"),
-                    rows.isEmpty() ? "" : "; rows: " + String.join("; ", rows)));
+                    rows.isEmpty() ? "" : " (rows of the tables: " + String.join(", ", rows) + ")"));
     if (!left.isEmpty()) {
-      console().message("not written: " + String.join("; ", left));
+      console().message("not written: " + String.join(", ", left));
     }
   }
 
@@ -218,9 +218,9 @@ final class ExperimentCollectCommand extends CliCommand {
       List<String> left) {
     int number = rows(table);
     if (number > 0) {
-      rows.add(number + " " + what);
+      rows.add(what + ": " + number);
       if (!printed && file == null) {
-        left.add("%d %s: %s F.csv writes them".formatted(number, what, option));
+        left.add("%s (%s F.csv)".formatted(what, option));
       }
     }
   }
