@@ -169,6 +169,7 @@ final class Workbench {
     addTreeKeys();
     structure.shifts(new DuplicateShifts(preview.probe()));
     insert = new InsertCommands(session, structure, this::here, preview::placeAhead);
+    insert.onInserted(tree::reveal);
     disposals.add(focused::dispose);
     disposals.add(autosave::dispose);
     disposals.add(problems::dispose);
@@ -293,14 +294,12 @@ final class Workbench {
   void insert(String template) {
     commit();
     insert.insert(template, all);
-    session.selection().ifPresent(tree::reveal);
   }
 
   /** Asks for a node to be inserted at the selection. */
   void insertNode() {
     commit();
     insert.choose(all);
-    session.selection().ifPresent(tree::reveal);
   }
 
   /** Does what a key does where the focus is, in a text for example, else acts on the nodes. */

@@ -283,6 +283,8 @@ public final class StructureCommands {
                             nodes,
                             node -> known.apply(node).orElseGet(() -> new Vector3d(ASIDE, 0, 0))),
                 "node.duplicated");
+          } else {
+            session.message(Texts.of("node.changedMeanwhile"));
           }
         });
   }
@@ -336,11 +338,12 @@ public final class StructureCommands {
   }
 
   /**
-   * Inserts a template at the selection.
+   * Inserts a template into an element or behind it.
    *
+   * @param goal empty for the end of the scene
    * @return whether it was inserted
    */
-  public boolean insert(NodeTemplate template) {
-    return perform(() -> palette().insert(session.selection(), template), "node.inserted");
+  public boolean insert(Optional<DocumentElement> goal, NodeTemplate template) {
+    return perform(() -> palette().insert(goal, template), "node.inserted");
   }
 }
