@@ -3,15 +3,16 @@ package org.selectiverenderer.enricher.insert;
 import java.awt.Component;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.JFileChooser;
 import org.joml.AxisAngle4d;
+import org.joml.Matrix4d;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.selectiverenderer.authoring.EditRejectedException;
+import org.selectiverenderer.authoring.area.LocalCoordinateSystem;
 import org.selectiverenderer.authoring.structure.NodeTemplate;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.browser.viewer.Pose;
@@ -127,7 +128,8 @@ public final class InsertCommands {
    */
   private void place(Optional<DocumentElement> goal, Supplier<NodeTemplate> made) {
     NodeTemplate template = made.get();
-    if (!inScene(goal, template) || !hasPlace(template)) {
+    Optional<Matrix4d> fromScene = hasPlace(template) ? fromScene(goal, template) : Optional.empty();
+    if (fromScene.isEmpty()) {
       put(goal, template);
       return;
     }
@@ -137,11 +139,8 @@ public final class InsertCommands {
           if (gone(goal)) {
             session.message(Texts.of("insert.gone", goal.orElseThrow()));
           } else if (revision == session.document().revision()) {
-            put(
-                goal,
-                found
-                    .map(at -> shifted(template, under(template, at)))
-                    .orElseGet(() -> inFront(template)));
+            Vector3d at = found.map(place -> under(template, place)).orElseGet(this::inFront);
+            put(goal, shifted(template, fromScene.get().transformPosition(at)));
           } else {
             place(goal, made); // its name may be taken now, its place covered
           }
@@ -157,7 +156,7 @@ public final class InsertCommands {
   }
 
   /** Returns the floor that a light hangs over: not a table before the viewer, but what is below. */
-  private Vector3dc under(NodeTemplate template, Vector3d ground) {
+  private Vector3d under(NodeTemplate template, Vector3d ground) {
     Optional<Pose> pose = viewer.get();
     if (template.text().startsWith("<Transform") || pose.isEmpty()) {
       return ground;
@@ -172,12 +171,16 @@ public final class InsertCommands {
     }
   }
 
-  /** Whether a template gets into a node whose coordinates are those of the scene. */
-  private boolean inScene(Optional<DocumentElement> goal, NodeTemplate template) {
+  /**
+   * Returns the transformation from the scene to the node that a template gets into; empty where
+   * the text does not tell it.
+   */
+  private Optional<Matrix4d> fromScene(Optional<DocumentElement> goal, NodeTemplate template) {
     try {
-      return inSceneCoordinates(structure.palette().parent(goal, template));
+      return LocalCoordinateSystem.within(structure.palette().parent(goal, template))
+          .map(system -> system.world().invert(new Matrix4d()));
     } catch (EditRejectedException e) {
-      return true; // said when it is inserted
+      return Optional.of(new Matrix4d()); // said when it is inserted
     }
   }
 
@@ -220,11 +223,11 @@ public final class InsertCommands {
     return text.toString();
   }
 
-  /** Puts what has a place in front of the preview's viewer, on the ground under the eyes. */
-  private NodeTemplate inFront(NodeTemplate template) {
+  /** Returns the ground under the eyes before the viewer, without asking for what is there. */
+  private Vector3d inFront() {
     Optional<Pose> pose = viewer.get();
     if (pose.isEmpty()) {
-      return template;
+      return new Vector3d();
     }
     Vector3d ahead = pose.get().orientation().transform(new Vector3d(0, 0, -1));
     ahead.y = 0;
@@ -232,8 +235,8 @@ public final class InsertCommands {
       ahead.set(0, 0, -1);
     }
     ahead.normalize(AHEAD).add(pose.get().position());
-    double floor = pose.get().position().y() - eyeHeight();
-    return shifted(template, new Vector3d(ahead.x, floor, ahead.z));
+    ahead.y = pose.get().position().y() - eyeHeight();
+    return ahead;
   }
 
   private static NodeTemplate shifted(NodeTemplate template, Vector3dc by) {
@@ -264,22 +267,5 @@ public final class InsertCommands {
     } catch (NumberFormatException e) {
       return Optional.empty(); // a fault that the validator reports
     }
-  }
-
-  private static boolean inSceneCoordinates(DocumentElement selected) {
-    for (Optional<DocumentElement> at = Optional.of(selected);
-        at.isPresent();
-        at = at.get().parent()) {
-      String name = at.get().name().toLowerCase(Locale.ROOT);
-      if (name.contains("transform")
-          || name.startsWith("geo")
-          || name.startsWith("hanim")
-          || name.startsWith("proto")
-          || name.equals("billboard")
-          || name.equals("cadpart")) {
-        return false;
-      }
-    }
-    return true;
   }
 }

@@ -40,10 +40,14 @@ class InsertCommandsTest {
 
   @BeforeEach
   void open() throws IOException {
+    open("<Group DEF='A'/>\n<Group DEF='B'/>\n");
+  }
+
+  private void open(String nodes) throws IOException {
     Path file =
         Files.writeString(
             folder.resolve("scene.x3d"),
-            "<X3D version='4.0'>\n<Scene>\n<Group DEF='A'/>\n<Group DEF='B'/>\n</Scene>\n</X3D>\n");
+            "<X3D version='4.0'>\n<Scene>\n" + nodes + "</Scene>\n</X3D>\n");
     session =
         new EnricherSession(
             DocumentFile.open(file),
@@ -137,6 +141,28 @@ class InsertCommandsTest {
     assertThat(told).isEmpty();
     answer(0, 0, 0);
     assertThat(told).containsExactly("Transform Box");
+  }
+
+  /** What stands in a room that is moved and turned stands on that room's floor. */
+  @Test
+  void inATransformItStandsWhereItWouldInTheScene() throws Exception {
+    open(
+        "<Transform DEF='A' translation='10 3 0' rotation='0 1 0 1.5707963' scale='2 2 2'>\n"
+            + "<Group/>\n</Transform>\n");
+    select("A");
+    ask("box");
+    answer(8, 3, 0);
+    assertThat(parentOf("Box")).isEqualTo("Transform A");
+    assertThat(named("Box").orElseThrow().text("translation")).contains("0 0.5 -1");
+  }
+
+  @Test
+  void whereTheTextDoesNotTellTheCoordinatesItIsAtTheirOrigin() throws Exception {
+    open("<Billboard DEF='A'/>\n");
+    select("A");
+    ask("box");
+    assertThat(waiting).isEmpty();
+    assertThat(named("Box").orElseThrow().text("translation")).contains("0 0.5 0");
   }
 
   /** A view from above has its eyes far over the ground. */
