@@ -24,6 +24,7 @@ import org.selectiverenderer.authoring.structure.StructureEdits;
 import org.selectiverenderer.authoring.switches.SwitchEdits;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.Remarks;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
@@ -309,7 +310,7 @@ public final class StructureCommands {
       change(nodes, position, copy);
       return Optional.empty();
     } catch (EditRejectedException e) {
-      return Optional.of(String.valueOf(e.getMessage()));
+      return Optional.of(Remarks.of(e));
     }
   }
 
