@@ -39,7 +39,7 @@ public record LocalCoordinateSystem(
   /**
    * Computes the frame of a node from the text.
    *
-   * @return empty where the text does not determine it: in a ProtoBody, under a Billboard or
+   * @return empty where the text does not determine it: in a ProtoBody or ProtoInstance, under a Billboard or
    *     geospatial node, under a Transform with a zero scale
    */
   public static Optional<LocalCoordinateSystem> of(DocumentElement node) {
@@ -72,6 +72,7 @@ public record LocalCoordinateSystem(
             "GeoTransform",
             "GeoLocation",
             "ProtoBody",
+            "ProtoInstance",
             "ScreenGroup",
             "LayoutLayer",
             "LayoutGroup",

@@ -11,6 +11,9 @@ import java.util.Optional;
 public final class Remarks {
   private static final String PLACE = ": ";
 
+  /** Longer ones hold a part of a scene: no sentence of the patterns is looked for in them. */
+  private static final int LONGEST = 1000;
+
   private static final SentencePatterns PATTERNS = new SentencePatterns("remarks");
 
   private Remarks() {}
@@ -21,6 +24,9 @@ public final class Remarks {
    * @param sentence may have a place before it, such as a file with line and column and a colon
    */
   public static String shown(String sentence) {
+    if (sentence.length() > LONGEST) {
+      return sentence;
+    }
     Optional<String> whole = PATTERNS.shown(sentence);
     for (int at = sentence.indexOf(PLACE);
         whole.isEmpty() && at >= 0;

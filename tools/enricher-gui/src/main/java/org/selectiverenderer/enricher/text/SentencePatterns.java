@@ -41,7 +41,10 @@ final class SentencePatterns {
     known.sort(Comparator.comparingInt(Known::literal).reversed().thenComparing(Known::text));
   }
 
-  /** Returns a sentence in the language of the window; empty if it matches no pattern. */
+  /**
+   * Returns a sentence in the language of the window, as are the sentences within it; empty if it
+   * matches no pattern.
+   */
   Optional<String> shown(String sentence) {
     for (Known each : known) {
       Matcher fits = each.pattern().matcher(sentence);
@@ -49,7 +52,10 @@ final class SentencePatterns {
         return Optional.of(
             Texts.of(
                 each.text(),
-                IntStream.rangeClosed(1, fits.groupCount()).mapToObj(fits::group).toArray()));
+                IntStream.rangeClosed(1, fits.groupCount())
+                    .mapToObj(fits::group)
+                    .map(argument -> shown(argument).orElse(argument))
+                    .toArray()));
       }
     }
     return Optional.empty();

@@ -76,6 +76,26 @@ class RemarksTest {
   }
 
   @Test
+  void aSentenceWithinASentenceIsInGreekToo() {
+    greek();
+    assertThat(
+            Remarks.shown(
+                "Material Red can go neither into Scene nor beside it; select a node that takes it,"
+                    + " such as Appearance Wood in line 5"))
+        .isEqualTo(
+            "το Material Red δεν μπορεί να μπει ούτε μέσα στο Scene ούτε δίπλα του (επιλέξτε κόμβο"
+                + " που το δέχεται, όπως Appearance Wood στη γραμμή 5)");
+  }
+
+  /** No pattern is tried where a stranger's name would take for ever. */
+  @Test
+  void aLongRemarkStays() {
+    greek();
+    String remark = "the object '" + ": '".repeat(100_000) + "' has no faces";
+    assertThat(Remarks.shown(remark)).isEqualTo(remark);
+  }
+
+  @Test
   void whatIsNoRemarkStays() {
     greek();
     assertThat(Remarks.shown("Έγινε: a {0} 'b'")).isEqualTo("Έγινε: a {0} 'b'");
