@@ -1,6 +1,5 @@
 package org.selectiverenderer.enricher;
 
-import java.awt.Container;
 import java.awt.Toolkit;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -10,7 +9,6 @@ import java.util.Set;
 import java.util.function.Consumer;
 import javax.swing.JComponent;
 import javax.swing.JSplitPane;
-import javax.swing.JTabbedPane;
 import javax.swing.KeyStroke;
 import org.selectiverenderer.authoring.file.CrashRecovery;
 import org.selectiverenderer.authoring.geometry.RepeatedPointsCheck;
@@ -86,8 +84,7 @@ final class Workbench {
   private final PlanPanel plan;
   private final HelpPanel help;
   private final ProblemsPanel problems;
-  private final JTabbedPane tabs = new JTabbedPane();
-  private final List<String> views = new ArrayList<>();
+  private final ViewTabs tabs = new ViewTabs();
   private final JSplitPane left;
   private final JSplitPane right;
   private final JSplitPane all;
@@ -140,7 +137,6 @@ final class Workbench {
     form.onMakeVersions(makeVersions);
     form.follow(problems);
     help = new HelpPanel(session);
-    tabs.getAccessibleContext().setAccessibleName(Texts.of("window.views"));
     overview = new OverviewPanel(session);
     cost = new CostPanel(session, budgets, problems::checkAgain);
     schemas = split(JSplitPane.VERTICAL_SPLIT, overview, cost, 1, "polygons");
@@ -151,7 +147,7 @@ final class Workbench {
             Texts.of("cost.fold"),
             open -> settings.put("costs", open));
     GridSetting grid = new GridSetting(settings);
-    NamePrompt names = new NameDialog(() -> tabs);
+    NamePrompt names = new NameDialog(tabs::component);
     areas = new AreaCommands(session, preview.probe(), names);
     preview.grid(grid::step);
     HandleSettings handles = new HandleSettings();
@@ -160,12 +156,12 @@ final class Workbench {
     preview.addAction(
         Texts.of("area.add.short"), Texts.of("area.add.tip"), areas::addAroundSelection);
     plan = new PlanPanel(session, areas, names, grid, handles);
-    addTab("Preview", Texts.of("window.tab.preview"), preview);
-    addTab("Schemas", Texts.of("window.tab.schemas"), schemasAndCosts);
-    addTab("Source", Texts.of("window.tab.source"), source.component());
-    addTab("Plan", Texts.of("area.plan"), plan);
-    addTab("Help", Texts.of("window.tab.help"), help);
-    right = split(JSplitPane.HORIZONTAL_SPLIT, tabs, form, 1, "form");
+    tabs.add("Preview", Texts.of("window.tab.preview"), preview);
+    tabs.add("Schemas", Texts.of("window.tab.schemas"), schemasAndCosts);
+    tabs.add("Source", Texts.of("window.tab.source"), source.component());
+    tabs.add("Plan", Texts.of("area.plan"), plan);
+    tabs.add("Help", Texts.of("window.tab.help"), help);
+    right = split(JSplitPane.HORIZONTAL_SPLIT, tabs.component(), form, 1, "form");
     left = split(JSplitPane.HORIZONTAL_SPLIT, tree.component(), right, 0, "tree");
     all = split(JSplitPane.VERTICAL_SPLIT, left, problems, 1, "problems");
     focused = new FocusedKeys(all, List.of(tree.component(), preview, plan));
@@ -173,6 +169,7 @@ final class Workbench {
     addTreeKeys();
     structure.shifts(new DuplicateShifts(preview.probe()));
     insert = new InsertCommands(session, structure, this::here, preview::placeAhead);
+    insert.onInserted(tree::reveal);
     disposals.add(focused::dispose);
     disposals.add(autosave::dispose);
     disposals.add(problems::dispose);
@@ -186,9 +183,9 @@ final class Workbench {
     disposals.add(cost::dispose);
     disposals.add(pictures::close);
     disposals.add(session::dispose);
-    tabs.setSelectedIndex(Math.max(0, views.indexOf(settings.word("tab", ""))));
+    tabs.select(settings.word("tab", ""));
     if (session.document().fault().isPresent()) {
-      tabs.setSelectedComponent(source.component());
+      tabs.bringToFront(source.component());
       source.showFault();
     }
   }
@@ -196,12 +193,6 @@ final class Workbench {
   private void settingsAreOther() {
     cost.lookAtFilesAgain();
     problems.checkAgain();
-  }
-
-  /** Adds a tab with the name that the settings remember it by in every language. */
-  private void addTab(String name, String title, JComponent view) {
-    views.add(name);
-    tabs.addTab(title, view);
   }
 
   /** Returns the content access of version files: that of the scene that they belong to. */
@@ -303,14 +294,12 @@ final class Workbench {
   void insert(String template) {
     commit();
     insert.insert(template, all);
-    session.selection().ifPresent(tree::reveal);
   }
 
   /** Asks for a node to be inserted at the selection. */
   void insertNode() {
     commit();
     insert.choose(all);
-    session.selection().ifPresent(tree::reveal);
   }
 
   /** Does what a key does where the focus is, in a text for example, else acts on the nodes. */
@@ -384,7 +373,7 @@ final class Workbench {
 
   /** Stores the divider locations and the selected tab in the settings. */
   void remember() {
-    settings.put("tab", views.get(tabs.getSelectedIndex()));
+    settings.put("tab", tabs.selectedName());
     settings.put("split.tree", left.getDividerLocation());
     settings.put("split.form", right.getWidth() - right.getDividerLocation());
     settings.put("split.cost", schemas.getDividerLocation());
@@ -418,7 +407,7 @@ final class Workbench {
     boolean inForm =
         session.selection().map(DocumentElement::name).filter(FORMS::contains).isPresent();
     if (!inForm) {
-      tabs.setSelectedComponent(source.component());
+      tabs.bringToFront(source.component());
     }
   }
 
@@ -491,29 +480,25 @@ final class Workbench {
 
   /** Shows a view and gives it the focus, so that its keys work at once. */
   void showTab(int index) {
-    if (index < tabs.getTabCount()) {
-      tabs.setSelectedIndex(index);
-      new FocusCycler(List.of((Container) tabs.getSelectedComponent())).next();
-    }
+    tabs.show(index);
   }
 
   /** Brings the source into view and does something with it. */
   void inSource(Consumer<SourcePanel> work) {
-    if (tabs.getSelectedComponent() != source.component()) {
-      tabs.setSelectedComponent(source.component());
+    if (tabs.bringToFront(source.component())) {
       source.area().requestFocusInWindow();
     }
     work.accept(source);
   }
 
   void showHelp() {
-    tabs.setSelectedIndex(tabs.getTabCount() - 1); // The focus says what is explained.
+    tabs.bringToFront(help); // The focus says what is explained.
   }
 
   /** Moves the focus to the next pane: tree, view, form, problems. */
   void nextPart() {
     new FocusCycler(
-            List.of(tree.component(), (Container) tabs.getSelectedComponent(), form, problems))
+            List.of(tree.component(), tabs.selected(), form, problems))
         .next();
   }
 
