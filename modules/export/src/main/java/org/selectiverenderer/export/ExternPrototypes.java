@@ -40,7 +40,8 @@ final class ExternPrototypes {
     Optional<DocumentElement> wanted = wanted(content, target);
     if (wanted.isEmpty()) {
       String missing = target.fragment().isEmpty() ? "prototype" : target.fragment();
-      return Optional.of(what + "%s declares no %s".formatted(files.display(target.file()), missing));
+      return Optional.of(
+          what + "%s declares no %s".formatted(files.display(target.file()), missing));
     }
     if (circle
         && needed(content, wanted.get()).stream()

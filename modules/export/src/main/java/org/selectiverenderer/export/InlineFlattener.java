@@ -42,7 +42,7 @@ final class InlineFlattener {
   /** The largest number of Inlines that are replaced, so that no scene grows without limit. */
   private static final int MOST = 2_000;
 
-  /** The largest number of files that name one another in a row, so that none exhausts the stack. */
+  /** The largest number of files that name one another in a row, as each takes of the stack. */
   private static final int DEEPEST = 64;
 
   private static final Set<String> MODULES = Set.of("IMPORT", "EXPORT");
@@ -237,7 +237,7 @@ final class InlineFlattener {
     if (++replaced > MOST) {
       problems.error(
           element.location(),
-          "more than %d Inlines and EXTERNPROTOs of files with enriched nodes; fewer can be exported"
+          "more than %d Inlines and EXTERNPROTOs of files with enriched nodes; export fewer"
               .formatted(MOST));
       return false;
     }

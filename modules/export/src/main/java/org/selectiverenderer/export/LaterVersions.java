@@ -148,7 +148,8 @@ final class LaterVersions {
               element.use().ifPresent(names::add);
               element.text("inlineDEF").ifPresent(names::add);
               for (String end : List.of("from", "to")) {
-                if (!ControlledNodes.CHOICE_FIELDS.contains(element.text(end + "Field").orElse(""))) {
+                String field = element.text(end + "Field").orElse("");
+                if (!ControlledNodes.CHOICE_FIELDS.contains(field)) {
                   element.text(end + "Node").ifPresent(names::add);
                 }
               }
