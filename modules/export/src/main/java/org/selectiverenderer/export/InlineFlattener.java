@@ -2,9 +2,12 @@ package org.selectiverenderer.export;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.Deque;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -60,10 +63,8 @@ final class InlineFlattener {
   private final SceneFiles files;
   private final ProblemCollector problems;
   private final ExternPrototypes prototypes;
-  private final Map<Path, Boolean> enriched = new HashMap<>();
+  private final Map<Path, Content> contents = new HashMap<>();
   private int replaced;
-  private int depth;
-  private boolean tooDeep;
 
   InlineFlattener(NodeCatalogue catalogue, UrlResolver resolver, ProblemCollector problems) {
     this.catalogue = catalogue;
@@ -90,6 +91,13 @@ final class InlineFlattener {
     }
     SceneDocument document = read.get();
     around.add(file);
+    if (around.size() > DEEPEST) {
+      problems.error(
+          document.tree().orElseThrow().root().location(),
+          "files name one another more than %d files deep; fewer can be exported"
+              .formatted(DEEPEST));
+      return Optional.empty();
+    }
     boolean whole = true;
     // Each replacement parses the document anew, so that the elements are found anew, too.
     for (Optional<Named> next = next(document, file, around);
@@ -97,8 +105,45 @@ final class InlineFlattener {
         next = next(document, file, around)) {
       whole = replace(document, file, next.get(), around);
     }
+    if (whole && around.size() > 1) {
+      empty(document, file, around);
+    }
     around.remove(file);
-    return whole && !tooDeep ? read : Optional.empty();
+    return whole ? read : Optional.empty();
+  }
+
+  /**
+   * Makes Groups without content of the Inlines that end a circle of files within the scene, so
+   * that they do not begin it anew in the file around. An Inline of the scene itself stays.
+   */
+  private void empty(SceneDocument document, Path file, Set<Path> around) throws IOException {
+    Path scene = around.iterator().next();
+    List<TextEdit> edits = new ArrayList<>();
+    for (DocumentElement element : SceneFiles.elements(document)) {
+      Optional<SceneFiles.Target> target =
+          inline(element) ? files.target(element, file) : Optional.empty();
+      if (target.isPresent()
+          && around.contains(target.get().file())
+          && !target.get().file().equals(scene)) {
+        List<String> group = List.of(groupTag(document, element), "</Group>");
+        edits.add(document.layout().replace(element, group));
+        edits.addAll(uses(document, element));
+      }
+    }
+    if (!edits.isEmpty()) {
+      edits.sort(Comparator.comparingInt(TextEdit::from));
+      try {
+        document.perform(new Edit("Export", edits));
+      } catch (EditRejectedException e) {
+        throw new IOException(e.getMessage(), e);
+      }
+    }
+  }
+
+  private static boolean inline(DocumentElement element) {
+    return element.name().equals(INLINE)
+        && element.use().isEmpty()
+        && element.text("load").filter("false"::equals).isEmpty();
   }
 
   /** An Inline, or the declaration of a prototype, that names a file with enriched nodes. */
@@ -111,11 +156,7 @@ final class InlineFlattener {
   private Optional<Named> next(SceneDocument document, Path file, Set<Path> around)
       throws IOException {
     for (DocumentElement element : SceneFiles.elements(document)) {
-      boolean inline =
-          element.name().equals(INLINE)
-              && element.use().isEmpty()
-              && element.text("load").filter("false"::equals).isEmpty();
-      if (!inline && !element.name().equals(EXTERNAL)) {
+      if (!inline(element) && !element.name().equals(EXTERNAL)) {
         continue;
       }
       Optional<SceneFiles.Target> target = files.target(element, file);
@@ -125,43 +166,67 @@ final class InlineFlattener {
       Named named = new Named(element, target.get());
       // A file that inlines one around it ends there, as in browsers.
       boolean ends = around.contains(target.get().file()) && !named.prototype();
-      if (!ends && enriched(element, target.get().file(), around)) {
+      if (!ends && enriched(target.get().file(), around)) {
         return Optional.of(named);
       }
     }
     return Optional.empty();
   }
 
-  /** Returns whether a file, or one that it names, holds enriched nodes. */
-  private boolean enriched(DocumentElement by, Path file, Set<Path> around) throws IOException {
-    Boolean known = enriched.get(file);
+  /**
+   * What a file holds.
+   *
+   * @param enriched whether it has enriched nodes of its own
+   * @param inlines the files of its Inlines
+   * @param prototypes the files of its EXTERNPROTOs
+   */
+  private record Content(boolean enriched, Set<Path> inlines, Set<Path> prototypes) {}
+
+  /**
+   * Returns whether a file, or one that it names, holds enriched nodes; an Inline of a file around
+   * it has no content.
+   */
+  private boolean enriched(Path file, Set<Path> around) throws IOException {
+    Set<Path> seen = new HashSet<>();
+    Deque<Path> left = new ArrayDeque<>(List.of(file));
+    while (!left.isEmpty()) {
+      Content content = content(left.poll());
+      if (content.enriched()) {
+        return true;
+      }
+      content.prototypes().stream().filter(seen::add).forEach(left::add);
+      content.inlines().stream()
+          .filter(inlined -> !around.contains(inlined) && seen.add(inlined))
+          .forEach(left::add);
+    }
+    return false;
+  }
+
+  private Content content(Path file) throws IOException {
+    Content known = contents.get(file);
     if (known != null) {
       return known;
     }
-    enriched.put(file, false); // a file that inlines itself ends here
-    if (depth == DEEPEST) {
-      if (!tooDeep) {
-        problems.error(
-            by.location(),
-            "files name one another more than %d files deep; fewer can be exported"
-                .formatted(DEEPEST));
-      }
-      tooDeep = true;
-      return false;
-    }
-    depth++;
     Optional<SceneDocument> read = files.readQuietly(file);
-    boolean found = false;
+    boolean nodes = false;
+    Set<Path> inlines = new LinkedHashSet<>();
+    Set<Path> externals = new LinkedHashSet<>();
     if (read.isPresent()) {
-      DocumentEnrichment nodes = new DocumentEnrichment(read.get(), catalogue);
-      found =
-          nodes.switches().stream().anyMatch(EnrichedSwitch::enriched)
-              || nodes.sensors().stream().anyMatch(EnrichedSensor::enriched)
-              || next(read.get(), file, around).isPresent();
+      DocumentEnrichment own = new DocumentEnrichment(read.get(), catalogue);
+      nodes =
+          own.switches().stream().anyMatch(EnrichedSwitch::enriched)
+              || own.sensors().stream().anyMatch(EnrichedSensor::enriched);
+      for (DocumentElement element : SceneFiles.elements(read.get())) {
+        boolean external = element.name().equals(EXTERNAL);
+        if (external || inline(element)) {
+          Set<Path> named = external ? externals : inlines;
+          files.target(element, file).ifPresent(target -> named.add(target.file()));
+        }
+      }
     }
-    depth--;
-    enriched.put(file, found);
-    return found;
+    Content content = new Content(nodes, inlines, externals);
+    contents.put(file, content);
+    return content;
   }
 
   /** Replaces an Inline or takes a prototype in; returns whether that could be done. */
@@ -304,5 +369,4 @@ final class InlineFlattener {
     }
     return edits;
   }
-
 }

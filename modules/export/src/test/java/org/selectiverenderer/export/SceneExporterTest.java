@@ -363,4 +363,51 @@ class SceneExporterTest {
     assertThat(exported(scene(AREA + "<Inline url='\"rooms/room.x3d\"'/>")))
         .contains("Switch_Cup", "url='\"house.x3d\"'");
   }
+
+  @Test
+  void roomsThatInlineOneAnotherEnd() throws IOException {
+    Files.writeString(
+        folder.resolve("rooms/a.x3d"),
+        scene(
+            object("Switch_Cup", "<Shape/>")
+                + "<Inline DEF='B' url='\"b.x3d\"'/><Inline DEF='A' url='\"a.x3d\"'/>"));
+    Files.writeString(
+        folder.resolve("rooms/b.x3d"),
+        scene(object("Switch_Pot", "<Shape/>") + "<Inline DEF='Back' url='\"a.x3d\"'/>"));
+
+    assertThat(exported(scene(AREA + "<Inline url='\"rooms/a.x3d\"'/>")))
+        .containsOnlyOnce("DEF='Switch_Cup'")
+        .containsOnlyOnce("DEF='Switch_Pot'")
+        .contains("<Group DEF='A'>", "<Group DEF='Back'>")
+        .doesNotContain("Inline");
+  }
+
+  @Test
+  void aRoomIsTakenInHoweverItsFileIsReachedFirst() throws IOException {
+    Files.writeString(
+        folder.resolve("rooms/a.x3d"),
+        scene(object("Switch_Cup", "<Shape/>") + "<Inline url='\"b.x3d\"'/>"));
+    Files.writeString(folder.resolve("rooms/b.x3d"), scene("<Inline url='\"a.x3d\"'/>"));
+
+    assertThat(
+            exported(
+                scene(
+                    AREA + "<Inline url='\"rooms/a.x3d\"'/><Inline url='\"rooms/b.x3d\"'/>")))
+        .contains("DEF='Switch_Cup'", "DEF='Switch_Cup_2'");
+  }
+
+  @Test
+  void aChainOfManyEnrichedFilesIsRefused() throws IOException {
+    for (int i = 0; i < 100; i++) {
+      Files.writeString(
+          folder.resolve("rooms/r" + i + ".x3d"),
+          scene(
+              object("Switch_Cup", "<Shape/>") + "<Inline url='\"r%d.x3d\"'/>".formatted(i + 1)));
+    }
+    Files.writeString(folder.resolve("rooms/r100.x3d"), scene(""));
+
+    assertThat(export(scene(AREA + "<Inline url='\"rooms/r0.x3d\"'/>"), SceneFormat.XML)).isEmpty();
+    assertThat(problems.list())
+        .anySatisfy(problem -> assertThat(problem.message()).contains("64 files deep"));
+  }
 }
