@@ -12,6 +12,8 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import javax.swing.AbstractButton;
+import javax.swing.JButton;
+import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
 import javax.swing.JTable;
@@ -27,6 +29,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.enricher.robot.TestSessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.MnemonicText;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.testing.ShowsWindows;
 import org.selectiverenderer.testing.robot.GuiRobot;
 import org.selectiverenderer.x3d.source.DocumentElement;
@@ -141,6 +145,39 @@ class WindowLayoutTest {
           window.frame().getRootPane(), "layout-" + language + "-" + element.name(), 1);
     }
     assertThat(cut).isEmpty();
+  }
+
+  /** Of the smallest screens. */
+  @Test
+  void inASmallWindowFindingsLeaveRoomForTheFormAndNoButtonIsCutOff() throws IOException {
+    EnricherSession session = open("el");
+    GuiRobot.onEdt(
+        () -> {
+          window.frame().setSize(800, 600);
+          session.select(
+              session.document().tree().orElseThrow().named("Switch_Object1").orElseThrow(), this);
+          return true;
+        });
+    hands.await("the small window", () -> window.frame().getContentPane().getWidth() < 801);
+    validate();
+    validate();
+    GuiRobot.picture(window.frame().getRootPane(), "layout-small", 1);
+    JComponent form =
+        GuiRobot.named(window.frame(), Texts.of("form.panel"), JComponent.class);
+    JComponent findings =
+        GuiRobot.named(window.frame(), Texts.of("keep.findings"), JComponent.class);
+    String unwrap = MnemonicText.of(Texts.of("area.switch.unwrap")).words();
+    JButton button = GuiRobot.named(window.frame(), unwrap, JButton.class);
+    GuiRobot.onEdt(
+        () -> {
+          assertThat(findings.getHeight()).isLessThanOrEqualTo(form.getHeight() / 3);
+          assertThat(button.getX() + button.getWidth())
+              .isLessThanOrEqualTo(button.getParent().getWidth());
+          assertThat(button.getWidth()).isGreaterThanOrEqualTo(button.getPreferredSize().width);
+          assertThat(button.getY() + button.getHeight())
+              .isLessThanOrEqualTo(button.getParent().getHeight());
+          return true;
+        });
   }
 
   private JTabbedPane tabs() {

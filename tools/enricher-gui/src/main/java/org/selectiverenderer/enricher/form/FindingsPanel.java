@@ -34,6 +34,12 @@ final class FindingsPanel extends JPanel {
    */
   private static final int LINES = 9;
 
+  /** Height in lines where there is little room: the count and one finding. */
+  private static final int LEAST = 4;
+
+  /** The part of the form's height that this takes at most. */
+  private static final double SHARE = 0.25;
+
   private final transient EnricherSession session;
   private final JLabel title = new JLabel();
   private final JPanel list =
@@ -64,7 +70,8 @@ final class FindingsPanel extends JPanel {
   @Override
   public Dimension getPreferredSize() {
     int line = title.getFontMetrics(title.getFont()).getHeight();
-    return new Dimension(0, LINES * line);
+    int room = getParent() == null ? 0 : (int) (SHARE * getParent().getHeight() / line);
+    return new Dimension(0, line * (room == 0 ? LINES : Math.max(LEAST, Math.min(LINES, room))));
   }
 
   @Override

@@ -8,6 +8,7 @@ import javax.swing.JPanel;
 import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.enricher.area.NodeCommands;
+import org.selectiverenderer.enricher.component.WrapLayout;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.MnemonicText;
 import org.selectiverenderer.enricher.text.Texts;
@@ -20,7 +21,7 @@ import org.selectiverenderer.x3d.source.DocumentElement;
 final class NameFieldRow {
   private final JPanel panel =
       new JPanel(new MigLayout("insets 0, wrap 1, hidemode 3", "[grow,fill]"));
-  private final JPanel buttons = new JPanel(new MigLayout("insets 0, gapx 4", ""));
+  private final JPanel buttons = new JPanel();
   private final FieldBinding field;
   private final boolean writable;
 
@@ -34,6 +35,7 @@ final class NameFieldRow {
     panel.add(label);
     panel.add(name, "wmin 0");
     panel.add(complaint, "wmin 0");
+    WrapLayout.in(buttons, 4, 2);
     panel.add(buttons, "wmin 0");
     field =
         FieldBinding.of(

@@ -16,6 +16,7 @@ import org.selectiverenderer.enricher.preview.VersionImageSpec;
 import org.selectiverenderer.enricher.preview.VersionSource;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.task.BackgroundTask;
+import org.selectiverenderer.enricher.text.Remarks;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.url.ContentAccessPolicy;
@@ -79,7 +80,7 @@ final class VersionThumbnailLoader {
     Path folder = Optional.ofNullable(scene.toAbsolutePath().getParent()).orElse(scene);
     UrlResolver.Target target = new UrlResolver(folder, access).resolve(url, folder);
     if (target instanceof UrlResolver.Target.Refused refused) {
-      throw new IOException(Texts.of("form.refused", refused.reason()));
+      throw new IOException(Texts.of("form.refused", Remarks.shown(refused.reason())));
     }
     return ((UrlResolver.Target.Found) target)
         .content()

@@ -256,7 +256,7 @@ public final class OverviewPanel extends JPanel {
                 all,
                 DecimalFormatter.grouped(all));
     int schemas = model.schemas().size();
-    status.setText(
+    say(
         all == 0
             ? Texts.of("overview.noobjects")
             : shown
@@ -266,6 +266,7 @@ public final class OverviewPanel extends JPanel {
 
   private void say(String message) {
     status.setText(message);
+    status.setToolTipText(PlainText.of(message)); // where the view is narrow
   }
 
   private void attempt(Runnable work) {

@@ -164,7 +164,7 @@ public final class PlanPanel extends JPanel {
     bar.addSeparator();
     new HandleBar(objects.settings()).buttons().forEach(bar::add);
     JPanel foot = new JPanel(new MigLayout("insets 2 6 2 6", "[grow,fill]"));
-    hint.setToolTipText(hint.getText());
+    hint.setToolTipText(Texts.of("area.plan.hint.tip"));
     foot.add(hint, "wmin 0");
     add(bar, "wmin 0");
     add(path, "wmin 0");

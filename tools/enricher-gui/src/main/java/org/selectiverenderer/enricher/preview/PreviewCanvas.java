@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.BiConsumer;
 import javax.swing.UIManager;
+import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.enricher.compare.ComparisonPainter;
@@ -42,12 +43,22 @@ final class PreviewCanvas extends AccessibleCanvas {
   private final transient List<BiConsumer<Graphics2D, PreviewFrame>> overlays = new ArrayList<>();
   private final transient ComparisonPainter comparison = new ComparisonPainter();
 
+  private final FirstPicturePane waiting = new FirstPicturePane();
+
   PreviewCanvas() {
     super(Texts.of("preview.picture"));
+    setLayout(new MigLayout("fill, insets 0, hidemode 3", "[center]", "[center]"));
+    add(waiting, "wmin 0");
+  }
+
+  /** What is said until there is a picture. */
+  FirstPicturePane waiting() {
+    return waiting;
   }
 
   void show(PreviewFrame newFrame) {
     frame = newFrame;
+    waiting.setVisible(false);
     getAccessibleContext().setAccessibleDescription(String.join(". ", lines(newFrame)));
     repaint();
   }

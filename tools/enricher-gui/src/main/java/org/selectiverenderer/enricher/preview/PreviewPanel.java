@@ -129,7 +129,7 @@ public final class PreviewPanel extends JPanel {
 
     @Override
     public void failed(String sentence) {
-      SwingUtilities.invokeLater(() -> foot.stale(sentence));
+      SwingUtilities.invokeLater(() -> stale(sentence));
     }
   }
 
@@ -137,19 +137,26 @@ public final class PreviewPanel extends JPanel {
     @Override
     public void loading() {
       foot.loading();
+      view.waiting().loading();
     }
 
     @Override
     public void loaded() {
       foot.loaded();
+      view.waiting().drawing();
       bar.followSchemas();
       tellSelection();
     }
 
     @Override
     public void stale(String sentence) {
-      foot.stale(sentence);
+      PreviewPanel.this.stale(sentence);
     }
+  }
+
+  private void stale(String sentence) {
+    foot.stale(sentence);
+    view.waiting().none(foot.message());
   }
 
   private void showArrived() {
