@@ -202,7 +202,9 @@ final class ExperimentCollectCommand extends CliCommand {
                 .formatted(
                     Pluralizer.of(answers.answers(), "answer"),
                     Pluralizer.of(answers.participants(), "participant"),
-                    rows.isEmpty() ? "" : " (rows of the tables: " + String.join(", ", rows) + ")"));
+                    rows.isEmpty()
+                        ? ""
+                        : " (rows of the tables: " + String.join(", ", rows) + ")"));
     if (!left.isEmpty()) {
       console().message("not written: " + String.join(", ", left));
     }

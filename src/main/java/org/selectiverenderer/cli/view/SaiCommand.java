@@ -17,8 +17,8 @@ import org.selectiverenderer.browser.viewer.CameraPath;
 import org.selectiverenderer.browser.viewer.CameraPathReader;
 import org.selectiverenderer.cli.option.ConditionOptions;
 import org.selectiverenderer.command.CliCommand;
-import org.selectiverenderer.command.output.CommandException;
 import org.selectiverenderer.command.LibraryProperties;
+import org.selectiverenderer.command.output.CommandException;
 import org.selectiverenderer.command.output.CommandFileCheck;
 import org.selectiverenderer.command.output.Console;
 import org.selectiverenderer.command.output.ExitStatus;
@@ -121,8 +121,7 @@ public final class SaiCommand extends CliCommand {
       throws IOException {
     CountDownLatch closed = new CountDownLatch(1);
     String url = scene.toAbsolutePath().normalize().toUri().toString();
-    try (SaiRunner runner =
-        SaiRunner.open(url, settings(), parameters(), this::print, events)) {
+    try (SaiRunner runner = SaiRunner.open(url, settings(), parameters(), this::print, events)) {
       boolean window = runner.showWindow(closed::countDown);
       if (walked.isPresent()) {
         runner.follow(walked.get(), closed);

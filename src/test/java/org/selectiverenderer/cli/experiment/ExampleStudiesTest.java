@@ -199,7 +199,11 @@ class ExampleStudiesTest extends CommandTestCase {
   @ParameterizedTest
   @ValueSource(
       strings = {
-        "change-blindness", "levels-of-detail", "quality-and-light", "rooms-between", "web"
+        "change-blindness",
+        "levels-of-detail",
+        "quality-and-light",
+        "rooms-between",
+        "web"
       })
   void anExampleIsTheBeginningOfAStudyOfOnesOwn(String design) throws IOException {
     Path own = folder.resolve("own");

@@ -44,8 +44,7 @@ class WebStudyExportTest extends CommandTestCase {
   @Test
   void staircasesAreRefusedWithTheirLine() {
     assertThat(export("levels-of-detail")).isEqualTo(1);
-    assertThat(messages())
-        .contains("study.json:19:", "cannot choose levels by the responses yet");
+    assertThat(messages()).contains("study.json:19:", "cannot choose levels by the responses yet");
     assertThat(folder.resolve("page")).doesNotExist();
   }
 }

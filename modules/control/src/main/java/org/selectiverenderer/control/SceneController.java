@@ -222,8 +222,7 @@ final class SceneController implements ControlledArea.Listener {
   private void choiceChanged(VersionedObject object, int from, double time) {
     if (!settings.controls() && object.schemas().isPresent()) {
       now = time;
-      events.accept(
-          new ControlEvent.SwitchChange(time, object.name(), from, object.shown(), ""));
+      events.accept(new ControlEvent.SwitchChange(time, object.name(), from, object.shown(), ""));
     }
     activation.noteShown(object, object.shown());
   }

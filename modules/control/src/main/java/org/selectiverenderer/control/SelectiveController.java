@@ -51,8 +51,7 @@ public final class SelectiveController implements AutoCloseable {
      * A scene that is left to itself, such as an exported one with a Script of its own: the areas
      * that are entered are told, and the choices that the scene sets.
      */
-    public static final Settings OBSERVING =
-        new Settings(Condition.SELECTIVE, 0, Map.of(), false);
+    public static final Settings OBSERVING = new Settings(Condition.SELECTIVE, 0, Map.of(), false);
 
     /** Copies the choices. */
     public Settings {

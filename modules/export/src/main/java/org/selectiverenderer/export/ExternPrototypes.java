@@ -73,8 +73,7 @@ final class ExternPrototypes {
     Set<String> own = new LinkedHashSet<>();
     needed.forEach(element -> own.add(name(element)));
     own.remove(name(wanted));
-    Map<String, String> renamed =
-        PrototypeNames.renamed(own, PrototypeNames.declared(document));
+    Map<String, String> renamed = PrototypeNames.renamed(own, PrototypeNames.declared(document));
     renamed.put(name(wanted), name(external));
     List<TextEdit> changes = new ArrayList<>(files.urls(content, target.file(), file));
     changes.addAll(PrototypeNames.edits(content, renamed));
@@ -94,8 +93,7 @@ final class ExternPrototypes {
   }
 
   /** Returns the declaration that a url names: without a name it is the first of the file. */
-  private static Optional<DocumentElement> wanted(
-      SceneDocument content, SceneFiles.Target target) {
+  private static Optional<DocumentElement> wanted(SceneDocument content, SceneFiles.Target target) {
     Map<String, DocumentElement> declared = declared(content);
     return target.fragment().isEmpty()
         ? declared.values().stream().findFirst()

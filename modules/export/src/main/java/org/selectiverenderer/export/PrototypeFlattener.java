@@ -151,8 +151,7 @@ final class PrototypeFlattener {
     List<TextEdit> edits = new ArrayList<>();
     try {
       UniqueNameGenerator names = new UniqueNameGenerator(tree, instance);
-      List<TextEdit> values =
-          new PrototypeValues(document, instance, declaration, names).edits();
+      List<TextEdit> values = new PrototypeValues(document, instance, declaration, names).edits();
       InlinedContent content = new InlinedContent(document, body, names, values);
       List<String> group = new ArrayList<>(List.of(tag(instance)));
       List<String> rest = new ArrayList<>();

@@ -124,8 +124,7 @@ final class PrototypeValues {
       boolean contained = child.text("containerField").isPresent();
       if (!to.equals("children") && !contained && !node.name().equals("ProtoInstance")) {
         int at = child.start() + 1 + child.name().length();
-        fields.add(
-            new TextEdit(at, at, SourceFormatter.written("containerField", to, '\'')));
+        fields.add(new TextEdit(at, at, SourceFormatter.written("containerField", to, '\'')));
       }
     }
     String text = text(source, fields);

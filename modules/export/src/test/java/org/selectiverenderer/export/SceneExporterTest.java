@@ -224,8 +224,7 @@ class SceneExporterTest {
         scene("<ExternProtoDeclare name='Q' url='\"rooms/bins.x3d\"'/><ProtoInstance name='Q'/>"));
     Files.writeString(
         folder.resolve("rooms/hall.x3d"),
-        scene(
-            "<ExternProtoDeclare name='R' url='\"../all.x3d#Q\"'/><ProtoInstance name='R'/>"));
+        scene("<ExternProtoDeclare name='R' url='\"../all.x3d#Q\"'/><ProtoInstance name='R'/>"));
 
     assertThat(exported(scene(AREA + "<Inline url='\"rooms/hall.x3d\"'/>")))
         .contains("toNode=\"Switch_Cup\"")
@@ -268,15 +267,15 @@ class SceneExporterTest {
     assertThat(export(content, SceneFormat.XML)).isEmpty();
     assertThat(problems.list())
         .singleElement()
-        .satisfies(problem -> assertThat(problem.message()).contains("prototype P", "from one another"));
+        .satisfies(
+            problem -> assertThat(problem.message()).contains("prototype P", "from one another"));
   }
 
   @Test
   void aRoomTakesAPrototypeFromTheHouseThatInlinesIt() throws IOException {
     Files.writeString(
         folder.resolve("rooms/hall.x3d"),
-        scene(
-            "<ExternProtoDeclare name='R' url='\"../house.x3d#P\"'/><ProtoInstance name='R'/>"));
+        scene("<ExternProtoDeclare name='R' url='\"../house.x3d#P\"'/><ProtoInstance name='R'/>"));
 
     assertThat(
             exported(
@@ -295,8 +294,7 @@ class SceneExporterTest {
           folder.resolve("rooms/r" + i + ".x3d"),
           scene("<Inline url='\"r%d.x3d\"'/>".formatted(i + 1)));
     }
-    Files.writeString(
-        folder.resolve("rooms/r200.x3d"), scene(object("Switch_Cup", "<Shape/>")));
+    Files.writeString(folder.resolve("rooms/r200.x3d"), scene(object("Switch_Cup", "<Shape/>")));
 
     assertThat(export(scene(AREA + "<Inline url='\"rooms/r0.x3d\"'/>"), SceneFormat.XML)).isEmpty();
     assertThat(problems.list())
@@ -391,8 +389,7 @@ class SceneExporterTest {
 
     assertThat(
             exported(
-                scene(
-                    AREA + "<Inline url='\"rooms/a.x3d\"'/><Inline url='\"rooms/b.x3d\"'/>")))
+                scene(AREA + "<Inline url='\"rooms/a.x3d\"'/><Inline url='\"rooms/b.x3d\"'/>")))
         .contains("DEF='Switch_Cup'", "DEF='Switch_Cup_2'");
   }
 
@@ -401,8 +398,7 @@ class SceneExporterTest {
     for (int i = 0; i < 100; i++) {
       Files.writeString(
           folder.resolve("rooms/r" + i + ".x3d"),
-          scene(
-              object("Switch_Cup", "<Shape/>") + "<Inline url='\"r%d.x3d\"'/>".formatted(i + 1)));
+          scene(object("Switch_Cup", "<Shape/>") + "<Inline url='\"r%d.x3d\"'/>".formatted(i + 1)));
     }
     Files.writeString(folder.resolve("rooms/r100.x3d"), scene(""));
 

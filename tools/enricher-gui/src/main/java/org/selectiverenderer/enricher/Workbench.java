@@ -497,9 +497,7 @@ final class Workbench {
 
   /** Moves the focus to the next pane: tree, view, form, problems. */
   void nextPart() {
-    new FocusCycler(
-            List.of(tree.component(), tabs.selected(), form, problems))
-        .next();
+    new FocusCycler(List.of(tree.component(), tabs.selected(), form, problems)).next();
   }
 
   /** The OpenGL renderer of the preview; empty while it is not known. */

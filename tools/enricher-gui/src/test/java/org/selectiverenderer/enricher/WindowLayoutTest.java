@@ -162,8 +162,7 @@ class WindowLayoutTest {
     validate();
     validate();
     GuiRobot.picture(window.frame().getRootPane(), "layout-small", 1);
-    JComponent form =
-        GuiRobot.named(window.frame(), Texts.of("form.panel"), JComponent.class);
+    JComponent form = GuiRobot.named(window.frame(), Texts.of("form.panel"), JComponent.class);
     JComponent findings =
         GuiRobot.named(window.frame(), Texts.of("keep.findings"), JComponent.class);
     String unwrap = MnemonicText.of(Texts.of("area.switch.unwrap")).words();

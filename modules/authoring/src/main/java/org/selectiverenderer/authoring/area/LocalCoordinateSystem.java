@@ -39,8 +39,8 @@ public record LocalCoordinateSystem(
   /**
    * Computes the frame of a node from the text.
    *
-   * @return empty where the text does not determine it: in a ProtoBody or ProtoInstance, under a Billboard or
-   *     geospatial node, under a Transform with a zero scale
+   * @return empty where the text does not determine it: in a ProtoBody or ProtoInstance, under a
+   *     Billboard or geospatial node, under a Transform with a zero scale
    */
   public static Optional<LocalCoordinateSystem> of(DocumentElement node) {
     return node.parent()

@@ -26,7 +26,14 @@ final class StudyDescription {
   /** The messages to participants that the page shows beside those that begin with {@code web.}. */
   private static final List<String> WORDS =
       List.of(
-          "next", "back", "left", "page", "form.cancel", "thanks.title", "trial.read", "trial.rest");
+          "next",
+          "back",
+          "left",
+          "page",
+          "form.cancel",
+          "thanks.title",
+          "trial.read",
+          "trial.rest");
 
   private static final String OWN_WORDS = "web.";
 
@@ -127,8 +134,7 @@ final class StudyDescription {
           .study()
           .design()
           .blocks()
-          .forEach(
-              block -> TrialDescription.phases(block.phases(), phases.putArray(block.name())));
+          .forEach(block -> TrialDescription.phases(block.phases(), phases.putArray(block.name())));
     }
   }
 
@@ -178,8 +184,7 @@ final class StudyDescription {
     }
     for (Questionnaire asked : inTrials(first)) {
       ObjectNode own =
-          order.of(
-              asked, asked.ordered(study.seed(), session.participant()), JsonTree.object());
+          order.of(asked, asked.ordered(study.seed(), session.participant()), JsonTree.object());
       if (!own.isEmpty()) {
         orders.set(asked.name(), own);
       }

@@ -169,11 +169,7 @@ public record StudyFolder(String name, List<PackagedFile> files) {
      * @param any whether it may be one without enriched objects
      */
     void put(
-        String name,
-        Path scene,
-        boolean any,
-        TrialScenes.Needs needs,
-        Map<String, WebScene> scenes)
+        String name, Path scene, boolean any, TrialScenes.Needs needs, Map<String, WebScene> scenes)
         throws IOException {
       NodeCatalogue catalogue = NodeCatalogue.load();
       SceneExporter exporter = new SceneExporter(catalogue, study.access(), faults);
@@ -182,9 +178,7 @@ public record StudyFolder(String name, List<PackagedFile> files) {
           new ExportSettings(Condition.SELECTIVE, 0, SceneFormat.XML, WebScene::name, true);
       String file = WebScene.name(name + ".x3d"); // the file's own name may tell too much
       Optional<ExportedScene> exported =
-          any
-              ? exporter.exportAny(scene, how, file)
-              : exporter.export(scene, how, file);
+          any ? exporter.exportAny(scene, how, file) : exporter.export(scene, how, file);
       if (exported.isEmpty()) {
         return;
       }

@@ -140,12 +140,14 @@ final class TrialDescription {
     }
     json.put("scene", scenes.getOrDefault(scene(material, trial), ""));
     json.put("viewpoint", study.viewpoint(trial).orElse(""));
-    json.put(
-        "condition", trial.settings().condition().orElse(Condition.SELECTIVE).spelling());
+    json.put("condition", trial.settings().condition().orElse(Condition.SELECTIVE).spelling());
     new TreeMap<>(trial.settings().choices()).forEach(json.putObject("choices")::put);
     trial.settings().headlight().ifPresent(on -> json.put("light", on));
-    seconds(study.seconds(trial, new TrialPhase.Exposure(
-        OptionalDouble.empty(), Map.of(), ResponseKeys.NONE, false)), json);
+    seconds(
+        study.seconds(
+            trial,
+            new TrialPhase.Exposure(OptionalDouble.empty(), Map.of(), ResponseKeys.NONE, false)),
+        json);
     json.put(
         "stay",
         trial

@@ -37,7 +37,8 @@ final class TrialScenes {
     this.material = material;
     List<TrialBlock> blocks = material.study().design().blocks();
     long number = 0;
-    for (PlannedSession session : blocks.isEmpty() ? List.<PlannedSession>of() : PlannedSession.all(material)) {
+    for (PlannedSession session :
+        blocks.isEmpty() ? List.<PlannedSession>of() : PlannedSession.all(material)) {
       for (TrialBlock block : blocks) {
         int rounds = block.practice().map(TrialBlock.PracticeCriterion::rounds).orElse(1);
         List<Trial> trials = session.trials(material.study(), block, 1);

@@ -91,7 +91,8 @@ class StudyDescriptionTest {
                     .text(Map.of(), Map.of(study.get(0).study().scene().orElseThrow(), "scene")));
     assertThat(json.path("steps").path("main").path("practice").path("rounds").asInt())
         .isEqualTo(2);
-    assertThat(json.path("texts").path("el").path("phases").path("main").get(0).path("text").asText())
+    assertThat(
+            json.path("texts").path("el").path("phases").path("main").get(0).path("text").asText())
         .isEqualTo("Δείτε");
     assertThat(json.path("trials")).hasSize(2); // each different trial once
     List<PlannedSession> plan = PlannedSession.all(study.get(0));

@@ -75,8 +75,8 @@ public final class StudyTemplate {
   }
 
   /**
-   * Copies a study that has no folders, such as an example; scenes outside of its folder stay
-   * where they are.
+   * Copies a study that has no folders, such as an example; scenes outside of its folder stay where
+   * they are.
    *
    * @param example folder of the study
    * @param folder created if it does not exist

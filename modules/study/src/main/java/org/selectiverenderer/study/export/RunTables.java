@@ -128,8 +128,7 @@ final class RunTables {
             TableColumn.text(
                 "cpu", "operating system, its version, architecture and number of processors"),
             TableColumn.text(
-                "shown_in",
-                "webxr: a page showed it in a headset of the browser; empty otherwise"),
+                "shown_in", "webxr: a page showed it in a headset of the browser; empty otherwise"),
             TableColumn.text("flags", "what is to be known of its quality, joined by |"),
             TableColumn.text("head_log", "the head log's file in the study's folder")));
   }

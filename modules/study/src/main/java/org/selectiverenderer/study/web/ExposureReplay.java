@@ -1,8 +1,8 @@
 package org.selectiverenderer.study.web;
 
 import java.io.IOException;
-import java.time.OffsetDateTime;
 import java.nio.file.Path;
+import java.time.OffsetDateTime;
 import java.util.List;
 import java.util.Optional;
 import org.selectiverenderer.schema.Condition;

@@ -121,7 +121,8 @@ record WebRecord(
     double to = from + logged.end();
     return headset
         && interruptions.stream()
-            .anyMatch(one -> one.event().equals("headset-left") && one.t() >= from && one.t() <= to);
+            .anyMatch(
+                one -> one.event().equals("headset-left") && one.t() >= from && one.t() <= to);
   }
 
   /**

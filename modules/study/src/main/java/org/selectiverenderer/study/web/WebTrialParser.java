@@ -76,7 +76,8 @@ final class WebTrialParser {
         .findFirst()
         .orElseThrow(
             () ->
-                new IllegalArgumentException("the study has no block " + RecordFaults.quoted(name)));
+                new IllegalArgumentException(
+                    "the study has no block " + RecordFaults.quoted(name)));
   }
 
   private static Map<String, String> levels(JsonNode json, TrialBlock block, StudyGroup group) {
@@ -130,7 +131,8 @@ final class WebTrialParser {
             .formatted(RecordFaults.quoted(response), String.join(", ", keys)));
     OptionalDouble ms = WebRecordParser.number(json.path("ms"), 0, 1000 * LONGEST);
     require(
-        response.isEmpty() == ms.isEmpty(), "\"ms\" is not the time of a response, in milliseconds");
+        response.isEmpty() == ms.isEmpty(),
+        "\"ms\" is not the time of a response, in milliseconds");
     Optional<Boolean> correct =
         json.path("correct").isBoolean()
             ? Optional.of(json.path("correct").asBoolean())

@@ -22,8 +22,7 @@ class WebTrialImportTest extends WebStudyFixture {
 
   @BeforeEach
   void blocks() throws IOException {
-    Files.writeString(
-        folder.resolve("study/sides.csv"), "side,answer\nleft,f\nright,j\n");
+    Files.writeString(folder.resolve("study/sides.csv"), "side,answer\nleft,f\nright,j\n");
     Files.writeString(
         folder.resolve("study/sure.json"),
         """
@@ -53,7 +52,15 @@ class WebTrialImportTest extends WebStudyFixture {
             + "\"participant\":\"%03d\",\"group\":\"all\",\"condition\":\"high\",\"language\":\"en\","
             + "\"step\":\"%s\",\"started\":\"2026-11-01T10:%02d:00.000Z\","
             + "\"ended\":\"2026-11-01T10:%02d:30.000Z\",\"origin\":1793527000000,\"mono\":%d,%s}",
-        sha, session(session), slot, slot, step, minute, minute, 60 * minute + 1, content);
+        sha,
+        session(session),
+        slot,
+        slot,
+        step,
+        minute,
+        minute,
+        60 * minute + 1,
+        content);
   }
 
   private String trial(int number, String cells, String result) {
@@ -95,7 +102,10 @@ class WebTrialImportTest extends WebStudyFixture {
         List.of(
             form(1, 1),
             trial(1, CELLS, result("f")),
-            trial(2, CELLS.replace("\"red\"", "\"blue\"").replace("\"line\":2", "\"line\":9"), silent),
+            trial(
+                2,
+                CELLS.replace("\"red\"", "\"blue\"").replace("\"line\":2", "\"line\":9"),
+                silent),
             record(1, 1, "main", 3, "\"interruptions\":[],\"block\":\"main\",\"failed\":true")));
     collect();
     assertThat(told()).isEmpty();
@@ -145,7 +155,8 @@ class WebTrialImportTest extends WebStudyFixture {
         "all.jsonl",
         List.of(
             form(1, 1),
-            trial(1, CELLS, result("f")).replaceAll("(\\[\\d[^\\[\\]]*),1,([\\d.]+\\])", "$1,0,$2")));
+            trial(1, CELLS, result("f"))
+                .replaceAll("(\\[\\d[^\\[\\]]*),1,([\\d.]+\\])", "$1,0,$2")));
     collect();
     assertThat(journal()).contains("\"flag\":\"not-seen\"");
   }

@@ -113,8 +113,7 @@ public final class InsertCommands {
     NodeTemplate template = structure.palette().template(name);
     switch (name) {
       case "inline" -> file(over).ifPresent(file -> place(goal, () -> inlined(template, file)));
-      case "view" ->
-          put(goal, viewer.get().map(pose -> at(template, pose)).orElse(template));
+      case "view" -> put(goal, viewer.get().map(pose -> at(template, pose)).orElse(template));
       default -> place(goal, () -> template);
     }
   }
@@ -128,7 +127,8 @@ public final class InsertCommands {
    */
   private void place(Optional<DocumentElement> goal, Supplier<NodeTemplate> made) {
     NodeTemplate template = made.get();
-    Optional<Matrix4d> fromScene = hasPlace(template) ? fromScene(goal, template) : Optional.empty();
+    Optional<Matrix4d> fromScene =
+        hasPlace(template) ? fromScene(goal, template) : Optional.empty();
     if (fromScene.isEmpty()) {
       put(goal, template);
       return;
@@ -155,7 +155,9 @@ public final class InsertCommands {
     return PLACED.stream().anyMatch(field -> template.text().startsWith("<" + field.split(" ")[0]));
   }
 
-  /** Returns the floor that a light hangs over: not a table before the viewer, but what is below. */
+  /**
+   * Returns the floor that a light hangs over: not a table before the viewer, but what is below.
+   */
   private Vector3d under(NodeTemplate template, Vector3d ground) {
     Optional<Pose> pose = viewer.get();
     if (template.text().startsWith("<Transform") || pose.isEmpty()) {

@@ -56,13 +56,12 @@ class ElementSummaryTest {
                 + "<Group><Switch DEF='One'/><Switch DEF='Two'/></Group>");
     List<DocumentElement> nodes =
         session.document().tree().orElseThrow().scene().orElseThrow().children();
-    ElementSummary cup =
-        ElementSummary.of(session.document(), session.catalogue(), nodes.get(0));
-    assertThat(cup.advice()).isEqualTo("It holds Switch Switch_Cup, whose choices are its versions.");
+    ElementSummary cup = ElementSummary.of(session.document(), session.catalogue(), nodes.get(0));
+    assertThat(cup.advice())
+        .isEqualTo("It holds Switch Switch_Cup, whose choices are its versions.");
     assertThat(cup.formed()).contains(nodes.get(0).children().get(0));
     assertThat(cup.versions()).isFalse();
-    ElementSummary both =
-        ElementSummary.of(session.document(), session.catalogue(), nodes.get(1));
+    ElementSummary both = ElementSummary.of(session.document(), session.catalogue(), nodes.get(1));
     assertThat(both.formed()).isEmpty();
     assertThat(both.versions()).isTrue();
   }

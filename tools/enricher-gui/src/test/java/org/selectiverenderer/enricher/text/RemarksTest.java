@@ -40,7 +40,8 @@ class RemarksTest {
   @Test
   void refusedEditsAreExplainedInGreek() throws IOException {
     EnricherSession session =
-        TestSessions.with(folder, "<Group DEF='A'/>\n<Group DEF='B'/>\n<Shape><Appearance DEF='V'/></Shape>\n");
+        TestSessions.with(
+            folder, "<Group DEF='A'/>\n<Group DEF='B'/>\n<Shape><Appearance DEF='V'/></Shape>\n");
     NodeEdits nodes = new NodeEdits(session.document());
     DocumentElement a = named(session, "A");
     EditRejectedException taken = refusal(() -> nodes.rename(a, "B"));
