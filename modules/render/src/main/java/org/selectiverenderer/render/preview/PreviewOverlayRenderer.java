@@ -59,9 +59,13 @@ final class PreviewOverlayRenderer {
     gl.glDepthMask(false);
     gl.glEnable(GL.GL_BLEND);
     gl.glBlendFuncSeparate(GL.GL_SRC_ALPHA, GL.GL_ONE_MINUS_SRC_ALPHA, GL.GL_ZERO, GL.GL_ONE);
+    // A side in the plane of a floor or wall is drawn whole, not in stripes.
+    gl.glPolygonOffset(-1, -16);
     for (BoxOverlay box : boxes) {
       gl.glDepthFunc(GL.GL_LESS);
+      gl.glEnable(GL.GL_POLYGON_OFFSET_FILL);
       draw(gl, used, sideMesh, box.place(), box.sides(), camera);
+      gl.glDisable(GL.GL_POLYGON_OFFSET_FILL);
       gl.glDepthFunc(GL.GL_LEQUAL);
       draw(gl, used, edgeMesh, box.place(), box.edges(), camera);
       float[] e = box.edges();

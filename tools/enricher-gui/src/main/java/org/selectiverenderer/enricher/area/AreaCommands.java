@@ -46,21 +46,23 @@ public final class AreaCommands {
   }
 
   /**
-   * Adds an area around the selected node; around the room in which the preview's viewer is when
-   * nothing, an area or the whole scene is selected.
+   * Adds an area around all selected nodes; around the room in which the preview's viewer is when
+   * nothing, or only areas or the whole scene are selected.
    */
   public void addAroundSelection() {
-    Optional<DocumentElement> around =
-        selected().filter(element -> !NO_OBJECTS.contains(element.name()));
+    List<DocumentElement> around =
+        session.selectedElements().stream()
+            .filter(element -> element.attached() && !NO_OBJECTS.contains(element.name()))
+            .toList();
     Consumer<Optional<BoundingBox>> answer =
         bounds ->
             bounds.ifPresentOrElse(
                 found -> add(AreaBox.of(found)),
                 () -> session.message(Texts.of("area.add.nothing")));
-    if (around.isPresent()) {
-      probe.around(around.get(), answer);
-    } else {
+    if (around.isEmpty()) {
       probe.room(answer);
+    } else {
+      probe.around(around, answer);
     }
   }
 

@@ -14,10 +14,10 @@ import org.selectiverenderer.x3d.source.DocumentElement;
  */
 public interface AsyncSceneQueries {
   /**
-   * Answers the bounds of an area around an element: its own bounds with room to stand beside it,
-   * from the floor up; empty if nothing of it is visible.
+   * Answers the bounds of an area around all of some elements: their bounds with room to stand
+   * beside them, from the floor up; empty if nothing of them is visible.
    */
-  void around(DocumentElement element, Consumer<Optional<BoundingBox>> answer);
+  void around(List<DocumentElement> elements, Consumer<Optional<BoundingBox>> answer);
 
   /** Answers the bounds of the room in which the viewer is: up to its walls, floor and ceiling. */
   void room(Consumer<Optional<BoundingBox>> answer);

@@ -14,12 +14,13 @@ import org.selectiverenderer.x3d.source.EntityTable;
  * What the form panel says of an element that has no metadata form.
  *
  * @param path names of the elements around it, from the outermost
- * @param around the nearest Switch or ProximitySensor that it stands in
+ * @param formed the nearest Switch or ProximitySensor that it stands in, or the Switch with its
+ *     versions
  * @param advice a sentence about what can be done with it
  * @param versions whether versions of it can be made
  */
 record ElementSummary(
-    String path, Optional<DocumentElement> around, String advice, boolean versions) {
+    String path, Optional<DocumentElement> formed, String advice, boolean versions) {
   /** Most characters of an entity that are shown. */
   private static final int SHOWN = 600;
 
@@ -29,8 +30,8 @@ record ElementSummary(
     for (Optional<DocumentElement> at = node.parent(); at.isPresent(); at = at.get().parent()) {
       DocumentElement parent = at.get();
       names.add(parent.toString());
-      boolean formed = parent.name().equals("Switch") || parent.name().equals("ProximitySensor");
-      around = around.isEmpty() && formed ? at : around;
+      boolean form = parent.name().equals("Switch") || parent.name().equals("ProximitySensor");
+      around = around.isEmpty() && form ? at : around;
     }
     Collections.reverse(names);
     boolean object =
@@ -43,12 +44,15 @@ record ElementSummary(
                             || type.is("X3DShapeNode")
                             || inlines(node.name()))
                 .isPresent();
-    boolean free = around.isEmpty() && node.use().isEmpty();
+    Optional<DocumentElement> versions = object ? versions(node) : Optional.empty();
+    boolean free = around.isEmpty() && versions.isEmpty() && node.use().isEmpty();
     String advice;
     if (node.isReference()) {
       advice = reference(document, node);
     } else if (around.isPresent()) {
       advice = Texts.of("form.part", around.get().toString());
+    } else if (versions.isPresent()) {
+      advice = Texts.of("form.holds", versions.get().toString());
     } else if (object && free) {
       advice = Texts.of("form.versions");
     } else {
@@ -56,9 +60,18 @@ record ElementSummary(
     }
     return new ElementSummary(
         String.join(" \u203a ", names),
-        around,
+        around.or(() -> versions),
         document.locked().orElse(advice),
         object && free && document.locked().isEmpty());
+  }
+
+  /** Returns the Switch that is all that a node holds, as where versions of it were made. */
+  private static Optional<DocumentElement> versions(DocumentElement node) {
+    List<DocumentElement> held =
+        node.children().stream().filter(child -> !child.name().startsWith("Metadata")).toList();
+    return held.size() == 1 && held.get(0).name().equals("Switch")
+        ? Optional.of(held.get(0))
+        : Optional.empty();
   }
 
   /** Describes what an entity reference stands for. */

@@ -33,11 +33,11 @@ final class SummaryForm implements Form {
     }
     panel.add(LabelFactory.sentences(summary.advice()), "wmin 0");
     summary
-        .around()
+        .formed()
         .ifPresent(
-            around -> {
-              JButton go = Mnemonics.button("form.go", around.toString());
-              go.addActionListener(event -> session.select(around, this));
+            formed -> {
+              JButton go = Mnemonics.button("form.go", formed.toString());
+              go.addActionListener(event -> session.select(formed, this));
               panel.add(go, "growx 0");
             });
     if (summary.versions()) {

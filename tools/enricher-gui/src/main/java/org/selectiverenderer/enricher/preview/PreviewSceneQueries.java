@@ -42,11 +42,14 @@ final class PreviewSceneQueries implements AsyncSceneQueries {
   }
 
   @Override
-  public void around(DocumentElement element, Consumer<Optional<BoundingBox>> answer) {
-    List<SourceAnchor> of = anchors.of(element);
+  public void around(List<DocumentElement> elements, Consumer<Optional<BoundingBox>> answer) {
+    List<List<SourceAnchor>> of = elements.stream().map(anchors::of).toList();
     ask(
         scene ->
-            scene.nodes().find(of).flatMap(scene::bounds).map(new RoomEstimator(scene)::around),
+            of.stream()
+                .flatMap(each -> scene.nodes().find(each).flatMap(scene::bounds).stream())
+                .reduce(BoundingBox::union)
+                .map(new RoomEstimator(scene)::around),
         answer);
   }
 

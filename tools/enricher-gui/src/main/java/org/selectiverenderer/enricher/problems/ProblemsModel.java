@@ -114,8 +114,8 @@ final class ProblemsModel {
     }
     count(wellFormed);
     now.sort(
-        Comparator.comparingInt((ProblemEntry entry) -> entry.offset().orElse(Integer.MAX_VALUE))
-            .thenComparing(ProblemEntry::severity)
+        Comparator.comparing(ProblemEntry::severity)
+            .thenComparingInt(entry -> entry.offset().orElse(Integer.MAX_VALUE))
             .thenComparing(ProblemEntry::message));
     all = List.copyOf(now);
     faulty = Collections.newSetFromMap(new IdentityHashMap<>());

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.enricher.robot.TestSessions;
@@ -44,6 +45,26 @@ class ElementSummaryTest {
         .startsWith("Versions of it with fewer polygons can be made")
         .contains("Make Versions of Many Objects");
     assertThat(said.versions()).isTrue();
+  }
+
+  @Test
+  void aNodeThatHoldsItsVersionsLeadsToThem() throws IOException {
+    EnricherSession session =
+        TestSessions.with(
+            folder,
+            "<Transform DEF='Cup'><Switch DEF='Switch_Cup'><Group/></Switch></Transform>"
+                + "<Group><Switch DEF='One'/><Switch DEF='Two'/></Group>");
+    List<DocumentElement> nodes =
+        session.document().tree().orElseThrow().scene().orElseThrow().children();
+    ElementSummary cup =
+        ElementSummary.of(session.document(), session.catalogue(), nodes.get(0));
+    assertThat(cup.advice()).isEqualTo("It holds Switch Switch_Cup, whose choices are its versions.");
+    assertThat(cup.formed()).contains(nodes.get(0).children().get(0));
+    assertThat(cup.versions()).isFalse();
+    ElementSummary both =
+        ElementSummary.of(session.document(), session.catalogue(), nodes.get(1));
+    assertThat(both.formed()).isEmpty();
+    assertThat(both.versions()).isTrue();
   }
 
   private static String advice(EnricherSession session, DocumentElement node) {

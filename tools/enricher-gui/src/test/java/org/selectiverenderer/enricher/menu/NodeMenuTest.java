@@ -186,7 +186,10 @@ class NodeMenuTest {
         });
     assertThat(probe.asked()).containsExactly("room");
     choose("A", "addArea");
-    assertThat(probe.asked()).containsExactly("room", "around Group A");
+    edt(() -> session.selectAll(List.of(named("B"), named("A")), this));
+    edt(() -> item("addArea").doClick());
+    assertThat(probe.asked())
+        .containsExactly("room", "around [Group A]", "around [Group B, Group A]");
   }
 
   private List<String> enabled() {

@@ -50,7 +50,7 @@ class PlanPanelTest {
   /** A room 8 m wide with a ceiling at 3 m. */
   private final class Room implements AsyncSceneQueries {
     @Override
-    public void around(DocumentElement element, Consumer<Optional<BoundingBox>> answer) {
+    public void around(List<DocumentElement> elements, Consumer<Optional<BoundingBox>> answer) {
       answer.accept(Optional.empty());
     }
 

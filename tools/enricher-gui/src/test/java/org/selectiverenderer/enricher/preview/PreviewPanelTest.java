@@ -210,7 +210,7 @@ class PreviewPanelTest extends PreviewFixture {
       DocumentElement table =
           EventThread.get(() -> window.session.document().tree().orElseThrow().named("Table"))
               .orElseThrow();
-      BoundingBox around = answer(answered -> probe.around(table, answered));
+      BoundingBox around = answer(answered -> probe.around(List.of(table), answered));
       assertThat(around.width()).isCloseTo(3, within(1e-3));
       assertThat(around.minY()).isLessThan(0.01);
       BoundingBox raised =

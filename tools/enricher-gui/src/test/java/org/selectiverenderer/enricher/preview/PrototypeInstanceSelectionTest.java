@@ -142,7 +142,7 @@ class PrototypeInstanceSelectionTest extends PreviewFixture {
     }
     window.settle();
     CompletableFuture<String> found = new CompletableFuture<>();
-    window.panel.probe().around(root(window), any -> found.complete(selected(window)));
+    window.panel.probe().around(List.of(root(window)), any -> found.complete(selected(window)));
     try {
       return found.get(60, TimeUnit.SECONDS);
     } catch (Exception e) {
