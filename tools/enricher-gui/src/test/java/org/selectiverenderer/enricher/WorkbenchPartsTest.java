@@ -22,6 +22,7 @@ import org.selectiverenderer.base.trust.TrustStore;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.settings.EnricherSettings;
 import org.selectiverenderer.enricher.settings.SettingsTrust;
+import org.selectiverenderer.enricher.settings.WindowLook;
 import org.selectiverenderer.enricher.task.TaskExecutor;
 import org.selectiverenderer.testing.Eventually;
 import org.selectiverenderer.testing.ShowsWindows;
@@ -42,6 +43,11 @@ class WorkbenchPartsTest {
             folder.resolve("a.x3d"),
             "<X3D version='4.0'><Scene><Shape><Box/></Shape></Scene></X3D>");
     DocumentFile file = DocumentFile.open(scene);
+    onEdt(
+        () -> {
+          WindowLook.apply(folder.resolve("settings"));
+          return true;
+        });
     parts =
         onEdt(
             () ->
