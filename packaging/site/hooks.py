@@ -5,6 +5,8 @@ README.md, docs/commands.md. On the site what is in docs/ stands at the top. Fil
 such as a scene or a schema, come along.
 """
 
+import json
+import os
 import re
 from pathlib import Path
 
@@ -28,6 +30,8 @@ INLINE_CODE = re.compile(r"(?<=<code>)[^<]+(?=</code>)")
 # A longer word might be wider than a phone.
 WORD = re.compile(r"(?<!\S)(?=\w*[^\s\w])\S{2,32}(?!\S)")
 BLOCK = re.compile(r"(<pre\b.*?</pre>)", re.DOTALL)
+# The picture that becomes a scene to walk through, and where the site has that.
+LIVE = ("docs/export.md", "pictures/export-web.png", "kitchen")
 PICTURE = re.compile(r'<p>(<img alt="[^"]*" src="([^"]+)" ?/?>)</p>')
 
 
@@ -74,7 +78,23 @@ def on_page_content(html: str, page: Page, **_: object) -> str:
     html = FILE_NAME.sub(titled, html)
     # In a cell's code GitHub reads \| as |, as there is no other way to write it.
     html = CELL_CODE.sub(lambda code: code[0].replace("\\|", "|"), html)
+    scene = os.environ.get("SITE_SCENE")
+    if scene and page.file.src_uri == LIVE[0]:
+        html = live(html, Path(scene))
     return PICTURE.sub(r'<p><a class="picture" href="\2">\1</a></p>', html)
+
+
+def live(html: str, scene: Path) -> str:
+    """The page with a place for the scene about its picture; live-scene.js puts a button on it."""
+    exported = json.loads((scene / "scene.json").read_text("utf-8"))
+    megabytes = round(sum(exported["files"].values()) / 1e6)
+
+    def place(picture: re.Match[str]) -> str:
+        return picture[0] if picture[2] != LIVE[1] else (
+            f'<div class="live-scene" data-scene="{LIVE[2]}/index.html" data-megabytes="{megabytes}"'
+            f' data-title="The kitchen, to walk through">{picture[1]}</div>')
+
+    return PICTURE.sub(place, html)
 
 
 def on_post_page(output: str, **_: object) -> str:

@@ -7,12 +7,15 @@ import sys
 import threading
 from pathlib import Path
 
-from playwright.sync_api import Browser, Page, Request, TimeoutError, sync_playwright
+from playwright.sync_api import Browser, Page, Playwright, Request, TimeoutError, sync_playwright
 
 # Widths of a desktop and of a phone, in CSS pixels, with their heights.
 WINDOWS = {"desktop": (1440, 900), "phone": (390, 844)}
 
 SEARCHED = "whichChoice"
+
+# What Chromium needs to draw without a graphics card.
+SOFTWARE_GL = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
 
 # A page of each kind, whose pictures are taken: the entrance, a story, prose with pictures, wide tables,
 # long code, a generated list, figures.
@@ -137,11 +140,11 @@ def main() -> int:
     arguments.add_argument("--only", nargs="+", metavar="PAGE.html", default=[])
     options = arguments.parse_args()
     site = options.site.resolve()
-    # study-report.html is a report of the program, which has its own look.
+    # study-report.html is a report of the program, and kitchen a scene, which have their own look.
     names = sorted(
         file.relative_to(site).as_posix()
         for file in site.rglob("*.html")
-        if file.name not in ("404.html", "study-report.html")
+        if file.name not in ("404.html", "study-report.html") and file.parent.name != "kitchen"
         and (not options.only or file.name in options.only)
     )
     server = serve(site)
@@ -163,11 +166,35 @@ def main() -> int:
         if options.pictures:
             take(browser, look.base, options.pictures)
         browser.close()
+        if (site / "kitchen").is_dir():
+            faults += walk(playwright, options.browser, look.base)
     server.shutdown()
     for fault in faults:
         print(f"site: {fault}", file=sys.stderr)
     print(f"site: {len(names)} pages, {len(faults)} faults", file=sys.stderr)
     return 1 if faults else 0
+
+
+def walk(playwright: Playwright, browser: str, base: str) -> list[str]:
+    """The scene comes where its picture is clicked; who has no WebGL is told so."""
+    faults: list[str] = []
+    for drawing in (SOFTWARE_GL, ["--disable-3d-apis"]):
+        chromium = playwright.chromium.launch(executable_path=browser, args=["--no-sandbox", *drawing])
+        look = Look(chromium.new_page(), base)
+        look.open("export.html", "phone")
+        look.page.locator(".live-scene button").click()
+        try:
+            if drawing == SOFTWARE_GL:
+                frame = look.page.wait_for_selector(".live-scene iframe").content_frame()
+                frame.wait_for_function("() => window.selectiveRenderer", timeout=300_000)
+            else:
+                look.page.get_by_text("has no WebGL 2").wait_for()
+        except TimeoutError:
+            look.fault("shows no scene where it is asked for" if drawing == SOFTWARE_GL else "does not say what lacks")
+        look.measure()
+        faults += look.faults
+        chromium.close()
+    return faults
 
 
 def take(browser: Browser, base: str, folder: Path) -> None:

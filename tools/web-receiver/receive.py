@@ -1,16 +1,19 @@
 #!/usr/bin/env python3
 """Receives what participants send from their browsers and keeps it in SQLite: see docs/web-data.md."""
 import argparse
+import contextlib
 import csv
 import datetime
 import http.server
 import json
+import os
 import pathlib
 import re
 import sqlite3
 import threading
 
 LARGEST = 16 << 20  # bytes of a request; pages send parts of 1 MiB, more if one record alone has more
+SESSIONS = "sessions.csv"
 MOST_PARTS = 100_000  # of a session
 SESSION = re.compile("[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}")
 TABLES = """
@@ -123,6 +126,11 @@ class Handler(http.server.BaseHTTPRequestHandler):
         self.end_headers()
         self.wfile.write(body)
 
+    def log_error(self, format, *args):
+        """Leaves connections that were silent too long out of the log: participants read while their page waits."""
+        if not format.startswith("Request timed out"):
+            super().log_error(format, *args)
+
     def log_request(self, code="-", size="-"):
         """Leaves requests that were answered out of the log."""
 
@@ -148,13 +156,32 @@ class Receiver(http.server.ThreadingHTTPServer):
         """Leaves connections that participants cut out of the log."""
 
 
+def written_before(database, folder):
+    """Tells what in the folder is not of an earlier --write of this database; empty if all is, or nothing is there."""
+    known = {session for (session,) in database.execute("SELECT session FROM part")}
+    for path in sorted(folder.iterdir()):
+        own = path.name == SESSIONS or path.suffix in (".jsonl", ".part") and path.stem.split(".")[0] in known
+        if not own and path.name != SESSIONS + ".part" or path.is_symlink() or not path.is_file():
+            return path.name
+    return ""
+
+
+@contextlib.contextmanager
+def replacing(path, **how):
+    """Opens a file that takes the place of an earlier one as a whole, once it is written."""
+    part = path.with_name(path.name + ".part")
+    with open(part, "w", encoding="utf-8", **how) as file:
+        yield file
+    os.replace(part, path)
+
+
 def write(database, folder):
     folder.mkdir(parents=True, exist_ok=True)
     slots = dict(database.execute("SELECT session, slot FROM slot WHERE session IS NOT NULL"))
     parts = {}
     for session, part, final in database.execute("SELECT session, part, final FROM part ORDER BY session, part"):
         parts.setdefault(session, []).append((part, final))
-    with open(folder / "sessions.csv", "w", encoding="utf-8", newline="") as file:
+    with replacing(folder / SESSIONS, newline="") as file:
         table = csv.writer(file, lineterminator="\n")
         table.writerow(["session", "slot", "parts", "missing", "final"])
         for session in sorted(parts.keys() | slots.keys()):
@@ -165,7 +192,7 @@ def write(database, folder):
     for session in parts:
         # A text of JavaScript may end within a character; backslashreplace spells the half as JSON does.
         path = folder / (session + ".jsonl")
-        with open(path, "w", encoding="utf-8", errors="backslashreplace", newline="\n") as file:
+        with replacing(path, errors="backslashreplace", newline="\n") as file:
             query = "SELECT records FROM part WHERE session = ? ORDER BY part"
             for (records,) in database.execute(query, (session,)):
                 file.writelines(json.dumps(record, ensure_ascii=False) + "\n" for record in json.loads(records))
@@ -190,7 +217,7 @@ def main():
     parser.add_argument("--host", default="127.0.0.1")
     parser.add_argument("--port", type=int, default=8000)
     parser.add_argument("--megabytes", type=int, default=10_000, help="that the database may grow to")
-    parser.add_argument("--write", type=pathlib.Path, metavar="DIR", help="write one file a session instead")
+    parser.add_argument("--write", type=pathlib.Path, metavar="DIR", help="write one file a session instead, or update those written before")
     parser.add_argument("--give-back", type=float, metavar="HOURS", help="free places of sessions silent so long")
     options = parser.parse_args()
     if options.write or options.give_back is not None:
@@ -200,8 +227,9 @@ def main():
         if options.give_back is not None:
             give_back(database, options.give_back)
         if options.write:
-            if options.write.is_dir() and any(options.write.iterdir()):
-                parser.error(f"{options.write}: is not empty; name a new folder")
+            other = options.write.is_dir() and written_before(database, options.write)
+            if other:
+                parser.error(f"{options.write}: has {other}, which no --write of this database made; name a new folder")
             write(database, options.write)
         return
     if not options.study or not options.origin:

@@ -62,7 +62,7 @@ export function launch(): Promise<Browser> {
   return puppeteer.launch({
     executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
     headless: true,
-    protocolTimeout: 400_000,
+    protocolTimeout: 900_000,
     args: [
       '--no-sandbox',
       '--use-gl=angle',

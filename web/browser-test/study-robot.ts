@@ -34,6 +34,66 @@ export function officeStudy(folder: string): string {
   return path.join(folder, 'study.json');
 }
 
+/**
+ * Writes a study of two blocks, a practice and one of four trials in two conditions, with a factor between participants;
+ * returns its file.
+ */
+export function blocksStudy(folder: string): string {
+  writeFileSync(path.join(folder, 'shelf.x3d'), `<X3D profile='Immersive' version='3.3'><Scene>
+    <Viewpoint DEF='Front' position='0 0 6'/>
+    <Transform translation='-1 0 0'><Switch DEF='Left' whichChoice='-1'><Shape><Box/></Shape><Shape><Cone/></Shape></Switch></Transform>
+    <Transform translation='1 0 0'><Switch DEF='Right' whichChoice='-1'><Shape><Box/></Shape></Switch></Transform>
+    <Switch DEF='Wall' whichChoice='0'><Transform translation='0 0 -3'><Shape><Appearance>
+      <Material emissiveColor='0 0.5 0'/></Appearance><Box size='20 20 1'/></Shape></Transform></Switch></Scene></X3D>`);
+  writeFileSync(path.join(folder, 'sides.csv'), 'side,choices,answer\nleft,Left=0,f\nright,Right=0,j\n');
+  writeFileSync(path.join(folder, 'sure.json'), JSON.stringify({
+    name: 'sure',
+    pages: [{ questions: [{ id: 'sure', kind: 'scale', from: 1, to: 5, text: 'How sure are you?' }] }],
+  }));
+  const keys = { keys: ['f', 'j'], correct: '{answer}' };
+  writeFileSync(path.join(folder, 'study.json'), JSON.stringify({
+    name: 'Sides',
+    scene: 'shelf.x3d',
+    participants: 6,
+    seed: 5,
+    stay: 'turn',
+    factors: [
+      { name: 'task', varies: 'between', levels: [{ name: 'fast' }, { name: 'careful' }] },
+      { name: 'wall', varies: 'within', levels: [{ name: 'green', choices: { Wall: 0 } }, { name: 'none', choices: { Wall: -1 } }] },
+    ],
+    blocks: [
+      {
+        name: 'training',
+        factors: [],
+        stimuli: 'sides.csv',
+        viewpoint: 'Front',
+        practice: { correct: 1, rounds: 3 },
+        trial: [
+          { show: 'instruction', text: 'On which side is it? F: left, J: right.' },
+          { show: 'exposure', seconds: 0.4, ...keys },
+          { show: 'blank', ...keys },
+          { show: 'feedback', seconds: 0.3, correct: 'Right: {side}', wrong: 'Wrong: {side}' },
+        ],
+      },
+      {
+        name: 'main',
+        stimuli: 'sides.csv',
+        order: 'random',
+        rest: 2,
+        viewpoint: 'Front',
+        trial: [
+          { show: 'fixation', seconds: 0.2 },
+          { show: 'exposure', seconds: 0.4, choices: { Left: 1 }, ...keys },
+          { show: 'blank', ...keys },
+          { show: 'questions', questionnaire: 'sure' },
+        ],
+      },
+    ],
+    questionnaires: [{ file: 'sure.json', when: 'in-trials', name: 'sure' }],
+  }));
+  return path.join(folder, 'study.json');
+}
+
 /** Presses the button with a text, as soon as it is there and may be pressed. */
 export async function press(page: Page, text: string): Promise<void> {
   await page.locator(`::-p-xpath(//button[normalize-space()='${text}' and not(@disabled)])`).setTimeout(120_000).click();
@@ -79,6 +139,9 @@ export interface Received {
   readonly condition: string;
   readonly refused?: boolean;
   readonly repeated?: boolean;
+  readonly response?: string;
+  readonly correct?: boolean;
+  readonly phases?: readonly { readonly phase: string; readonly seconds: number }[];
   readonly recruitment?: Readonly<Record<string, string>>;
   readonly device?: Readonly<Record<string, unknown>>;
   readonly answers?: readonly { readonly question: string; readonly value: string }[];
@@ -93,16 +156,22 @@ export class ReferenceReceiver {
     readonly url: string,
     private readonly folder: string,
     private readonly origin: string,
+    private readonly study: string,
     private child: ChildProcess,
   ) {}
 
-  static async start(folder: string, origin: string): Promise<ReferenceReceiver> {
-    const { child, url } = await ReferenceReceiver.listen(folder, origin, '0');
-    return new ReferenceReceiver(url, folder, origin, child);
+  static async start(folder: string, origin: string, study = 'Office'): Promise<ReferenceReceiver> {
+    const { child, url } = await ReferenceReceiver.listen(folder, origin, '0', study);
+    return new ReferenceReceiver(url, folder, origin, study, child);
   }
 
-  private static async listen(folder: string, origin: string, port: string): Promise<{ child: ChildProcess; url: string }> {
-    const options = ['--study', 'Office', '--origin', origin, '--slots', '6', '--port', port];
+  private static async listen(
+    folder: string,
+    origin: string,
+    port: string,
+    study: string,
+  ): Promise<{ child: ChildProcess; url: string }> {
+    const options = ['--study', study, '--origin', origin, '--slots', '6', '--port', port];
     const child = spawn('python3', [RECEIVE, database(folder), ...options], { stdio: ['ignore', 'pipe', 'inherit'] });
     const [first] = (await once(child.stdout, 'data')) as [Buffer];
     const url = /http:\/\/\S+?:\d+/.exec(first.toString())?.[0];
@@ -122,6 +191,13 @@ export class ReferenceReceiver {
     return { records, data };
   }
 
+  /** Returns how many places of the plan are taken. */
+  taken(): number {
+    const { data } = this.written();
+    return readFileSync(path.join(data, 'sessions.csv'), 'utf8').trim().split('\n').slice(1)
+      .filter((row) => row.split(',')[1] !== '').length;
+  }
+
   /** Ends the receiver: from now on nothing arrives. */
   async stop(): Promise<void> {
     const ended = once(this.child, 'exit');
@@ -131,7 +207,7 @@ export class ReferenceReceiver {
 
   /** Starts the receiver again at the address that pages know. */
   async restart(): Promise<void> {
-    this.child = (await ReferenceReceiver.listen(this.folder, this.origin, new URL(this.url).port)).child;
+    this.child = (await ReferenceReceiver.listen(this.folder, this.origin, new URL(this.url).port, this.study)).child;
   }
 }
 

@@ -140,11 +140,16 @@ it('keeps nothing of who refuses consent', async () => {
 
 it('does not begin where the scene is drawn too slowly', async () => {
   set(site, { minFrameRate: 10_000 });
+  const taken = receiver.taken();
   const { page } = await open('slow');
   await press(page, 'Begin');
-  await told(page, 'This device draws the place too slowly for the study.');
+  await told(page, 'the study needs 10000.');
+  await press(page, 'Measure again');
+  await told(page, 'The place is being prepared.');
+  await told(page, 'the study needs 10000.');
   await page.close();
   expect(sessions('slow')).toEqual([]);
+  expect(receiver.taken()).toBe(taken); // who is too slow takes no place
 }, 200_000);
 
 it('leaves sessions that are collected and analysed like those of the laboratory', () => {

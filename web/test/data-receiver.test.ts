@@ -1,7 +1,7 @@
 import { IDBFactory } from 'fake-indexeddb';
 import 'fake-indexeddb/auto';
 import { execFile, spawn, type ChildProcess } from 'node:child_process';
-import { mkdtemp, readFile, readdir, rm } from 'node:fs/promises';
+import { mkdtemp, readFile, readdir, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { createInterface } from 'node:readline';
@@ -93,9 +93,19 @@ describe('the reference receiver', () => {
     expect(await readFile(path.join(results, 'sessions.csv'), 'utf8')).toBe(
       `session,slot,parts,missing,final\n${SESSION},1,3,1,yes\n`,
     );
-    await expect(command('--write', results)).rejects.toThrow('is not empty');
     await start();
     expect(await post('data', part(0, ['other']))).toMatchObject({ status: 409 });
+    // Written again, the folder has what has come since.
+    expect(await post('data', part(1, ['missed']))).toMatchObject({ status: 200 });
+    await command('--write', results);
+    expect(await readFile(path.join(results, 'sessions.csv'), 'utf8')).toBe(
+      `session,slot,parts,missing,final\n${SESSION},1,4,,yes\n`,
+    );
+    expect(await readFile(path.join(results, `${SESSION}.jsonl`), 'utf8')).toContain('"missed"\n"late"');
+    expect((await readdir(results)).sort()).toEqual([`${SESSION}.jsonl`, 'sessions.csv']);
+    // What it would not write itself is somebody's.
+    await writeFile(path.join(results, 'notes.txt'), 'mine');
+    await expect(command('--write', results)).rejects.toThrow('has notes.txt, which no --write of this database made');
   });
 
   it('refuses what is not a part of its study, and stores nothing of it', async () => {

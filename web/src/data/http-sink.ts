@@ -55,7 +55,7 @@ interface Answer {
 }
 
 async function post(receiver: Receiver, what: string, body: string, also?: number): Promise<Answer> {
-  const answer = await fetch(`${receiver.url.replace(/\/+$/, '')}/${what}`, {
+  const answer = await asked(`${receiver.url.replace(/\/+$/, '')}/${what}`, {
     method: 'POST',
     headers: { 'Content-Type': 'application/json' },
     body,
@@ -66,7 +66,33 @@ async function post(receiver: Receiver, what: string, body: string, also?: numbe
   });
   const text = await answer.text();
   if (!answer.ok && answer.status !== also) {
-    throw new Error(`${receiver.url} answered ${answer.status}: ${text.slice(0, 200)}`);
+    throw new Error(refusal(receiver, answer.status, text));
   }
   return JSON.parse(text) as Answer;
+}
+
+/** As fetch; what keeps a browser from an answer is said in a sentence. */
+async function asked(url: string, request: RequestInit): Promise<Response> {
+  try {
+    return await fetch(url, request);
+  } catch (error) {
+    const origin = typeof location === 'undefined' ? 'this page' : location.origin;
+    throw new Error(
+      `${url} does not answer. Researchers: does the receiver run there, and does it allow this page (--origin ${origin})?`,
+      { cause: error },
+    );
+  }
+}
+
+/** Returns what a refusal means for those who set the study up. */
+function refusal({ url, study }: Receiver, status: number, text: string): string {
+  switch (status) {
+    case 403:
+      return `${url} does not allow this page. Researchers: start the receiver with the page's --origin.`;
+    case 404:
+      return `${url} does not receive the study "${study}". Researchers: start the receiver with --study "${study}", `
+        + 'or correct "receiver" in study-settings.json.';
+    default:
+      return `${url} answered ${status}: ${text.slice(0, 200)}`;
+  }
 }

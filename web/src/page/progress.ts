@@ -38,3 +38,14 @@ export class Progress {
     signal.addEventListener('abort', () => { observer.disconnect(); });
   }
 }
+
+/** Returns what hands percentages on, but never one that is lower than before. */
+export function rising(show: (percent: number) => void): (percent: number) => void {
+  let most = -1;
+  return (percent) => {
+    if (percent > most) {
+      most = percent;
+      show(percent);
+    }
+  };
+}

@@ -36,6 +36,13 @@ interface Vector {
   readonly z: number;
 }
 
+/** A Switch whose choice is held, and the choice that the scene wants meanwhile. */
+interface Held {
+  readonly node: FieldNode;
+  choice: number;
+  wanted: number;
+}
+
 /** What X_ITE's declarations lack. */
 interface Internals {
   getWorld(): { traverse(type: unknown): void };
@@ -74,6 +81,9 @@ export class World {
   private rig: Rig | undefined;
   private head: Pose;
   private readonly later: LaterVersions;
+  private readonly held = new Map<string, Held>();
+  /** Whether the scene itself has the headlight on; known once that was changed. */
+  private light: boolean | undefined;
 
   private constructor(
     /** X_ITE's types, of which nodes that are added have their fields. */
@@ -179,6 +189,61 @@ export class World {
     if (this.controller) {
       this.controller.setSeed = seed;
       this.controller.setCondition = condition;
+    }
+  }
+
+  /**
+   * Sets the choices of Switches, which nothing else changes until they are released.
+   *
+   * @throws Error with a sentence if the scene has no such Switch
+   */
+  hold(choices: Readonly<Record<string, number>>): void {
+    for (const [name, choice] of Object.entries(choices)) {
+      const held = this.held.get(name) ?? this.watched(name);
+      held.choice = choice;
+      if (Number(held.node.whichChoice) !== choice) {
+        held.node.whichChoice = choice;
+      }
+      if (!this.objects.includes(name)) {
+        this.tell({ kind: 'switch', object: name, choice });
+      }
+    }
+  }
+
+  /** Lets all Switches show again what the scene wants. */
+  release(): void {
+    for (const held of this.held.values()) {
+      held.node.removeFieldCallback(this.held, 'whichChoice');
+      held.node.whichChoice = held.wanted;
+    }
+    this.held.clear();
+  }
+
+  private watched(name: string): Held {
+    let node: FieldNode;
+    try {
+      node = named(this.scene, name);
+    } catch (error) {
+      throw new Error(`the scene has no Switch ${name}; export the study anew`, { cause: error });
+    }
+    const choice = Number(node.whichChoice);
+    const held: Held = { node, choice, wanted: choice };
+    this.held.set(name, held);
+    node.addFieldCallback(this.held, 'whichChoice', (value) => {
+      if (Number(value) !== held.choice) {
+        held.wanted = Number(value);
+        node.whichChoice = held.choice;
+      }
+    });
+    return held;
+  }
+
+  /** Switches the viewer's headlight on or off; undefined for what the scene says. */
+  headlight(on: boolean | undefined): void {
+    const info = this.browser.activeNavigationInfo as unknown as FieldNode | null;
+    if (info) {
+      this.light ??= info.headlight === true;
+      info.headlight = on ?? this.light;
     }
   }
 

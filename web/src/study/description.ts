@@ -81,7 +81,56 @@ export type Step =
       readonly viewpoint: string;
       readonly seconds: number;
       readonly stay: 'turn' | 'free';
+    }
+  | {
+      readonly kind: 'block';
+      /** The number of trials after which participants may rest; 0 for never. */
+      readonly rest: number;
+      /** A practice is repeated until the share of correct responses is reached, at most so many rounds. */
+      readonly practice?: { readonly correct: number; readonly rounds: number };
     };
+
+/** A phase of a trial; {column} in its texts stands for a cell or a level of the trial. */
+export type Phase =
+  | { readonly show: 'instruction'; readonly text: string }
+  | { readonly show: 'fixation'; readonly seconds: number }
+  | {
+      readonly show: 'exposure';
+      readonly seconds?: number;
+      readonly choices: Readonly<Record<string, string>>;
+      readonly keys?: readonly string[];
+      readonly correct?: string;
+    }
+  | { readonly show: 'blank'; readonly seconds?: number; readonly keys?: readonly string[]; readonly correct?: string }
+  | { readonly show: 'questions'; readonly questionnaire: string }
+  | {
+      readonly show: 'feedback';
+      readonly seconds: number;
+      readonly correct: string;
+      readonly wrong: string;
+      readonly missing: string;
+    }
+  | { readonly show: 'repeat'; readonly most: number; readonly phases: readonly Phase[] };
+
+/** A trial without its place in the order; participants share them. */
+export interface Trial {
+  readonly block: string;
+  readonly levels: Readonly<Record<string, string>>;
+  /** The line of its stimulus in the list; missing without a list. */
+  readonly line?: number;
+  readonly stimulus?: Readonly<Record<string, string>>;
+  readonly scene: string;
+  /** DEF of a Viewpoint; empty for the scene's first. */
+  readonly viewpoint: string;
+  readonly condition: Condition;
+  /** The choices of Switches, which nothing else changes in the trial. */
+  readonly choices: Readonly<Record<string, number>>;
+  /** Whether the viewer's headlight is on; missing for what the scene says. */
+  readonly light?: boolean;
+  /** The duration of exposures that have none of their own. */
+  readonly seconds?: number;
+  readonly stay: 'turn' | 'free';
+}
 
 /** A participant's order, where it is not that of the file, has ids of questions by page and values of options by question. */
 export interface Order {
@@ -98,11 +147,15 @@ export interface Slot {
   readonly seed: number;
   readonly steps: readonly string[];
   readonly order?: Readonly<Record<string, Order>>;
+  /** The order of the trials of each block: indices of the study's trials, a list for each round. */
+  readonly trials?: Readonly<Record<string, readonly (readonly number[])[]>>;
 }
 
 export interface Texts {
   readonly words: Readonly<Record<string, string>>;
   readonly questionnaires: Readonly<Record<string, readonly Page[]>>;
+  /** The phases of the trials of each block. */
+  readonly phases?: Readonly<Record<string, readonly Phase[]>>;
 }
 
 /** study-web.json says this; the command "experiment export" writes it. */
@@ -115,6 +168,8 @@ export interface Study {
   readonly scenes: Readonly<Record<string, StudyScene>>;
   readonly steps: Readonly<Record<string, Step>>;
   readonly texts: Readonly<Record<string, Texts>>;
+  /** The different trials of all blocks. */
+  readonly trials?: readonly Trial[];
   readonly slots: readonly Slot[];
 }
 

@@ -45,6 +45,11 @@ export class HeadLog {
     this.last = now;
   }
 
+  /** Leaves out frames until this time, after which the next one counts as the first. */
+  pause(now: number): void {
+    this.last = now;
+  }
+
   /** Adds what the world tells, as the desktop's time line names it. */
   event(now: number, event: WorldEvent): void {
     const t = round((now - this.began) / 1000, 6);

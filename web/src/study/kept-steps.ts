@@ -1,8 +1,10 @@
 /** The browser keeps this of how far a session is, so that a page that was closed goes on where it was. */
 export interface KeptSteps {
   readonly language: string;
-  /** The steps that are done. */
+  /** The steps that are done, and the trials of blocks. */
   readonly done: readonly string[];
+  /** The trials among them whose response was wrong. */
+  readonly wrong?: readonly string[];
   /** The step that is under way; empty between steps. */
   readonly open: string;
 }

@@ -44,6 +44,9 @@ function failed(error: unknown, sentence = ''): void {
 async function run(): Promise<void> {
   const study = parse(await json('study-web.json'));
   const lab = settings(await json('study-settings.json'));
+  if (lab.headset !== 'no' && Object.values(study.steps).some((step) => step.kind === 'block')) {
+    throw new Error('study-settings.json: "headset" must be "no", as the page cannot show blocks of trials in a headset yet');
+  }
   const headset = lab.headset !== 'no' && await Headset.known();
   if (lab.headset === 'require' && !headset) {
     // Said before a place of the plan is taken.
@@ -63,81 +66,51 @@ async function run(): Promise<void> {
   }
   document.documentElement.lang = spoken;
   const words = new Wording(texts.words);
-  const slot = session.slot === undefined ? undefined : study.slots[session.slot];
   if (session.ended) {
     await finish(session, lab, ids, words);
-  } else if (!slot) {
-    element('message').replaceChildren(make('p', '', words.of('web.full')));
   } else if (!document.createElement('canvas').getContext('webgl2') && Object.keys(study.scenes).length > 0) {
     element('message').replaceChildren(make('p', 'fault', words.of('web.no-graphics')));
   } else {
-    await ask(study, lab, ids, session, slot, spoken, words);
+    await takePart(study, lab, ids, session, spoken, words);
   }
 }
 
-/** Runs the session of a participant. */
-async function ask(
+/** Checks the device, takes a place of the plan, and runs the session of a participant. */
+async function takePart(
   study: Study,
   lab: Settings,
   ids: Readonly<Record<string, string>>,
   session: Session,
-  slot: Slot,
   spoken: string,
   words: Wording,
 ): Promise<void> {
-  const texts = study.texts[spoken];
-  if (!texts) {
-    return;
-  }
   window.addEventListener('unhandledrejection', (event) => { failed(event.reason, words.of('web.failed')); });
-  const recorder = new Recorder(
-    {
-      study: study.name,
-      checksum: study.checksum,
-      session: session.id,
-      slot: slot.slot + 1,
-      participant: slot.participant,
-      group: slot.group,
-      condition: slot.condition,
-      language: spoken,
-    },
-    session.sink,
-  );
-  const jsPsych = initJsPsych({
-    display_element: 'study',
-    on_interaction_data_update: (data: { event: string }) => { recorder.interrupted(data.event); },
-  });
   const stage = new Stage(element('stage'), element('scene'), element('curtain'), study.scenes, study.mute === true);
-  const done = [...(session.kept?.done ?? [])];
-  let device: Record<string, unknown> = {};
-  const outcome = { refused: false, slow: false };
-  const left = slot.steps.filter((step) => !done.includes(step));
-  const keep = (step: string): void => { session.place.write({ language: spoken, done, open: step }); };
-  stage.interrupted = (event) => { recorder.interrupted(event); };
   const headset = lab.headset !== 'no' && await stage.findHeadset() ? lab.headset : 'no';
-  const steps = timeline(
-    {
-      study,
-      headset,
-      slot,
-      texts,
-      words,
-      stage,
-      recorder,
-      repeated: session.kept?.open ?? '',
-      first: () => ({ recruitment: ids, device }),
-      begun: keep,
-      ended: (step) => {
-        done.push(step);
-        keep('');
-      },
-      refused: () => {
-        outcome.refused = true;
-        jsPsych.abortExperiment();
-      },
-    },
-    done,
-  );
+  const device = await check(study, lab, session, stage, spoken, words);
+  // Not before: who cannot take part takes no place.
+  const place = device && await session.take();
+  const slot = place === undefined ? undefined : study.slots[place];
+  if (slot) {
+    await ask(study, lab, ids, session, slot, spoken, words, stage, headset, device ?? {});
+  } else if (device) {
+    element('study').hidden = true;
+    element('message').replaceChildren(make('p', '', words.of('web.full')));
+  }
+}
+
+/** Welcomes, and checks window, screen and how fast the scene is drawn; returns what is known of the device. */
+async function check(
+  study: Study,
+  lab: Settings,
+  session: Session,
+  stage: Stage,
+  spoken: string,
+  words: Wording,
+): Promise<Record<string, unknown> | undefined> {
+  let device: Record<string, unknown> = {};
+  const passed = { all: false };
+  const jsPsych = initJsPsych({ display_element: 'study' });
   await jsPsych.run([
     {
       type: browserCheck,
@@ -158,6 +131,7 @@ async function ask(
       stimulus: [words.of('web.welcome'), ...(session.lasting || lab.receiver === '' ? [] : [dataWords(spoken).notKept])]
         .map((line) => `<p>${escaped(line)}</p>`).join(''),
       choices: [escaped(words.of('web.begin'))],
+      on_finish: () => { passed.all = true; },
     },
     ...(lab.fullScreen && document.fullscreenEnabled
       ? [{
@@ -166,27 +140,87 @@ async function ask(
           button_label: escaped(words.of('next')),
         }]
       : []),
-    ...(shows(study, left)
+    ...(shows(study)
       ? [{
-          type: sceneCheckPlugin(study, slot, left, stage, words, (rate) => {
+          type: sceneCheckPlugin(study, stage, words, lab.minFrameRate, (rate) => {
             device = { ...device, scene_rate: rate };
-            if (rate < lab.minFrameRate) {
-              outcome.slow = true;
-              jsPsych.abortExperiment();
-            }
           }),
         }]
       : []),
-    ...steps,
   ] as never);
+  return passed.all ? device : undefined;
+}
+
+/** Runs the steps of a session. */
+async function ask(
+  study: Study,
+  lab: Settings,
+  ids: Readonly<Record<string, string>>,
+  session: Session,
+  slot: Slot,
+  spoken: string,
+  words: Wording,
+  stage: Stage,
+  headset: Settings['headset'],
+  device: Readonly<Record<string, unknown>>,
+): Promise<void> {
+  const texts = study.texts[spoken];
+  if (!texts) {
+    return;
+  }
+  const recorder = new Recorder(
+    {
+      study: study.name,
+      checksum: study.checksum,
+      session: session.id,
+      slot: slot.slot + 1,
+      participant: slot.participant,
+      group: slot.group,
+      condition: slot.condition,
+      language: spoken,
+    },
+    session.sink,
+  );
+  const jsPsych = initJsPsych({
+    display_element: 'study',
+    on_interaction_data_update: (data: { event: string }) => { recorder.interrupted(data.event); },
+  });
+  const done = [...(session.kept?.done ?? [])];
+  const wrong = [...(session.kept?.wrong ?? [])];
+  const outcome = { refused: false };
+  const keep = (step: string): void => { session.place.write({ language: spoken, done, wrong, open: step }); };
+  stage.interrupted = (event) => { recorder.interrupted(event); };
+  const steps = timeline({
+    study,
+    headset,
+    slot,
+    texts,
+    words,
+    stage,
+    recorder,
+    repeated: session.kept?.open ?? '',
+    first: () => ({ recruitment: ids, device }),
+    begun: keep,
+    done,
+    wrong,
+    ended: (step, correct) => {
+      done.push(step);
+      if (correct === false) {
+        wrong.push(step);
+      }
+      keep('');
+    },
+    refused: () => {
+      outcome.refused = true;
+      jsPsych.abortExperiment();
+    },
+  });
+  await jsPsych.run(steps as never);
   await stage.leave();
   if (document.fullscreenElement) {
     await document.exitFullscreen();
   }
-  if (outcome.slow) {
-    element('study').hidden = true;
-    element('message').replaceChildren(make('p', '', words.of('web.slow')));
-  } else if (outcome.refused) {
+  if (outcome.refused) {
     element('study').hidden = true;
     await session.sink.finish();
     session.place.forget();

@@ -158,8 +158,7 @@ export class QuestionnaireView {
     }
     switch (this.state.next()) {
       case 'open':
-        this.note.textContent = this.words.of('left', open.length, questions.length);
-        this.form.querySelector<HTMLElement>('fieldset.open :is(input, textarea, button)')?.focus();
+        this.tellOpen(open.length, questions.length);
         break;
       case 'refuses':
         this.refuse();
@@ -172,11 +171,21 @@ export class QuestionnaireView {
     }
   }
 
+  /** Says how many questions are open, where the first of them is, and brings that into view. */
+  private tellOpen(open: number, all: number): void {
+    this.note.textContent = this.words.of('left', open, all);
+    const first = this.form.querySelector<HTMLElement>('fieldset.open');
+    first?.before(this.note);
+    first?.querySelector<HTMLElement>('input, textarea, button')?.focus({ preventScroll: true });
+    (first && first.offsetHeight < window.innerHeight / 2 ? first : this.note).scrollIntoView({ block: 'center' });
+  }
+
   private refuse(): void {
     if (this.refusing) {
       return;
     }
     this.refusing = true;
+    this.form.querySelector('.buttons')?.before(this.note);
     this.note.textContent = `${this.words.of('form.refused')} `;
     this.note.append(this.button('form.cancel', 'button', () => { this.state.refuse(); }));
   }

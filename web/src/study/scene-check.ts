@@ -1,5 +1,7 @@
 import { type JsPsychPlugin, ParameterType, type TrialType } from 'jspsych';
-import type { Slot, Study, Wording } from './description.js';
+import { rising } from '../page/progress.js';
+import type { Condition } from '../scene/world.js';
+import type { Study, Wording } from './description.js';
 import { element } from './fields.js';
 import { FrameRate } from './frame-rate.js';
 import { preload } from './preload.js';
@@ -24,17 +26,17 @@ const info = {
 export type SceneCheckPlugin = new () => JsPsychPlugin<typeof info>;
 
 /**
- * Makes the plugin.
+ * Makes the plugin. A device that draws too slowly is told so and measured again, as often as the participant wants: the
+ * session begins when it is fast enough.
  *
- * @param left the steps that are still to come
+ * @param needed pictures per second
  * @param measured is handed the pictures per second
  */
 export function sceneCheckPlugin(
   study: Study,
-  slot: Slot,
-  left: readonly string[],
   stage: Stage,
   words: Wording,
+  needed: number,
   measured: (rate: number) => void,
 ): SceneCheckPlugin & { info: typeof info } {
   return class {
@@ -45,48 +47,78 @@ export function sceneCheckPlugin(
       const status = element('p', 'loading');
       status.setAttribute('role', 'status');
       display.replaceChildren(status);
-      await preload(filesOf(study, left), (percent) => { status.textContent = words.of('web.loading', percent); });
-      const rate = await measure(study, slot, left, stage, words, status);
-      display.replaceChildren();
-      measured(rate);
-      return { frames_per_second: rate };
+      // Files that are there are opened again: participants see one progress.
+      const say = rising((percent) => { status.textContent = words.of('web.loading', percent); });
+      const view = viewOf(study);
+      await preload(filesOf(study), say);
+      for (;;) {
+        const rate = view ? await measure(view, stage, words, say, status) : 0;
+        if (!view || rate >= needed) {
+          display.replaceChildren();
+          measured(rate);
+          return { frames_per_second: rate };
+        }
+        await tooSlow(display, words, rate, needed);
+        status.classList.remove('over');
+        display.replaceChildren(status);
+      }
     }
   };
 }
 
-/** Returns whether steps show a scene, which is then worth a check. */
-export function shows(study: Study, steps: readonly string[]): boolean {
-  return steps.some((id) => study.steps[id]?.kind === 'exposure' || study.steps[id]?.kind === 'practice');
+/** Says how fast the device is and has to be; returns when it is to be measured again. */
+async function tooSlow(display: HTMLElement, words: Wording, rate: number, needed: number): Promise<void> {
+  const again = document.createElement('button');
+  again.type = 'button';
+  again.className = 'jspsych-btn';
+  again.textContent = words.of('web.slow.again');
+  const told = element('p', '', words.of('web.slow', rate, needed));
+  told.setAttribute('role', 'alert');
+  display.replaceChildren(told, again);
+  await new Promise((pressed) => { again.addEventListener('click', pressed); });
 }
 
-function filesOf(study: Study, steps: readonly string[]): Record<string, number> {
-  const files: Record<string, number> = {};
-  for (const id of steps) {
-    const step = study.steps[id];
-    if (step && 'scene' in step) {
-      Object.assign(files, study.scenes[step.scene]?.files);
-    }
-  }
-  return files;
+/** Returns whether a study shows a scene, which is then worth a check. */
+export function shows(study: Study): boolean {
+  return viewOf(study) !== undefined;
+}
+
+/** A scene as a step begins with it. */
+interface View {
+  readonly scene: string;
+  readonly viewpoint: string;
+  readonly condition: Condition;
+  readonly choices: Readonly<Record<string, number>>;
+}
+
+function filesOf(study: Study): Record<string, number> {
+  return Object.assign({}, ...Object.values(study.scenes).map(({ files }) => files)) as Record<string, number>;
+}
+
+/**
+ * Returns the view that is measured: that of the first exposure or trial, else that of the practice. It is the same for
+ * everybody, whatever the place in the plan, in the condition that has most to draw: who may take part must not depend on
+ * the condition.
+ */
+function viewOf(study: Study): View | undefined {
+  const steps = Object.values(study.steps);
+  const step = steps.find(({ kind }) => kind === 'exposure') ?? steps.find(({ kind }) => kind === 'practice');
+  const condition = study.slots.some((slot) => slot.condition === 'high') ? 'high' : (study.slots[0]?.condition ?? 'high');
+  return study.trials?.[0] ?? (step && 'scene' in step ? { ...step, condition, choices: {} } : undefined);
 }
 
 async function measure(
-  study: Study,
-  slot: Slot,
-  left: readonly string[],
+  view: View,
   stage: Stage,
   words: Wording,
+  say: (percent: number) => void,
   status: HTMLElement,
 ): Promise<number> {
-  const steps = left.flatMap((id) => study.steps[id] ?? []);
-  const step = steps.find((each) => each.kind === 'exposure') ?? steps.find((each) => each.kind === 'practice');
-  if (!step || !('scene' in step)) {
-    return 0;
-  }
-  const { world } = await stage.open(step.scene, words, (text) => { status.textContent = text; });
-  world.setCondition(slot.condition, slot.seed);
-  if (step.viewpoint) {
-    world.visitNamed(step.viewpoint);
+  const { world } = await stage.open(view.scene, say);
+  world.setCondition(view.condition, 0);
+  world.hold(view.choices);
+  if (view.viewpoint) {
+    world.visitNamed(view.viewpoint);
   }
   status.classList.add('over');
   status.textContent = words.of('web.measuring');
@@ -97,6 +129,7 @@ async function measure(
     await world.nextFrame();
     if (rate.picture(performance.now())) {
       stage.hide();
+      world.release();
       return Math.round(10 * rate.perSecond()) / 10;
     }
   }

@@ -13,8 +13,11 @@ import { askedSlot, type Settings } from './settings.js';
 export interface Session {
   readonly id: string;
   readonly sink: DataSink;
-  /** The place in the plan, from 0; undefined if all are taken. */
-  readonly slot: number | undefined;
+  /**
+   * Takes the session's place in the plan, from 0, the same each time; undefined if all are taken. Who cannot take part
+   * is to know before.
+   */
+  readonly take: () => Promise<number | undefined>;
   readonly place: StepsPlace;
   readonly kept: KeptSteps | undefined;
   /** Whether the participant was at the end already. */
@@ -42,9 +45,9 @@ export async function open(
   const asked = askedSlot(query, study.slots.length);
   if (settings.receiver === '') {
     // Nobody counts the places: who tries the study out names one, or gets any.
-    const slot = asked ?? Math.floor(Math.random() * study.slots.length);
+    const slot = Promise.resolve(asked ?? Math.floor(Math.random() * study.slots.length));
     const id = uuid();
-    return { id, sink: new RecordFile(), slot, place: new StepsPlace(undefined, id), kept: undefined, ended: false, lasting: false };
+    return { id, sink: new RecordFile(), take: () => slot, place: new StepsPlace(undefined, id), kept: undefined, ended: false, lasting: false };
   }
   const storage = ownStorage();
   const keeping = {
@@ -58,11 +61,13 @@ export async function open(
     ? await JatosSink.open(jatos, keeping)
     : await HttpSink.open({ ...keeping, url: settings.receiver, participant });
   const place = new StepsPlace(storage, sink.session);
-  const taken = asked === undefined ? await sink.slot(study.slots.length) : asked + 1; // a receiver counts places from 1
   return {
     id: sink.session,
     sink,
-    slot: taken === undefined ? undefined : taken - 1,
+    take: async () => {
+      const taken = asked === undefined ? await sink.slot(study.slots.length) : asked + 1; // a receiver counts places from 1
+      return taken === undefined ? undefined : taken - 1;
+    },
     place,
     kept: sink.resumed ? place.read() : undefined,
     ended: sink.ended,

@@ -1,4 +1,4 @@
-import { Progress } from '../page/progress.js';
+import { Progress, rising } from '../page/progress.js';
 import { Headset } from '../scene/headset.js';
 import { Input } from '../scene/input.js';
 import { Walker } from '../scene/walker.js';
@@ -54,8 +54,8 @@ export class Stage {
     this.hide();
   }
 
-  /** Loads a scene, unless it is there already, and says how far that is. */
-  async open(name: string, words: Wording, say: (text: string) => void): Promise<{ world: World; walker: Walker }> {
+  /** Loads a scene, unless it is there already, and says the percentage that is there. */
+  async open(name: string, say: (percent: number) => void): Promise<{ world: World; walker: Walker }> {
     const scene = this.scenes[name];
     if (!scene) {
       throw new Error(`study-web.json has no scene ${name}; export the study anew`);
@@ -66,7 +66,7 @@ export class Stage {
     }
     this.world?.browser.beginUpdate();
     const loaded = new AbortController();
-    new Progress(scene.files, location.href, (percent) => { say(words.of('web.loading', percent)); }).follow(loaded.signal);
+    new Progress(scene.files, location.href, rising(say)).follow(loaded.signal);
     try {
       this.world = await World.open(this.canvas, scene);
     } finally {

@@ -8,6 +8,7 @@ import { entryPlugin } from './headset/entry.js';
 import type { QuestionnaireResult } from './questionnaire-state.js';
 import type { Recorder } from './recorder.js';
 import type { Stage } from './stage.js';
+import { blockPlugin } from './trials/block.js';
 import { exposurePlugin } from './x3d-exposure.js';
 
 type SceneStep = Extract<Step, { readonly scene: string }>;
@@ -27,16 +28,23 @@ export interface StepContext {
   /** Returns what the first record tells besides. */
   readonly first: () => Readonly<Record<string, unknown>>;
   readonly begun: (step: string) => void;
-  readonly ended: (step: string) => void;
+  /** Steps and trials that are done, and trials among them whose response was wrong. */
+  readonly done: readonly string[];
+  readonly wrong: readonly string[];
+  /** Is told that a step or a trial is over, and whether the response was correct. */
+  readonly ended: (step: string, correct?: boolean) => void;
   readonly refused: () => void;
 }
 
 /** Makes the trials of jsPsych that are the steps of a session. */
-export function timeline(context: StepContext, done: readonly string[]): unknown[] {
-  return context.slot.steps.filter((step) => !done.includes(step)).flatMap((id) => {
+export function timeline(context: StepContext): unknown[] {
+  return context.slot.steps.filter((step) => !context.done.includes(step)).flatMap((id) => {
     const step = context.study.steps[id];
     if (!step) {
       throw new Error(`study-web.json lacks the step ${id}; export the study anew`);
+    }
+    if (step.kind === 'block') {
+      return [{ timeline: [{ type: blockPlugin(context, step), block: id }] }];
     }
     return [{ timeline: 'scene' in step ? scene(context, id, step) : questions(context, id) }];
   });
@@ -99,6 +107,7 @@ function scene(context: StepContext, id: string, step: SceneStep): unknown[] {
     return [entry(context, step.scene, [], [words.of('web.headset.walk'), words.of('web.headset.practice')]), shown];
   }
   const lines = [
+    ...place(context, id),
     ...(again ? [words.of('web.again')] : []),
     words.of('web.exposure', step.seconds),
     words.of(step.stay === 'turn' ? 'web.turn' : 'web.walk'),
@@ -116,6 +125,12 @@ function scene(context: StepContext, id: string, step: SceneStep): unknown[] {
     },
     shown,
   ];
+}
+
+/** Returns which of several exposures comes next, which are told alike otherwise. */
+function place({ study, slot, words }: StepContext, id: string): string[] {
+  const exposures = slot.steps.filter((step) => study.steps[step]?.kind === 'exposure');
+  return exposures.length > 1 ? [words.of('web.exposure.place', exposures.indexOf(id) + 1, exposures.length)] : [];
 }
 
 /** Tells what comes next, and lets people put the headset on. */
@@ -141,7 +156,9 @@ function prepare(context: StepContext, scene: string): void {
   }
   const label = button.textContent;
   button.disabled = true;
-  const opened = context.stage.open(scene, context.words, (text) => { button.textContent = text; });
+  const opened = context.stage.open(scene, (percent) => {
+    button.textContent = context.words.of('web.loading', percent);
+  });
   void opened.then(() => {
     context.stage.hide();
     button.textContent = label;

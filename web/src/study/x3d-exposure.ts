@@ -48,7 +48,9 @@ export function exposurePlugin(
     async trial(display: HTMLElement, trial: Parameters, ready?: () => void): Promise<{ frames: number }> {
       const status = element('p', 'loading');
       display.replaceChildren(status);
-      const { world, walker } = await stage.open(trial.scene, words, (text) => { status.textContent = text; });
+      const { world, walker } = await stage.open(trial.scene, (percent) => {
+        status.textContent = words.of('web.loading', percent);
+      });
       ready?.();
       stage.darken();
       await begin(world, trial);

@@ -32,10 +32,10 @@ public final class SceneExposureReplay implements ExposureReplay {
   @Override
   public Replayed of(Study study, Exposure exposure) throws IOException {
     Path scene =
-        study
+        exposure
             .scene()
             .orElseThrow(() -> new IOException(study.file() + ": the study names no scene"));
-    Condition condition = exposure.group().condition();
+    Condition condition = exposure.condition();
     try (Walkthrough walk =
         Walkthrough.open(
             scene,
@@ -45,7 +45,7 @@ public final class SceneExposureReplay implements ExposureReplay {
             event -> {},
             text -> {})) {
       walk.world().views().viewpoints().stream()
-          .filter(node -> exposure.area().viewpoint().equals(node.name()))
+          .filter(node -> exposure.viewpoint().equals(node.name()))
           .findFirst()
           .ifPresent(walk.world().views()::goTo);
       return new Replayed(description(scene, condition, exposure, walk), seen(exposure, walk));

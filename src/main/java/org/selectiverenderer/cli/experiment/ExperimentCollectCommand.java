@@ -2,6 +2,7 @@ package org.selectiverenderer.cli.experiment;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
@@ -180,13 +181,59 @@ final class ExperimentCollectCommand extends CliCommand {
     write(scores, answers.scores());
     write(trials, answers.trials());
     write(bands, answers.bands());
+    tell(answers);
+    return ExitStatus.of(problems);
+  }
+
+  /** Says how many answers there are, in which table, and which option writes the others. */
+  private void tell(CollectedAnswers answers) {
+    boolean printed =
+        Stream.of(responses, ratings, others, scores, trials, bands).allMatch(Objects::isNull);
+    List<String> rows = new ArrayList<>();
+    List<String> left = new ArrayList<>();
+    tell(answers.responses(), "recognition answers", "--responses", printed, responses, rows, left);
+    tell(answers.ratings(), "ratings", "--ratings", false, ratings, rows, left);
+    tell(answers.others(), "other answers and the form", "--answers", false, others, rows, left);
+    tell(answers.scores(), "scores", "--scores", false, scores, rows, left);
+    tell(answers.trials(), "trials", "--trials", false, trials, rows, left);
     console()
         .message(
-            "collected: %s of %s"
+            "collected: %s of %s%s"
                 .formatted(
                     Pluralizer.of(answers.answers(), "answer"),
-                    Pluralizer.of(answers.participants(), "participant")));
-    return ExitStatus.of(problems);
+                    Pluralizer.of(answers.participants(), "participant"),
+                    rows.isEmpty() ? "" : " (rows of the tables: " + String.join(", ", rows) + ")"));
+    if (!left.isEmpty()) {
+      console().message("not written: " + String.join(", ", left));
+    }
+  }
+
+  private static void tell(
+      String table,
+      String what,
+      String option,
+      boolean printed,
+      @Nullable Path file,
+      List<String> rows,
+      List<String> left) {
+    int number = rows(table);
+    if (number > 0) {
+      rows.add(what + ": " + number);
+      if (!printed && file == null) {
+        left.add("%s (%s F.csv)".formatted(what, option));
+      }
+    }
+  }
+
+  /** Returns the number of rows of a table as CSV, without its header. */
+  static int rows(String table) {
+    boolean quoted = false;
+    int lines = 0;
+    for (int i = 0; i < table.length(); i++) {
+      quoted ^= table.charAt(i) == '"';
+      lines += table.charAt(i) == '\n' && !quoted ? 1 : 0;
+    }
+    return Math.max(0, lines - 1);
   }
 
   /** Makes session folders of what browsers sent. */

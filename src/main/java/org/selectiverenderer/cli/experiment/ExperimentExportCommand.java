@@ -147,7 +147,22 @@ final class ExperimentExportCommand extends CliCommand {
     tell(
         folder.resolve("index.html") + ": the study for any web server",
         languages.orElseThrow().get(0).study());
+    Study first = languages.orElseThrow().get(0).study();
+    console().line("  the receiver of its data, with the address of your web server as --origin:");
+    console().line("    " + receiver(first, folder));
     return ExitStatus.of(problems);
+  }
+
+  /** Returns the command that starts the receiver of a study's data. */
+  private static String receiver(Study study, Path folder) {
+    String name = String.valueOf(folder.toAbsolutePath().normalize().getFileName());
+    return "tools/web-receiver/receive.py %s --study %s --slots %d --origin https://lab.example.org"
+        .formatted(quoted(name + ".sqlite"), quoted(study.name()), study.participants());
+  }
+
+  /** Returns an argument as a POSIX shell reads it. */
+  private static String quoted(String argument) {
+    return argument.matches("[\\w./-]+") ? argument : "'" + argument.replace("'", "'\\''") + "'";
   }
 
   private ExitStatus writeArchive(Path file, ProblemCollector problems) throws IOException {

@@ -69,7 +69,8 @@ final class ExperimentNewCommand extends CliCommand {
     change_blindness,
     levels_of_detail,
     quality_and_light,
-    rooms_between;
+    rooms_between,
+    web;
 
     @Override
     public String toString() {
@@ -84,7 +85,8 @@ final class ExperimentNewCommand extends CliCommand {
       description =
           "copies an example of a design instead: change-blindness (many short trials from a"
               + " list), levels-of-detail (staircases), quality-and-light (2 x 2 within"
-              + " participants, Latin square), rooms-between (groups, as in the thesis)")
+              + " participants, Latin square), rooms-between (groups, as in the thesis), web (a short"
+              + " study whose participants come by a link)")
   private @Nullable Design design;
 
   /** Reads the name of a design. */

@@ -17,10 +17,12 @@ import org.selectiverenderer.browser.viewer.CameraPath;
 import org.selectiverenderer.browser.viewer.CameraPathReader;
 import org.selectiverenderer.cli.option.ConditionOptions;
 import org.selectiverenderer.command.CliCommand;
+import org.selectiverenderer.command.output.CommandException;
 import org.selectiverenderer.command.LibraryProperties;
 import org.selectiverenderer.command.output.CommandFileCheck;
 import org.selectiverenderer.command.output.Console;
 import org.selectiverenderer.command.output.ExitStatus;
+import org.selectiverenderer.control.SelectiveController;
 import org.selectiverenderer.walkthrough.timeline.TimelineEvent;
 import org.web3d.x3d.sai.X3DException;
 import picocli.CommandLine.Command;
@@ -69,6 +71,14 @@ public final class SaiCommand extends CliCommand {
       })
   private Map<String, String> parameters = Map.of();
 
+  @Option(
+      names = "--observe",
+      description = {
+        "leave the scene to itself, such as an exported one with a Script of its own, and only",
+        "print what happens"
+      })
+  private boolean observe;
+
   private final InputStream in;
 
   /**
@@ -112,7 +122,7 @@ public final class SaiCommand extends CliCommand {
     CountDownLatch closed = new CountDownLatch(1);
     String url = scene.toAbsolutePath().normalize().toUri().toString();
     try (SaiRunner runner =
-        SaiRunner.open(url, condition.settings(), parameters(), this::print, events)) {
+        SaiRunner.open(url, settings(), parameters(), this::print, events)) {
       boolean window = runner.showWindow(closed::countDown);
       if (walked.isPresent()) {
         runner.follow(walked.get(), closed);
@@ -128,6 +138,18 @@ public final class SaiCommand extends CliCommand {
       Thread.currentThread().interrupt();
       return ExitStatus.DONE;
     }
+  }
+
+  private SelectiveController.Settings settings() {
+    SelectiveController.Settings settings = condition.settings();
+    if (!observe) {
+      return settings;
+    }
+    if (!settings.equals(SelectiveController.Settings.SELECTIVE)) {
+      throw CommandException.usage(
+          "--observe leaves the choices to the scene; leave out --condition and --seed");
+    }
+    return SelectiveController.Settings.OBSERVING;
   }
 
   private Map<String, Object> parameters() {

@@ -11,6 +11,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.study.definition.Study;
 import org.selectiverenderer.study.session.LoadedStudy;
 import org.selectiverenderer.study.web.ExposureReplay;
@@ -38,7 +39,9 @@ class SceneExposureReplayTest {
 
   private static ExposureReplay.Exposure exposure(Study study, List<Frame> frames) {
     return new ExposureReplay.Exposure(
-        study.areas().get(0),
+        study.scene(),
+        study.areas().get(0).viewpoint(),
+        Condition.SELECTIVE,
         study.design().group("selective").orElseThrow(),
         7,
         OffsetDateTime.parse("2026-11-01T10:00:00Z"),

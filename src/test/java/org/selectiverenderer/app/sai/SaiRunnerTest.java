@@ -118,6 +118,52 @@ class SaiRunnerTest {
   }
 
   @Test
+  void anExportedSceneIsOnlyObservedAndItsOwnScriptSwitches() throws Exception {
+    Path exported = dir.resolve("exported");
+    Process export =
+        java(
+                "-cp",
+                System.getProperty("java.class.path"),
+                Main.class.getName(),
+                "export",
+                scene().toString(),
+                "--to",
+                "x3d",
+                exported.toString())
+            .start();
+    assertThat(output(export)).contains("scene.x3d");
+    Path path = Files.writeString(dir.resolve("p.csv"), "t,x,y,z\n0,0,0,6\n0.5,0,0,0\n1,0,0,6\n");
+    Path timeline = dir.resolve("t.jsonl");
+    Process walk =
+        java(
+                "-cp",
+                System.getProperty("java.class.path"),
+                Main.class.getName(),
+                "sai",
+                exported.resolve("scene.x3d").toString(),
+                "--observe",
+                "--path",
+                path.toString(),
+                "--timeline",
+                timeline.toString())
+            .start();
+    assertThat(output(walk)).contains("switch  Can: choice 1 -> 0\n");
+    assertThat(Files.readAllLines(timeline))
+        .extracting(line -> line.replaceAll("\"t\":[0-9.]+,", ""))
+        .containsExactly(
+            "{\"event\":\"start\",\"switches\":{\"Can\":1}}",
+            "{\"event\":\"enter\",\"sensor\":\"Desk\",\"schemas\":[\"Near\"]}",
+            "{\"event\":\"switch\",\"switch\":\"Can\",\"from\":1,\"to\":0,\"schema\":\"\"}",
+            "{\"event\":\"exit\",\"sensor\":\"Desk\",\"schemas\":[\"Far\"]}",
+            "{\"event\":\"switch\",\"switch\":\"Can\",\"from\":0,\"to\":1,\"schema\":\"\"}");
+
+    Process both =
+        process(EmbeddedBrowserFactory.class.getName(), "--observe", "--condition", "high").start();
+    assertThat(output(both)).contains("leave out --condition");
+    assertThat(both.exitValue()).isEqualTo(2);
+  }
+
+  @Test
   void theViewerOfAPathSeesWhatTheSceneWantsSeen() throws Exception {
     Path scene =
         Files.writeString(
@@ -274,17 +320,23 @@ class SaiRunnerTest {
   }
 
   private ProcessBuilder process(String factory, String... options) throws IOException {
-    List<String> command =
+    List<String> arguments =
         new ArrayList<>(
             List.of(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-Dx3d.sai.factory.class=" + factory,
                 "-cp",
                 System.getProperty("java.class.path"),
                 Main.class.getName(),
                 "sai",
                 scene().toString()));
-    command.addAll(List.of(options));
+    arguments.addAll(List.of(options));
+    return java(arguments.toArray(String[]::new));
+  }
+
+  private static ProcessBuilder java(String... arguments) {
+    List<String> command = new ArrayList<>();
+    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+    command.addAll(List.of(arguments));
     return new ProcessBuilder(command).redirectErrorStream(true);
   }
 

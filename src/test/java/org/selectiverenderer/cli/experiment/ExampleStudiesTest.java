@@ -198,7 +198,9 @@ class ExampleStudiesTest extends CommandTestCase {
 
   @ParameterizedTest
   @ValueSource(
-      strings = {"change-blindness", "levels-of-detail", "quality-and-light", "rooms-between"})
+      strings = {
+        "change-blindness", "levels-of-detail", "quality-and-light", "rooms-between", "web"
+      })
   void anExampleIsTheBeginningOfAStudyOfOnesOwn(String design) throws IOException {
     Path own = folder.resolve("own");
     assertThat(execute("experiment", "new", own.toString(), "--design", design))
@@ -216,6 +218,6 @@ class ExampleStudiesTest extends CommandTestCase {
     assertThat(messages())
         .contains(
             "'stroop' is none of change-blindness, levels-of-detail, quality-and-light,"
-                + " rooms-between");
+                + " rooms-between, web");
   }
 }

@@ -325,7 +325,15 @@ class ExperimentCommandsTest extends CommandTestCase {
     Path all = folder.resolve("all.csv");
     assertThat(execute(with(collect, all.toString()))).isZero();
     assertThat(all).hasContent(filled);
-    assertThat(text(err)).contains("collected: 1 answer of 1 participant");
+    assertThat(text(err))
+        .contains(
+            "collected: 1 answer of 1 participant (rows of the tables: recognition answers: 1)")
+        .doesNotContain("not written");
+    Path scores = folder.resolve("scores.csv");
+    List<String> other =
+        List.of("experiment", "collect", study.toString(), "--paper", name, "--scores");
+    assertThat(execute(with(other, scores.toString()))).isZero();
+    assertThat(text(err)).contains("not written: recognition answers (--responses F.csv)");
   }
 
   private static String[] with(List<String> arguments, String last) {

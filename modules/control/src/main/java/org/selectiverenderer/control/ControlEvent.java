@@ -39,7 +39,8 @@ public sealed interface ControlEvent {
    * A Switch shows another choice.
    *
    * @param switchName the name of the Switch
-   * @param schema the schema that caused the change
+   * @param schema the schema that caused the change; empty if the scene itself made it, in a run
+   *     that only observes
    */
   record SwitchChange(double time, String switchName, int from, int to, String schema)
       implements ControlEvent {}

@@ -219,7 +219,12 @@ final class SceneController implements ControlledArea.Listener {
    * Records a choice that a ROUTE, an application or a script has set; it stays until the next
    * activation.
    */
-  private void choiceChanged(VersionedObject object) {
+  private void choiceChanged(VersionedObject object, int from, double time) {
+    if (!settings.controls() && object.schemas().isPresent()) {
+      now = time;
+      events.accept(
+          new ControlEvent.SwitchChange(time, object.name(), from, object.shown(), ""));
+    }
     activation.noteShown(object, object.shown());
   }
 
@@ -275,6 +280,9 @@ final class SceneController implements ControlledArea.Listener {
 
   /** Sets new objects to the choices that the condition requires. */
   private void setOut(Collection<VersionedObject> candidates, long seed) {
+    if (!settings.controls()) {
+      return;
+    }
     Map<VersionedObject, SwitchSchemas> enriched = new LinkedHashMap<>();
     for (VersionedObject object : candidates) {
       object.schemas().ifPresent(schemas -> enriched.put(object, schemas));
@@ -310,6 +318,9 @@ final class SceneController implements ControlledArea.Listener {
   }
 
   private void apply(List<Change<VersionedObject>> changes) {
+    if (!settings.controls()) {
+      return;
+    }
     for (Change<VersionedObject> change : changes) {
       VersionedObject object = change.switchKey();
       if (held.containsKey(object.name())) {

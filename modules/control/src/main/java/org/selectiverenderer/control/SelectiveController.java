@@ -40,10 +40,19 @@ public final class SelectiveController implements AutoCloseable {
    *
    * @param seed the random seed of {@link Condition#RANDOM}
    * @param held the choices of Switches, by name, that neither condition nor areas change
+   * @param controls whether choices are set; else the controller only tells what happens
    */
-  public record Settings(Condition condition, long seed, Map<String, Integer> held) {
+  public record Settings(
+      Condition condition, long seed, Map<String, Integer> held, boolean controls) {
     /** Selective rendering as in the thesis. */
     public static final Settings SELECTIVE = new Settings(Condition.SELECTIVE, 0);
+
+    /**
+     * A scene that is left to itself, such as an exported one with a Script of its own: the areas
+     * that are entered are told, and the choices that the scene sets.
+     */
+    public static final Settings OBSERVING =
+        new Settings(Condition.SELECTIVE, 0, Map.of(), false);
 
     /** Copies the choices. */
     public Settings {
@@ -53,6 +62,11 @@ public final class SelectiveController implements AutoCloseable {
     /** Creates settings in which the condition determines all choices. */
     public Settings(Condition condition, long seed) {
       this(condition, seed, Map.of());
+    }
+
+    /** Creates settings in which the condition determines the choices that are not held. */
+    public Settings(Condition condition, long seed, Map<String, Integer> held) {
+      this(condition, seed, held, true);
     }
   }
 

@@ -3,7 +3,6 @@ package org.selectiverenderer.control;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Consumer;
 import java.util.function.ObjDoubleConsumer;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
@@ -18,6 +17,17 @@ import org.web3d.x3d.sai.grouping.Switch;
  * An enriched object: a Switch whose children are the object's versions, described by its metadata.
  */
 final class VersionedObject {
+  /** Receives the choices that somebody else has set. */
+  interface ChoiceListener {
+    /**
+     * Somebody else has set the choice.
+     *
+     * @param from the choice before
+     * @param time stamp in seconds
+     */
+    void changed(VersionedObject object, int from, double time);
+  }
+
   private final Switch node;
   private final Supplier<String> name;
   private final X3DField children;
@@ -38,14 +48,13 @@ final class VersionedObject {
    * Reads an object in its present state.
    *
    * @param onChange called when the metadata or the number of versions has changed
-   * @param onForeignChoice called when somebody else has set the choice
    */
   VersionedObject(
       Switch node,
       Supplier<String> name,
       ListenerLock turn,
       ObjDoubleConsumer<VersionedObject> onChange,
-      Consumer<VersionedObject> onForeignChoice) {
+      ChoiceListener onForeignChoice) {
     this.node = node;
     this.name = name;
     this.atStart = node.getWhichChoice();
@@ -54,7 +63,7 @@ final class VersionedObject {
     this.onChildren = event -> turn.take(() -> onChange.accept(this, event.getTime()));
     this.watch = new MetadataWatcher(node, turn, time -> onChange.accept(this, time));
     this.whichChoice = node.getField("whichChoice");
-    this.onChoice = event -> turn.take(() -> choiceChanged(onForeignChoice));
+    this.onChoice = event -> turn.take(() -> choiceChanged(event.getTime(), onForeignChoice));
     children.addX3DEventListener(onChildren);
     whichChoice.addX3DEventListener(onChoice);
     read();
@@ -65,7 +74,7 @@ final class VersionedObject {
    * browser whose writes take effect late sends the events of the controller's writes one after the
    * other: until the last one has come, the record is ahead of the field.
    */
-  private void choiceChanged(Consumer<VersionedObject> onForeignChoice) {
+  private void choiceChanged(double time, ChoiceListener onForeignChoice) {
     int choice = node.getWhichChoice();
     int own = pending.indexOf(choice);
     if (own >= 0 && own < pending.size() - 1) {
@@ -74,8 +83,9 @@ final class VersionedObject {
     }
     pending = List.of();
     if (choice != shown) {
+      int from = shown;
       shown = choice;
-      onForeignChoice.accept(this);
+      onForeignChoice.changed(this, from, time);
     }
   }
 

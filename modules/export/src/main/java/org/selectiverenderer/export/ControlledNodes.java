@@ -21,7 +21,9 @@ import org.selectiverenderer.schema.SwitchSchemas;
  * @param objects the Switches whose metadata describe versions
  */
 record ControlledNodes(List<Area> areas, List<VersionedObject> objects) {
-  private static final Set<String> CHOICE_FIELDS = Set.of("whichChoice", "set_whichChoice");
+  /** The names of the field of a Switch that says which child it shows, in ROUTEs. */
+  static final Set<String> CHOICE_FIELDS =
+      Set.of("whichChoice", "set_whichChoice", "whichChoice_changed");
 
   ControlledNodes {
     areas = List.copyOf(areas);

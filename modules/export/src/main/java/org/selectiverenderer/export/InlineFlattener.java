@@ -1,8 +1,6 @@
 package org.selectiverenderer.export;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -14,42 +12,35 @@ import java.util.Optional;
 import java.util.Set;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.EditRejectedException;
-import org.selectiverenderer.authoring.MFStringParser;
 import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.authoring.SourceFormatter;
 import org.selectiverenderer.authoring.UniqueNameGenerator;
 import org.selectiverenderer.authoring.enrichment.DocumentEnrichment;
 import org.selectiverenderer.authoring.enrichment.EnrichedSensor;
 import org.selectiverenderer.authoring.enrichment.EnrichedSwitch;
-import org.selectiverenderer.authoring.file.XmlConversion;
-import org.selectiverenderer.authoring.packaging.UrlFields;
-import org.selectiverenderer.authoring.packaging.UrlFields.UrlField;
 import org.selectiverenderer.authoring.structure.InlinedContent;
-import org.selectiverenderer.base.files.InputFileReader;
 import org.selectiverenderer.base.problem.ProblemCollector;
-import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.SourceAttribute;
 import org.selectiverenderer.x3d.source.TextEdit;
-import org.selectiverenderer.x3d.url.BaseUrl;
-import org.selectiverenderer.x3d.url.UrlRelativizer;
 import org.selectiverenderer.x3d.url.UrlResolver;
-import org.selectiverenderer.x3d.write.FieldValueFormatter;
 
 /**
  * Replaces the Inlines whose files hold enriched nodes by Groups with the content of these files:
  * the standard keeps the nodes of an inlined file closed to the ROUTEs of the file around it (X3D
- * 4.0, 9.4.2). Other Inlines stay, such as those of the versions.
+ * 4.0, 9.4.2). Other Inlines stay, such as those of the versions. Prototypes of such files are
+ * taken in, too.
  */
 final class InlineFlattener {
   private static final String INLINE = "Inline";
+  private static final String EXTERNAL = "ExternProtoDeclare";
 
   /** The largest number of Inlines that are replaced, so that no scene grows without limit. */
   private static final int MOST = 2_000;
 
-  /** Statements that must stand directly in a Scene, before and after its nodes. */
-  private static final Set<String> DECLARATIONS = Set.of("ProtoDeclare", "ExternProtoDeclare");
+  /** The largest number of files that name one another in a row, so that none exhausts the stack. */
+  private static final int DEEPEST = 64;
 
   private static final Set<String> MODULES = Set.of("IMPORT", "EXPORT");
 
@@ -66,15 +57,19 @@ final class InlineFlattener {
           "bboxDisplay");
 
   private final NodeCatalogue catalogue;
-  private final UrlResolver resolver;
+  private final SceneFiles files;
   private final ProblemCollector problems;
+  private final ExternPrototypes prototypes;
   private final Map<Path, Boolean> enriched = new HashMap<>();
   private int replaced;
+  private int depth;
+  private boolean tooDeep;
 
   InlineFlattener(NodeCatalogue catalogue, UrlResolver resolver, ProblemCollector problems) {
     this.catalogue = catalogue;
-    this.resolver = resolver;
+    this.files = new SceneFiles(catalogue, resolver, problems);
     this.problems = problems;
+    this.prototypes = new ExternPrototypes(files);
   }
 
   /**
@@ -89,89 +84,73 @@ final class InlineFlattener {
 
   private Optional<SceneDocument> flatten(Path file, String name, Set<Path> around)
       throws IOException {
-    Optional<SceneDocument> read = read(file, name);
+    Optional<SceneDocument> read = files.read(file, name);
     if (read.isEmpty()) {
       return read;
     }
     SceneDocument document = read.get();
     around.add(file);
-    boolean whole = prototypesHere(document, file, around);
+    boolean whole = true;
     // Each replacement parses the document anew, so that the elements are found anew, too.
-    for (Optional<Inlined> next = next(document, file, around);
+    for (Optional<Named> next = next(document, file, around);
         next.isPresent() && whole;
         next = next(document, file, around)) {
       whole = replace(document, file, next.get(), around);
     }
     around.remove(file);
-    return whole ? read : Optional.empty();
+    return whole && !tooDeep ? read : Optional.empty();
   }
 
-  /** Reports prototypes of other files that hold enriched nodes; returns whether there are none. */
-  private boolean prototypesHere(SceneDocument document, Path file, Set<Path> around)
-      throws IOException {
-    boolean none = true;
-    for (DocumentElement element : elements(document)) {
-      if (elsewhere(element, file, around)) {
-        none = false;
-        problems.error(
-            element.location(),
-            "the prototype %s comes from a file with enriched nodes, which no ROUTE of the scene"
-                    .formatted(element.text("name").orElse(""))
-                + " reaches; declare the prototype in the scene");
-      }
+  /** An Inline, or the declaration of a prototype, that names a file with enriched nodes. */
+  private record Named(DocumentElement element, SceneFiles.Target target) {
+    boolean prototype() {
+      return element.name().equals(EXTERNAL);
     }
-    return none;
   }
 
-  private boolean elsewhere(DocumentElement element, Path file, Set<Path> around)
+  private Optional<Named> next(SceneDocument document, Path file, Set<Path> around)
       throws IOException {
-    if (!element.name().equals("ExternProtoDeclare")) {
-      return false;
-    }
-    Optional<Path> target = target(element, file);
-    return target.isPresent() && !around.contains(target.get()) && enriched(target.get(), around);
-  }
-
-  /** An Inline of a file with enriched nodes. */
-  private record Inlined(DocumentElement element, Path file) {}
-
-  private Optional<Inlined> next(SceneDocument document, Path file, Set<Path> around)
-      throws IOException {
-    for (DocumentElement inline : elements(document)) {
-      if (!inline.name().equals(INLINE)
-          || inline.use().isPresent()
-          || inline.text("load").filter("false"::equals).isPresent()) {
+    for (DocumentElement element : SceneFiles.elements(document)) {
+      boolean inline =
+          element.name().equals(INLINE)
+              && element.use().isEmpty()
+              && element.text("load").filter("false"::equals).isEmpty();
+      if (!inline && !element.name().equals(EXTERNAL)) {
         continue;
       }
-      Optional<Path> target = target(inline, file);
-      if (target.isPresent() && !around.contains(target.get()) && enriched(target.get(), around)) {
-        return Optional.of(new Inlined(inline, target.get()));
+      Optional<SceneFiles.Target> target = files.target(element, file);
+      if (target.isEmpty()) {
+        continue;
+      }
+      Named named = new Named(element, target.get());
+      // A file that inlines one around it ends there, as in browsers.
+      boolean ends = around.contains(target.get().file()) && !named.prototype();
+      if (!ends && enriched(element, target.get().file(), around)) {
+        return Optional.of(named);
       }
     }
     return Optional.empty();
   }
 
-  /** Returns the file that a url field names, if it is one that the scene may read. */
-  private Optional<Path> target(DocumentElement element, Path file) {
-    for (String named : MFStringParser.strings(element.text("url").orElse(""))) {
-      int fragment = named.indexOf('#');
-      String url = fragment < 0 ? named : named.substring(0, fragment);
-      if (resolver.resolve(url, BaseUrl.folder(folder(file)))
-          instanceof UrlResolver.Target.Found found) {
-        return found.content().file();
-      }
-    }
-    return Optional.empty();
-  }
-
-  /** Returns whether a file, or one that it inlines, holds enriched nodes. */
-  private boolean enriched(Path file, Set<Path> around) throws IOException {
+  /** Returns whether a file, or one that it names, holds enriched nodes. */
+  private boolean enriched(DocumentElement by, Path file, Set<Path> around) throws IOException {
     Boolean known = enriched.get(file);
     if (known != null) {
       return known;
     }
     enriched.put(file, false); // a file that inlines itself ends here
-    Optional<SceneDocument> read = readQuietly(file);
+    if (depth == DEEPEST) {
+      if (!tooDeep) {
+        problems.error(
+            by.location(),
+            "files name one another more than %d files deep; fewer can be exported"
+                .formatted(DEEPEST));
+      }
+      tooDeep = true;
+      return false;
+    }
+    depth++;
+    Optional<SceneDocument> read = files.readQuietly(file);
     boolean found = false;
     if (read.isPresent()) {
       DocumentEnrichment nodes = new DocumentEnrichment(read.get(), catalogue);
@@ -179,41 +158,48 @@ final class InlineFlattener {
           nodes.switches().stream().anyMatch(EnrichedSwitch::enriched)
               || nodes.sensors().stream().anyMatch(EnrichedSensor::enriched)
               || next(read.get(), file, around).isPresent();
-      for (DocumentElement element : elements(read.get())) {
-        found = found || elsewhere(element, file, around);
-      }
     }
+    depth--;
     enriched.put(file, found);
     return found;
   }
 
-  /** Replaces an Inline; returns whether that could be done. */
-  private boolean replace(SceneDocument document, Path file, Inlined inlined, Set<Path> around)
+  /** Replaces an Inline or takes a prototype in; returns whether that could be done. */
+  private boolean replace(SceneDocument document, Path file, Named named, Set<Path> around)
       throws IOException {
-    DocumentElement inline = inlined.element();
+    DocumentElement element = named.element();
+    Path target = named.target().file();
     if (++replaced > MOST) {
       problems.error(
-          inline.location(),
-          "more than %d Inlines of files with enriched nodes; fewer can be exported"
+          element.location(),
+          "more than %d Inlines and EXTERNPROTOs of files with enriched nodes; fewer can be exported"
               .formatted(MOST));
       return false;
     }
+    // A file may take a prototype from one that inlines it.
+    boolean circle = around.contains(target);
     Optional<SceneDocument> content =
-        flatten(inlined.file(), resolver.display(inlined.file()), around);
+        circle ? files.readQuietly(target) : flatten(target, files.display(target), around);
     if (content.isEmpty()) {
       return false;
     }
-    Optional<String> obstacle = obstacle(document, inline, content.get());
+    Optional<String> obstacle =
+        named.prototype()
+            ? prototypes.obstacle(element, content.get(), named.target(), circle)
+            : obstacle(document, element, content.get());
     if (obstacle.isPresent()) {
-      problems.error(inline.location(), obstacle.get());
+      problems.error(element.location(), obstacle.get());
       return false;
     }
     try {
-      document.perform(
-          new Edit("Export", edits(document, inline, content.get(), file, inlined.file())));
+      List<TextEdit> edits =
+          named.prototype()
+              ? prototypes.edits(document, element, content.get(), file, named.target())
+              : edits(document, element, content.get(), file, target);
+      document.perform(new Edit("Export", edits));
       return true;
     } catch (EditRejectedException e) {
-      problems.error(inline.location(), String.valueOf(e.getMessage()));
+      problems.error(element.location(), String.valueOf(e.getMessage()));
       return false;
     }
   }
@@ -222,7 +208,7 @@ final class InlineFlattener {
   private Optional<String> obstacle(
       SceneDocument document, DocumentElement inline, SceneDocument content) {
     String what = "the content of the inlined file, which has enriched nodes, ";
-    if (elements(document).stream().anyMatch(element -> imports(element, inline))) {
+    if (SceneFiles.elements(document).stream().anyMatch(element -> imports(element, inline))) {
       return Optional.of(what + "is named by an IMPORT, so it cannot take the Inline's place");
     }
     for (DocumentElement at = inline; at.parent().isPresent(); at = at.parent().get()) {
@@ -230,7 +216,7 @@ final class InlineFlattener {
         return Optional.of(what + "is inlined by a prototype; inline it in the scene");
       }
     }
-    for (DocumentElement element : elements(content)) {
+    for (DocumentElement element : SceneFiles.elements(content)) {
       if (MODULES.contains(element.name())) {
         return Optional.of(what + "uses " + element.name() + "; remove the statement");
       }
@@ -254,8 +240,12 @@ final class InlineFlattener {
     var tree = document.tree().orElseThrow();
     DocumentElement scene = tree.scene().orElseThrow();
     List<DocumentElement> elements = content.tree().orElseThrow().scene().orElseThrow().children();
-    List<TextEdit> changes = new ArrayList<>(urls(content, from, file));
-    changes.addAll(prototypes(content, document));
+    List<TextEdit> changes = new ArrayList<>(files.urls(content, from, file));
+    changes.addAll(
+        PrototypeNames.edits(
+            content,
+            PrototypeNames.renamed(
+                PrototypeNames.declared(content), PrototypeNames.declared(document))));
     InlinedContent inside =
         new InlinedContent(content, elements, new UniqueNameGenerator(tree, inline), changes);
     List<String> first = new ArrayList<>();
@@ -264,7 +254,7 @@ final class InlineFlattener {
     inline.children().forEach(child -> group.add("  " + document.text(child).strip()));
     for (DocumentElement element : elements) {
       List<String> lines = inside.lines(element);
-      if (DECLARATIONS.contains(element.name())) {
+      if (PrototypeNames.DECLARATIONS.contains(element.name())) {
         first.addAll(lines);
       } else if (element.name().equals("ROUTE")) {
         last.addAll(lines);
@@ -300,7 +290,7 @@ final class InlineFlattener {
   /** Makes Groups of the other places where the Inline is used. */
   private static List<TextEdit> uses(SceneDocument document, DocumentElement inline) {
     List<TextEdit> edits = new ArrayList<>();
-    for (DocumentElement element : elements(document)) {
+    for (DocumentElement element : SceneFiles.elements(document)) {
       if (element.name().equals(INLINE)
           && element.use().isPresent()
           && element.use().equals(inline.def())) {
@@ -315,104 +305,4 @@ final class InlineFlattener {
     return edits;
   }
 
-  /** Returns the changes that make the urls of a file relative to another one. */
-  private List<TextEdit> urls(SceneDocument content, Path from, Path to) {
-    List<TextEdit> edits = new ArrayList<>();
-    for (UrlField field : new UrlFields(catalogue).of(elements(content))) {
-      List<String> now =
-          field.urls().stream()
-              .map(url -> UrlRelativizer.turned(url, folder(from), folder(to)))
-              .toList();
-      if (!now.equals(field.urls())) {
-        edits.add(
-            content
-                .layout()
-                .attribute(field.element(), field.attribute(), FieldValueFormatter.strings(now)));
-      }
-    }
-    return edits;
-  }
-
-  /** Renames the prototypes of a file whose names the other one has, too. */
-  private static List<TextEdit> prototypes(SceneDocument content, SceneDocument into) {
-    Set<String> taken = declared(into);
-    Set<String> own = declared(content);
-    Map<String, String> renamed = new HashMap<>();
-    for (String name : own) {
-      String free = name;
-      for (int i = 2; taken.contains(free) || i > 2 && own.contains(free); i++) {
-        free = name + "_" + i;
-      }
-      if (!free.equals(name)) {
-        renamed.put(name, free);
-        taken.add(free);
-      }
-    }
-    List<TextEdit> edits = new ArrayList<>();
-    for (DocumentElement element : elements(content)) {
-      boolean names =
-          DECLARATIONS.contains(element.name()) || element.name().equals("ProtoInstance");
-      String now = names ? renamed.get(element.text("name").orElse("")) : null;
-      if (now != null) {
-        edits.add(content.layout().attribute(element, "name", now));
-      }
-    }
-    return edits;
-  }
-
-  private static Set<String> declared(SceneDocument document) {
-    Set<String> names = new LinkedHashSet<>();
-    elements(document).stream()
-        .filter(element -> DECLARATIONS.contains(element.name()))
-        .forEach(element -> element.text("name").ifPresent(names::add));
-    return names;
-  }
-
-  private static List<DocumentElement> elements(SceneDocument document) {
-    List<DocumentElement> all = new ArrayList<>();
-    document.tree().orElseThrow().root().visit(all::add);
-    return all;
-  }
-
-  private static Path folder(Path file) {
-    Path folder = file.getParent();
-    return folder == null ? file : folder;
-  }
-
-  /** Reads a file that may be anything; empty for what is no scene or not well-formed. */
-  private Optional<SceneDocument> readQuietly(Path file) throws IOException {
-    if (!Files.isRegularFile(file)) {
-      return Optional.empty();
-    }
-    return read(file, file.toString(), new ProblemCollector());
-  }
-
-  private Optional<SceneDocument> read(Path file, String name) throws IOException {
-    return read(file, name, problems);
-  }
-
-  private Optional<SceneDocument> read(Path file, String name, ProblemCollector to)
-      throws IOException {
-    Optional<XmlConversion> foreign = XmlConversion.of(file);
-    SceneDocument document;
-    if (foreign.isPresent()) {
-      Optional<String> xml = foreign.get().xml(catalogue, to);
-      if (xml.isEmpty()) {
-        return Optional.empty();
-      }
-      document = SceneDocument.of(name, xml.get().getBytes(StandardCharsets.UTF_8));
-    } else {
-      document = SceneDocument.of(name, InputFileReader.bytes(file));
-    }
-    if (document.tree().isEmpty()) {
-      document.fault().ifPresent(fault -> to.error(fault.location(), fault.message()));
-      return Optional.empty();
-    }
-    Optional<String> locked = document.locked();
-    if (locked.isPresent()) {
-      to.error(SourceLocation.of(name), locked.get());
-      return Optional.empty();
-    }
-    return Optional.of(document);
-  }
 }

@@ -5,16 +5,13 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.MFStringParser;
 import org.selectiverenderer.authoring.SceneDocument;
-import org.selectiverenderer.authoring.UniqueNameGenerator;
 import org.selectiverenderer.authoring.enrichment.DocumentEnrichment;
 import org.selectiverenderer.authoring.enrichment.EnrichedSwitch;
 import org.selectiverenderer.authoring.packaging.PackagedFile;
@@ -70,11 +67,10 @@ final class LaterVersions {
         enrichment.switches().stream().filter(EnrichedSwitch::enriched).toList();
     List<Integer> first = ControlledNodes.of(enrichment).choices(condition, seed);
     Set<String> known = known(document);
-    var tree = document.tree().get();
-    UniqueNameGenerator names = new UniqueNameGenerator(tree, tree.scene().orElseThrow());
+    NodeNamer names = new NodeNamer(document);
     List<Version> versions = new ArrayList<>();
     List<TextEdit> edits = new ArrayList<>();
-    Map<DocumentElement, String> named = new HashMap<>(); // an object may be in another's version
+    Set<DocumentElement> later = new HashSet<>(); // an object may be in another's version
     for (int i = 0; i < objects.size(); i++) {
       EnrichedSwitch object = objects.get(i);
       for (EnrichedSwitch.ChoiceNode choice : object.choices()) {
@@ -86,15 +82,10 @@ final class LaterVersions {
         List<String> inlines = new ArrayList<>();
         List<String> files = new ArrayList<>();
         for (DocumentElement inline : inlines(choice.element(), known)) {
-          if (!named.containsKey(inline)) {
-            String name = inline.def().orElseGet(() -> names.unused("Later"));
-            if (inline.def().isEmpty()) {
-              edits.add(document.layout().attribute(inline, "DEF", name));
-            }
+          if (later.add(inline)) {
             edits.add(document.layout().attribute(inline, "load", "false"));
-            named.put(inline, name);
           }
-          inlines.add(named.get(inline));
+          inlines.add(names.name(inline, "Later"));
           files.addAll(MFStringParser.strings(inline.text("url").orElse("")));
         }
         if (!inlines.isEmpty()) {
@@ -105,6 +96,7 @@ final class LaterVersions {
     if (edits.isEmpty()) {
       return none(scene);
     }
+    edits.addAll(0, names.edits()); // DEF before load, where both are new
     edits.sort(Comparator.comparingInt(TextEdit::from));
     document.perform(new Edit("Later", edits));
     return new LaterVersions(
@@ -141,7 +133,10 @@ final class LaterVersions {
     }
   }
 
-  /** Returns the names of the nodes that are used again, or that statements name. */
+  /**
+   * Returns the names of the nodes that are used again, or that statements name. A ROUTE of a
+   * choice does not count: it makes nobody else show what is in the Switch.
+   */
   private static Set<String> known(SceneDocument document) {
     Set<String> names = new HashSet<>();
     document
@@ -151,8 +146,11 @@ final class LaterVersions {
         .visit(
             element -> {
               element.use().ifPresent(names::add);
-              for (String field : List.of("fromNode", "toNode", "inlineDEF")) {
-                element.text(field).ifPresent(names::add);
+              element.text("inlineDEF").ifPresent(names::add);
+              for (String end : List.of("from", "to")) {
+                if (!ControlledNodes.CHOICE_FIELDS.contains(element.text(end + "Field").orElse(""))) {
+                  element.text(end + "Node").ifPresent(names::add);
+                }
               }
             });
     return names;

@@ -150,9 +150,10 @@ final class PrototypeFlattener {
     List<DocumentElement> body = body(declaration);
     List<TextEdit> edits = new ArrayList<>();
     try {
-      List<TextEdit> values = new PrototypeValues(document, instance, declaration).edits();
-      InlinedContent content =
-          new InlinedContent(document, body, new UniqueNameGenerator(tree, instance), values);
+      UniqueNameGenerator names = new UniqueNameGenerator(tree, instance);
+      List<TextEdit> values =
+          new PrototypeValues(document, instance, declaration, names).edits();
+      InlinedContent content = new InlinedContent(document, body, names, values);
       List<String> group = new ArrayList<>(List.of(tag(instance)));
       List<String> rest = new ArrayList<>();
       List<String> routes = new ArrayList<>();

@@ -8,6 +8,8 @@ import java.util.Set;
 import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.authoring.SourceFormatter;
+import org.selectiverenderer.authoring.UniqueNameGenerator;
+import org.selectiverenderer.authoring.structure.InlinedContent;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.TextEdit;
 
@@ -19,12 +21,21 @@ final class PrototypeValues {
   private final SceneDocument document;
   private final DocumentElement instance;
   private final DocumentElement declaration;
+  private final UniqueNameGenerator names;
   private final Set<String> placed = new HashSet<>();
 
-  PrototypeValues(SceneDocument document, DocumentElement instance, DocumentElement declaration) {
+  /**
+   * @param names generates names that are free where the instance is
+   */
+  PrototypeValues(
+      SceneDocument document,
+      DocumentElement instance,
+      DocumentElement declaration,
+      UniqueNameGenerator names) {
     this.document = document;
     this.instance = instance;
     this.declaration = declaration;
+    this.names = names;
   }
 
   /**
@@ -108,19 +119,16 @@ final class PrototypeValues {
           "its field %s gives a node to two others; put the object itself into the scene"
               .formatted(from));
     }
-    StringBuilder text = new StringBuilder();
+    List<TextEdit> fields = new ArrayList<>();
     for (DocumentElement child : source.children()) {
-      String own = document.text(child);
       boolean contained = child.text("containerField").isPresent();
       if (!to.equals("children") && !contained && !node.name().equals("ProtoInstance")) {
-        int at = 1 + child.name().length();
-        own =
-            own.substring(0, at)
-                + SourceFormatter.written("containerField", to, '\'')
-                + own.substring(at);
+        int at = child.start() + 1 + child.name().length();
+        fields.add(
+            new TextEdit(at, at, SourceFormatter.written("containerField", to, '\'')));
       }
-      text.append(own);
     }
+    String text = text(source, fields);
     if (node.name().equals("ProtoInstance")) {
       String name = SourceFormatter.written("name", to, '\'');
       return "<fieldValue" + name + ">" + text + "</fieldValue>";
@@ -129,6 +137,27 @@ final class PrototypeValues {
       throw new EditRejectedException(
           "a Script in it takes nodes from its field %s; put the object itself into the scene"
               .formatted(from));
+    }
+    return text;
+  }
+
+  /**
+   * Returns the text of the nodes in a field. Names of the instance's own nodes are names of the
+   * scene already; those of the declaration may be taken there.
+   */
+  private String text(DocumentElement source, List<TextEdit> changes) {
+    StringBuilder text = new StringBuilder();
+    if (source.name().equals("field")) {
+      InlinedContent content = new InlinedContent(document, source.children(), names, changes);
+      source.children().forEach(child -> text.append(String.join("\n", content.lines(child))));
+    } else {
+      int at = source.children().get(0).start();
+      int end = source.children().get(source.children().size() - 1).end();
+      List<TextEdit> shifted =
+          changes.stream()
+              .map(each -> new TextEdit(each.from() - at, each.to() - at, each.text()))
+              .toList();
+      text.append(TextEdit.applied(shifted, document.text().toString().substring(at, end)));
     }
     return text.toString();
   }

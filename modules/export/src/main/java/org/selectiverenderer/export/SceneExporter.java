@@ -12,7 +12,6 @@ import java.util.Optional;
 import java.util.Set;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.SceneDocument;
-import org.selectiverenderer.authoring.UniqueNameGenerator;
 import org.selectiverenderer.authoring.area.AreaLocator;
 import org.selectiverenderer.authoring.enrichment.DocumentEnrichment;
 import org.selectiverenderer.authoring.enrichment.EnrichedSensor;
@@ -178,29 +177,23 @@ public final class SceneExporter {
 
   /** Gives names to the enriched nodes that have none, for ROUTEs. */
   private static void nameNodes(SceneDocument document, DocumentEnrichment enrichment) {
-    UniqueNameGenerator names =
-        new UniqueNameGenerator(
-            document.tree().orElseThrow(), document.tree().orElseThrow().scene().orElseThrow());
-    List<TextEdit> edits = new ArrayList<>();
+    NodeNamer names = new NodeNamer(document);
     enrichment.sensors().stream()
-        .filter(sensor -> sensor.enriched() && sensor.element().def().isEmpty())
-        .forEach(sensor -> edits.add(name(document, sensor.element(), names.unused("Area"))));
+        .filter(EnrichedSensor::enriched)
+        .forEach(sensor -> names.name(sensor.element(), "Area"));
     enrichment.switches().stream()
-        .filter(node -> node.enriched() && node.element().def().isEmpty())
-        .forEach(node -> edits.add(name(document, node.element(), names.unused("Switch"))));
+        .filter(EnrichedSwitch::enriched)
+        .forEach(node -> names.name(node.element(), "Switch"));
+    List<TextEdit> edits = new ArrayList<>(names.edits());
     if (!edits.isEmpty()) {
       edits.sort(Comparator.comparingInt(TextEdit::from));
       document.perform(new Edit("Names", edits));
     }
   }
 
-  private static TextEdit name(SceneDocument document, DocumentElement element, String name) {
-    return document.layout().attribute(element, "DEF", name);
-  }
-
   /** Adds the Script, and returns its name. */
   private String addScript(SceneDocument document, ControlledNodes nodes, ExportSettings settings) {
-    String def = names(document).unused(SCRIPT);
+    String def = new NodeNamer(document).unused(SCRIPT);
     add(
         document,
         Set.of("Script"),
@@ -211,18 +204,13 @@ public final class SceneExporter {
   /** Adds what controls the scene without a Script; returns whether that could be done. */
   private boolean addRoutes(
       SceneDocument document, ControlledNodes nodes, DocumentEnrichment enrichment) {
-    UniqueNameGenerator names = names(document);
+    NodeNamer names = new NodeNamer(document);
     ControllerRoutes routes = new ControllerRoutes(nodes, names::unused);
     if (!routes.decided(AreaLocator.of(enrichment), problems)) {
       return false;
     }
     add(document, ControllerRoutes.types(), routes.lines());
     return true;
-  }
-
-  private static UniqueNameGenerator names(SceneDocument document) {
-    var tree = document.tree().orElseThrow();
-    return new UniqueNameGenerator(tree, tree.scene().orElseThrow());
   }
 
   /** Adds nodes at the end of the scene, and the components that they need. */

@@ -20,7 +20,8 @@
 //   shown           what each Switch shows now;  most, least, highLow: its choice with most polygons, with fewest,
 //                   and that of the condition high-low
 //
-// Only functions and arrays of ECMAScript 3 are used, so that every browser's engine runs it.
+// Only functions and arrays of ECMAScript 3 are used, so that every browser's engine runs it. Strings are in
+// single quotes, since Xj3D takes double ones for the end of the text.
 
 var enterOf = [];     // for each area, the schemas that entering activates
 var exitOf = [];      // for each area, those that leaving activates
@@ -94,21 +95,21 @@ function move(area, enters) {
 }
 
 function selective() {
-  return condition == "selective";
+  return condition == 'selective';
 }
 
-// Sets all objects as the condition says; under "selective" they follow the areas entered so far.
+// Sets all objects as the condition says; under 'selective' they follow the areas entered so far.
 function begin() {
   if (selective()) {
     for (var object = 0; object < now.length; object++) {
       show(object, shown[object]);
     }
     follow(overruled(), []);
-  } else if (condition == "high") {
+  } else if (condition == 'high') {
     showAll(most);
-  } else if (condition == "high-low") {
+  } else if (condition == 'high-low') {
     showAll(highLow);
-  } else if (condition == "random") {
+  } else if (condition == 'random') {
     showAll(randomHalf());
   }
 }
@@ -174,7 +175,7 @@ function show(object, choice) {
   }
 }
 
-// The lot of the condition "random": Java's Random and Collections.shuffle, so that the same seed gives the same
+// The lot of the condition 'random': Java's Random and Collections.shuffle, so that the same seed gives the same
 // objects as in the selective renderer. Numbers of 48 bits are pairs of 24 bits, which products keep exact.
 function randomHalf() {
   var random = newRandom(seed);
@@ -258,7 +259,7 @@ function indexOf(list, value) {
 
 // No schema's name is that of a member which every object has.
 function keyOf(schema) {
-  return "schema " + schema;
+  return 'schema ' + schema;
 }
 
 // Below stands what has one line for each area and object: the inputs from the ProximitySensors, and send, which

@@ -14,6 +14,7 @@ import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.SceneDocument;
@@ -143,6 +144,28 @@ class ControllerScriptTest {
     assertThat(walk(exported, TOUR, false, condition, 7))
         .hasSizeGreaterThan(30)
         .isEqualTo(walk(apartment(), TOUR, true, condition, 7));
+  }
+
+  @ParameterizedTest
+  @CsvSource({"trashcan.x3d, desk-visit.csv, 3", "overlap.x3d, overlap-visit.csv, 16"})
+  void theScriptSwitchesWhatTheControllerSwitchesWhereAreasOverlap(
+      String scene, String way, int changes) throws IOException {
+    String bare = bare(Files.readString(Path.of("scenes").resolve(scene)));
+    String exported = exported(bare, Condition.SELECTIVE, 0).text().toString();
+
+    assertThat(walk(exported, way, false, Condition.SELECTIVE, 0))
+        .hasSizeGreaterThanOrEqualTo(changes)
+        .isEqualTo(walk(bare, way, true, Condition.SELECTIVE, 0));
+  }
+
+  /** Xj3D puts the text of a Script between quotation marks and reads it as a url then. */
+  @Test
+  void theTextOfTheScriptHasNoQuotationMarks() throws IOException {
+    String scene = exported(apartment(), Condition.SELECTIVE, 0).text().toString();
+    int start = scene.indexOf("<![CDATA[ecmascript:");
+    assertThat(scene.substring(start, scene.indexOf("]]>", start)))
+        .hasSizeGreaterThan(1000)
+        .doesNotContain("\"", "\\");
   }
 
   @Test

@@ -190,13 +190,56 @@ class SceneExporterTest {
   }
 
   @Test
-  void aPrototypeOfAnotherFileWithEnrichedNodesIsRefusedWithItsPlace() throws IOException {
+  void aPrototypeOfAnotherFileWithEnrichedNodesIsTakenIn() throws IOException {
+    Files.writeString(
+        folder.resolve("rooms/bins.x3d"),
+        "<X3D profile='Interactive' version='3.3'><head><component name='Geospatial' level='1'/>"
+            + "</head><Scene><ProtoDeclare name='Lid'><ProtoBody><Shape><Appearance>"
+            + "<ImageTexture url='\"../pictures/wood.png\"'/></Appearance><Box/></Shape>"
+            + "</ProtoBody></ProtoDeclare><ProtoDeclare name='Unused'><ProtoBody><Group/></ProtoBody>"
+            + "</ProtoDeclare>"
+            + prototype("<ProtoInstance name='Lid'/>")
+            + object("Elsewhere", "<Shape/>")
+            + "</Scene></X3D>");
+    String content =
+        scene(
+            AREA
+                + "<ProtoDeclare name='Lid'><ProtoBody><PointLight/></ProtoBody></ProtoDeclare>"
+                + "<ProtoInstance name='Lid'/>"
+                + "<ExternProtoDeclare name='Bin' url='\"none.x3d\" \"rooms/bins.x3d#P\"'/>"
+                + "<ProtoInstance name='Bin'/><ProtoInstance name='Bin'/>");
+
+    assertThat(exported(content))
+        .contains("<ProtoDeclare name='Lid_2'>", "<ProtoInstance name='Lid_2'/>")
+        .contains("url='\"pictures/wood.png\"'", "name='Geospatial'")
+        .contains("toNode=\"Switch_Cup\"", "toNode=\"Switch_Cup_2\"")
+        .doesNotContain("ExternProto", "Unused", "Elsewhere", "name='P'", "name='Bin'");
+  }
+
+  @Test
+  void aPrototypeThatComesByWayOfTwoFilesIsTakenIn() throws IOException {
+    Files.writeString(folder.resolve("rooms/bins.x3d"), scene(prototype("<Shape/>")));
+    Files.writeString(
+        folder.resolve("all.x3d"),
+        scene("<ExternProtoDeclare name='Q' url='\"rooms/bins.x3d\"'/><ProtoInstance name='Q'/>"));
+    Files.writeString(
+        folder.resolve("rooms/hall.x3d"),
+        scene(
+            "<ExternProtoDeclare name='R' url='\"../all.x3d#Q\"'/><ProtoInstance name='R'/>"));
+
+    assertThat(exported(scene(AREA + "<Inline url='\"rooms/hall.x3d\"'/>")))
+        .contains("toNode=\"Switch_Cup\"")
+        .doesNotContain("Proto", "Inline");
+  }
+
+  @Test
+  void aPrototypeThatItsFileLacksIsRefusedWithItsPlace() throws IOException {
     Files.writeString(folder.resolve("rooms/bins.x3d"), scene(prototype("<Shape/>")));
     String content =
         scene(
             AREA
                 + object("Switch_Cup", "<Shape/>")
-                + "\n<ExternProtoDeclare name='Bin' url='\"rooms/bins.x3d#P\"'/>"
+                + "\n<ExternProtoDeclare name='Bin' url='\"rooms/bins.x3d#Q\"'/>"
                 + "<ProtoInstance name='Bin'/>");
 
     assertThat(export(content, SceneFormat.XML)).isEmpty();
@@ -204,9 +247,89 @@ class SceneExporterTest {
         .singleElement()
         .satisfies(problem -> assertThat(problem.location().line()).isEqualTo(3))
         .satisfies(
-            problem ->
-                assertThat(problem.message())
-                    .contains("prototype Bin", "declare the prototype in the scene"));
+            problem -> assertThat(problem.message()).contains("prototype Bin", "declares no Q"));
+  }
+
+  @Test
+  void filesThatTakePrototypesFromOneAnotherDoNotLoop() throws IOException {
+    Files.writeString(
+        folder.resolve("rooms/bins.x3d"),
+        scene(
+            "<ExternProtoDeclare name='P' url='\"bins.x3d#P\"'/>"
+                + "<ExternProtoDeclare name='H' url='\"../house.x3d#Bin\"'/>"
+                + object("Switch_Cup", "<Shape/>")));
+    String content =
+        scene(
+            AREA
+                + object("Switch_Cup", "<Shape/>")
+                + "<ExternProtoDeclare name='Bin' url='\"rooms/bins.x3d#P\"'/>"
+                + "<ProtoInstance name='Bin'/>");
+
+    assertThat(export(content, SceneFormat.XML)).isEmpty();
+    assertThat(problems.list())
+        .singleElement()
+        .satisfies(problem -> assertThat(problem.message()).contains("prototype P", "from one another"));
+  }
+
+  @Test
+  void aRoomTakesAPrototypeFromTheHouseThatInlinesIt() throws IOException {
+    Files.writeString(
+        folder.resolve("rooms/hall.x3d"),
+        scene(
+            "<ExternProtoDeclare name='R' url='\"../house.x3d#P\"'/><ProtoInstance name='R'/>"));
+
+    assertThat(
+            exported(
+                scene(
+                    AREA
+                        + prototype("<Shape/>")
+                        + "<ProtoInstance name='P'/><Inline url='\"rooms/hall.x3d\"'/>")))
+        .contains("toNode=\"Switch_Cup\"", "toNode=\"Switch_Cup_2\"")
+        .doesNotContain("Proto", "Inline");
+  }
+
+  @Test
+  void aChainOfManyFilesIsRefused() throws IOException {
+    for (int i = 0; i < 200; i++) {
+      Files.writeString(
+          folder.resolve("rooms/r" + i + ".x3d"),
+          scene("<Inline url='\"r%d.x3d\"'/>".formatted(i + 1)));
+    }
+    Files.writeString(
+        folder.resolve("rooms/r200.x3d"), scene(object("Switch_Cup", "<Shape/>")));
+
+    assertThat(export(scene(AREA + "<Inline url='\"rooms/r0.x3d\"'/>"), SceneFormat.XML)).isEmpty();
+    assertThat(problems.list())
+        .anySatisfy(problem -> assertThat(problem.message()).contains("64 files deep"));
+  }
+
+  @Test
+  void nodesThatAPrototypeHasByDefaultGetNamesThatAreFree() throws IOException {
+    String prototype =
+        "<ProtoDeclare name='Shelf'><ProtoInterface>"
+            + "<field name='parts' type='MFNode' accessType='initializeOnly'>"
+            + "<Transform DEF='Board'><Shape DEF='Wood'><Box/></Shape></Transform>"
+            + "<Shape USE='Wood'/></field></ProtoInterface><ProtoBody><Group><Group><IS>"
+            + "<connect nodeField='children' protoField='parts'/></IS></Group>"
+            + object("Switch_Cup", "<Shape/>")
+            + "</Group></ProtoBody></ProtoDeclare>";
+    String own = "<fieldValue name='parts'><Shape DEF='Mine'/></fieldValue>";
+
+    assertThat(
+            exported(
+                scene(
+                    AREA
+                        + prototype
+                        + "<Group DEF='Board'/><ProtoInstance name='Shelf'/>"
+                        + "<ProtoInstance name='Shelf'/><ProtoInstance name='Shelf'>"
+                        + own
+                        + "</ProtoInstance>")))
+        .containsOnlyOnce("DEF='Board'")
+        .containsOnlyOnce("<Transform DEF='Board_2'><Shape DEF='Wood'>")
+        .containsOnlyOnce("<Transform DEF='Board_3'><Shape DEF='Wood_2'>")
+        .containsOnlyOnce("<Shape USE='Wood'/>")
+        .containsOnlyOnce("<Shape USE='Wood_2'/>")
+        .containsOnlyOnce("DEF='Mine'");
   }
 
   @Test

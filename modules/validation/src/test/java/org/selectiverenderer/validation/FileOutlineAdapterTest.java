@@ -42,6 +42,48 @@ class FileOutlineAdapterTest {
     assertThat(model.states(group).get(0).polygons()).isEqualTo(loaded);
   }
 
+  /** Modellers close their spheres by triangles that have two points in the same place. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "0 1 2 -1 0 2 4 -1",
+        "0 1 2 -1 1 1 2 -1",
+        "0 1 2 -1 0 1 5 -1",
+        "0 1 2 3 -1 0 1 4 2 -1",
+        "0 1 2 3 -1 0 1 5 6 -1",
+        "0 1 2 3"
+      })
+  void trianglesWithoutAreaAreNotCounted(String faces) throws IOException {
+    Path scene =
+        Files.writeString(
+            folder.resolve("scene.x3d"),
+            ("<X3D version='4.0' profile='Immersive'><Scene>%s<Shape><IndexedFaceSet coordIndex='%s'>"
+                    + "<Coordinate point='0 0 0 1 0 0 1 1 0 0 1 0 1 1 0 2 0 0 3 0 0'/>"
+                    + "</IndexedFaceSet></Shape></Scene></X3D>")
+                .formatted(area("A", 0) + lamp("A"), faces));
+
+    countsWhatThePolygonsCommandCounts(scene.toString());
+  }
+
+  @Test
+  void polygonsAreToldWithThousandsSeparators() throws IOException {
+    Path scene =
+        Files.writeString(
+            folder.resolve("scene.x3d"),
+            "<X3D version='4.0' profile='Immersive'><Scene><Switch whichChoice='0'>"
+                + "<MetadataSet><MetadataSet containerField='value'><MetadataString"
+                + " containerField='value' name='degreeOfConsistency' value='\"high\"'/>"
+                + "</MetadataSet><MetadataSet containerField='value'><MetadataString"
+                + " containerField='value' name='degreeOfConsistency' value='\"low\"'/>"
+                + "</MetadataSet></MetadataSet>"
+                + "<Group><Shape><Sphere/></Shape><Shape><Sphere/></Shape></Group>"
+                + "<Shape><Box/></Shape></Switch></Scene></X3D>");
+    assertThat(report(scene, "{}").findings())
+        .extracting(Finding::message)
+        .contains(
+            "choice 0 is more consistent than choice 1, but has more polygons: 1,920 instead of 12");
+  }
+
   /** Two areas apart, neither of which has an exit schema: both lamps end up detailed. */
   @Test
   void theWorstStateIsThatAfterAWalkThroughAllAreas() throws IOException {
@@ -66,8 +108,8 @@ class FileOutlineAdapterTest {
         .singleElement()
         .extracting(Finding::message)
         .asString()
-        .contains("the scene has 1920 polygons")
-        .contains("1 more than its budget of 1919");
+        .contains("the scene has 1,920 polygons")
+        .contains("1 more than its budget of 1,919");
   }
 
   private static String area(String schema, int x) {

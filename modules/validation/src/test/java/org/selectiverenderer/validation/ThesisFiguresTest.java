@@ -66,7 +66,7 @@ class ThesisFiguresTest {
   @Test
   void figure52ContradictsItsText() throws IOException {
     assertThat(findings("fig52.x3d"))
-        .contains("SR416 choice 0 is more consistent than choice 1, but has more polygons: 1064");
+        .contains("SR416 choice 0 is more consistent than choice 1, but has more polygons: 1,064");
   }
 
   /** The files of the trash can are in the place that the figures name. */

@@ -26,7 +26,7 @@ import org.selectiverenderer.swing.PlainText;
 final class NewStudyDialog {
   /** The examples that {@code experiment new --design} copies. */
   private static final List<String> DESIGNS =
-      List.of("change-blindness", "quality-and-light", "rooms-between", "levels-of-detail");
+      List.of("change-blindness", "quality-and-light", "rooms-between", "levels-of-detail", "web");
 
   private final StudyDesk desk;
   private final JDialog dialog;

@@ -21,6 +21,7 @@ import org.selectiverenderer.enricher.component.NamedFileChooser;
 import org.selectiverenderer.enricher.diff.DiffDialog;
 import org.selectiverenderer.enricher.diff.MergeDialog;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.Remarks;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.swing.PlainText;
 import org.selectiverenderer.swing.TrustDialog;
@@ -243,6 +244,6 @@ final class DialogUserPrompts implements UserPrompts {
 
   @Override
   public void tell(String sentence) {
-    show(JOptionPane.WARNING_MESSAGE, sentence, Texts.of("window.ok"));
+    show(JOptionPane.WARNING_MESSAGE, Remarks.shown(sentence), Texts.of("window.ok"));
   }
 }

@@ -132,7 +132,8 @@ final class SceneDialogs {
 
   /**
    * The object that versions can be made of: the nearest Switch around an element, else the element
-   * itself if it has a DEF name or is drawn by itself.
+   * itself if it has a DEF name, else the nearest one that is drawn by itself; one without a name
+   * is given one.
    */
   static Optional<DocumentElement> object(DocumentElement element) {
     for (DocumentElement at = element; at != null; at = at.parent().orElse(null)) {
@@ -140,8 +141,13 @@ final class SceneDialogs {
         return Optional.of(at);
       }
     }
-    return element.def().isPresent() || VersionsDialog.takes(element)
-        ? Optional.of(element)
-        : Optional.empty();
+    if (element.def().isPresent()) {
+      return Optional.of(element);
+    }
+    Optional<DocumentElement> at = Optional.of(element);
+    while (at.isPresent() && !VersionsDialog.takes(at.get())) {
+      at = at.get().parent();
+    }
+    return at;
   }
 }

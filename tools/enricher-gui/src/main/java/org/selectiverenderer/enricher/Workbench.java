@@ -1,15 +1,12 @@
 package org.selectiverenderer.enricher;
 
-import java.awt.Container;
 import java.awt.Toolkit;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import javax.swing.JComponent;
 import javax.swing.JSplitPane;
-import javax.swing.JTabbedPane;
 import javax.swing.KeyStroke;
 import org.selectiverenderer.authoring.structure.ChildPosition;
 import org.selectiverenderer.base.problem.SourceLocation;
@@ -71,8 +68,7 @@ final class Workbench {
   private final PlanPanel plan;
   private final HelpPanel help;
   private final ProblemsPanel problems;
-  private final JTabbedPane tabs;
-  private final List<String> views = new ArrayList<>();
+  private final ViewTabs tabs;
   private final JSplitPane left;
   private final JSplitPane right;
   private final JSplitPane all;
@@ -113,7 +109,6 @@ final class Workbench {
     form.onMakeVersions(makeVersions);
     form.follow(problems);
     help = parts.help.get();
-    tabs.getAccessibleContext().setAccessibleName(Texts.of("window.views"));
     cost = parts.cost.get();
     schemas = split(JSplitPane.VERTICAL_SPLIT, parts.overview.get(), cost, 1, "polygons");
     schemasAndCosts =
@@ -129,12 +124,12 @@ final class Workbench {
     preview.addAction(
         Texts.of("area.add.short"), Texts.of("area.add.tip"), areas::addAroundSelection);
     plan = parts.plan.get();
-    addTab("Preview", Texts.of("window.tab.preview"), preview);
-    addTab("Schemas", Texts.of("window.tab.schemas"), schemasAndCosts);
-    addTab("Source", Texts.of("window.tab.source"), source.component());
-    addTab("Plan", Texts.of("area.plan"), plan);
-    addTab("Help", Texts.of("window.tab.help"), help);
-    right = split(JSplitPane.HORIZONTAL_SPLIT, tabs, form, 1, "form");
+    tabs.add("Preview", Texts.of("window.tab.preview"), preview);
+    tabs.add("Schemas", Texts.of("window.tab.schemas"), schemasAndCosts);
+    tabs.add("Source", Texts.of("window.tab.source"), source.component());
+    tabs.add("Plan", Texts.of("area.plan"), plan);
+    tabs.add("Help", Texts.of("window.tab.help"), help);
+    right = split(JSplitPane.HORIZONTAL_SPLIT, tabs.component(), form, 1, "form");
     left = split(JSplitPane.HORIZONTAL_SPLIT, tree.component(), right, 0, "tree");
     all = split(JSplitPane.VERTICAL_SPLIT, left, problems, 1, "problems");
     focused = new FocusedKeys(all, List.of(tree.component(), preview, plan));
@@ -142,17 +137,12 @@ final class Workbench {
     addTreeKeys();
     structure.shifts(new DuplicateShifts(preview.probe()));
     insert = new InsertCommands(session, structure, this::here, preview::placeAhead);
-    tabs.setSelectedIndex(Math.max(0, views.indexOf(settings.word("tab", ""))));
+    insert.onInserted(tree::reveal);
+    tabs.select(settings.word("tab", ""));
     if (session.document().fault().isPresent()) {
-      tabs.setSelectedComponent(source.component());
+      tabs.bringToFront(source.component());
       source.showFault();
     }
-  }
-
-  /** Adds a tab with the name that the settings remember it by in every language. */
-  private void addTab(String name, String title, JComponent view) {
-    views.add(name);
-    tabs.addTab(title, view);
   }
 
   private void addMenus(Consumer<DocumentElement> makeVersions) {
@@ -245,14 +235,12 @@ final class Workbench {
   void insert(String template) {
     commit();
     insert.insert(template, all);
-    session.selection().ifPresent(tree::reveal);
   }
 
   /** Asks for a node to be inserted at the selection. */
   void insertNode() {
     commit();
     insert.choose(all);
-    session.selection().ifPresent(tree::reveal);
   }
 
   /** Does what a key does where the focus is, in a text for example, else acts on the nodes. */
@@ -316,7 +304,7 @@ final class Workbench {
 
   /** Stores the divider locations and the selected tab in the settings. */
   void remember() {
-    settings.put("tab", views.get(tabs.getSelectedIndex()));
+    settings.put("tab", tabs.selectedName());
     settings.put("split.tree", left.getDividerLocation());
     settings.put("split.form", right.getWidth() - right.getDividerLocation());
     settings.put("split.cost", schemas.getDividerLocation());
@@ -350,7 +338,7 @@ final class Workbench {
     boolean inForm =
         session.selection().map(DocumentElement::name).filter(FORMS::contains).isPresent();
     if (!inForm) {
-      tabs.setSelectedComponent(source.component());
+      tabs.bringToFront(source.component());
     }
   }
 
@@ -423,29 +411,25 @@ final class Workbench {
 
   /** Shows a view and gives it the focus, so that its keys work at once. */
   void showTab(int index) {
-    if (index < tabs.getTabCount()) {
-      tabs.setSelectedIndex(index);
-      new FocusCycler(List.of((Container) tabs.getSelectedComponent())).next();
-    }
+    tabs.show(index);
   }
 
   /** Brings the source into view and does something with it. */
   void inSource(Consumer<SourcePanel> work) {
-    if (tabs.getSelectedComponent() != source.component()) {
-      tabs.setSelectedComponent(source.component());
+    if (tabs.bringToFront(source.component())) {
       source.area().requestFocusInWindow();
     }
     work.accept(source);
   }
 
   void showHelp() {
-    tabs.setSelectedIndex(tabs.getTabCount() - 1); // The focus says what is explained.
+    tabs.bringToFront(help); // The focus says what is explained.
   }
 
   /** Moves the focus to the next pane: tree, view, form, problems. */
   void nextPart() {
     new FocusCycler(
-            List.of(tree.component(), (Container) tabs.getSelectedComponent(), form, problems))
+            List.of(tree.component(), tabs.selected(), form, problems))
         .next();
   }
 

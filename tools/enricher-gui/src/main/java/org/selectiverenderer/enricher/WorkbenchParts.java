@@ -8,7 +8,6 @@ import java.util.Deque;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
-import javax.swing.JTabbedPane;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.authoring.file.CrashRecovery;
 import org.selectiverenderer.authoring.geometry.RepeatedPointsCheck;
@@ -43,7 +42,7 @@ import org.selectiverenderer.x3d.url.UrlResolver;
  */
 final class WorkbenchParts {
   final EnricherSession session;
-  final JTabbedPane tabs = new JTabbedPane();
+  final ViewTabs tabs = new ViewTabs();
   final Part<PreviewPanel> preview;
   final Part<ProblemsPanel> problems;
   final Part<SceneTreePanel> tree;
@@ -119,7 +118,7 @@ final class WorkbenchParts {
     overview = new Part<>(() -> new OverviewPanel(session), OverviewPanel::dispose);
     cost = new Part<>(() -> cost(budgets), CostPanel::dispose);
     help = new Part<>(() -> new HelpPanel(session), HelpPanel::dispose);
-    NamePrompt names = new NameDialog(() -> tabs);
+    NamePrompt names = new NameDialog(tabs::component);
     areas = new Part<>(() -> areas(names), made -> {});
     plan = new Part<>(() -> plan(names), PlanPanel::dispose);
   }

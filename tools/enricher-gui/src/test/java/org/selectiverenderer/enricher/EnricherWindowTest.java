@@ -258,15 +258,35 @@ class EnricherWindowTest {
     clickRow(0);
     for (int key : new int[] {KeyEvent.VK_4, KeyEvent.VK_1, KeyEvent.VK_4}) {
       hands.press(KeyEvent.VK_CONTROL, key);
-      String wanted = Texts.of(key == KeyEvent.VK_4 ? "area.plan" : "preview.picture");
-      hands.await(
-          "the keyboard in " + wanted,
-          () ->
-              KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner()
-                      instanceof AccessibleCanvas picture
-                  && picture.isShowing()
-                  && picture.getAccessibleContext().getAccessibleName().equals(wanted));
+      awaitFocusOfPicture(key == KeyEvent.VK_4 ? "area.plan" : "preview.picture");
     }
+  }
+
+  private void awaitFocusOfPicture(String text) {
+    String wanted = Texts.of(text);
+    hands.await(
+        "the keyboard in " + wanted,
+        () ->
+            KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner()
+                    instanceof AccessibleCanvas picture
+                && picture.isShowing()
+                && picture.getAccessibleContext().getAccessibleName().equals(wanted));
+  }
+
+  /** On a busy machine the tabs are laid out before the focus has left the hidden view. */
+  @Test
+  void aViewLaidOutBeforeTheFocusArrivesKeepsItsPictureFocused() throws IOException {
+    open(scene(), "light");
+    clickRow(0);
+    hands.press(KeyEvent.VK_CONTROL, KeyEvent.VK_4);
+    awaitFocusOfPicture("area.plan");
+    GuiRobot.onEdt(
+        () -> {
+          window.bench().orElseThrow().showTab(0);
+          window.frame().validate();
+          return true;
+        });
+    awaitFocusOfPicture("preview.picture");
   }
 
   private static boolean hasFocus(Container part) {

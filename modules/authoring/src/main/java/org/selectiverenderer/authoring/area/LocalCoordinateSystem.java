@@ -43,11 +43,23 @@ public record LocalCoordinateSystem(
    *     geospatial node, under a Transform with a zero scale
    */
   public static Optional<LocalCoordinateSystem> of(DocumentElement node) {
+    return node.parent()
+        .map(LocalCoordinateSystem::within)
+        .orElseGet(() -> of(new Matrix4d(), List.of()));
+  }
+
+  /**
+   * Computes the frame of the children of a node from the text.
+   *
+   * @return empty where the text does not determine it
+   */
+  public static Optional<LocalCoordinateSystem> within(DocumentElement parent) {
     List<DocumentElement> transforms = new ArrayList<>();
     Matrix4d world = new Matrix4d();
-    DocumentElement at = node;
-    while (at.parent().isPresent()) {
-      at = at.parent().get();
+    for (Optional<DocumentElement> each = Optional.of(parent);
+        each.isPresent();
+        each = each.get().parent()) {
+      DocumentElement at = each.get();
       switch (at.name()) {
         case "Transform", "CADPart", "HAnimJoint", "HAnimSite", "HAnimHumanoid" -> {
           Matrix4d own = placement(at);

@@ -44,7 +44,7 @@ public final class SwitchEdits {
 
   /** Wraps a node in a new Switch that shows it. */
   public Edit wrap(DocumentElement node, String name) {
-    child(node);
+    check(node);
     nodes.check(name);
     SourceFormatter layout = document.layout();
     char quote = layout.quote(node);
@@ -89,10 +89,18 @@ public final class SwitchEdits {
                             .isPresent())
             .isPresent();
     boolean field = node.text("containerField").filter(at -> !at.equals("children")).isPresent();
-    return shown && place && !field;
+    return shown && place && !field && !node.name().equals("Switch");
   }
 
-  private void child(DocumentElement node) {
+  /**
+   * Checks that a node can be wrapped in a Switch.
+   *
+   * @throws EditRejectedException if it cannot
+   */
+  public void check(DocumentElement node) {
+    if (node.name().equals("Switch")) {
+      throw new EditRejectedException(node + " is a Switch already; add a choice to it instead");
+    }
     if (!wraps(node)) {
       throw new EditRejectedException(
           "only a node that is drawn by itself can be put into a Switch; choose a Transform, Group,"

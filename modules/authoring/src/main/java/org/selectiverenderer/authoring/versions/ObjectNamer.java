@@ -53,10 +53,16 @@ final class ObjectNamer {
 
   /** Returns a name that no node has and that has not been returned before. */
   String name(DocumentElement element) {
-    return names.free(
+    String wanted =
         found(text, element)
             .or(() -> geometry(element).map(DocumentElement::name).map(ObjectNamer::identifier))
-            .orElse("Object"));
+            .orElse("Object");
+    return names.free(inner(element, wanted) ? element.name() + "_" + wanted : wanted);
+  }
+
+  /** Whether a name is that of a node in an element: a number would tell of a second object. */
+  private static boolean inner(DocumentElement element, String name) {
+    return within(element).anyMatch(each -> each.def().filter(name::equals).isPresent());
   }
 
   /** Returns what a reader takes an element for; empty where only its geometry tells. */

@@ -67,6 +67,16 @@ class SwitchEditsTest {
   }
 
   @Test
+  void aSwitchIsNotPutIntoAnother() {
+    EnrichmentScenes scene = EnrichmentScenes.with(VERSIONS);
+    DocumentElement node = named(scene, "Switch_Vase");
+    assertThat(edits(scene).wraps(node)).isFalse();
+    assertThatThrownBy(() -> edits(scene).wrap(node, "Switch_2"))
+        .isInstanceOf(EditRejectedException.class)
+        .hasMessage("Switch Switch_Vase is a Switch already; add a choice to it instead");
+  }
+
+  @Test
   void theSwitchOfAnInstanceIsProposedTheNameOfItsPrototype() {
     EnrichmentScenes scene =
         EnrichmentScenes.with(

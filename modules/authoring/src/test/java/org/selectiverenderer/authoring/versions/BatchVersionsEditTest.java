@@ -234,6 +234,24 @@ class BatchVersionsEditTest {
         .containsExactly("Chair", "Chair_2");
   }
 
+  /** A number would tell of a second chair. */
+  @Test
+  void theTransformOfANamedNodeIsProposedThatNameWithItsType() throws IOException {
+    DocumentFile file =
+        open(
+            """
+            <X3D version='3.3'><Scene>
+              <ProtoDeclare name='Chair'><ProtoBody>
+                <Shape><Sphere/></Shape>
+              </ProtoBody></ProtoDeclare>
+              <Transform translation='1 0 0'><ProtoInstance DEF='ChairHall' name='Chair'/></Transform>
+            </Scene></X3D>
+            """);
+    assertThat(candidates(file))
+        .extracting(VersionCandidate::name)
+        .containsExactly("Transform_ChairHall");
+  }
+
   @Test
   void theChangeOfManyObjectsLeavesTheOtherBytesAlone() throws IOException {
     DocumentFile file = open(SCENE.replace("\n", "\r\n"));

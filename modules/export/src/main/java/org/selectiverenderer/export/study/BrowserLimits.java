@@ -52,7 +52,7 @@ final class BrowserLimits {
 
   private void refuse(JsonObjectReader keys) {
     if (!study.design().blocks().isEmpty()) {
-      keys.fault("blocks", "the page shows areas, and cannot show blocks of trials yet");
+      new TrialLimits().refuse(keys);
     }
     if (study.triggers().isPresent()) {
       keys.fault("triggers", "a web browser cannot send triggers by a serial port");
@@ -72,7 +72,7 @@ final class BrowserLimits {
       keys.fault("closed", "the page cannot close rooms yet; \"stay\": \"turn\" keeps the place");
     }
     refuseWalks(keys);
-    if (study.design().groups().stream().anyMatch(group -> group.condition() == Condition.RANDOM)
+    if (random()
         && PlannedSession.all(material).stream()
             .mapToLong(session -> study.lot(session.participant()))
             .anyMatch(lot -> lot != (int) lot)) {
@@ -81,6 +81,13 @@ final class BrowserLimits {
           "with so large a seed the page could not draw the same objects for the condition random;"
               + " use one below 60 million");
     }
+  }
+
+  /** Returns whether areas or trials are shown in the condition random. */
+  private boolean random() {
+    return study.design().groups().stream().anyMatch(group -> group.condition() == Condition.RANDOM)
+        || TrialLimits.settings(study.design())
+            .anyMatch(settings -> settings.condition().equals(Optional.of(Condition.RANDOM)));
   }
 
   private void refuseWalks(JsonObjectReader keys) {

@@ -3,8 +3,10 @@ package org.selectiverenderer.export.study;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.selectiverenderer.base.files.InputFileReader;
 import org.selectiverenderer.base.files.Sha256;
 import org.selectiverenderer.export.WebScene;
@@ -23,7 +25,8 @@ import org.selectiverenderer.study.session.SessionStep;
 final class StudyDescription {
   /** The messages to participants that the page shows beside those that begin with {@code web.}. */
   private static final List<String> WORDS =
-      List.of("next", "back", "left", "page", "form.cancel", "thanks.title");
+      List.of(
+          "next", "back", "left", "page", "form.cancel", "thanks.title", "trial.read", "trial.rest");
 
   private static final String OWN_WORDS = "web.";
 
@@ -49,8 +52,10 @@ final class StudyDescription {
    * Returns the text of the description.
    *
    * @param scenes the exported scenes by their names
+   * @param files names of the scenes of trials by their files
+   * @throws IllegalArgumentException if the trials of a block have no order, with a sentence
    */
-  String text(Map<String, WebScene> scenes) throws IOException {
+  String text(Map<String, WebScene> scenes, Map<Path, String> files) throws IOException {
     ObjectNode json = JsonTree.object();
     json.put("format", 1);
     json.put("name", study.name());
@@ -71,7 +76,15 @@ final class StudyDescription {
     ObjectNode texts = json.putObject("texts");
     languages.forEach(one -> texts(one, texts.putObject(one.study().language())));
     ArrayNode slots = json.putArray("slots");
-    PlannedSession.all(first).forEach(session -> describe(session, slots.addObject()));
+    Optional<TrialDescription> trials =
+        study.design().blocks().isEmpty()
+            ? Optional.empty()
+            : Optional.of(new TrialDescription(first, files, json.putArray("trials")));
+    for (PlannedSession session : PlannedSession.all(first)) {
+      ObjectNode slot = slots.addObject();
+      describe(session, slot);
+      trials.ifPresent(known -> known.orders(session, slot.putObject("trials")));
+    }
     return JsonWriter.of(json);
   }
 
@@ -87,6 +100,8 @@ final class StudyDescription {
       json.put("kind", "practice");
       json.put("scene", StudyFolder.PRACTICE);
       json.put("viewpoint", practice.practice().viewpoint());
+    } else if (step instanceof SessionStep.Block block) {
+      TrialDescription.describe(block.block(), json);
     } else {
       json.put("kind", step instanceof SessionStep.Form ? "form" : "questions");
     }
@@ -103,6 +118,26 @@ final class StudyDescription {
         describer.describe(written(material, step), pages.putArray(step.id()));
       }
     }
+    for (Questionnaire asked : inTrials(material)) {
+      describer.describe(asked, pages.putArray(asked.name()));
+    }
+    if (!study.design().blocks().isEmpty()) {
+      ObjectNode phases = json.putObject("phases");
+      material
+          .study()
+          .design()
+          .blocks()
+          .forEach(
+              block -> TrialDescription.phases(block.phases(), phases.putArray(block.name())));
+    }
+  }
+
+  /** Returns the questionnaires that trials ask. */
+  private static List<Questionnaire> inTrials(LoadedStudy material) {
+    return material.asked().stream()
+        .map(LoadedStudy.Asked::questionnaire)
+        .filter(one -> material.inTrials(one.name()).filter(one::equals).isPresent())
+        .toList();
   }
 
   private static boolean asks(SessionStep step) {
@@ -139,6 +174,14 @@ final class StudyDescription {
         if (!own.isEmpty()) {
           orders.set(step.id(), own);
         }
+      }
+    }
+    for (Questionnaire asked : inTrials(first)) {
+      ObjectNode own =
+          order.of(
+              asked, asked.ordered(study.seed(), session.participant()), JsonTree.object());
+      if (!own.isEmpty()) {
+        orders.set(asked.name(), own);
       }
     }
     if (!orders.isEmpty()) {

@@ -93,22 +93,37 @@ public record StudyFolder(String name, List<PackagedFile> files) {
     }
     Map<String, WebScene> scenes = new LinkedHashMap<>();
     SceneSource source = new SceneSource(study, faults);
-    if (study.scene().isPresent() && !study.areas().isEmpty()) {
-      Set<String> viewpoints = new TreeSet<>();
-      study.areas().forEach(area -> viewpoints.add(area.viewpoint()));
-      source.put(SCENE, study.scene().get(), viewpoints, scenes);
+    Map<Path, String> ofTrials = new LinkedHashMap<>();
+    if (study.design().blocks().isEmpty()) {
+      if (study.scene().isPresent() && !study.areas().isEmpty()) {
+        Set<String> viewpoints = new TreeSet<>();
+        study.areas().forEach(area -> viewpoints.add(area.viewpoint()));
+        TrialScenes.Needs needs = new TrialScenes.Needs(viewpoints, Set.of());
+        source.put(SCENE, study.scene().get(), false, needs, scenes);
+      }
+    } else {
+      try {
+        for (Map.Entry<Path, TrialScenes.Needs> one : new TrialScenes(first).needs().entrySet()) {
+          String scene = ofTrials.isEmpty() ? SCENE : SCENE + (ofTrials.size() + 1);
+          ofTrials.put(one.getKey(), scene);
+          source.put(scene, one.getKey(), true, one.getValue(), scenes);
+        }
+      } catch (IllegalArgumentException e) {
+        faults.error(SourceLocation.of(study.file().toString()), e.getMessage());
+      }
     }
     if (study.practice().isPresent()) {
       Study.Practice practice = study.practice().get();
       Set<String> viewpoints =
           practice.viewpoint().isEmpty() ? Set.of() : Set.of(practice.viewpoint());
-      source.put(PRACTICE, practice.scene(), viewpoints, scenes);
+      TrialScenes.Needs needs = new TrialScenes.Needs(viewpoints, Set.of());
+      source.put(PRACTICE, practice.scene(), true, needs, scenes);
     }
     if (faults.anyError()) {
       return Optional.empty();
     }
     StudyPictures pictures = new StudyPictures();
-    String description = new StudyDescription(languages, pictures).text(scenes);
+    String description = new StudyDescription(languages, pictures).text(scenes, ofTrials);
     List<PackagedFile> files = new ArrayList<>(page.files());
     files.add(text(DESCRIPTION, description));
     files.add(text(SETTINGS, settings(host, study)));
@@ -148,7 +163,17 @@ public record StudyFolder(String name, List<PackagedFile> files) {
   /** Exports the scenes of a study. */
   private record SceneSource(Study study, ProblemCollector faults) {
 
-    void put(String name, Path scene, Set<String> viewpoints, Map<String, WebScene> scenes)
+    /**
+     * Puts a scene.
+     *
+     * @param any whether it may be one without enriched objects
+     */
+    void put(
+        String name,
+        Path scene,
+        boolean any,
+        TrialScenes.Needs needs,
+        Map<String, WebScene> scenes)
         throws IOException {
       NodeCatalogue catalogue = NodeCatalogue.load();
       SceneExporter exporter = new SceneExporter(catalogue, study.access(), faults);
@@ -157,7 +182,7 @@ public record StudyFolder(String name, List<PackagedFile> files) {
           new ExportSettings(Condition.SELECTIVE, 0, SceneFormat.XML, WebScene::name, true);
       String file = WebScene.name(name + ".x3d"); // the file's own name may tell too much
       Optional<ExportedScene> exported =
-          name.equals(PRACTICE)
+          any
               ? exporter.exportAny(scene, how, file)
               : exporter.export(scene, how, file);
       if (exported.isEmpty()) {
@@ -168,13 +193,16 @@ public record StudyFolder(String name, List<PackagedFile> files) {
             SourceLocation.of(left.file()),
             "url '%s' %s; the study would lack it".formatted(left.url(), left.reason()));
       }
-      requireViewpoints(catalogue, scene, exported.get(), viewpoints);
+      requireNodes(catalogue, scene, exported.get(), needs);
       scenes.put(name, WebScene.of(exported.get(), Path.of(name)));
     }
 
-    /** Reports viewpoints that stand below other nodes, where the page cannot tell their place. */
-    private void requireViewpoints(
-        NodeCatalogue catalogue, Path scene, ExportedScene exported, Set<String> viewpoints)
+    /**
+     * Reports viewpoints that stand below other nodes, where the page cannot tell their place, and
+     * Switches that are not there.
+     */
+    private void requireNodes(
+        NodeCatalogue catalogue, Path scene, ExportedScene exported, TrialScenes.Needs needs)
         throws IOException {
       byte[] text = exported.files().scene().changed().orElseThrow();
       XmlDocument document =
@@ -188,12 +216,23 @@ public record StudyFolder(String name, List<PackagedFile> files) {
           .filter(element -> element.name().equals("Viewpoint"))
           .flatMap(element -> element.def().stream())
           .forEach(free::add);
-      for (String name : viewpoints) {
+      for (String name : needs.viewpoints()) {
         if (!free.contains(name)) {
           faults.error(
               SourceLocation.of(scene.toString()),
               "the Viewpoint %s does not stand directly in the scene, as the page needs it"
                   .formatted(name));
+        }
+      }
+      Set<String> switches = new TreeSet<>();
+      document.elements().stream()
+          .filter(element -> element.name().equals("Switch"))
+          .forEach(element -> element.def().ifPresent(switches::add));
+      for (String name : needs.switches()) {
+        if (!switches.contains(name)) {
+          faults.error(
+              SourceLocation.of(scene.toString()),
+              "the scene has no Switch with the DEF '%s', whose choice trials set".formatted(name));
         }
       }
     }

@@ -5,7 +5,7 @@
  * <p>In: a study of module {@code study}, in all of its languages. Out: a {@link
  * org.selectiverenderer.export.study.StudyFolder}, the page of the folder {@code web}, the exported
  * scenes, and {@code study-web.json}, which tells the page what to show to the participant of each
- * place. Conditions and orders are those that {@code study} plans; the page decides nothing.
+ * place. Conditions, orders and trials are those that {@code study} plans; the page decides nothing.
  * Nothing is written here: the command does. What a browser cannot do is refused with its line in
  * the study file. Uses {@code export}, {@code study} and {@code x3d}.
  */

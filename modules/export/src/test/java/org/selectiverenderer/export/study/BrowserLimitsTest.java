@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -54,5 +55,48 @@ class BrowserLimitsTest {
         .asString()
         .startsWith("study.json:9:")
         .contains("the page cannot bound an area yet; write \"turn\" or \"free\"");
+  }
+
+  private static final String BLOCK =
+      """
+        "factors": [{"name": "light", "varies": "within", "levels": [
+          {"name": "on"%s}, {"name": "off"}]}],
+        "blocks": [{"name": "main",%s
+          "trial": [{"show": "exposure", "seconds": 1%s, "keys": ["f"], "correct": "f"}]}],
+      """;
+
+  private List<String> ofBlock(String level, String block, String phase) throws IOException {
+    StudyFixture fixture = new StudyFixture(folder);
+    var study =
+        fixture.read(
+            StudyFixture.text(BLOCK.formatted(level, block, phase))
+                .replace("  \"conditions\": [\"high\", \"selective\"],\n", ""));
+    assertThat(new BrowserLimits(study.get(0), fixture.collector()).keep())
+        .isEqualTo(fixture.problems().isEmpty());
+    return fixture.problems();
+  }
+
+  @Test
+  void blocksRun() throws IOException {
+    assertThat(ofBlock("", "", "")).isEmpty();
+  }
+
+  @Test
+  void whatTrialsAskForAndABrowserCannotDoIsRefusedWithItsLine() throws IOException {
+    assertThat(ofBlock(", \"display\": {\"ipd\": 0}", "", ""))
+        .singleElement()
+        .asString()
+        .startsWith("study.json:8:")
+        .contains("the page shows one picture, and cannot vary the display");
+    assertThat(ofBlock("", "\"staircase\": {\"factor\": \"light\"},", ""))
+        .singleElement()
+        .asString()
+        .startsWith("study.json:9:")
+        .contains("cannot choose levels by the responses yet");
+    assertThat(ofBlock("", "", ", \"until\": \"scene\""))
+        .singleElement()
+        .asString()
+        .startsWith("study.json:10:")
+        .contains("the page cannot end exposures by events of the scene yet");
   }
 }

@@ -23,10 +23,14 @@ public enum SessionFlag {
   TRACKER_LOST("tracker silent"),
   /** A trigger signal could not be sent, as when its port had disappeared. */
   TRIGGER_FAILED("trigger signal not sent"),
-  /** The headset was taken off, or its runtime was lost, during an exposure. */
+  /**
+   * The headset was taken off or left, or its runtime was lost, during an exposure.
+   */
   HEADSET_LOST("headset taken off or lost"),
   /** In a browser, the page lost the focus or left the full screen during an exposure. */
   LEFT_PAGE("page left"),
+  /** In a browser, an exposure was over before any of its pictures was seen. */
+  NOT_SEEN("exposure not seen"),
   /** An exposure had fewer frames per second than the study asks for. */
   LOW_FRAME_RATE("too few frames per second"),
   /** A practice block ended without having reached its criterion. */

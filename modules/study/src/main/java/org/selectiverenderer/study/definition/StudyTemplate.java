@@ -75,8 +75,8 @@ public final class StudyTemplate {
   }
 
   /**
-   * Copies a study that has no folders, such as an example; a scene outside of its folder stays
-   * where it is.
+   * Copies a study that has no folders, such as an example; scenes outside of its folder stay
+   * where they are.
    *
    * @param example folder of the study
    * @param folder created if it does not exist
@@ -100,14 +100,13 @@ public final class StudyTemplate {
       if (file.endsWith(STUDY)) {
         String text = new String(bytes, StandardCharsets.UTF_8);
         Matcher outside = OUTSIDE.matcher(text);
-        if (outside.find()) {
+        StringBuilder moved = new StringBuilder();
+        while (outside.find()) {
           String scene = from(folder, example.resolve(outside.group(1)));
-          bytes =
-              new StringBuilder(text)
-                  .replace(outside.start(1), outside.end(1), scene)
-                  .toString()
-                  .getBytes(StandardCharsets.UTF_8);
+          outside.appendReplacement(
+              moved, Matcher.quoteReplacement("\"scene\": \"" + scene + "\""));
         }
+        bytes = outside.appendTail(moved).toString().getBytes(StandardCharsets.UTF_8);
       }
       writing.addNew(copy, bytes);
     }

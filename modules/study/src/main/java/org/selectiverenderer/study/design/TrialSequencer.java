@@ -264,6 +264,30 @@ public final class TrialSequencer {
     return List.copyOf(trials);
   }
 
+  /**
+   * Returns the trial of a recorded key at a place of its block. If the list no longer has the row
+   * of the stimulus, what it determined is left to levels and block.
+   *
+   * @param stimulus the cells of the row as they were then; empty without a list
+   */
+  public Trial recorded(TrialKey key, Map<String, String> stimulus, int number, int round) {
+    Optional<StimulusList.Stimulus> row =
+        block
+            .stimuli()
+            .flatMap(
+                list -> list.rows().stream().filter(one -> one.line() == key.line()).findFirst());
+    Trial present = trial(new Cell(key.levels(), row), number, round);
+    return new Trial(
+        block.name(),
+        number,
+        round,
+        present.levels(),
+        stimulus,
+        key.line(),
+        present.settings(),
+        present.phases());
+  }
+
   /** Returns the trial of a cell. */
   Trial trial(Cell cell, int number, int round) {
     TrialSettings settings = block.settings().over(group.settings());

@@ -127,6 +127,9 @@ final class RunTables {
                 "gpu", "the graphics card or the software that drew, as OpenGL names it"),
             TableColumn.text(
                 "cpu", "operating system, its version, architecture and number of processors"),
+            TableColumn.text(
+                "shown_in",
+                "webxr: a page showed it in a headset of the browser; empty otherwise"),
             TableColumn.text("flags", "what is to be known of its quality, joined by |"),
             TableColumn.text("head_log", "the head log's file in the study's folder")));
   }
@@ -220,6 +223,12 @@ final class RunTables {
     row.add(number(figures.path("latency_ms").path("p99")));
     row.add(figures.path("gl").path("renderer").asText(""));
     row.add(machine(run));
+    row.add(
+        run.events().stream()
+            .filter(line -> line.event().equals("step-finished"))
+            .map(line -> line.text("shown_in"))
+            .findFirst()
+            .orElse(""));
     row.add(String.join("|", flags));
     row.add(
         log.isPresent()

@@ -84,13 +84,24 @@ public record CollectedAnswers(
       SessionFlagMessages.tell(history, place, problems);
       int before = answers;
       List<String> known = new ArrayList<>();
+      List<String> open = new ArrayList<>();
       for (SessionStep step : material.steps()) {
         known.add(step.id());
         if (step instanceof SessionStep.Questions questions) {
-          screen(folder, history, questions, place);
+          if (leftOut(folder, history, questions)) {
+            open.add(step.id());
+          } else {
+            screen(folder, history, questions, place);
+          }
         } else if (step instanceof SessionStep.Form form) {
           form(folder, history, form);
         }
+      }
+      if (!open.isEmpty()) {
+        problems.info(
+            place,
+            "the participant has left, or not all has arrived; not answered: "
+                + String.join(", ", open));
       }
       trials.add(folder.participant(), folder.number(), history);
       answers += history.results().size();
@@ -102,6 +113,18 @@ public record CollectedAnswers(
       }
       unasked(folder.participant());
       participants += answers > before ? 1 : 0;
+    }
+
+    /**
+     * Returns whether a participant in a browser has not come to a screen. That is nobody's fault,
+     * and nothing is lost by it.
+     */
+    private boolean leftOut(
+        SessionFolder folder, SessionHistory history, SessionStep.Questions step) {
+      return history.ofWeb()
+          && !history.finished(step)
+          && history.answers(step).isEmpty()
+          && paper.sheet(folder.participant(), step.id()).isEmpty();
     }
 
     /** Returns whether a step is a trial, whose answers are in the table of trials. */

@@ -7,6 +7,9 @@ import java.util.Locale;
 import java.util.Map;
 import org.selectiverenderer.study.definition.Study;
 import org.selectiverenderer.study.design.StudyGroup;
+import org.selectiverenderer.study.design.Trial;
+import org.selectiverenderer.study.design.TrialBlock;
+import org.selectiverenderer.study.design.TrialSequencer;
 
 /**
  * A session that is planned before its participant is known, for a program that shows it elsewhere:
@@ -15,12 +18,29 @@ import org.selectiverenderer.study.design.StudyGroup;
  * @param place of the randomization schedule, from 1
  * @param participant the place as an id, such as {@code 007}, from which random orders are drawn
  * @param group the group of the place
+ * @param turn index of the place among those of its group, from 0
  * @param steps the steps in order
  */
 public record PlannedSession(
-    int place, String participant, StudyGroup group, List<SessionStep> steps) {
+    int place, String participant, StudyGroup group, int turn, List<SessionStep> steps) {
   public PlannedSession {
     steps = List.copyOf(steps);
+  }
+
+  /**
+   * Returns the trials of a round of a block, in order, as this program would run them.
+   *
+   * @param round of a practice block, from 1
+   * @throws IllegalArgumentException if no order keeps the block's limits of runs, with a sentence
+   */
+  public List<Trial> trials(Study study, TrialBlock block, int round) {
+    return new TrialSequencer(block, group, study.seed())
+        .trials(turn, round)
+        .orElseThrow(
+            () ->
+                new IllegalArgumentException(
+                    "no order of the trials of the block %s keeps its limits of runs"
+                        .formatted(block.name())));
   }
 
   /** Returns the sessions of all planned participants of a study, in the order of the schedule. */
@@ -38,6 +58,7 @@ public record PlannedSession(
               place,
               participant,
               group,
+              turn,
               material.steps(AreaSequence.of(study, participant, turn))));
     }
     return sessions;

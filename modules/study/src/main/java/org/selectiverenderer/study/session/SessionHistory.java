@@ -30,6 +30,7 @@ import org.selectiverenderer.study.questionnaire.TimedAnswer;
 public final class SessionHistory {
   private static final String FORM = new SessionStep.Form().id();
 
+  private boolean web;
   private final Set<String> finished = new LinkedHashSet<>();
   private final Map<String, Integer> runs = new HashMap<>();
   private final Map<String, Map<String, TimedAnswer>> answers = new LinkedHashMap<>();
@@ -93,6 +94,7 @@ public final class SessionHistory {
         options(event);
         checksum = event.path("study_sha256").asText();
         language = event.path("language").asText();
+        web = event.path("source").asText().equals("web");
       }
       case "resumed" -> {
         aborted = false;
@@ -302,6 +304,11 @@ public final class SessionHistory {
   /** Returns whether the participant refused consent. */
   public synchronized boolean refused() {
     return refused;
+  }
+
+  /** Returns whether the session ran in a participant's web browser. */
+  synchronized boolean ofWeb() {
+    return web;
   }
 
   /** Returns whether the session is complete. */

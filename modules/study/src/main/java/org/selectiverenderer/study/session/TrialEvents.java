@@ -13,11 +13,11 @@ import org.selectiverenderer.study.design.TrialKey;
 import org.selectiverenderer.study.design.TrialResult;
 
 /** Writes trials into events of the journal, and reads them from there. */
-final class TrialEvents {
+public final class TrialEvents {
   private TrialEvents() {}
 
   /** Returns the members that the begin and the end of a trial have. */
-  static Map<String, Object> members(Trial trial) {
+  public static Map<String, Object> members(Trial trial) {
     Map<String, Object> members = new LinkedHashMap<>();
     members.put("block", trial.block());
     members.put("trial", trial.number());
@@ -33,7 +33,7 @@ final class TrialEvents {
   }
 
   /** Returns the members of a result, in addition to those of the trial. */
-  static Map<String, Object> members(TrialResult result) {
+  public static Map<String, Object> members(TrialResult result) {
     Map<String, Object> members = new LinkedHashMap<>();
     if (!result.response().isEmpty()) {
       members.put("response", result.response());
@@ -44,7 +44,7 @@ final class TrialEvents {
   }
 
   /** Returns the members of the order of a round's trials. */
-  static Map<String, Object> order(String block, int round, List<Trial> trials) {
+  public static Map<String, Object> order(String block, int round, List<Trial> trials) {
     Map<String, Object> members = new LinkedHashMap<>();
     members.put("step", block);
     members.put("round", round);

@@ -2,7 +2,10 @@ package org.selectiverenderer.study.web;
 
 import java.io.IOException;
 import java.time.OffsetDateTime;
+import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
+import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.study.definition.Study;
 import org.selectiverenderer.study.design.StudyGroup;
 import org.selectiverenderer.study.headlog.HeadLogMetadata;
@@ -14,15 +17,19 @@ import org.selectiverenderer.study.headlog.HeadLogMetadata;
 @FunctionalInterface
 public interface ExposureReplay {
   /**
-   * An exposure.
+   * An exposure, or a trial with exposures.
    *
+   * @param scene the scene that was shown; empty if the study names none
+   * @param viewpoint DEF of the Viewpoint at which it began; empty for the scene's first
    * @param seed of the condition {@code random}
    * @param started when it began
    * @param width of the window in pixels
    * @param height of the window in pixels
    */
   record Exposure(
-      Study.Area area,
+      Optional<Path> scene,
+      String viewpoint,
+      Condition condition,
       StudyGroup group,
       long seed,
       OffsetDateTime started,

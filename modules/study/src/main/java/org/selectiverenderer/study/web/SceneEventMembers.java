@@ -18,6 +18,7 @@ final class SceneEventMembers {
   private final WebExposureLog log;
   private final List<Seen> seen;
   private final Map<String, Integer> choices = new HashMap<>();
+  private int frame;
 
   private SceneEventMembers(WebExposureLog log, List<Seen> seen) {
     this.log = log;
@@ -75,13 +76,11 @@ final class SceneEventMembers {
     return members;
   }
 
-  /** Returns the schemas that are active in the first frame from a time on. */
+  /** Returns the schemas that are active in the first frame from a time on; times never go back. */
   private List<String> schemas(double t) {
-    for (int i = 0; i < seen.size(); i++) {
-      if (log.frames().get(i).t() >= t) {
-        return seen.get(i).schemas();
-      }
+    while (frame < seen.size() - 1 && log.frames().get(frame).t() < t) {
+      frame++;
     }
-    return seen.isEmpty() ? List.of() : seen.get(seen.size() - 1).schemas();
+    return seen.isEmpty() ? List.of() : seen.get(frame).schemas();
   }
 }

@@ -1,11 +1,13 @@
 package org.selectiverenderer.study.web;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.time.ZoneOffset;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import org.joml.Quaterniond;
@@ -13,14 +15,17 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.decimal.DecimalRounding;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.study.definition.QualityCriteria;
 import org.selectiverenderer.study.definition.SessionFlag;
 import org.selectiverenderer.study.definition.Study;
 import org.selectiverenderer.study.design.StudyGroup;
+import org.selectiverenderer.study.design.Trial;
 import org.selectiverenderer.study.headlog.HeadLogMetadata;
 import org.selectiverenderer.study.headlog.HeadLogText;
 import org.selectiverenderer.study.headlog.HeadSample;
 import org.selectiverenderer.study.headlog.SceneMap;
+import org.selectiverenderer.study.session.LoadedStudy;
 import org.selectiverenderer.study.session.SessionStep;
 import org.selectiverenderer.study.web.ExposureReplay.Seen;
 import org.selectiverenderer.study.web.WebExposureLog.Frame;
@@ -44,12 +49,14 @@ final class WebExposureFiles {
 
   private static final int HEIGHT = 800;
 
+  private final LoadedStudy material;
   private final Study study;
   private final ExposureReplay replay;
   private final ProblemCollector problems;
 
-  WebExposureFiles(Study study, ExposureReplay replay, ProblemCollector problems) {
-    this.study = study;
+  WebExposureFiles(LoadedStudy material, ExposureReplay replay, ProblemCollector problems) {
+    this.material = material;
+    study = material.study();
     this.replay = replay;
     this.problems = problems;
   }
@@ -118,20 +125,7 @@ final class WebExposureFiles {
 
   private ExposureReplay.Replayed replayed(
       WebRecord record, WebExposureLog log, Map<String, String> device) {
-    Study.Area area = ((SessionStep.Exposure) record.step()).area();
-    StudyGroup group = study.design().group(record.identity().group()).orElseThrow();
-    ExposureReplay.Exposure exposure =
-        new ExposureReplay.Exposure(
-            area,
-            group,
-            study.lot(record.identity().participant()),
-            record
-                .started()
-                .plusMillis(Math.round(1000 * record.logBegan(log)))
-                .atOffset(ZoneOffset.UTC),
-            pixels(device.get("width"), WIDTH),
-            pixels(device.get("height"), HEIGHT),
-            log);
+    ExposureReplay.Exposure exposure = exposure(record, log, device);
     try {
       return replay.of(study, exposure);
     } catch (IOException e) {
@@ -141,6 +135,37 @@ final class WebExposureFiles {
               + e.getMessage());
       return unseen(exposure);
     }
+  }
+
+  private ExposureReplay.Exposure exposure(
+      WebRecord record, WebExposureLog log, Map<String, String> device) {
+    StudyGroup group = study.design().group(record.identity().group()).orElseThrow();
+    long seed = study.lot(record.identity().participant());
+    Optional<Path> scene = study.scene();
+    Condition condition = group.condition();
+    String viewpoint = "";
+    if (record.step() instanceof SessionStep.Exposure exposure) {
+      viewpoint = exposure.area().viewpoint();
+    } else if (record.step() instanceof SessionStep.OneTrial one) {
+      Trial trial = one.trial();
+      scene = study.scene(trial).or(material::scenery);
+      viewpoint = study.viewpoint(trial).orElse("");
+      condition = trial.settings().condition().orElse(Condition.SELECTIVE);
+      seed += trial.number();
+    }
+    return new ExposureReplay.Exposure(
+        scene,
+        viewpoint,
+        condition,
+        group,
+        seed,
+        record
+            .started()
+            .plusMillis(Math.round(1000 * record.logBegan(log)))
+            .atOffset(ZoneOffset.UTC),
+        pixels(device.get("width"), WIDTH),
+        pixels(device.get("height"), HEIGHT),
+        log);
   }
 
   private static int pixels(@Nullable String text, int otherwise) {
@@ -153,7 +178,7 @@ final class WebExposureFiles {
     HeadLogMetadata description =
         new HeadLogMetadata(
             exposure.started().toString(),
-            study.scene().map(scene -> String.valueOf(scene.getFileName())).orElse(""),
+            exposure.scene().map(scene -> String.valueOf(scene.getFileName())).orElse(""),
             exposure.group().name(),
             exposure.seed(),
             exposure.display(),
@@ -176,6 +201,13 @@ final class WebExposureFiles {
     double left = DecimalRounding.to(3, record.secondsLeft(log));
     if (left > 0) {
       journal.flag(end, SessionFlag.LEFT_PAGE, Map.of("seconds", left));
+    }
+    boolean exposed = record.trial().map(outcome -> outcome.exposed().isPresent()).orElse(true);
+    if (exposed && !log.seen()) {
+      journal.flag(end, SessionFlag.NOT_SEEN, Map.of());
+    }
+    if (record.headsetLeft(log)) {
+      journal.flag(end, SessionFlag.HEADSET_LOST, Map.of());
     }
     QualityCriteria quality = study.quality();
     double fps = log.framesPerSecond();

@@ -66,10 +66,19 @@ public record WebExposureLog(List<Frame> frames, List<SceneEvent> events) {
     return frames.get(0).mono() - frames.get(0).t();
   }
 
-  /** Returns the mean number of frames per second; 0 of a single frame. */
+  /**
+   * Returns the mean number of frames per second; 0 of a single frame. Frames that follow a pause,
+   * in which nothing was logged, took no time.
+   */
   double framesPerSecond() {
-    double seconds = end() - frames.get(0).t();
-    return seconds > 0 ? (frames.size() - 1) / seconds : 0;
+    double seconds = frames.stream().skip(1).mapToDouble(Frame::ms).sum() / 1000;
+    long number = frames.stream().skip(1).filter(frame -> frame.ms() > 0).count();
+    return seconds > 0 ? number / seconds : 0;
+  }
+
+  /** Returns whether a picture was seen at all. */
+  boolean seen() {
+    return frames.stream().anyMatch(Frame::visible);
   }
 
   /** Returns the share of the frames that took longer than a time. */

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalLong;
 import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.study.design.TrialResult;
 import org.selectiverenderer.study.questionnaire.Answer;
 import org.selectiverenderer.study.questionnaire.Question;
 import org.selectiverenderer.study.session.SessionStep;
@@ -21,7 +22,10 @@ import org.selectiverenderer.study.session.SessionStep;
  * @param mono seconds of the page's monotonic clock at the step's begin
  * @param interruptions when the page was left and came back
  * @param repeated whether the step had been begun before, on a page that was closed
- * @param log what an exposure logged
+ * @param headset whether the step was shown or asked in a headset of the browser
+ * @param failed whether the step is a practice that did not reach its criterion
+ * @param trial what came of a trial; empty for other steps
+ * @param log what an exposure or a trial logged
  */
 record WebRecord(
     SourceLocation place,
@@ -38,11 +42,33 @@ record WebRecord(
     List<Given> answers,
     boolean refused,
     boolean repeated,
+    boolean headset,
+    boolean failed,
+    Optional<TrialOutcome> trial,
     Optional<WebExposureLog> log) {
 
   WebRecord {
     interruptions = List.copyOf(interruptions);
     answers = List.copyOf(answers);
+  }
+
+  /**
+   * An outcome of a trial.
+   *
+   * @param phases members of the phases that were shown
+   */
+  record TrialOutcome(TrialResult result, List<Map<String, Object>> phases) {
+    TrialOutcome {
+      phases = List.copyOf(phases);
+    }
+
+    /** Returns when the first exposure began, in seconds since the trial did; empty for none. */
+    OptionalDouble exposed() {
+      return phases.stream()
+          .filter(phase -> "exposure".equals(phase.get("phase")))
+          .mapToDouble(phase -> (Double) phase.get("began"))
+          .findFirst();
+    }
   }
 
   /**
@@ -85,6 +111,17 @@ record WebRecord(
             ? logged.began() - mono.getAsDouble()
             : seconds() - logged.end(); // the record was made right after the last frame
     return Math.max(0, Math.min(after, seconds()));
+  }
+
+  /**
+   * Returns whether the headset was left while the exposure was shown: the rest was on the page.
+   */
+  boolean headsetLeft(WebExposureLog logged) {
+    double from = logBegan(logged);
+    double to = from + logged.end();
+    return headset
+        && interruptions.stream()
+            .anyMatch(one -> one.event().equals("headset-left") && one.t() >= from && one.t() <= to);
   }
 
   /**

@@ -34,6 +34,9 @@ final class WebRecordIndex {
   /** The receiver takes at most 16 MiB at once. */
   private static final int MOST_BYTES = 32 << 20;
 
+  /** A session of two hours with all its head logs has less. */
+  private static final long MOST_OF_SESSION = 1L << 28;
+
   private static final int MOST_LINES = 1_000_000;
   private static final int MOST_FILES = 100_000;
   private static final int MOST_SESSIONS = 100_000;
@@ -172,7 +175,12 @@ final class WebRecordIndex {
       return;
     }
     WebSessionLines own = lines(json.path("session").asText(), place);
-    if (own != null) {
+    if (own != null && !own.fits(length, MOST_OF_SESSION)) {
+      faults.tell(
+          place,
+          "the session %s has more than %d MiB; this line of it is left out"
+              .formatted(own.session(), MOST_OF_SESSION >> 20));
+    } else if (own != null) {
       own.add(new Line(file, number, begin, (int) length), json, faults);
     }
   }
@@ -230,7 +238,7 @@ final class WebRecordIndex {
               if (own != null && row.cell("missing").matches("[0-9 ]{0,10000}")) {
                 List<String> missing = new ArrayList<>(List.of(row.cell("missing").split(" ")));
                 missing.removeIf(String::isEmpty);
-                own.receiver(missing, row.cell("final").equals("yes"));
+                own.receiver(missing);
               }
             });
   }

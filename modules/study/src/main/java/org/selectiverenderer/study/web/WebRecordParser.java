@@ -17,6 +17,7 @@ import java.util.OptionalLong;
 import java.util.Set;
 import java.util.regex.Pattern;
 import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.study.design.TrialPhase;
 import org.selectiverenderer.study.questionnaire.Answer;
 import org.selectiverenderer.study.questionnaire.AnswerField;
 import org.selectiverenderer.study.questionnaire.Question;
@@ -41,7 +42,8 @@ final class WebRecordParser {
   private final LoadedStudy material;
   private final RecordFaults faults;
   private final Map<String, SessionStep> steps = new HashMap<>();
-  private final Map<String, Questionnaire> questionnaires = new HashMap<>();
+  private final WebTrialParser trials;
+  private final Map<String, List<Questionnaire>> questionnaires = new HashMap<>();
 
   /** Something in a record is not as the page writes it. */
   private static final class Fault extends Exception {
@@ -55,6 +57,7 @@ final class WebRecordParser {
   WebRecordParser(LoadedStudy material, RecordFaults faults) {
     this.material = material;
     this.faults = faults;
+    trials = new WebTrialParser(material.study());
     material.steps().forEach(step -> steps.put(step.id(), step));
   }
 
@@ -76,10 +79,7 @@ final class WebRecordParser {
   private WebRecord record(String session, JsonNode json, SourceLocation place) throws Fault {
     require(json.isObject(), "a record is an object {...}");
     require(session.equals(json.path("session").asText()), "the record is of another session");
-    SessionStep step = steps.get(text(json, "step"));
-    if (step == null) {
-      throw new Fault("the study has no step " + RecordFaults.quoted(text(json, "step")));
-    }
+    SessionStep step = step(json);
     Instant started = time(json, "started");
     Instant told = time(json, "ended");
     // A clock that was set back meanwhile loses nothing.
@@ -87,7 +87,10 @@ final class WebRecordParser {
     require(
         Duration.between(started, told).abs().compareTo(LONGEST) < 0,
         "\"ended\" is not within two days after \"started\"");
-    boolean exposure = step instanceof SessionStep.Exposure;
+    boolean trial = step instanceof SessionStep.OneTrial;
+    boolean exposure = trial || step instanceof SessionStep.Exposure;
+    // A trial without a picture, of instructions and questions alone, has an empty log.
+    boolean logged = exposure && !(trial && json.path("log").path("rows").isEmpty());
     return new WebRecord(
         place,
         kept(json),
@@ -105,7 +108,37 @@ final class WebRecordParser {
         answers(step, json.path("answers"), place),
         step instanceof SessionStep.Form && json.path("refused").asBoolean(),
         exposure && json.path("repeated").asBoolean(),
-        exposure ? log(json.path("log"), place) : Optional.empty());
+        json.path("display").asText().equals("webxr"),
+        step instanceof SessionStep.Block && json.path("failed").asBoolean(),
+        outcome(step, json),
+        logged ? log(json.path("log"), place) : Optional.empty());
+  }
+
+  private SessionStep step(JsonNode json) throws Fault {
+    String id = text(json, "step");
+    SessionStep step = steps.get(id);
+    if (step != null) {
+      return step;
+    }
+    try {
+      return trials
+          .trial(json, text(json, "group"))
+          .map(SessionStep.OneTrial::new)
+          .orElseThrow(() -> new Fault("the study has no step " + RecordFaults.quoted(id)));
+    } catch (IllegalArgumentException e) {
+      throw new Fault(String.valueOf(e.getMessage()));
+    }
+  }
+
+  private Optional<WebRecord.TrialOutcome> outcome(SessionStep step, JsonNode json) throws Fault {
+    if (!(step instanceof SessionStep.OneTrial trial)) {
+      return Optional.empty();
+    }
+    try {
+      return Optional.of(trials.outcome(json, trial.trial()));
+    } catch (IllegalArgumentException e) {
+      throw new Fault(String.valueOf(e.getMessage()));
+    }
   }
 
   /**
@@ -180,14 +213,14 @@ final class WebRecordParser {
     if (json.isMissingNode()) {
       return all;
     }
-    if (!json.isArray() || !asks(step)) {
+    if (!json.isArray() || questionnaires(step).isEmpty() && !json.isEmpty()) {
       faults.tell(place, "\"answers\" are no list, or the step asks nothing; they are left out");
       return all;
     }
     Set<String> known = new HashSet<>();
     for (JsonNode one : json) {
       try {
-        WebRecord.Given given = answer(questionnaire(step), one);
+        WebRecord.Given given = answer(questionnaires(step), one);
         require(
             known.add(given.question().id()),
             given.question().id() + " is answered twice in one record");
@@ -199,20 +232,32 @@ final class WebRecordParser {
     return all;
   }
 
-  private static boolean asks(SessionStep step) {
-    return step instanceof SessionStep.Form || step instanceof SessionStep.Questions;
-  }
-
-  private Questionnaire questionnaire(SessionStep step) {
+  /** Returns the questionnaires of a step; a trial may ask several. */
+  private List<Questionnaire> questionnaires(SessionStep step) {
+    if (step instanceof SessionStep.OneTrial trial) {
+      return questionnaires.computeIfAbsent(
+          "trials of " + trial.trial().block(),
+          key ->
+              trial.trial().phases().stream()
+                  .filter(TrialPhase.Questions.class::isInstance)
+                  .map(phase -> ((TrialPhase.Questions) phase).questionnaire())
+                  .flatMap(name -> material.inTrials(name).stream())
+                  .toList());
+    }
+    if (!(step instanceof SessionStep.Form || step instanceof SessionStep.Questions)) {
+      return List.of();
+    }
     // The order of the questions, which differs between participants, does not matter here.
-    return questionnaires.computeIfAbsent(step.id(), id -> material.questionnaire(step, "001"));
+    return questionnaires.computeIfAbsent(
+        step.id(), id -> List.of(material.questionnaire(step, "001")));
   }
 
-  private WebRecord.Given answer(Questionnaire questionnaire, JsonNode json) throws Fault {
+  private WebRecord.Given answer(List<Questionnaire> asked, JsonNode json) throws Fault {
     String id = json.path("question").asText();
     Question question =
-        questionnaire
-            .question(id)
+        asked.stream()
+            .flatMap(questionnaire -> questionnaire.question(id).stream())
+            .findFirst()
             .orElseThrow(
                 () -> new Fault("the questionnaire has no question " + RecordFaults.quoted(id)));
     List<AnswerField> fields = question.kind().fields(material.wording());

@@ -14,6 +14,7 @@ import org.selectiverenderer.study.session.LoadedStudy;
 import org.selectiverenderer.study.session.PlannedSession;
 import org.selectiverenderer.study.session.SessionFolder;
 import org.selectiverenderer.study.session.SessionStep;
+import org.selectiverenderer.study.session.TrialEvents;
 
 /** Tells the records of a session as the events of its journal, with the head logs beside it. */
 final class WebSessionEvents {
@@ -27,6 +28,7 @@ final class WebSessionEvents {
   private final Map<Path, String> files;
   private final Set<String> finished = new HashSet<>();
   private final Map<String, Integer> runs = new HashMap<>();
+  private final WebBlockEvents blocks;
   private boolean assigned;
 
   /**
@@ -54,6 +56,7 @@ final class WebSessionEvents {
     this.folder = folder;
     this.records = List.copyOf(records);
     this.files = files;
+    blocks = new WebBlockEvents(material.study(), planned);
   }
 
   /** Returns the journal. */
@@ -114,18 +117,33 @@ final class WebSessionEvents {
     if (!assigned && !(record.step() instanceof SessionStep.Form)) {
       assign(0, journal); // The record of the form is missing.
     }
+    blocks.began(record, journal);
     int run = runs.merge(id(record), 1, Integer::sum);
     Map<String, Object> began = new LinkedHashMap<>();
     began.put("run", run);
+    Map<String, Object> ended = new LinkedHashMap<>();
+    if (record.step() instanceof SessionStep.OneTrial trial) {
+      began.putAll(TrialEvents.members(trial.trial()));
+      ended.putAll(TrialEvents.members(trial.trial()));
+    }
+    record.trial().ifPresent(outcome -> ended.putAll(TrialEvents.members(outcome.result())));
+    record.trial().ifPresent(outcome -> ended.put("phases", outcome.phases()));
+    if (record.headset()) {
+      ended.put("shown_in", "webxr");
+    }
     if (record.log().isPresent()) {
       String log = folder.headLog(record.step(), run).getFileName().toString();
       began.put("head_log", log.substring(0, log.lastIndexOf('.')));
+    }
+    if (record.step() instanceof SessionStep.Block) {
+      blocks.finished(record, journal, finished);
+      finished.add(id(record));
+      return;
     }
     journal.add(0, "step-began", id(record), began);
     if (run > 1) {
       journal.flag(0, SessionFlag.REPEATED_EXPOSURE, Map.of("run", run));
     }
-    Map<String, Object> ended = new LinkedHashMap<>();
     record.log().ifPresent(log -> exposure(record, log, run, device, journal, ended));
     record.answers().forEach(given -> answer(record, given, journal));
     if (record.step() instanceof SessionStep.Form) {
@@ -148,7 +166,9 @@ final class WebSessionEvents {
     String name = csv.getFileName().toString();
     files.put(csv, texts.csv());
     files.put(csv.resolveSibling(name.substring(0, name.lastIndexOf('.')) + ".json"), texts.json());
-    double complete = Math.min(material.study().fade(), log.end());
+    double fades =
+        record.trial().map(outcome -> outcome.exposed().orElse(0)).orElse(material.study().fade());
+    double complete = Math.min(fades, log.end());
     boolean shown = false;
     for (Map<String, Object> event : texts.events()) {
       double t = (Double) event.get("t");
@@ -194,7 +214,7 @@ final class WebSessionEvents {
     event.put("assigned_by", "schedule");
     event.put("age", WebSessionFiles.age(material, records));
     journal.add(seconds, "assigned", "", event);
-    if (!material.study().areas().isEmpty()) {
+    if (!material.study().areas().isEmpty() && material.study().design().blocks().isEmpty()) {
       journal.add(
           seconds,
           "area-order",

@@ -71,7 +71,7 @@ public final class WebSessionImport {
     parser = new WebRecordParser(material, faults);
     files =
         new WebSessionFiles(
-            material, software, new WebExposureFiles(material.study(), replay, problems), faults);
+            material, software, new WebExposureFiles(material, replay, problems), faults);
   }
 
   /**
@@ -263,12 +263,6 @@ public final class WebSessionImport {
                   folder.participant(),
                   missing.size() == 1 ? "part" : "parts",
                   String.join(", ", missing)));
-    }
-    if (lines.counted() && !lines.ended()) {
-      problems.info(
-          file,
-          "the session %s (%s) has no final part: the participant has left, or not all has arrived"
-              .formatted(lines.session(), folder.participant()));
     }
   }
 

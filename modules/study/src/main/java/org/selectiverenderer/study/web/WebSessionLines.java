@@ -19,13 +19,21 @@ final class WebSessionLines {
   private final Map<Integer, WebRecordIndex.Line> parts = new TreeMap<>();
   private final Map<Integer, String> contents = new HashMap<>();
   private final List<String> missing = new ArrayList<>();
-  private boolean counted;
-  private boolean ended;
+  private long bytes;
   private String first = "";
   private int slot;
 
   WebSessionLines(String session) {
     this.session = session;
+  }
+
+  /** Counts the bytes of a line; returns whether the session has at most so many with it. */
+  boolean fits(long length, long most) {
+    if (bytes + length > most) {
+      return false;
+    }
+    bytes += length;
+    return true;
   }
 
   /** Adds a line whose session is this one. */
@@ -35,7 +43,6 @@ final class WebSessionLines {
       begun(json);
       return;
     }
-    counted = true;
     int part = json.path("part").asInt();
     String content = Sha256.of(json.path("records").toString().getBytes(StandardCharsets.UTF_8));
     String other = contents.putIfAbsent(part, content);
@@ -48,9 +55,7 @@ final class WebSessionLines {
           ("part %d of the session %s is there with other content, in line %d of %s; this one is"
                   + " left out")
               .formatted(part, session, parts.get(part).number(), parts.get(part).file()));
-      return;
     }
-    ended |= json.path("final").asBoolean();
   }
 
   private void begun(JsonNode json) {
@@ -62,10 +67,8 @@ final class WebSessionLines {
   }
 
   /** Takes what the receiver tells of the parts that it has. */
-  void receiver(List<String> lacking, boolean last) {
-    counted = true;
+  void receiver(List<String> lacking) {
     missing.addAll(lacking);
-    ended |= last;
   }
 
   String session() {
@@ -87,16 +90,6 @@ final class WebSessionLines {
     List<WebRecordIndex.Line> all = new ArrayList<>(parts.values());
     all.addAll(lines);
     return all;
-  }
-
-  /** Returns whether it is known which parts there are; not of a file that a participant saved. */
-  boolean counted() {
-    return counted;
-  }
-
-  /** Returns whether the last part is there. */
-  boolean ended() {
-    return ended;
   }
 
   /** Returns the numbers of the parts that are missing before the last one that is there. */

@@ -10,7 +10,7 @@
  *
  * <p>{@link org.selectiverenderer.study.web.WebSessionImport} does it: {@code WebRecordIndex} finds
  * which line belongs to which session, {@code WebRecordParser} checks a record, {@code
- * WebSessionEvents} tells it as events of a journal. What was in view is not in the records; an
+ * WebSessionEvents} tells it as events of a journal, trials of blocks among them. What was in view is not in the records; an
  * {@link org.selectiverenderer.study.web.ExposureReplay} finds it in the scene.
  *
  * <p>Uses {@code study.session}, {@code study.questionnaire}, {@code study.headlog}, {@code

@@ -100,12 +100,40 @@ class WebSessionImportTest extends WebStudyFixture {
     assertThat(told())
         .containsExactly(
             "the session %s (web001) lacks the part 1, which may still come; what is there is used"
-                .formatted(session(1)),
-            "the session %s (web001) has no final part: the participant has left, or not all has arrived"
                 .formatted(session(1)));
     assertThat(answers().participants()).isEqualTo(2);
     assertThat(table("sessions")).element(1).asString().contains(",unfinished,");
     assertThat(table("sessions")).element(2).asString().contains(",finished,");
+  }
+
+  @Test
+  void aParticipantWhoLeftIsOneLineAndNoError() throws IOException {
+    write("some.jsonl", List.of(form(1, 1)));
+    collect();
+    answers();
+    assertThat(told())
+        .containsExactly(
+            "the participant has left, or not all has arrived; not answered: memory-hall");
+    assertThat(problems.any()).isFalse();
+  }
+
+  @Test
+  void aHeadsetThatWasLeftAndAnExposureThatNobodySawAreFlagged() throws IOException {
+    write(
+        "all.jsonl",
+        List.of(
+            form(1, 1),
+            exposure(
+                    1,
+                    1,
+                    "\"display\":\"webxr\",\"interruptions\":[{\"t\":12,\"event\":\"headset-left\"}]")
+                .replaceAll(",1,([\\d.]+\\])", ",0,$1"),
+            memory(1, 1, "yes")));
+    collect();
+    assertThat(Files.readString(ofSession("web001", "events.jsonl")))
+        .contains("\"shown_in\":\"webxr\"");
+    assertThat(table("exposures")).element(1).asString().contains(",webxr,not-seen|headset-lost,");
+    assertThat(table("sessions")).element(1).asString().contains(",not-seen|headset-lost,");
   }
 
   @Test

@@ -1,6 +1,7 @@
 package org.selectiverenderer.validation.budget;
 
 import java.util.List;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.polygon.EnrichmentPolygonModel;
 import org.selectiverenderer.validation.FileOutlineAdapter;
@@ -40,10 +41,10 @@ final class BudgetCheck implements SceneCheck {
           status.group(),
           findings,
           status.group().isEmpty() ? "the scene" : status.group(),
-          status.worst().polygons(),
+          DecimalFormatter.grouped(status.worst().polygons()),
           in(status.worst().schemas()),
-          status.over(),
-          budget.polygons());
+          DecimalFormatter.grouped(status.over()),
+          DecimalFormatter.grouped(budget.polygons()));
     }
   }
 

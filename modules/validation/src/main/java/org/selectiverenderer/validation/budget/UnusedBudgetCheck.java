@@ -2,6 +2,7 @@ package org.selectiverenderer.validation.budget;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.polygon.EnrichmentPolygonModel;
 import org.selectiverenderer.validation.CrossSceneCheck;
@@ -34,7 +35,7 @@ final class UnusedBudgetCheck implements CrossSceneCheck {
           BudgetRules.UNUSED_BUDGET,
           SourceLocation.of(settings.file()),
           "",
-          budget.polygons(),
+          DecimalFormatter.grouped(budget.polygons()),
           where + when + (budget.file().isEmpty() ? "" : " of " + budget.file()));
     }
   }

@@ -3,7 +3,7 @@
  * that a viewer can reach.
  *
  * <p>In: {@code SceneContext} with its settings. Out: findings. Uses {@code validation}, {@code
- * polygon}, {@code schema}, {@code x3d.read} and {@code base.problem}.
+ * polygon}, {@code schema}, {@code x3d.read} and {@code base}.
  */
 @NullMarked
 package org.selectiverenderer.validation.budget;

@@ -3,6 +3,7 @@ package org.selectiverenderer.validation.enrichment;
 import java.util.List;
 import java.util.Locale;
 import org.joml.Vector3d;
+import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.geometry.BoundingBox;
 import org.selectiverenderer.polygon.EnrichmentPolygonModel.Version;
 import org.selectiverenderer.polygon.EnrichmentPolygonModel.VersionedSwitch;
@@ -48,8 +49,8 @@ final class ObjectVersionCheck implements EnrichedSceneCheck {
           object.node(),
           worst.lighter.index(),
           worst.heavier.index(),
-          worst.polygons(worst.lighter),
-          worst.polygons(worst.heavier));
+          DecimalFormatter.grouped(worst.polygons(worst.lighter)),
+          DecimalFormatter.grouped(worst.polygons(worst.heavier)));
     }
   }
 

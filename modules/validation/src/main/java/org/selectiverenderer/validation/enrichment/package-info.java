@@ -3,7 +3,7 @@
  * together as their author intends (thesis 4.2, 4.3 and 5.4).
  *
  * <p>In: {@code SceneContext}. Out: findings. Uses {@code validation}, {@code polygon}, {@code
- * schema}, {@code geometry}, {@code x3d} and {@code base.problem}.
+ * schema}, {@code geometry}, {@code x3d} and {@code base}.
  */
 @NullMarked
 package org.selectiverenderer.validation.enrichment;

@@ -3,6 +3,7 @@ package org.selectiverenderer.validation.run;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.geometry.TriangleMath;
 import org.selectiverenderer.validation.GeometryMeasure;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.tessellate.Tessellator;
@@ -23,6 +24,9 @@ final class GeometryMeasurer {
    * triangulated.
    */
   private static final int SPLIT_SIMPLY = 4;
+
+  /** Ten times the share of {@link TriangleMath#hasArea} by which the tessellator decides. */
+  private static final double CLEAR = 1e-15;
 
   private final Tessellator tessellator = new Tessellator();
 
@@ -59,6 +63,9 @@ final class GeometryMeasurer {
           return null;
         }
         if (i - from > 2 && drawn(indices, from, i, points)) {
+          if (!solid(indices, from, i, points)) {
+            return null;
+          }
           polygons += i - from - 2;
           widen(bounds, indices, from, i, points);
         }
@@ -78,6 +85,23 @@ final class GeometryMeasurer {
       if (at < 0
           || at + 2 >= points.length
           || !Float.isFinite(points[at] + points[at + 1] + points[at + 2])) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /**
+   * Returns whether each three neighbouring corners of a face are a triangle with a clear area; the
+   * tessellator leaves triangles without area out.
+   */
+  private static boolean solid(int[] indices, int from, int to, float[] points) {
+    int corners = to - from;
+    for (int i = 0; i < corners; i++) {
+      int a = 3 * indices[from + i];
+      int b = 3 * indices[from + (i + 1) % corners];
+      int c = 3 * indices[from + (i + 2) % corners];
+      if (!TriangleMath.hasArea(points, a, b, c, CLEAR)) {
         return false;
       }
     }

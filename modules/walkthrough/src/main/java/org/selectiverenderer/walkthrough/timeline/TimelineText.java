@@ -46,7 +46,12 @@ public final class TimelineText {
     return row(
         t,
         "switch",
-        "%s: choice %s -> %s (%s)".formatted(s.switchName(), s.from(), s.to(), s.schema()));
+        "%s: choice %s -> %s%s"
+            .formatted(
+                s.switchName(),
+                s.from(),
+                s.to(),
+                s.schema().isEmpty() ? "" : " (" + s.schema() + ")"));
   }
 
   private static String row(double t, String event, String text) {

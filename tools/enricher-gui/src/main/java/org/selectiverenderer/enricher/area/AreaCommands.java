@@ -85,6 +85,9 @@ public final class AreaCommands {
       session.message(Texts.of("area.switch.nothing"));
       return;
     }
+    if (!session.attempt(() -> nodes.switches().check(node.get()))) {
+      return;
+    }
     question
         .ask(
             Texts.of("area.switch.title"),

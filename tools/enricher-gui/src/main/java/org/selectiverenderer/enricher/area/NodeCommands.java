@@ -13,6 +13,7 @@ import org.selectiverenderer.authoring.enrichment.EnrichedSwitch;
 import org.selectiverenderer.authoring.nodes.NodeEdits;
 import org.selectiverenderer.authoring.switches.SwitchEdits;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.Remarks;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
@@ -76,7 +77,7 @@ public final class NodeCommands {
       check.run();
       return Optional.empty();
     } catch (EditRejectedException e) {
-      return Optional.of(String.valueOf(e.getMessage()));
+      return Optional.of(Remarks.of(e));
     }
   }
 

@@ -21,6 +21,7 @@ import org.selectiverenderer.authoring.placement.Placement;
 import org.selectiverenderer.authoring.placement.PoseField;
 import org.selectiverenderer.enricher.placement.PlacementEditor;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.Remarks;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
@@ -127,7 +128,7 @@ final class PlacementForm implements Form {
       editor.set(now.get(), field, value, VERBS.getOrDefault(field, "move"));
       return Optional.empty();
     } catch (EditRejectedException e) {
-      return Optional.of(String.valueOf(e.getMessage()));
+      return Optional.of(Remarks.of(e));
     }
   }
 

@@ -3,15 +3,16 @@ package org.selectiverenderer.enricher.insert;
 import java.awt.Component;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.JFileChooser;
 import org.joml.AxisAngle4d;
+import org.joml.Matrix4d;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.selectiverenderer.authoring.EditRejectedException;
+import org.selectiverenderer.authoring.area.LocalCoordinateSystem;
 import org.selectiverenderer.authoring.structure.NodeTemplate;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.browser.viewer.Pose;
@@ -44,6 +45,10 @@ public final class InsertCommands {
           "",
           "inline");
 
+  /** The fields of templates that say where they are. */
+  private static final List<String> PLACED =
+      List.of("Transform translation", "PointLight location", "SpotLight location");
+
   private static final double EYE = 1.6;
   private static final double AHEAD = 3;
   private static final int DECIMALS = 3;
@@ -52,6 +57,7 @@ public final class InsertCommands {
   private final StructureCommands structure;
   private final Supplier<Optional<Pose>> viewer;
   private final Ground ground;
+  private Consumer<DocumentElement> onInserted = element -> {};
 
   /** Answers a place before the viewer on which an object can stand; empty where none is known. */
   @FunctionalInterface
@@ -73,54 +79,108 @@ public final class InsertCommands {
     this.ground = ground;
   }
 
+  /** Sets what is done with a node that was inserted, which may be a while after the command. */
+  public void onInserted(Consumer<DocumentElement> listener) {
+    onInserted = listener;
+  }
+
   /** Asks for a node that may go where the selection is, and inserts it. */
   public void choose(Component over) {
     if (session.document().tree().isEmpty()) {
       session.message(Texts.of("node.formsWait"));
       return;
     }
-    InsertDialog dialog =
-        new InsertDialog(
-            structure.palette(), session.selection().filter(DocumentElement::attached));
-    dialog.ask(over).ifPresent(name -> insert(name, over));
+    Optional<DocumentElement> goal = selected();
+    InsertDialog dialog = new InsertDialog(structure.palette(), goal);
+    dialog.ask(over).ifPresent(name -> insert(name, goal, over));
+  }
+
+  private Optional<DocumentElement> selected() {
+    return session.selection().filter(DocumentElement::attached);
   }
 
   /**
-   * Inserts a template or a node.
+   * Inserts a template or a node where the selection is now.
    *
    * @param name the name of a template, or of a node type
    * @param over the component over which a file is asked for
    */
   public void insert(String name, Component over) {
+    insert(name, selected(), over);
+  }
+
+  private void insert(String name, Optional<DocumentElement> goal, Component over) {
     NodeTemplate template = structure.palette().template(name);
     switch (name) {
-      case "inline" -> file(over).ifPresent(file -> place(inlined(template, file)));
+      case "inline" -> file(over).ifPresent(file -> place(goal, () -> inlined(template, file)));
       case "view" ->
-          structure.insert(viewer.get().map(pose -> at(template, pose)).orElse(template));
-      default -> place(template);
+          put(goal, viewer.get().map(pose -> at(template, pose)).orElse(template));
+      default -> place(goal, () -> template);
     }
   }
 
-  /** Inserts a template before the viewer: what stands, on what is there, not inside of it. */
-  private void place(NodeTemplate template) {
-    if (!inScene(template)) {
-      structure.insert(template);
-    } else if (template.text().startsWith("<Transform")) {
-      ground.ahead(
-          found ->
-              structure.insert(
-                  found.map(at -> shifted(template, at)).orElseGet(() -> inFront(template))));
-    } else {
-      structure.insert(inFront(template));
+  /**
+   * Inserts a template before the viewer: what stands, on what is there, not inside of it. The
+   * place is known later; what was asked for goes to what was selected then, in the scene as it has
+   * become.
+   *
+   * @param goal empty for the end of the scene
+   */
+  private void place(Optional<DocumentElement> goal, Supplier<NodeTemplate> made) {
+    NodeTemplate template = made.get();
+    Optional<Matrix4d> fromScene = hasPlace(template) ? fromScene(goal, template) : Optional.empty();
+    if (fromScene.isEmpty()) {
+      put(goal, template);
+      return;
+    }
+    long revision = session.document().revision();
+    ground.ahead(
+        found -> {
+          if (gone(goal)) {
+            session.message(Texts.of("insert.gone", goal.orElseThrow()));
+          } else if (revision == session.document().revision()) {
+            Vector3d at = found.map(place -> under(template, place)).orElseGet(this::inFront);
+            put(goal, shifted(template, fromScene.get().transformPosition(at)));
+          } else {
+            place(goal, made); // its name may be taken now, its place covered
+          }
+        });
+  }
+
+  private static boolean gone(Optional<DocumentElement> goal) {
+    return goal.isPresent() && !goal.get().attached();
+  }
+
+  private static boolean hasPlace(NodeTemplate template) {
+    return PLACED.stream().anyMatch(field -> template.text().startsWith("<" + field.split(" ")[0]));
+  }
+
+  /** Returns the floor that a light hangs over: not a table before the viewer, but what is below. */
+  private Vector3d under(NodeTemplate template, Vector3d ground) {
+    Optional<Pose> pose = viewer.get();
+    if (template.text().startsWith("<Transform") || pose.isEmpty()) {
+      return ground;
+    }
+    double floor = pose.get().position().y() - eyeHeight();
+    return new Vector3d(ground.x, Math.min(ground.y, floor), ground.z);
+  }
+
+  private void put(Optional<DocumentElement> goal, NodeTemplate template) {
+    if (structure.insert(goal, template)) {
+      session.selection().ifPresent(onInserted);
     }
   }
 
-  /** Whether a template gets into a node whose coordinates are those of the scene. */
-  private boolean inScene(NodeTemplate template) {
+  /**
+   * Returns the transformation from the scene to the node that a template gets into; empty where
+   * the text does not tell it.
+   */
+  private Optional<Matrix4d> fromScene(Optional<DocumentElement> goal, NodeTemplate template) {
     try {
-      return inSceneCoordinates(structure.palette().parent(session.selection(), template));
+      return LocalCoordinateSystem.within(structure.palette().parent(goal, template))
+          .map(system -> system.world().invert(new Matrix4d()));
     } catch (EditRejectedException e) {
-      return true; // said when it is inserted
+      return Optional.of(new Matrix4d()); // said when it is inserted
     }
   }
 
@@ -163,11 +223,11 @@ public final class InsertCommands {
     return text.toString();
   }
 
-  /** Puts what has a place in front of the preview's viewer, on the ground under the eyes. */
-  private NodeTemplate inFront(NodeTemplate template) {
+  /** Returns the ground under the eyes before the viewer, without asking for what is there. */
+  private Vector3d inFront() {
     Optional<Pose> pose = viewer.get();
     if (pose.isEmpty()) {
-      return template;
+      return new Vector3d();
     }
     Vector3d ahead = pose.get().orientation().transform(new Vector3d(0, 0, -1));
     ahead.y = 0;
@@ -175,14 +235,13 @@ public final class InsertCommands {
       ahead.set(0, 0, -1);
     }
     ahead.normalize(AHEAD).add(pose.get().position());
-    double floor = pose.get().position().y() - eyeHeight();
-    return shifted(template, new Vector3d(ahead.x, floor, ahead.z));
+    ahead.y = pose.get().position().y() - eyeHeight();
+    return ahead;
   }
 
   private static NodeTemplate shifted(NodeTemplate template, Vector3dc by) {
     NodeTemplate placed = template;
-    for (String field :
-        List.of("Transform translation", "PointLight location", "SpotLight location")) {
+    for (String field : PLACED) {
       String[] words = field.split(" ");
       placed = placed.shifted(words[0], words[1], new double[] {by.x(), by.y(), by.z()}, DECIMALS);
     }
@@ -208,22 +267,5 @@ public final class InsertCommands {
     } catch (NumberFormatException e) {
       return Optional.empty(); // a fault that the validator reports
     }
-  }
-
-  private static boolean inSceneCoordinates(DocumentElement selected) {
-    for (Optional<DocumentElement> at = Optional.of(selected);
-        at.isPresent();
-        at = at.get().parent()) {
-      String name = at.get().name().toLowerCase(Locale.ROOT);
-      if (name.contains("transform")
-          || name.startsWith("geo")
-          || name.startsWith("hanim")
-          || name.startsWith("proto")
-          || name.equals("billboard")
-          || name.equals("cadpart")) {
-        return false;
-      }
-    }
-    return true;
   }
 }

@@ -4,8 +4,8 @@
  *
  * <p>In: a session, where the preview's viewer is. Out: edits of the document, by {@code
  * enricher.menu.StructureCommands}. Uses {@code enricher.component}, {@code enricher.menu}, {@code
- * enricher.session}, {@code enricher.text}, {@code authoring.structure}, {@code browser.viewer} and
- * {@code x3d}. For the event dispatch thread.
+ * enricher.session}, {@code enricher.text}, {@code authoring.area}, {@code
+ * authoring.structure}, {@code browser.viewer} and {@code x3d}. For the event dispatch thread.
  */
 @NullMarked
 package org.selectiverenderer.enricher.insert;

@@ -24,6 +24,7 @@ import org.selectiverenderer.authoring.structure.StructureEdits;
 import org.selectiverenderer.authoring.switches.SwitchEdits;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.Remarks;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
@@ -283,6 +284,8 @@ public final class StructureCommands {
                             nodes,
                             node -> known.apply(node).orElseGet(() -> new Vector3d(ASIDE, 0, 0))),
                 "node.duplicated");
+          } else {
+            session.message(Texts.of("node.changedMeanwhile"));
           }
         });
   }
@@ -307,7 +310,7 @@ public final class StructureCommands {
       change(nodes, position, copy);
       return Optional.empty();
     } catch (EditRejectedException e) {
-      return Optional.of(String.valueOf(e.getMessage()));
+      return Optional.of(Remarks.of(e));
     }
   }
 
@@ -336,11 +339,12 @@ public final class StructureCommands {
   }
 
   /**
-   * Inserts a template at the selection.
+   * Inserts a template into an element or behind it.
    *
+   * @param goal empty for the end of the scene
    * @return whether it was inserted
    */
-  public boolean insert(NodeTemplate template) {
-    return perform(() -> palette().insert(session.selection(), template), "node.inserted");
+  public boolean insert(Optional<DocumentElement> goal, NodeTemplate template) {
+    return perform(() -> palette().insert(goal, template), "node.inserted");
   }
 }

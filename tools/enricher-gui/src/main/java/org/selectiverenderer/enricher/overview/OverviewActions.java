@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JPopupMenu;
 import org.selectiverenderer.authoring.EditRejectedException;
+import org.selectiverenderer.enricher.text.Remarks;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.schema.ConsistencyDegree;
 
@@ -160,7 +161,7 @@ final class OverviewActions {
     try {
       work.run();
     } catch (EditRejectedException e) {
-      say.accept(e.getMessage());
+      say.accept(Remarks.of(e));
     }
   }
 }

@@ -17,6 +17,7 @@ import org.selectiverenderer.enricher.component.WrapLayout;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
 import org.selectiverenderer.enricher.text.Mnemonics;
+import org.selectiverenderer.enricher.text.Remarks;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.swing.PlainText;
 import org.selectiverenderer.x3d.source.DocumentElement;
@@ -179,7 +180,7 @@ public final class OverviewPanel extends JPanel {
       table.keepingSelection(() -> model.addSchema(schema));
       return Optional.empty();
     } catch (EditRejectedException e) {
-      return Optional.of(String.valueOf(e.getMessage()));
+      return Optional.of(Remarks.of(e));
     }
   }
 
@@ -271,7 +272,7 @@ public final class OverviewPanel extends JPanel {
     try {
       work.run();
     } catch (EditRejectedException e) {
-      say(e.getMessage());
+      say(Remarks.of(e));
     }
   }
 

@@ -97,6 +97,8 @@ public final class PlacementCommands {
         boxes -> {
           if (revision == session.document().revision()) {
             arrange(verb, least, shifting, boxes);
+          } else {
+            session.message(Texts.of("node.changedMeanwhile"));
           }
         });
   }
@@ -143,6 +145,8 @@ public final class PlacementCommands {
                   // Heights of nodes that are no longer those selected would move others.
                   if (revision == session.document().revision() && nodes.equals(outermost())) {
                     putOnFloor(boxes, heights);
+                  } else {
+                    session.message(Texts.of("node.changedMeanwhile"));
                   }
                 }));
   }

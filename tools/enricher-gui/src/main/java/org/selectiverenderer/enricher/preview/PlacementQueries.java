@@ -79,7 +79,9 @@ final class PlacementQueries {
       over.fma(Math.min(AHEAD, free / 2), way);
     }
     shown.ifPresent(box -> keepOver(box, over));
-    return below(scene, over, over.y - EYES);
+    // Where nothing is below, the eyes may be at any height: that of the scene's lowest point tells
+    // where its ground is, and an empty scene's is at 0.
+    return below(scene, over, shown.map(BoundingBox::minY).orElse(0.0));
   }
 
   /** Returns where a viewer's eyes may be who stands on something in a box. */

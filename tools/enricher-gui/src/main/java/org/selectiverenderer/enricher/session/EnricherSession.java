@@ -13,6 +13,7 @@ import org.selectiverenderer.authoring.enrichment.DocumentEnrichment;
 import org.selectiverenderer.authoring.enrichment.EnrichmentEdits;
 import org.selectiverenderer.authoring.file.DocumentFile;
 import org.selectiverenderer.enricher.task.TaskExecutor;
+import org.selectiverenderer.enricher.text.Remarks;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.ElementTree;
@@ -107,7 +108,7 @@ public final class EnricherSession {
 
   /** Shows a message in the status bar, without interrupting the author. */
   public void message(String sentence) {
-    messages.accept(sentence);
+    messages.accept(Remarks.shown(sentence));
   }
 
   /**
@@ -182,7 +183,7 @@ public final class EnricherSession {
       making.run();
       return true;
     } catch (EditRejectedException e) {
-      messages.accept(String.valueOf(e.getMessage()));
+      messages.accept(Remarks.of(e));
       return false;
     }
   }

@@ -10,6 +10,7 @@ import org.selectiverenderer.authoring.UniqueNameGenerator;
 import org.selectiverenderer.authoring.versions.BatchVersionsEdit;
 import org.selectiverenderer.authoring.versions.VersionCandidate;
 import org.selectiverenderer.authoring.versions.VersionCandidate.Remark;
+import org.selectiverenderer.enricher.text.Remarks;
 import org.selectiverenderer.enricher.text.Texts;
 
 /** The table of objects to make versions of: the author ticks them and sets names and goals. */
@@ -138,7 +139,7 @@ final class BatchTableModel extends AbstractTableModel {
 
   private static String remark(VersionCandidate object) {
     if (object.remark() == Remark.IMPOSSIBLE) {
-      return object.obstacle();
+      return Remarks.shown(object.obstacle());
     }
     String said =
         switch (object.remark()) {

@@ -45,6 +45,7 @@ import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.task.BackgroundTask;
 import org.selectiverenderer.enricher.task.TaskProgress;
 import org.selectiverenderer.enricher.text.Mnemonics;
+import org.selectiverenderer.enricher.text.Remarks;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.swing.PlainText;
 import org.selectiverenderer.swing.WindowPacker;
@@ -216,7 +217,7 @@ public final class BatchVersionsDialog extends JDialog {
                   say(
                       failure.getMessage() == null
                           ? Texts.of("versions.failed", failure.toString())
-                          : failure.getMessage());
+                          : Remarks.of(failure));
                 });
     refresh();
   }
@@ -323,7 +324,7 @@ public final class BatchVersionsDialog extends JDialog {
 
   private void planned(BatchVersionsEdit plan, ProblemCollector told) {
     List<String> said = told.list().stream().map(Problem::toString).toList();
-    problems.setListData(said.toArray(String[]::new));
+    problems.setListData(said.stream().map(Remarks::shown).toArray(String[]::new));
     problemPane.setVisible(!said.isEmpty());
     revalidate();
     if (plan.isEmpty()) {
@@ -354,7 +355,7 @@ public final class BatchVersionsDialog extends JDialog {
                   .collect(Collectors.joining(", "))));
     } catch (EditRejectedException | IOException e) {
       session.document().addListener(changes);
-      say(String.valueOf(e.getMessage()));
+      say(Remarks.of(e));
     }
   }
 

@@ -27,6 +27,7 @@ import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.enricher.component.TextChangeListener;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Mnemonics;
+import org.selectiverenderer.enricher.text.Remarks;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.swing.PlainText;
 import org.selectiverenderer.swing.WindowPacker;
@@ -181,7 +182,8 @@ public final class VersionsDialog extends JDialog {
     fewer.setEnabled(model.goals().size() > 1);
     apply.setEnabled(model.applicable());
     List<Problem> found = model.result().map(ComputedVersions::problems).orElse(List.of());
-    problems.setListData(found.stream().map(Problem::toString).toArray(String[]::new));
+    problems.setListData(
+        found.stream().map(Problem::toString).map(Remarks::shown).toArray(String[]::new));
     problemPane.setVisible(!found.isEmpty());
     summary.setText(busy ? " " : summary());
     revalidate();
@@ -252,7 +254,7 @@ public final class VersionsDialog extends JDialog {
       dispose();
     } catch (EditRejectedException | IOException e) {
       session.document().addListener(changes);
-      summary.setText(e.getMessage());
+      summary.setText(Remarks.of(e));
     }
   }
 

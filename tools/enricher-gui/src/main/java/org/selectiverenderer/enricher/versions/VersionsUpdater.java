@@ -7,6 +7,7 @@ import org.selectiverenderer.authoring.DocumentSnapshot;
 import org.selectiverenderer.authoring.versions.VersionsEdit;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.task.BackgroundTask;
+import org.selectiverenderer.enricher.text.Remarks;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.models.simplify.SimplificationTarget;
 
@@ -79,7 +80,9 @@ final class VersionsUpdater {
 
   private static String sentence(Exception failure) {
     String message = failure.getMessage();
-    return message == null ? Texts.of("versions.failed", failure.toString()) : message;
+    return message == null
+        ? Texts.of("versions.failed", failure.toString())
+        : Remarks.shown(message);
   }
 
   private void done(long number, Runnable report) {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
@@ -77,8 +78,20 @@ class PlacementQueriesTest {
   }
 
   @Test
-  void aSceneThatShowsNothingHasItUnderTheEyes() throws Exception {
-    Vector3d at = ahead("<Viewpoint position='0 1.6 10'/>");
-    assertThat(at.distance(0, 0, 8)).as("%s", at).isLessThan(0.01);
+  void aSceneThatShowsNothingHasItOnItsGroundWhateverTheHeightOfTheEyes() throws Exception {
+    for (String eyes : List.of("1.6", "0", "7")) {
+      Vector3d at = ahead("<Viewpoint position='0 %s 10'/>".formatted(eyes));
+      assertThat(at.distance(0, 0, 8)).as("%s from %s", at, eyes).isLessThan(0.01);
+    }
+  }
+
+  /** A gallery without a floor of its own, beside a tower. */
+  @Test
+  void whereNothingIsBelowTheViewerItStandsAtTheFootOfTheScene() throws Exception {
+    String towers =
+        "<Transform translation='-5 6 0'><Shape><Box size='1 12 1'/></Shape></Transform>"
+            + "<Transform translation='5 6 -6'><Shape><Box size='1 12 1'/></Shape></Transform>";
+    Vector3d at = ahead("<Viewpoint position='0 7 0'/>" + towers);
+    assertThat(at.distance(0, 0, -2)).as("%s", at).isLessThan(0.01);
   }
 }
