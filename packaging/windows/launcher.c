@@ -317,8 +317,8 @@ static int run_silently(wchar_t *command_line) {
 }
 
 /* Makes a file without bytes; returns whether that can be done. */
-static int make_empty(const wchar_t *path, DWORD disposition) {
-  HANDLE made = CreateFileW(path, GENERIC_WRITE, 0, NULL, disposition, FILE_ATTRIBUTE_NORMAL, NULL);
+static int make_empty(const wchar_t *path) {
+  HANDLE made = CreateFileW(path, GENERIC_WRITE, 0, NULL, CREATE_ALWAYS, FILE_ATTRIBUTE_NORMAL, NULL);
   if (made == INVALID_HANDLE_VALUE) {
     return 0;
   }
@@ -331,16 +331,49 @@ static int has_bytes(const wchar_t *path) {
   return GetFileAttributesExW(path, GetFileExInfoStandard, &file) && (file.nFileSizeLow | file.nFileSizeHigh) != 0;
 }
 
-/* Deletes the archives of other versions of the jar; those that another process uses stay. */
+/*
+ * Deletes the archives of other versions of the jar, and what starts that were killed have left; what another process
+ * uses stays.
+ */
 static void delete_archives(const wchar_t *app) {
   WIN32_FIND_DATAW found;
-  HANDLE search = FindFirstFileW(text(L"%ls\\classes-*.jsa", app), &found);
+  HANDLE search = FindFirstFileW(text(L"%ls\\classes-*.jsa*", app), &found);
   if (search != INVALID_HANDLE_VALUE) {
     do {
-      DeleteFileW(text(L"%ls\\%ls", app, found.cFileName));
+      wchar_t *path = text(L"%ls\\%ls", app, found.cFileName);
+      SetFileAttributesW(path, FILE_ATTRIBUTE_NORMAL); /* Java makes it read only. */
+      DeleteFileW(path);
     } while (FindNextFileW(search, &found));
     FindClose(search);
   }
+}
+
+/*
+ * Makes the archive at a path. One start at a time makes it; the others go without. The system takes the lock back,
+ * and deletes its file, however its holder ends.
+ */
+static void make_archive(const wchar_t *home, const wchar_t *jar, const wchar_t *list, const wchar_t *path) {
+  wchar_t *app = text(L"%ls\\app", home);
+  wchar_t *temporary = text(L"%ls.%lu", path, GetCurrentProcessId());
+  HANDLE lock = CreateFileW(text(L"%ls\\classes.lock", app), GENERIC_WRITE | DELETE, 0, NULL, OPEN_ALWAYS,
+                            FILE_ATTRIBUTE_NORMAL | FILE_FLAG_DELETE_ON_CLOSE, NULL);
+  if (lock == INVALID_HANDLE_VALUE) {
+    return;
+  }
+  /* Another start may have made it before this one had the lock. */
+  if (!is_file(path)) {
+    int made;
+    delete_archives(app);
+    made = run_silently(text(L"\"%ls\\runtime\\bin\\javaw.exe\" -Xshare:dump -Xlog:disable"
+                             L" -XX:SharedClassListFile=\"%ls\" -XX:SharedArchiveFile=\"%ls\" -cp \"%ls\"",
+                             home, list, temporary, jar));
+    SetFileAttributesW(temporary, FILE_ATTRIBUTE_NORMAL); /* Java makes it read only, so that nothing could delete it. */
+    if (!(made || make_empty(temporary)) ||
+        !MoveFileExW(temporary, path, made ? MOVEFILE_REPLACE_EXISTING : 0)) {
+      DeleteFileW(temporary);
+    }
+  }
+  CloseHandle(lock);
 }
 
 /*
@@ -352,25 +385,12 @@ static wchar_t *archive(const wchar_t *home, const wchar_t *jar) {
   WIN32_FILE_ATTRIBUTE_DATA file = {0};
   wchar_t *app = text(L"%ls\\app", home);
   wchar_t *list = text(L"%ls\\classes.list", app);
-  wchar_t *path, *temporary;
-  int made;
+  wchar_t *path;
   GetFileAttributesExW(jar, GetFileExInfoStandard, &file);
   path = text(L"%ls\\classes-%08lx%08lx%08lx.jsa", app, file.nFileSizeLow, file.ftLastWriteTime.dwHighDateTime,
               file.ftLastWriteTime.dwLowDateTime);
   if (!is_file(path) && is_file(list)) {
-    temporary = text(L"%ls.%lu", path, GetCurrentProcessId());
-    if (!make_empty(temporary, CREATE_NEW)) {
-      return NULL;
-    }
-    delete_archives(app);
-    made = run_silently(text(L"\"%ls\\runtime\\bin\\javaw.exe\" -Xshare:dump -Xlog:disable"
-                             L" -XX:SharedClassListFile=\"%ls\" -XX:SharedArchiveFile=\"%ls\" -cp \"%ls\"",
-                             home, list, temporary, jar));
-    SetFileAttributesW(temporary, FILE_ATTRIBUTE_NORMAL); /* Java makes it read only, so that nothing could delete it. */
-    if (!(made || make_empty(temporary, CREATE_ALWAYS)) ||
-        !MoveFileExW(temporary, path, made ? MOVEFILE_REPLACE_EXISTING : 0)) {
-      DeleteFileW(temporary);
-    }
+    make_archive(home, jar, list, path);
   }
   return has_bytes(path) ? path : NULL;
 }

@@ -2,6 +2,7 @@ package org.selectiverenderer;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -30,6 +31,12 @@ import org.selectiverenderer.testing.Eventually;
 @DisabledOnOs(OS.WINDOWS)
 class LauncherTest {
   private static final Instant LONG_AGO = Instant.parse("2020-01-01T00:00:00Z");
+
+  /** What the launcher calls, but for flock. */
+  private static final List<String> PROGRAMS =
+      List.of(
+          "sh", "mkdir", "rmdir", "touch", "find", "sleep", "mv", "rm", "cp", "cat", "grep", "sed",
+          "locale", "env", "ls", "readlink", "awk", "nice");
 
   @TempDir private Path folder;
   private Path home;
@@ -127,7 +134,10 @@ class LauncherTest {
     try (Stream<Path> files = Files.list(home.resolve("target"))) {
       assertThat(files.map(file -> file.getFileName().toString()))
           .containsExactlyInAnyOrder(
-              "selective-renderer.jar", "x3d-sai.jar", "selective-renderer-17.0.1.jsa");
+              "selective-renderer.jar",
+              "x3d-sai.jar",
+              "selective-renderer-17.0.1.jsa",
+              "selective-renderer-archive.jsa.lock");
     }
   }
 
@@ -189,7 +199,8 @@ class LauncherTest {
               "selective-renderer.jar",
               "x3d-sai.jar",
               "classes.list",
-              "selective-renderer-17.0.2.jsa");
+              "selective-renderer-17.0.2.jsa",
+              "selective-renderer-archive.jsa.lock");
     }
   }
 
@@ -273,19 +284,88 @@ class LauncherTest {
     launch("validate"); // In the foreground it would wait for its own.
     Files.writeString(may, "");
     Path archive = home.resolve("app/selective-renderer-17.0.2.jsa");
-    Path lock = home.resolve("app/selective-renderer-archive.lock");
-    Eventually.await("the archive", () -> Files.exists(archive) && !Files.exists(lock));
+    Eventually.await("the archive", () -> Files.exists(archive));
     assertThat(notes()).filteredOn("dumping"::equals).hasSize(1);
     assertThat(notes()).filteredOn("window"::equals).hasSize(3);
     assertThat(notes()).contains("low");
+  }
 
-    // The lock of a start that was killed is taken over.
-    Files.delete(archive);
-    Files.createDirectory(lock);
-    Files.writeString(lock.resolve("process"), "999999999");
-    launch("validate");
-    assertThat(archive).exists();
-    assertThat(lock).doesNotExist();
+  /** Else each would delete what the other is writing. */
+  @ParameterizedTest
+  @ValueSource(booleans = {true, false})
+  void ofManyStartsAfterAKilledOneOneMakesTheArchive(boolean flock) throws Exception {
+    aPackage();
+    Files.writeString(home.resolve("app/classes.list"), "java/lang/Object");
+    // Makes the archive once it may.
+    tool(
+        "runtime/bin/java",
+        """
+        case "$*" in
+          *-Xshare:dump*)
+            echo dumping >>"$NOTES"
+            until [ -e "$MAY" ]; do sleep 0.1; done
+            for word in "$@"; do
+              case $word in -XX:SharedArchiveFile=*) echo classes >"${word#*=}" ;; esac
+            done
+            ;;
+        esac
+        """);
+    Files.move(
+        tools.resolve("runtime/bin/java"),
+        home.resolve("runtime/bin/java"),
+        StandardCopyOption.REPLACE_EXISTING);
+    Path may = folder.resolve("may");
+    environment.put("MAY", may.toString());
+    withFlock(flock);
+    Path lock = home.resolve("app/selective-renderer-archive.jsa.lock");
+
+    kill(background("validate"), () -> notes().contains("dumping"), lock);
+    List<Process> starts = new ArrayList<>();
+    for (int i = 0; i < 8; i++) {
+      starts.add(background("validate"));
+    }
+    // All but the one that makes it go on without.
+    Eventually.await(
+        "the other starts", () -> starts.stream().filter(Process::isAlive).count() == 1);
+    assertThat(notes()).filteredOn("dumping"::equals).hasSize(2);
+
+    Files.writeString(may, "");
+    for (Process each : starts) {
+      assertThat(each.waitFor()).isZero();
+    }
+    assertThat(home.resolve("app/selective-renderer-17.0.2.jsa")).exists();
+    assertThat(launch("validate").status()).isZero();
+    assertThat(notes()).filteredOn("dumping"::equals).hasSize(2);
+  }
+
+  /**
+   * Kills a start with all that it started, and makes its lock look like one of an hour ago.
+   *
+   * @param begun says when
+   */
+  private static void kill(Process start, Eventually.Condition begun, Path lock) throws Exception {
+    Eventually.await("the first start", begun);
+    List<ProcessHandle> all =
+        Stream.concat(Stream.of(start.toHandle()), start.descendants()).toList();
+    all.forEach(ProcessHandle::destroyForcibly);
+    for (ProcessHandle each : all) {
+      each.onExit().get();
+    }
+    Path held = lock.resolveSibling(lock.getFileName() + ".folder");
+    if (Files.exists(held)) {
+      Files.setLastModifiedTime(held, FileTime.from(Instant.now().minusSeconds(3600)));
+    }
+  }
+
+  /** Takes flock away, which macOS does not have, or leaves it. */
+  private void withFlock(boolean flock) throws IOException {
+    if (flock) {
+      return;
+    }
+    for (String name : PROGRAMS) {
+      tool(name, "exec " + which(name) + " \"$@\"");
+    }
+    environment.put("PATH", tools.toString());
   }
 
   /** A participant's pictures come as fast as in later sessions. */
@@ -361,7 +441,7 @@ class LauncherTest {
 
   private static Path onlyFile(Path folder) throws IOException {
     try (Stream<Path> files = Files.list(folder)) {
-      List<Path> all = files.toList();
+      List<Path> all = files.filter(file -> !file.toString().endsWith(".lock")).toList();
       assertThat(all).hasSize(1);
       return all.get(0);
     }
@@ -442,19 +522,37 @@ class LauncherTest {
     assertThat(run.out()).isEmpty();
     assertThat(run.err()).contains("chatter of Maven", "the build failed");
     assertThat(notes()).noneMatch(note -> note.startsWith("java"));
-    assertThat(home.resolve("target/.launcher-lock")).doesNotExist();
+    environment.remove("MVN_FAILS");
+    assertThat(launch("--version").status()).isZero();
   }
 
-  @Test
-  void aLockOfAKilledBuildDoesNotBlock() throws Exception {
+  @ParameterizedTest
+  @ValueSource(booleans = {true, false})
+  void ofManyStartsAfterAKilledBuildOneBuilds(boolean flock) throws Exception {
     Files.delete(jar());
-    // The process number of a process that has ended.
-    Process ended = new ProcessBuilder("true").start();
-    ended.waitFor();
-    Files.createSymbolicLink(
-        home.resolve("target/.launcher-lock"), Path.of(Long.toString(ended.pid())));
-    assertThat(launch("--version").status()).isZero();
-    assertThat(builds()).isEqualTo(1);
+    Path may = folder.resolve("may");
+    environment.put("MAY", may.toString());
+    tool(
+        "mvn",
+        """
+        echo mvn "$@" >>"$NOTES"
+        until [ -e "$MAY" ]; do sleep 0.1; done
+        touch target/x3d-sai.jar target/selective-renderer.jar
+        """);
+    withFlock(flock);
+    Path lock = home.resolve("target/.launcher-build.lock");
+
+    kill(background("--version"), () -> builds() == 1, lock);
+    List<Process> starts = new ArrayList<>();
+    for (int i = 0; i < 8; i++) {
+      starts.add(background("--version"));
+    }
+    Eventually.await("the second build", () -> builds() > 1);
+    Files.writeString(may, "");
+    for (Process each : starts) {
+      assertThat(each.waitFor()).isZero();
+    }
+    assertThat(builds()).isEqualTo(2);
   }
 
   @Test
@@ -622,21 +720,37 @@ class LauncherTest {
     Path out = folder.resolve("out");
     Path err = folder.resolve("err");
     ProcessBuilder builder =
-        new ProcessBuilder(command)
-            .directory(folder.toFile())
+        builder(command)
             .redirectInput(in.toFile())
             .redirectOutput(out.toFile())
             .redirectError(err.toFile());
-    builder
-        .environment()
-        .keySet()
-        .removeIf(name -> name.startsWith("SELECTIVE_RENDERER_") || name.startsWith("MALLOC_"));
-    builder.environment().putAll(environment);
     int status = builder.start().waitFor();
     return new Run(
         status,
         Files.readString(out, StandardCharsets.UTF_8),
         Files.readString(err, StandardCharsets.UTF_8));
+  }
+
+  /** Starts it and goes on; nothing of what it says is kept. */
+  private Process background(String... arguments) throws IOException {
+    List<String> command = new ArrayList<>();
+    command.add(home.resolve("selective-renderer").toString());
+    command.addAll(List.of(arguments));
+    return builder(command)
+        .redirectInput(new File("/dev/null"))
+        .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+        .redirectError(ProcessBuilder.Redirect.DISCARD)
+        .start();
+  }
+
+  private ProcessBuilder builder(List<String> command) {
+    ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile());
+    builder
+        .environment()
+        .keySet()
+        .removeIf(name -> name.startsWith("SELECTIVE_RENDERER_") || name.startsWith("MALLOC_"));
+    builder.environment().putAll(environment);
+    return builder;
   }
 
   private record Run(int status, String out, String err) {}

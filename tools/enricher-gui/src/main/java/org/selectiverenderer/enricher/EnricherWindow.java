@@ -74,6 +74,9 @@ final class EnricherWindow {
 
   private @Nullable Workbench bench;
 
+  /** The views of the document that is being opened. */
+  private @Nullable WorkbenchParts building;
+
   /**
    * Creates the only window of its own.
    *
@@ -261,8 +264,17 @@ final class EnricherWindow {
     letGo(true);
     EnricherSession session =
         new EnricherSession(file, catalogue, files.access(file.path()), tasks, status::say);
-    Workbench opened =
-        new Workbench(session, settings, recovery, status::count, dialogs::versions, trust);
+    WorkbenchParts parts = new WorkbenchParts(session, settings, recovery, trust);
+    building = parts;
+    refresh();
+    parts.make(() -> show(file, parts));
+  }
+
+  /** Shows the views that have been made. */
+  private void show(DocumentFile file, WorkbenchParts parts) {
+    building = null;
+    EnricherSession session = parts.session;
+    Workbench opened = new Workbench(parts, settings, status::count, dialogs::versions);
     opened.onElsewhere(opening::openElsewhere);
     opened.menu().add(runs.openInlineOfNode());
     bench = opened;
@@ -286,6 +298,10 @@ final class EnricherWindow {
    * @param done whether the unsaved changes may be forgotten
    */
   private void letGo(boolean done) {
+    if (building != null) {
+      building.dispose();
+      building = null;
+    }
     if (bench != null) {
       bench.remember();
       if (done) {
@@ -295,6 +311,10 @@ final class EnricherWindow {
       bench.dispose();
       bench = null;
       saves.end();
+      content.removeAll();
+      content.add(welcome, BorderLayout.CENTER);
+      content.revalidate();
+      content.repaint();
     }
   }
 

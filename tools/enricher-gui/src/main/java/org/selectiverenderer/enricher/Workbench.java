@@ -1,8 +1,6 @@
 package org.selectiverenderer.enricher;
 
 import java.awt.Toolkit;
-import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -10,18 +8,12 @@ import java.util.function.Consumer;
 import javax.swing.JComponent;
 import javax.swing.JSplitPane;
 import javax.swing.KeyStroke;
-import org.selectiverenderer.authoring.file.CrashRecovery;
-import org.selectiverenderer.authoring.geometry.RepeatedPointsCheck;
 import org.selectiverenderer.authoring.structure.ChildPosition;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.browser.viewer.Pose;
 import org.selectiverenderer.enricher.area.AreaCommands;
 import org.selectiverenderer.enricher.area.DuplicateShifts;
-import org.selectiverenderer.enricher.area.GridSetting;
-import org.selectiverenderer.enricher.area.NameDialog;
-import org.selectiverenderer.enricher.area.NamePrompt;
 import org.selectiverenderer.enricher.component.CollapsibleSplit;
-import org.selectiverenderer.enricher.cost.BudgetFileLocator;
 import org.selectiverenderer.enricher.cost.CostPanel;
 import org.selectiverenderer.enricher.form.FormPanel;
 import org.selectiverenderer.enricher.help.HelpPanel;
@@ -31,19 +23,14 @@ import org.selectiverenderer.enricher.menu.NodeEditCommands;
 import org.selectiverenderer.enricher.menu.NodeMenu;
 import org.selectiverenderer.enricher.menu.StructureCommands;
 import org.selectiverenderer.enricher.overview.MetadataClipboard;
-import org.selectiverenderer.enricher.overview.OverviewPanel;
-import org.selectiverenderer.enricher.placement.HandleSettings;
 import org.selectiverenderer.enricher.placement.PlacementCommands;
 import org.selectiverenderer.enricher.plan.PlanPanel;
 import org.selectiverenderer.enricher.preview.PreviewPanel;
-import org.selectiverenderer.enricher.preview.VersionImageRenderer;
 import org.selectiverenderer.enricher.problems.ProblemCounts;
 import org.selectiverenderer.enricher.problems.ProblemsPanel;
-import org.selectiverenderer.enricher.problems.ValidatorCheck;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.settings.Autosave;
 import org.selectiverenderer.enricher.settings.EnricherSettings;
-import org.selectiverenderer.enricher.settings.SettingsTrust;
 import org.selectiverenderer.enricher.source.SourcePanel;
 import org.selectiverenderer.enricher.text.MnemonicText;
 import org.selectiverenderer.enricher.text.Texts;
@@ -51,8 +38,6 @@ import org.selectiverenderer.enricher.tree.NodeDrop;
 import org.selectiverenderer.enricher.tree.SceneTreePanel;
 import org.selectiverenderer.validation.run.RuleCatalogue;
 import org.selectiverenderer.x3d.source.DocumentElement;
-import org.selectiverenderer.x3d.url.ContentAccessPolicy;
-import org.selectiverenderer.x3d.url.UrlResolver;
 
 /** All views of one open document, laid out as the author left them. */
 final class Workbench {
@@ -67,15 +52,14 @@ final class Workbench {
   /** Least width in pixels of the views. */
   private static final int VIEWS = 120;
 
+  private final WorkbenchParts parts;
   private final EnricherSession session;
   private final EnricherSettings settings;
   private final Autosave autosave;
   private final SceneTreePanel tree;
   private final SourcePanel source;
   private final FormPanel form;
-  private final VersionImageRenderer pictures;
   private final PreviewPanel preview;
-  private final OverviewPanel overview;
   private final CostPanel cost;
   private final JSplitPane schemas;
   private final CollapsibleSplit schemasAndCosts;
@@ -84,7 +68,7 @@ final class Workbench {
   private final PlanPanel plan;
   private final HelpPanel help;
   private final ProblemsPanel problems;
-  private final ViewTabs tabs = new ViewTabs();
+  private final ViewTabs tabs;
   private final JSplitPane left;
   private final JSplitPane right;
   private final JSplitPane all;
@@ -92,39 +76,27 @@ final class Workbench {
   private final StructureCommands structure;
   private final FocusedKeys focused;
   private final InsertCommands insert;
-  private final List<Runnable> disposals = new ArrayList<>();
 
   /**
+   * @param parts its views; those that are not made yet are made now
    * @param counts called with the number of problems whenever it changes
    * @param makeVersions opens the versions dialog for an element with a DEF name
-   * @param trust asks what the settings file beside the scene may open
    */
   Workbench(
-      EnricherSession session,
+      WorkbenchParts parts,
       EnricherSettings settings,
-      CrashRecovery recovery,
       Consumer<ProblemCounts> counts,
-      Consumer<DocumentElement> makeVersions,
-      SettingsTrust trust) {
-    this.session = session;
+      Consumer<DocumentElement> makeVersions) {
+    this.parts = parts;
+    this.session = parts.session;
     this.settings = settings;
-    preview = new PreviewPanel(session); // First, as it loads the scene while the others are made.
+    tabs = parts.tabs;
+    preview = parts.preview.get();
     menu = new NodeMenu(session);
     structure = new StructureCommands(session, Toolkit.getDefaultToolkit().getSystemClipboard());
-    pictures = new VersionImageRenderer(() -> asScene(session));
-    autosave = new Autosave(session, recovery);
-    BudgetFileLocator budgets =
-        new BudgetFileLocator(
-            () -> session.file().path(),
-            settings,
-            (read, found) -> trust.limited(read, found, this::settingsAreOther));
-    ValidatorCheck validator = validator(session, budgets);
-    problems =
-        new ProblemsPanel(
-            session,
-            List.of(
-                validator, validator.graded(RepeatedPointsCheck.RULE, new RepeatedPointsCheck())));
-    tree = new SceneTreePanel(session, problems::faulty);
+    autosave = parts.autosave;
+    problems = parts.problems.get();
+    tree = parts.tree.get();
     problems.onCounts(
         now -> {
           tree.tree().repaint();
@@ -132,30 +104,26 @@ final class Workbench {
         });
     problems.onPlace(this::revealInSource);
     problems.onExplain(this::explain);
-    source = new SourcePanel(session);
-    form = new FormPanel(session, pictures);
+    source = parts.source.get();
+    form = parts.form.get();
     form.onMakeVersions(makeVersions);
     form.follow(problems);
-    help = new HelpPanel(session);
-    overview = new OverviewPanel(session);
-    cost = new CostPanel(session, budgets, problems::checkAgain);
-    schemas = split(JSplitPane.VERTICAL_SPLIT, overview, cost, 1, "polygons");
+    help = parts.help.get();
+    cost = parts.cost.get();
+    schemas = split(JSplitPane.VERTICAL_SPLIT, parts.overview.get(), cost, 1, "polygons");
     schemasAndCosts =
         new CollapsibleSplit(
             schemas,
             Texts.of("cost.name"),
             Texts.of("cost.fold"),
             open -> settings.put("costs", open));
-    GridSetting grid = new GridSetting(settings);
-    NamePrompt names = new NameDialog(tabs::component);
-    areas = new AreaCommands(session, preview.probe(), names);
-    preview.grid(grid::step);
-    HandleSettings handles = new HandleSettings();
-    preview.handles(handles);
+    areas = parts.areas.get();
+    preview.grid(parts.grid::step);
+    preview.handles(parts.handles);
     placement = new PlacementCommands(session, preview.probe());
     preview.addAction(
         Texts.of("area.add.short"), Texts.of("area.add.tip"), areas::addAroundSelection);
-    plan = new PlanPanel(session, areas, names, grid, handles);
+    plan = parts.plan.get();
     tabs.add("Preview", Texts.of("window.tab.preview"), preview);
     tabs.add("Schemas", Texts.of("window.tab.schemas"), schemasAndCosts);
     tabs.add("Source", Texts.of("window.tab.source"), source.component());
@@ -170,38 +138,11 @@ final class Workbench {
     structure.shifts(new DuplicateShifts(preview.probe()));
     insert = new InsertCommands(session, structure, this::here, preview::placeAhead);
     insert.onInserted(tree::reveal);
-    disposals.add(focused::dispose);
-    disposals.add(autosave::dispose);
-    disposals.add(problems::dispose);
-    disposals.add(tree::dispose);
-    disposals.add(source::dispose);
-    disposals.add(form::dispose);
-    disposals.add(help::dispose);
-    disposals.add(plan::dispose);
-    disposals.add(preview::dispose);
-    disposals.add(overview::dispose);
-    disposals.add(cost::dispose);
-    disposals.add(pictures::close);
-    disposals.add(session::dispose);
     tabs.select(settings.word("tab", ""));
     if (session.document().fault().isPresent()) {
       tabs.bringToFront(source.component());
       source.showFault();
     }
-  }
-
-  private void settingsAreOther() {
-    cost.lookAtFilesAgain();
-    problems.checkAgain();
-  }
-
-  /** Returns the content access of version files: that of the scene that they belong to. */
-  private static ContentAccessPolicy asScene(EnricherSession session) {
-    Path folder = session.file().path().toAbsolutePath().resolveSibling("");
-    List<Path> folders = new ArrayList<>(session.access().folders());
-    folders.add(folder);
-    folders.add(folder.resolveSibling(UrlResolver.INLINE_FOLDER));
-    return new ContentAccessPolicy(folders, session.access().network());
   }
 
   private void addMenus(Consumer<DocumentElement> makeVersions) {
@@ -323,16 +264,6 @@ final class Workbench {
   private void showInSource(DocumentElement element) {
     inSource(panel -> panel.reveal(element.start()));
     source.area().requestFocusInWindow();
-  }
-
-  private static ValidatorCheck validator(EnricherSession session, BudgetFileLocator budgets) {
-    return new ValidatorCheck(
-        () -> session.file().path(),
-        RuleCatalogue.standard(),
-        problems ->
-            budgets
-                .settings(problems)
-                .map(read -> read.allowing(read.access().and(session.access()))));
   }
 
   private static JSplitPane split(
@@ -510,6 +441,7 @@ final class Workbench {
   }
 
   void dispose() {
-    disposals.forEach(Runnable::run);
+    focused.dispose();
+    parts.dispose();
   }
 }

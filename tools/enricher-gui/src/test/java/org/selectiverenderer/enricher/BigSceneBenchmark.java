@@ -20,6 +20,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
+import java.util.stream.Collectors;
 import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
@@ -99,6 +100,17 @@ class BigSceneBenchmark {
       }
     }
 
+    /** The processor time of the five that took most. */
+    String most() {
+      synchronized (events) {
+        return events.stream()
+            .sorted((one, other) -> Double.compare(other[1], one[1]))
+            .limit(5)
+            .map(each -> String.format(Locale.ROOT, "%.0f", each[1]))
+            .collect(Collectors.joining(", "));
+      }
+    }
+
     long above(double ms) {
       synchronized (events) {
         return events.stream().filter(each -> each[1] > ms).count();
@@ -166,10 +178,11 @@ class BigSceneBenchmark {
     System.out.printf("memory in use, %s: %d MB%n", when, heap.getUsed() >> 20);
     System.out.printf(
         Locale.ROOT,
-        "longest event %.0f ms (%.0f ms CPU), %d above 100 ms CPU%n",
+        "longest event %.0f ms (%.0f ms CPU), %d above 100 ms CPU, most %s%n",
         clock.longest(0),
         clock.longest(1),
-        clock.above(100));
+        clock.above(100),
+        clock.most());
   }
 
   private EnricherSession session() {

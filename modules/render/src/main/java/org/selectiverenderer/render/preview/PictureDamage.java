@@ -34,9 +34,6 @@ final class PictureDamage {
 
   private static final double NEAR = 1e-6;
 
-  /** Most rectangles; more are united. */
-  private static final int MOST = 4;
-
   private @Nullable Picture last;
 
   /** The state of everything that a picture shows. */
@@ -180,7 +177,7 @@ final class PictureDamage {
         });
     boxesOnlyIn(before.boxes, now.boxes).forEach(rectangles::add);
     boxesOnlyIn(now.boxes, before.boxes).forEach(rectangles::add);
-    return rectangles.unbounded ? Optional.empty() : Optional.of(rectangles.found);
+    return rectangles.unbounded ? Optional.empty() : Optional.of(rectangles.found.rectangles());
   }
 
   /** Returns the boxes that are not in the same place of another list. */
@@ -201,7 +198,7 @@ final class PictureDamage {
 
   /** A few rectangles that hold the pixels of all that is added. */
   private static final class Rectangles {
-    final List<PixelRectangle> found = new ArrayList<>();
+    final DamageRegion found = new DamageRegion();
     private final Camera camera;
     private final Matrix4dc clip;
 
@@ -249,30 +246,7 @@ final class PictureDamage {
       int endY = within(Math.ceil(top) + MARGIN, camera.height());
       if (!unbounded && endX > x && endY > y) {
         found.add(new PixelRectangle(camera.x() + x, camera.y() + y, endX - x, endY - y));
-        mergeOverMost();
       }
-    }
-
-    /** Unites the two rectangles that lose least by it, where there are more than a few. */
-    private void mergeOverMost() {
-      if (found.size() <= MOST) {
-        return;
-      }
-      int one = 0;
-      int other = 1;
-      long least = Long.MAX_VALUE;
-      for (int i = 0; i < found.size(); i++) {
-        for (int j = i + 1; j < found.size(); j++) {
-          PixelRectangle both = found.get(i).union(found.get(j));
-          long lost = both.area() - found.get(i).area() - found.get(j).area();
-          if (lost < least) {
-            least = lost;
-            one = i;
-            other = j;
-          }
-        }
-      }
-      found.set(one, found.get(one).union(found.remove(other)));
     }
 
     private static int within(double pixel, int most) {

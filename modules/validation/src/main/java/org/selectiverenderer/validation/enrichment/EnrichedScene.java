@@ -22,6 +22,7 @@ import org.selectiverenderer.x3d.read.ParsedNode;
  * @param nodes all nodes of these files, parents first, the scene's own file first
  * @param areas the ProximitySensors that name schemas
  * @param objects the Switches that name schemas
+ * @param scripted whether there is a script, which may set any field and observe any node
  * @param counts the enrichment with polygon counts; null if there is neither area nor object
  */
 record EnrichedScene(
@@ -30,6 +31,7 @@ record EnrichedScene(
     List<ParsedNode> nodes,
     Map<ParsedNode, SensorSchemas> areas,
     Map<ParsedNode, SwitchSchemas> objects,
+    boolean scripted,
     @Nullable EnrichmentPolygonModel counts) {
 
   static EnrichedScene of(SceneContext view) {
@@ -50,7 +52,13 @@ record EnrichedScene(
     }
     boolean nothing = areas.isEmpty() && objects.isEmpty();
     return new EnrichedScene(
-        view, files, nodes, areas, objects, nothing ? null : FileOutlineAdapter.model(view));
+        view,
+        files,
+        nodes,
+        areas,
+        objects,
+        nodes.stream().anyMatch(node -> node.type().name().equals("Script")),
+        nothing ? null : FileOutlineAdapter.model(view));
   }
 
   private static @Nullable NodeViewMetadata metadata(ParsedNode node) {
@@ -82,19 +90,15 @@ record EnrichedScene(
   /** Returns whether a route or a script may set a field. */
   boolean driven(ParsedNode node, String field) {
     int index = node.type().indexOf(field);
-    return scripted()
+    return scripted
         || file(node).scene().routes().stream()
             .anyMatch(route -> route.to() == node && route.toField() == index);
   }
 
   /** Returns whether a route starts at a node, or a script may observe it. */
   boolean heard(ParsedNode node) {
-    return scripted()
+    return scripted
         || file(node).scene().routes().stream().anyMatch(route -> route.from() == node)
         || file(node).scene().exports().stream().anyMatch(e -> e.localDef().equals(node.name()));
-  }
-
-  private boolean scripted() {
-    return nodes.stream().anyMatch(node -> node.type().name().equals("Script"));
   }
 }

@@ -1,6 +1,7 @@
 package org.selectiverenderer.validation.geometry;
 
 import java.util.List;
+import java.util.concurrent.CancellationException;
 import org.selectiverenderer.validation.FileCheck;
 import org.selectiverenderer.validation.FileContext;
 import org.selectiverenderer.validation.FindingCollector;
@@ -153,6 +154,9 @@ public final class GeometryRules {
     public void check(FileContext file, FindingCollector findings) {
       GeometryFindingCollector found = new GeometryFindingCollector(file, findings);
       for (ParsedNode node : SceneNodeIterator.all(file.scene())) {
+        if (Thread.currentThread().isInterrupted()) {
+          throw new CancellationException("the check was interrupted"); // As between two checks.
+        }
         if (node.type().is("X3DGeometryNode") || node.type().is("X3DGeometricPropertyNode")) {
           parts.forEach(part -> part.check(node, found));
         }

@@ -15,7 +15,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Queue;
 import java.util.Set;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
+import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Executor;
 import java.util.stream.Collectors;
 import org.selectiverenderer.base.problem.ProblemCollector;
@@ -82,7 +85,7 @@ final class ValidationRun {
         roots.entrySet().stream().map(file -> start(file.getKey(), file.getValue())).toList();
     List<Scene> scenes = new ArrayList<>();
     for (CompletableFuture<FileCheckResult> main : new LinkedHashSet<>(mains)) {
-      FileOutline outline = main.join().outline();
+      FileOutline outline = result(main).outline();
       Scene scene =
           new Scene(
               outline,
@@ -94,7 +97,7 @@ final class ValidationRun {
       follow(scene, outline);
     }
     for (Pending step = pending.poll(); step != null; step = pending.poll()) {
-      FileOutline inlined = step.file.join().outline();
+      FileOutline inlined = result(step.file).outline();
       step.scene.contents.put(step.inline, inlined);
       follow(step.scene, inlined);
     }
@@ -138,7 +141,7 @@ final class ValidationRun {
     Map<String, Suppressions> suppressions = new LinkedHashMap<>();
     List<SourceFile> files = new ArrayList<>();
     for (CompletableFuture<FileCheckResult> file : started.values()) {
-      FileCheckResult result = file.join();
+      FileCheckResult result = result(file);
       all.addAll(result.findings());
       dropped += result.dropped();
       suppressions.put(result.outline().file().name(), result.suppressions());
@@ -154,8 +157,9 @@ final class ValidationRun {
                         () -> check(view(scene, parts), wanted), executor))
             .toList();
     for (CompletableFuture<FindingCollector> scene : checking) {
-      all.addAll(scene.join().list());
-      dropped += scene.join().dropped();
+      FindingCollector found = result(scene);
+      all.addAll(found.list());
+      dropped += found.dropped();
     }
     FindingCollector ofRun = new FindingCollector(wanted);
     Path file = settings.file();
@@ -172,8 +176,33 @@ final class ValidationRun {
 
   private FindingCollector check(SceneContext view, FindingFilter wanted) {
     FindingCollector findings = new FindingCollector(wanted);
-    sceneChecks.forEach(check -> check.check(view, findings));
+    for (SceneCheck check : sceneChecks) {
+      unlessInterrupted();
+      check.check(view, findings);
+    }
     return findings;
+  }
+
+  /** Waits for a result; unlike {@link CompletableFuture#join} an interrupt ends it. */
+  private static <T> T result(CompletableFuture<T> future) {
+    try {
+      return future.get();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw interrupted();
+    } catch (ExecutionException e) {
+      throw new CompletionException(e.getCause());
+    }
+  }
+
+  private static void unlessInterrupted() {
+    if (Thread.currentThread().isInterrupted()) {
+      throw interrupted();
+    }
+  }
+
+  private static CancellationException interrupted() {
+    return new CancellationException("the check was interrupted");
   }
 
   /** Returns the scenes that other scenes inline; of scenes that inline each other, all but one. */
@@ -233,7 +262,10 @@ final class ValidationRun {
       FindingCollector findings =
           new FindingCollector(new FindingFilter(settings, Map.of(document.name(), suppressions)));
       FileContext view = new FileContext(catalogue, document, scene, ids);
-      checks.forEach(check -> check.check(view, findings));
+      for (FileCheck check : checks) {
+        unlessInterrupted();
+        check.check(view, findings);
+      }
       return new FileCheckResult(
           outliner.outline(file, size, document, scene),
           findings.list(),

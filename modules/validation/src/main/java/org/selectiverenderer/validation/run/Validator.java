@@ -33,8 +33,9 @@ public final class Validator {
   }
 
   /**
-   * Checks files.
+   * Checks files. Interrupting the calling thread ends it before its next check.
    *
+   * @throws java.util.concurrent.CancellationException if the thread is interrupted
    * @throws IOException if one of them cannot be read; a file that an Inline names may be missing
    */
   public ValidationReport validate(List<SourceFile> files) throws IOException {

@@ -1,10 +1,10 @@
 package org.selectiverenderer.enricher.preview;
 
 import java.util.Comparator;
+import java.util.List;
 import java.util.Optional;
 import org.selectiverenderer.browser.World;
 import org.selectiverenderer.browser.nodes.sensor.TimeSensorNode;
-import org.selectiverenderer.browser.scene.NodeSubgraphCollector;
 
 /**
  * Where a scene's animation stands: in the cycle of its slowest TimeSensor. A value.
@@ -19,13 +19,12 @@ record AnimationPhase(double seconds, double period) {
   /**
    * Returns the phase of a scene.
    *
+   * @param sensors all that the scene has
    * @param time seconds since the scene was loaded
    * @return empty for a scene without an enabled TimeSensor
    */
-  static Optional<AnimationPhase> of(World world, double time) {
-    return NodeSubgraphCollector.of(world.scene().root()).stream()
-        .filter(TimeSensorNode.class::isInstance)
-        .map(TimeSensorNode.class::cast)
+  static Optional<AnimationPhase> of(List<TimeSensorNode> sensors, double time) {
+    return sensors.stream()
         .filter(sensor -> (Boolean) value(sensor, "enabled"))
         .filter(sensor -> period(sensor) > 0 && period(sensor) <= LONGEST)
         .max(Comparator.comparingDouble(AnimationPhase::period))

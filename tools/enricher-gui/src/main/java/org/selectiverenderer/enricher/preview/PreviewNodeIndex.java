@@ -19,6 +19,7 @@ import org.selectiverenderer.browser.instance.InstanceTree;
 import org.selectiverenderer.browser.instance.ShapeInstance;
 import org.selectiverenderer.browser.nodes.group.InlineNode;
 import org.selectiverenderer.browser.nodes.group.SwitchNode;
+import org.selectiverenderer.browser.nodes.sensor.TimeSensorNode;
 import org.selectiverenderer.browser.scene.Node;
 import org.selectiverenderer.browser.scene.NodeSubgraphCollector;
 import org.selectiverenderer.enricher.preview.ScenePatch.Place;
@@ -36,6 +37,11 @@ final class PreviewNodeIndex {
 
   private final Set<Node> all = new LinkedHashSet<>();
 
+  /** All nodes of the scene, those in fields of others too; Inlines have no more of them here. */
+  private Set<Node> scene = Set.of();
+
+  private List<TimeSensorNode> timeSensors = List.of();
+
   /** The ProtoInstance of the document that has made a node. */
   private final Map<Node, ProtoInstanceOrigin> instances = new LinkedHashMap<>();
 
@@ -48,6 +54,13 @@ final class PreviewNodeIndex {
 
   /** Finds the nodes again, after groups have got other children. */
   void collect() {
+    scene = NodeSubgraphCollector.of(world.scene().root());
+    moved.keySet().retainAll(scene);
+    timeSensors =
+        scene.stream()
+            .filter(TimeSensorNode.class::isInstance)
+            .map(TimeSensorNode.class::cast)
+            .toList();
     all.clear();
     instances.clear();
     switches.clear();
@@ -150,7 +163,7 @@ final class PreviewNodeIndex {
    */
   Map<Place, Node> at(Set<Place> places) {
     Map<Place, Node> found = new HashMap<>();
-    for (Node node : NodeSubgraphCollector.of(world.scene().root())) {
+    for (Node node : scene) {
       if (instances.containsKey(node)) {
         continue; // An instance has other fields than the first node of its body.
       }
@@ -175,17 +188,18 @@ final class PreviewNodeIndex {
     if (patch.moved().isEmpty() && patch.shift().isEmpty()) {
       return;
     }
-    Map<Node, Place> now = new HashMap<>();
-    for (Node node : NodeSubgraphCollector.of(world.scene().root())) {
+    boolean any = false;
+    for (Node node : scene) {
       Place before = place(node);
       Place after = patch.after(before);
-      if (moved.containsKey(node) || !after.equals(before)) {
-        now.put(node, after);
+      if (!after.equals(before)) {
+        moved.put(node, after);
+        any = true;
       }
     }
-    moved.clear();
-    moved.putAll(now);
-    index();
+    if (any) {
+      index();
+    }
   }
 
   /**
@@ -194,6 +208,11 @@ final class PreviewNodeIndex {
    */
   List<Node> all() {
     return List.copyOf(all);
+  }
+
+  /** Returns the TimeSensors of the scene, which may be in fields of prototypes too. */
+  List<TimeSensorNode> timeSensors() {
+    return timeSensors;
   }
 
   /** Returns the node of the first anchor that has an instance in the scene. */

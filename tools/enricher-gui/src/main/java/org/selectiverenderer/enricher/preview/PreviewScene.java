@@ -206,7 +206,7 @@ final class PreviewScene implements AutoCloseable {
 
   /** Where the animation stands; empty for a scene without one. */
   Optional<AnimationPhase> animation() {
-    return AnimationPhase.of(world, time);
+    return AnimationPhase.of(nodes.timeSensors(), time);
   }
 
   /** Lets time pass; the next look or step shows it. */

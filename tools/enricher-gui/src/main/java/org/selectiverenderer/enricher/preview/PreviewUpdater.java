@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Supplier;
@@ -57,7 +58,7 @@ final class PreviewUpdater implements AutoCloseable {
   /** Holds what an edit has changed, in the text of its revision. */
   private record Edited(long revision, ChangedRange range) {}
 
-  /** Milliseconds without an edit before a patch of what has changed is tried. */
+  /** Milliseconds without an edit before a patch is tried of what a series of edits has changed. */
   private static final int SOON = 40;
 
   /** Milliseconds without an edit before the whole text is compared or loaded. */
@@ -71,6 +72,9 @@ final class PreviewUpdater implements AutoCloseable {
   private final DocumentListener onChange = this::later;
   private final Timer timer = new Timer(PAUSE, event -> follow());
   private final Timer soon = new Timer(SOON, event -> patchSoon());
+
+  /** When the document was changed last, by {@link System#nanoTime}. */
+  private long changed = System.nanoTime() - TimeUnit.MILLISECONDS.toNanos(SOON);
 
   /** The edits since the last state that was handed over. */
   private final Deque<Edited> edits = new ArrayDeque<>();
@@ -118,6 +122,10 @@ final class PreviewUpdater implements AutoCloseable {
       edits.add(new Edited(change.revision(), ChangedRange.of(change)));
     }
     timer.restart();
+    long now = System.nanoTime();
+    boolean first = now - changed >= TimeUnit.MILLISECONDS.toNanos(SOON);
+    changed = now;
+    soon.setInitialDelay(first ? 0 : SOON); // Only of a series of edits it waits for the end.
     soon.restart();
   }
 

@@ -3,6 +3,7 @@ package org.selectiverenderer.enricher.problems;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import javax.swing.Timer;
 import org.jspecify.annotations.Nullable;
@@ -23,6 +24,9 @@ final class ProblemsUpdater {
   private static final int AT_ONCE_MS = 120;
   private static final int PAUSE_MS = 900;
 
+  /** The longest pause, of a scene whose checks take as long. */
+  private static final int LONGEST_PAUSE_MS = 5000;
+
   private final EnricherSession session;
   private final ProblemsModel model;
   private final List<DocumentCheck> checks;
@@ -32,6 +36,9 @@ final class ProblemsUpdater {
   private final Timer atOnce = new Timer(AT_ONCE_MS, event -> refresh());
   private final Timer pause = new Timer(PAUSE_MS, event -> check());
   private @Nullable BackgroundTask task;
+
+  /** Nanoseconds that the last checks took. */
+  private long took;
 
   /**
    * @param refreshed runs after the model has been updated
@@ -61,9 +68,21 @@ final class ProblemsUpdater {
 
   private void changed() {
     atOnce.restart();
+    pause.setInitialDelay(pauseMs(took));
     pause.restart();
     cancel();
     checking.accept(possible());
+  }
+
+  /**
+   * Returns the milliseconds without an edit before checks begin: the longer, the longer they take,
+   * so that they do not begin between any two edits of a large scene only to be cancelled.
+   *
+   * @param took nanoseconds that the last checks took
+   */
+  static int pauseMs(long took) {
+    long same = TimeUnit.NANOSECONDS.toMillis(took);
+    return (int) Math.max(PAUSE_MS, Math.min(same, LONGEST_PAUSE_MS));
   }
 
   /** Whether there is anything to check: a text that is not well formed has only its fault. */
@@ -85,13 +104,17 @@ final class ProblemsUpdater {
     }
     DocumentSnapshot snapshot = session.document().snapshot();
     checking.accept(true);
+    long begun = System.nanoTime();
     task =
         session
             .tasks()
             .run(
                 Texts.of("problems.task"),
                 progress -> run(snapshot, progress),
-                problems -> checked(snapshot.revision(), problems),
+                problems -> {
+                  took = System.nanoTime() - begun;
+                  checked(snapshot.revision(), problems);
+                },
                 this::failed);
   }
 
