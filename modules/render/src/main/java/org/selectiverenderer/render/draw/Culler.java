@@ -2,12 +2,14 @@ package org.selectiverenderer.render.draw;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.IntConsumer;
 import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.browser.camera.Camera;
+import org.selectiverenderer.geometry.bvh.Bvh;
 import org.selectiverenderer.render.mesh.TriangleClusters;
 import org.selectiverenderer.render.occlusion.OcclusionCuller;
 
@@ -21,6 +23,43 @@ import org.selectiverenderer.render.occlusion.OcclusionCuller;
  * of covered pixels; a batch has the place of its nearest item.
  */
 final class Culler {
+  /** Draw items by number, in the order of their shapes, and a search for those in view. */
+  interface Items {
+    /** Returns a number that is greater than that of any item. */
+    int size();
+
+    /** Returns the item of a number that {@link #search} has reported. */
+    DrawItem get(int number);
+
+    /**
+     * Reports the numbers of all items that may be in boxes that a test enters, each once and in
+     * any order.
+     */
+    void search(Bvh.BoxTest test, IntConsumer found);
+
+    /** Returns a list as items, of which each search reports all. */
+    static Items of(List<DrawItem> list) {
+      return new Items() {
+        @Override
+        public int size() {
+          return list.size();
+        }
+
+        @Override
+        public DrawItem get(int number) {
+          return list.get(number);
+        }
+
+        @Override
+        public void search(Bvh.BoxTest test, IntConsumer found) {
+          for (int i = 0; i < list.size(); i++) {
+            found.accept(i);
+          }
+        }
+      };
+    }
+  }
+
   /** Shapes with fewer clusters are not tested cluster by cluster. */
   private static final int FEWEST_CLUSTERS = 2;
 
@@ -37,7 +76,9 @@ final class Culler {
   private Frustum[] local = {};
   private Vector3dc[] worldEyes = {};
   private Vector3d[] localEyes = {};
+  private final double[] box = new double[6];
   private long[] order = new long[16];
+  private int inView;
   private int[] next = new int[16];
   private @Nullable OcclusionCuller occlusion;
   private long hidden;
@@ -54,7 +95,7 @@ final class Culler {
    *
    * @param hiding the occlusion test, or null to keep what is hidden behind other things
    */
-  void cull(List<DrawItem> items, List<Camera> seeing, @Nullable OcclusionCuller hiding) {
+  void cull(Items items, List<Camera> seeing, @Nullable OcclusionCuller hiding) {
     out.clear();
     look(seeing);
     hidden = 0;
@@ -62,28 +103,37 @@ final class Culler {
       next = new int[2 * items.size()];
       order = new long[2 * items.size()];
     }
-    int inView = inView(items);
-    occlusion = hiding != null && occlude(items, inView, hiding) ? hiding : null;
-    fill(items, inView);
+    findInView(items);
+    occlusion = hiding != null && occlude(items, hiding) ? hiding : null;
+    fill(items);
     if (occlusion != null) {
       occlusion.end(hidden, out.indices());
     }
   }
 
-  /** Puts the indices of the items in some eye's frustum into the order; returns how many. */
-  private int inView(List<DrawItem> items) {
-    int count = 0;
-    for (int i = 0; i < items.size(); i++) {
-      DrawItem item = items.get(i);
-      if (item.shape().shown()
-          && (side(item.shape().bounds()) != Frustum.Side.OUTSIDE || item.anywhere())) {
-        order[count++] = i;
-      }
-    }
-    return count;
+  /** Puts the numbers of the items in some eye's frustum into the order, by size. */
+  private void findInView(Items items) {
+    inView = 0;
+    items.search(
+        this::enters,
+        i -> {
+          DrawItem item = items.get(i);
+          if (item.shape().shown()
+              && (side(item.shape().bounds()) != Frustum.Side.OUTSIDE || item.anywhere())) {
+            order[inView++] = i;
+          }
+        });
+    Arrays.sort(order, 0, inView);
   }
 
-  private boolean occlude(List<DrawItem> items, int inView, OcclusionCuller hiding) {
+  private boolean enters(float[] boxes, int at) {
+    for (int i = 0; i < box.length; i++) {
+      box[i] = boxes[at + i];
+    }
+    return side(box) != Frustum.Side.OUTSIDE;
+  }
+
+  private boolean occlude(Items items, OcclusionCuller hiding) {
     hiding.begin(eyes);
     for (int i = 0; i < inView; i++) {
       DrawItem item = items.get((int) order[i]);
@@ -94,7 +144,7 @@ final class Culler {
     return hiding.cover();
   }
 
-  private void fill(List<DrawItem> items, int inView) {
+  private void fill(Items items) {
     int count = 0;
     for (int at = 0; at < inView; at++) {
       int i = (int) order[at];
@@ -164,7 +214,7 @@ final class Culler {
   }
 
   /** Adds an item, or all visible items of its batch in the order of the index buffer. */
-  private void add(List<DrawItem> items, int index) {
+  private void add(Items items, int index) {
     DrawBatch batch = items.get(index).part().batch();
     if (batch == null) {
       add(items.get(index));
