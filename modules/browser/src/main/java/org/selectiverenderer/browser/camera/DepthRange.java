@@ -63,7 +63,7 @@ public record DepthRange(double near, double far) {
     double[] box = new double[6];
     tree.boxes()
         .search(
-            (boxes, at) -> !(farthest(copy(boxes, at, box), eye) <= best[0]),
+            (boxes, at, leaf) -> !(farthest(copy(boxes, at, box), eye) <= best[0]),
             i -> {
               ShapeInstance shape = tree.shapes().get(i);
               if (shape.shown()) {
@@ -81,7 +81,7 @@ public record DepthRange(double near, double far) {
     double[] box = new double[6];
     tree.boxes()
         .search(
-            (boxes, at) -> !(outside(copy(boxes, at, box), eye) >= best[0]),
+            (boxes, at, leaf) -> !(outside(copy(boxes, at, box), eye) >= best[0]),
             i -> {
               ShapeInstance shape = tree.shapes().get(i);
               if (shape.shown() && shape.bounds()[0] <= shape.bounds()[3]) {

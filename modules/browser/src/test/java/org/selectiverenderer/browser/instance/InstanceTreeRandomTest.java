@@ -83,7 +83,7 @@ class InstanceTreeRandomTest {
   private static void searched(InstanceTree tree, int x) {
     BitSet found = new BitSet();
     tree.boxes()
-        .search((boxes, at) -> boxes[at] <= x && x <= boxes[at + 3], index -> found.set(index));
+        .search((boxes, at, leaf) -> boxes[at] <= x && x <= boxes[at + 3], found::set);
     for (ShapeInstance shape : tree.shapes()) {
       double[] box = shape.bounds();
       if (box[0] <= x && x <= box[3]) {

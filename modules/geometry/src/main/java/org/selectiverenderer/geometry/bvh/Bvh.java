@@ -29,8 +29,9 @@ public final class Bvh {
     /**
      * @param boxes holds min x, y, z, max x, y, z of the node
      * @param at the index of min x
+     * @param leaf whether the node's items are reported if it is entered
      */
-    boolean enters(float[] boxes, int at);
+    boolean enters(float[] boxes, int at, boolean leaf);
   }
 
   /** A depth greater than that of any tree of the builder. */
@@ -136,7 +137,7 @@ public final class Bvh {
 
   /** Reports the items of all leaves that overlap a box (min x, y, z, max x, y, z). */
   public void overlap(double[] box, IntConsumer found) {
-    search((of, at) -> touches(of, at, box), found);
+    search((of, at, leaf) -> touches(of, at, box), found);
   }
 
   /** Reports the items of all leaves that a test enters, as it does all nodes above them. */
@@ -148,7 +149,7 @@ public final class Bvh {
     int size = 1;
     while (size > 0) {
       int node = stack[--size];
-      if (!test.enters(boxes, 6 * node)) {
+      if (!test.enters(boxes, 6 * node, count[node] > 0)) {
         continue;
       }
       if (count[node] == 0) {

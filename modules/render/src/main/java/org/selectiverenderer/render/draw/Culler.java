@@ -11,6 +11,7 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.browser.camera.Camera;
 import org.selectiverenderer.geometry.bvh.Bvh;
 import org.selectiverenderer.render.mesh.TriangleClusters;
+import org.selectiverenderer.render.occlusion.MeshOccluders;
 import org.selectiverenderer.render.occlusion.OcclusionCuller;
 
 /**
@@ -37,6 +38,15 @@ final class Culler {
      */
     void search(Bvh.BoxTest test, IntConsumer found);
 
+    /**
+     * Returns the greatest of {@link MeshOccluders#terms} of the items, and so the rounding error
+     * of drawing any of them.
+     */
+    double terms();
+
+    /** Returns the greatest number of pixels by which an item reaches beyond its box. */
+    double pixels();
+
     /** Returns a list as items, of which each search reports all. */
     static Items of(List<DrawItem> list) {
       return new Items() {
@@ -48,6 +58,16 @@ final class Culler {
         @Override
         public DrawItem get(int number) {
           return list.get(number);
+        }
+
+        @Override
+        public double terms() {
+          return Double.POSITIVE_INFINITY;
+        }
+
+        @Override
+        public double pixels() {
+          return 0;
         }
 
         @Override
@@ -67,6 +87,9 @@ final class Culler {
    * The pixels by which points and lines of the usual width may reach beyond their bounding box.
    */
   private static final double LOOSE_PIXELS = 4;
+
+  /** Counted as so many hidden indices: a hidden box of more shapes than a leaf has. */
+  private static final long HIDDEN_BOX = 6000;
 
   private final VisibleSet out;
   private final RefinementLevelSelector stages = new RefinementLevelSelector();
@@ -103,19 +126,26 @@ final class Culler {
       next = new int[2 * items.size()];
       order = new long[2 * items.size()];
     }
-    findInView(items);
     occlusion = hiding != null && occlude(items, hiding) ? hiding : null;
+    if (occlusion != null) {
+      occlusion.ask(items.terms());
+    }
+    findInView(items, occlusion == null ? this::enters : hidesNot(occlusion, items.pixels()));
     fill(items);
     if (occlusion != null) {
       occlusion.end(hidden, out.indices());
     }
   }
 
-  /** Puts the numbers of the items in some eye's frustum into the order, by size. */
-  private void findInView(Items items) {
+  /**
+   * Puts the numbers of the items in some eye's frustum into the order, by size.
+   *
+   * @param test leaves out boxes of which no eye sees anything
+   */
+  private void findInView(Items items, Bvh.BoxTest test) {
     inView = 0;
     items.search(
-        this::enters,
+        test,
         i -> {
           DrawItem item = items.get(i);
           if (item.shape().shown()
@@ -126,15 +156,35 @@ final class Culler {
     Arrays.sort(order, 0, inView);
   }
 
-  private boolean enters(float[] boxes, int at) {
+  private boolean enters(float[] boxes, int at, boolean leaf) {
     for (int i = 0; i < box.length; i++) {
       box[i] = boxes[at + i];
     }
     return side(box) != Frustum.Side.OUTSIDE;
   }
 
+  /** Returns a test that leaves out boxes that are hidden, too; items of leaves are asked later. */
+  private Bvh.BoxTest hidesNot(OcclusionCuller hiding, double pixels) {
+    return (boxes, at, leaf) -> {
+      if (!enters(boxes, at, leaf)) {
+        return false;
+      }
+      if (leaf) {
+        return true;
+      }
+      for (int eye = 0; eye < frusta.length; eye++) {
+        if (!hiding.hides(eye, box, pixels)) {
+          return true;
+        }
+      }
+      hidden += HIDDEN_BOX;
+      return false;
+    };
+  }
+
   private boolean occlude(Items items, OcclusionCuller hiding) {
     hiding.begin(eyes);
+    findInView(items, (boxes, at, leaf) -> enters(boxes, at, leaf) && hiding.offers(box));
     for (int i = 0; i < inView; i++) {
       DrawItem item = items.get((int) order[i]);
       if (item.opaque()) {
@@ -178,13 +228,18 @@ final class Culler {
       return false;
     }
     occlusion.ask(item.place(), item.part().occluders());
-    double pixels = StrokePatterns.reach(item.stroke(), item.source().primitive(), LOOSE_PIXELS);
+    double pixels = pixels(item);
     for (int eye = 0; eye < frusta.length; eye++) {
       if (!occlusion.hides(eye, item.shape().bounds(), pixels)) {
         return false;
       }
     }
     return true;
+  }
+
+  /** Returns the pixels by which an item may reach beyond its box: 0 for triangles. */
+  static double pixels(DrawItem item) {
+    return StrokePatterns.reach(item.stroke(), item.source().primitive(), LOOSE_PIXELS);
   }
 
   private void look(List<Camera> seeing) {

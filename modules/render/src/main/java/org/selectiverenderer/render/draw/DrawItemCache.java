@@ -61,6 +61,8 @@ final class DrawItemCache implements Culler.Items {
   private final BitSet anywhere = new BitSet(); // The items that no box bounds.
   private @Nullable List<DrawItem> items = List.of();
   private boolean reflects;
+  private double terms;
+  private double pixels;
 
   /** Triangles of items that were made anew since resources were freed, and one for each. */
   private long replaced;
@@ -96,6 +98,22 @@ final class DrawItemCache implements Culler.Items {
   @Override
   public DrawItem get(int number) {
     return Objects.requireNonNull(slots[number]);
+  }
+
+  @Override
+  public double terms() {
+    return terms;
+  }
+
+  @Override
+  public double pixels() {
+    return pixels;
+  }
+
+  /** Notes the bounds of an item, which count until the structure changes. */
+  private void bound(DrawItem item) {
+    terms = Math.max(terms, item.part().occluders().terms(item.place()));
+    pixels = Math.max(pixels, Culler.pixels(item));
   }
 
   @Override
@@ -220,6 +238,9 @@ final class DrawItemCache implements Culler.Items {
       DrawItem slot = slots[i];
       ShapeInstance shape = shapes.get(i);
       Mesh mesh = mesh(shape);
+      if (slot != null) {
+        bound(slot); // Its shape may have moved.
+      }
       boolean current = slot == null ? mesh == null : slot.current();
       boolean lit = slot == null || slot.lighting().current(shape);
       if (current && lit) {
@@ -244,6 +265,7 @@ final class DrawItemCache implements Culler.Items {
     for (int i = 0; i < made.size(); i++) {
       slots[places.get(i)] = made.get(i);
       anywhere.set(places.get(i), made.get(i).anywhere());
+      bound(made.get(i));
       items = null;
     }
   }
@@ -274,6 +296,8 @@ final class DrawItemCache implements Culler.Items {
     slots = new DrawItem[shapes.size()];
     reflects = shapes.stream().anyMatch(shape -> !shape.cubes().isEmpty());
     items = null;
+    terms = 0;
+    pixels = 0;
     anywhere.clear();
     waiting.clear();
     late.clear();
