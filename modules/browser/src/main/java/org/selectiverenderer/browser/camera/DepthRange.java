@@ -46,12 +46,7 @@ public record DepthRange(double near, double far) {
     if (visibilityLimit > near) {
       return new DepthRange(near, visibilityLimit);
     }
-    double farthest = 0;
-    for (ShapeInstance shape : tree.shapes()) {
-      if (shape.shown()) {
-        farthest = Math.max(farthest, farthest(shape.bounds(), eye));
-      }
-    }
+    double farthest = farthest(tree, eye);
     if (whole && farthest > 0) {
       near = Math.max(1e-6, Math.min(near, Math.sqrt(farthest) / 100));
     }
@@ -62,17 +57,54 @@ public record DepthRange(double near, double far) {
     return new DepthRange(near, far);
   }
 
+  /** Returns the square of the distance to the farthest corner of a bounding box. */
+  private static double farthest(InstanceTree tree, Vector3dc eye) {
+    double[] best = {0};
+    double[] box = new double[6];
+    tree.boxes()
+        .search(
+            (boxes, at, leaf) -> !(farthest(copy(boxes, at, box), eye) <= best[0]),
+            i -> {
+              ShapeInstance shape = tree.shapes().get(i);
+              if (shape.shown()) {
+                best[0] = Math.max(best[0], farthest(shape.bounds(), eye));
+              }
+            });
+    return best[0];
+  }
+
   /**
    * Returns the distance to the nearest bounding box; from inside a box, the distance to its faces.
    */
   private static double nearest(InstanceTree tree, Vector3dc eye) {
-    double nearest = Double.POSITIVE_INFINITY;
-    for (ShapeInstance shape : tree.shapes()) {
-      if (shape.shown() && shape.bounds()[0] <= shape.bounds()[3]) {
-        nearest = Math.min(nearest, distance(shape.bounds(), eye));
-      }
+    double[] best = {Double.POSITIVE_INFINITY};
+    double[] box = new double[6];
+    tree.boxes()
+        .search(
+            (boxes, at, leaf) -> !(outside(copy(boxes, at, box), eye) >= best[0]),
+            i -> {
+              ShapeInstance shape = tree.shapes().get(i);
+              if (shape.shown() && shape.bounds()[0] <= shape.bounds()[3]) {
+                best[0] = Math.min(best[0], distance(shape.bounds(), eye));
+              }
+            });
+    return best[0];
+  }
+
+  private static double[] copy(float[] boxes, int at, double[] box) {
+    for (int i = 0; i < box.length; i++) {
+      box[i] = boxes[at + i];
     }
-    return nearest;
+    return box;
+  }
+
+  /** Returns the distance to a box, 0 from inside: no box within it is nearer. */
+  private static double outside(double[] box, Vector3dc eye) {
+    return Math.hypot(
+        Math.max(0, Math.max(box[0] - eye.x(), eye.x() - box[3])),
+        Math.hypot(
+            Math.max(0, Math.max(box[1] - eye.y(), eye.y() - box[4])),
+            Math.max(0, Math.max(box[2] - eye.z(), eye.z() - box[5]))));
   }
 
   private static double distance(double[] box, Vector3dc eye) {

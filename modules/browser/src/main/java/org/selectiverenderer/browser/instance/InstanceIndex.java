@@ -66,6 +66,7 @@ final class InstanceIndex {
       }
       group.children.forEach(child -> add(child, all));
     } else if (instance instanceof ShapeInstance shape) {
+      shape.index = all.size();
       all.add(shape);
       if (shape.look().onScreen()) {
         screenShapes.add(shape);

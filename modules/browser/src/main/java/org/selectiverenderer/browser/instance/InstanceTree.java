@@ -56,6 +56,8 @@ public final class InstanceTree {
   private final InstanceIndex lists = new InstanceIndex();
   private final List<GroupInstance> pendingGroups = new ArrayList<>();
   private final List<SharedShapeState> pendingLooks = new ArrayList<>();
+  private final ShapeChanges changes = new ShapeChanges();
+  private final ShapeTree boxes = new ShapeTree(this);
   private final Set<ShaderNode> judged = new LinkedHashSet<>();
   private final Matrix4d inverse = new Matrix4d();
   private final Vector3d localEye = new Vector3d();
@@ -90,6 +92,16 @@ public final class InstanceTree {
    */
   public List<ShapeInstance> shapes() {
     return lists.shapes;
+  }
+
+  /** Returns the log of shapes that have moved, changed or come to be shown. */
+  public ShapeChanges changes() {
+    return changes;
+  }
+
+  /** Returns the hierarchy of the boxes of all shapes. */
+  public ShapeTree boxes() {
+    return boxes;
   }
 
   /** Returns a number that changes when a shape or a light is added or removed. */
@@ -259,6 +271,7 @@ public final class InstanceTree {
     for (ShapeInstance shape : lists.screenShapes) {
       if (shape.see(now)) {
         moved();
+        changes.add(shape);
       }
     }
   }
@@ -369,6 +382,7 @@ public final class InstanceTree {
   private void collect() {
     lists.collect(root);
     LightScopeResolver.tell(root, lists);
+    changes.forget();
     structureVersion++;
     structureChanged = false;
   }

@@ -19,6 +19,10 @@ import org.selectiverenderer.geometry.mesh.Mesh;
 /** An instance of a Shape, which a renderer draws and a ray may hit. */
 public final class ShapeInstance extends Instance {
   private final SharedShapeState look;
+
+  /** The index in the tree's list of shapes. */
+  int index;
+
   private double @Nullable [] bounds;
   private @Nullable Matrix4dc placed;
   private List<LightInstance> lights = List.of();
@@ -61,6 +65,11 @@ public final class ShapeInstance extends Instance {
       placed = known;
     }
     return known;
+  }
+
+  /** Returns the index in {@link InstanceTree#shapes()}. */
+  public int index() {
+    return index;
   }
 
   /** Returns the movie textures on the shape. */
@@ -171,6 +180,9 @@ public final class ShapeInstance extends Instance {
     if (now != shown) {
       shown = now;
       tree.polygonsShown(now ? look.polygons() : -look.polygons());
+      if (now) {
+        tree.changes().add(this);
+      }
     }
     wanted = show;
   }
@@ -181,5 +193,6 @@ public final class ShapeInstance extends Instance {
   @Override
   void moved(InstanceTree tree) {
     forgetBounds();
+    tree.changes().add(this);
   }
 }

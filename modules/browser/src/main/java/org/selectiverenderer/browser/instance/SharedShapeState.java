@@ -220,6 +220,7 @@ final class SharedShapeState implements NodeObserver {
     for (ShapeInstance instance : instances) {
       instance.see(tree.sight());
       instance.forgetBounds();
+      tree.changes().add(instance);
       instance.show(instance.wanted, tree);
     }
   }

@@ -3,11 +3,18 @@ package org.selectiverenderer.browser.instance;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.BitSet;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.Random;
+import org.joml.Vector3d;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.browser.TestNodes;
+import org.selectiverenderer.browser.camera.DepthRange;
 import org.selectiverenderer.browser.nodes.group.GroupingNode;
 import org.selectiverenderer.browser.scene.Node;
 
@@ -31,12 +38,65 @@ class InstanceTreeRandomTest {
     }
     InstanceTree tree = new InstanceTree((GroupingNode) groups.get(0), assets);
     for (int round = 0; round < 200; round++) {
+      Map<ShapeInstance, String> before = states(tree);
+      long read = tree.changes().end();
       for (int edits = random.nextInt(4); edits >= 0; edits--) {
         edit(random);
       }
       tree.update();
       compare(tree, new InstanceTree((GroupingNode) groups.get(0), assets));
+      logged(tree, before, tree.changes().since(read));
+      searched(tree, random.nextInt(60));
     }
+  }
+
+  private static Map<ShapeInstance, String> states(InstanceTree tree) {
+    Map<ShapeInstance, String> states = new IdentityHashMap<>();
+    for (ShapeInstance shape : tree.shapes()) {
+      states.put(shape, state(shape));
+    }
+    return states;
+  }
+
+  private static String state(ShapeInstance shape) {
+    return shape.shown()
+        + Arrays.toString(shape.bounds())
+        + System.identityHashCode(shape.mesh().orElse(null));
+  }
+
+  /** A shape that changed, and was not only hidden, is in the log, or the log knows of nothing. */
+  private static void logged(
+      InstanceTree tree,
+      Map<ShapeInstance, String> before,
+      Optional<List<ShapeInstance>> changes) {
+    for (ShapeInstance shape : tree.shapes()) {
+      assertThat(tree.shapes().get(shape.index())).isSameAs(shape);
+      boolean hidden =
+          !shape.shown() && ("true" + state(shape).substring(5)).equals(before.get(shape));
+      if (changes.isPresent() && !hidden && !state(shape).equals(before.get(shape))) {
+        assertThat(changes.get()).contains(shape);
+      }
+    }
+  }
+
+  /** A search reports what a plane of X cuts. */
+  private static void searched(InstanceTree tree, int x) {
+    BitSet found = new BitSet();
+    tree.boxes()
+        .search((boxes, at, leaf) -> boxes[at] <= x && x <= boxes[at + 3], found::set);
+    for (ShapeInstance shape : tree.shapes()) {
+      double[] box = shape.bounds();
+      if (box[0] <= x && x <= box[3]) {
+        assertThat(found.get(shape.index())).isTrue();
+      }
+    }
+    double farthest =
+        tree.shapes().stream()
+            .filter(ShapeInstance::shown)
+            .mapToDouble(shape -> Math.hypot(Math.max(x, shape.bounds()[3] - x), 0.5))
+            .max()
+            .orElse(0);
+    assertThat(DepthRange.of(tree, new Vector3d(x, 0, 0), 0, 0).far()).isGreaterThan(farthest);
   }
 
   private void edit(Random random) {

@@ -23,6 +23,17 @@ public final class Bvh {
     double test(int item, double nearest);
   }
 
+  /** Tests whether a search enters a node. */
+  @FunctionalInterface
+  public interface BoxTest {
+    /**
+     * @param boxes holds min x, y, z, max x, y, z of the node
+     * @param at the index of min x
+     * @param leaf whether the node's items are reported if it is entered
+     */
+    boolean enters(float[] boxes, int at, boolean leaf);
+  }
+
   /** A depth greater than that of any tree of the builder. */
   public static final int MAX_DEPTH = 96;
 
@@ -126,6 +137,11 @@ public final class Bvh {
 
   /** Reports the items of all leaves that overlap a box (min x, y, z, max x, y, z). */
   public void overlap(double[] box, IntConsumer found) {
+    search((of, at, leaf) -> touches(of, at, box), found);
+  }
+
+  /** Reports the items of all leaves that a test enters, as it does all nodes above them. */
+  public void search(BoxTest test, IntConsumer found) {
     if (order.length == 0) {
       return;
     }
@@ -133,7 +149,7 @@ public final class Bvh {
     int size = 1;
     while (size > 0) {
       int node = stack[--size];
-      if (!touches(node, box)) {
+      if (!test.enters(boxes, 6 * node, count[node] > 0)) {
         continue;
       }
       if (count[node] == 0) {
@@ -147,8 +163,7 @@ public final class Bvh {
     }
   }
 
-  private boolean touches(int node, double[] box) {
-    int at = 6 * node;
+  private static boolean touches(float[] boxes, int at, double[] box) {
     for (int axis = 0; axis < 3; axis++) {
       if (boxes[at + axis] > box[axis + 3] || boxes[at + axis + 3] < box[axis]) {
         return false;

@@ -2,13 +2,16 @@ package org.selectiverenderer.render.draw;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.IntConsumer;
 import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.browser.camera.Camera;
+import org.selectiverenderer.geometry.bvh.Bvh;
 import org.selectiverenderer.render.mesh.TriangleClusters;
+import org.selectiverenderer.render.occlusion.MeshOccluders;
 import org.selectiverenderer.render.occlusion.OcclusionCuller;
 
 /**
@@ -21,6 +24,62 @@ import org.selectiverenderer.render.occlusion.OcclusionCuller;
  * of covered pixels; a batch has the place of its nearest item.
  */
 final class Culler {
+  /** Draw items by number, in the order of their shapes, and a search for those in view. */
+  interface Items {
+    /** Returns a number that is greater than that of any item. */
+    int size();
+
+    /** Returns the item of a number that {@link #search} has reported. */
+    DrawItem get(int number);
+
+    /**
+     * Reports the numbers of all items that may be in boxes that a test enters, each once and in
+     * any order.
+     */
+    void search(Bvh.BoxTest test, IntConsumer found);
+
+    /**
+     * Returns the greatest of {@link MeshOccluders#terms} of the items, and so the rounding error
+     * of drawing any of them.
+     */
+    double terms();
+
+    /** Returns the greatest number of pixels by which an item reaches beyond its box. */
+    double pixels();
+
+    /** Returns a list as items, of which each search reports all. */
+    static Items of(List<DrawItem> list) {
+      return new Items() {
+        @Override
+        public int size() {
+          return list.size();
+        }
+
+        @Override
+        public DrawItem get(int number) {
+          return list.get(number);
+        }
+
+        @Override
+        public double terms() {
+          return Double.POSITIVE_INFINITY;
+        }
+
+        @Override
+        public double pixels() {
+          return 0;
+        }
+
+        @Override
+        public void search(Bvh.BoxTest test, IntConsumer found) {
+          for (int i = 0; i < list.size(); i++) {
+            found.accept(i);
+          }
+        }
+      };
+    }
+  }
+
   /** Shapes with fewer clusters are not tested cluster by cluster. */
   private static final int FEWEST_CLUSTERS = 2;
 
@@ -28,6 +87,9 @@ final class Culler {
    * The pixels by which points and lines of the usual width may reach beyond their bounding box.
    */
   private static final double LOOSE_PIXELS = 4;
+
+  /** Counted as so many hidden indices: a hidden box of more shapes than a leaf has. */
+  private static final long HIDDEN_BOX = 6000;
 
   private final VisibleSet out;
   private final RefinementLevelSelector stages = new RefinementLevelSelector();
@@ -37,7 +99,9 @@ final class Culler {
   private Frustum[] local = {};
   private Vector3dc[] worldEyes = {};
   private Vector3d[] localEyes = {};
+  private final double[] box = new double[6];
   private long[] order = new long[16];
+  private int inView;
   private int[] next = new int[16];
   private @Nullable OcclusionCuller occlusion;
   private long hidden;
@@ -54,7 +118,7 @@ final class Culler {
    *
    * @param hiding the occlusion test, or null to keep what is hidden behind other things
    */
-  void cull(List<DrawItem> items, List<Camera> seeing, @Nullable OcclusionCuller hiding) {
+  void cull(Items items, List<Camera> seeing, @Nullable OcclusionCuller hiding) {
     out.clear();
     look(seeing);
     hidden = 0;
@@ -62,29 +126,65 @@ final class Culler {
       next = new int[2 * items.size()];
       order = new long[2 * items.size()];
     }
-    int inView = inView(items);
-    occlusion = hiding != null && occlude(items, inView, hiding) ? hiding : null;
-    fill(items, inView);
+    occlusion = hiding != null && occlude(items, hiding) ? hiding : null;
+    if (occlusion != null) {
+      occlusion.ask(items.terms());
+    }
+    findInView(items, occlusion == null ? this::enters : hidesNot(occlusion, items.pixels()));
+    fill(items);
     if (occlusion != null) {
       occlusion.end(hidden, out.indices());
     }
   }
 
-  /** Puts the indices of the items in some eye's frustum into the order; returns how many. */
-  private int inView(List<DrawItem> items) {
-    int count = 0;
-    for (int i = 0; i < items.size(); i++) {
-      DrawItem item = items.get(i);
-      if (item.shape().shown()
-          && (side(item.shape().bounds()) != Frustum.Side.OUTSIDE || item.anywhere())) {
-        order[count++] = i;
-      }
-    }
-    return count;
+  /**
+   * Puts the numbers of the items in some eye's frustum into the order, by size.
+   *
+   * @param test leaves out boxes of which no eye sees anything
+   */
+  private void findInView(Items items, Bvh.BoxTest test) {
+    inView = 0;
+    items.search(
+        test,
+        i -> {
+          DrawItem item = items.get(i);
+          if (item.shape().shown()
+              && (side(item.shape().bounds()) != Frustum.Side.OUTSIDE || item.anywhere())) {
+            order[inView++] = i;
+          }
+        });
+    Arrays.sort(order, 0, inView);
   }
 
-  private boolean occlude(List<DrawItem> items, int inView, OcclusionCuller hiding) {
+  private boolean enters(float[] boxes, int at, boolean leaf) {
+    for (int i = 0; i < box.length; i++) {
+      box[i] = boxes[at + i];
+    }
+    return side(box) != Frustum.Side.OUTSIDE;
+  }
+
+  /** Returns a test that leaves out boxes that are hidden, too; items of leaves are asked later. */
+  private Bvh.BoxTest hidesNot(OcclusionCuller hiding, double pixels) {
+    return (boxes, at, leaf) -> {
+      if (!enters(boxes, at, leaf)) {
+        return false;
+      }
+      if (leaf) {
+        return true;
+      }
+      for (int eye = 0; eye < frusta.length; eye++) {
+        if (!hiding.hides(eye, box, pixels)) {
+          return true;
+        }
+      }
+      hidden += HIDDEN_BOX;
+      return false;
+    };
+  }
+
+  private boolean occlude(Items items, OcclusionCuller hiding) {
     hiding.begin(eyes);
+    findInView(items, (boxes, at, leaf) -> enters(boxes, at, leaf) && hiding.offers(box));
     for (int i = 0; i < inView; i++) {
       DrawItem item = items.get((int) order[i]);
       if (item.opaque()) {
@@ -94,7 +194,7 @@ final class Culler {
     return hiding.cover();
   }
 
-  private void fill(List<DrawItem> items, int inView) {
+  private void fill(Items items) {
     int count = 0;
     for (int at = 0; at < inView; at++) {
       int i = (int) order[at];
@@ -128,13 +228,18 @@ final class Culler {
       return false;
     }
     occlusion.ask(item.place(), item.part().occluders());
-    double pixels = StrokePatterns.reach(item.stroke(), item.source().primitive(), LOOSE_PIXELS);
+    double pixels = pixels(item);
     for (int eye = 0; eye < frusta.length; eye++) {
       if (!occlusion.hides(eye, item.shape().bounds(), pixels)) {
         return false;
       }
     }
     return true;
+  }
+
+  /** Returns the pixels by which an item may reach beyond its box: 0 for triangles. */
+  static double pixels(DrawItem item) {
+    return StrokePatterns.reach(item.stroke(), item.source().primitive(), LOOSE_PIXELS);
   }
 
   private void look(List<Camera> seeing) {
@@ -164,7 +269,7 @@ final class Culler {
   }
 
   /** Adds an item, or all visible items of its batch in the order of the index buffer. */
-  private void add(List<DrawItem> items, int index) {
+  private void add(Items items, int index) {
     DrawBatch batch = items.get(index).part().batch();
     if (batch == null) {
       add(items.get(index));

@@ -8,25 +8,29 @@ import java.util.Collections;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
 import java.util.Set;
+import java.util.function.IntConsumer;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.browser.instance.InstanceTree;
 import org.selectiverenderer.browser.instance.ShapeInstance;
+import org.selectiverenderer.geometry.bvh.Bvh;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.render.lighting.LightChangeDetector;
 import org.selectiverenderer.render.lighting.LightingPlanner;
 
 /**
  * The draw items of all shapes of an instance tree, shown or not, kept between frames. All are
- * checked when the tree's structure changes; otherwise only items whose shape has another mesh or
- * surface are made anew.
+ * checked when the tree's structure or a light changes; otherwise only those of shapes that have
+ * moved or changed, so that a frame's cost does not depend on how many shapes there are.
  *
  * <p>The upload of new shapes may be deferred and spread over the following frames. A deferred
  * hidden shape that becomes shown is uploaded in that very frame. If more shown shapes come into a
  * running scene than one frame can upload, the rest appears in the next frames, as if they had come
  * in several files; shapes that were in the tree before are never late.
  */
-final class DrawItemCache {
+final class DrawItemCache implements Culler.Items {
   /**
    * A shape that has moved or changed (or whose lights have) more often than this is expected to go
    * on doing so: its mesh is then not refined for a particular place.
@@ -41,6 +45,12 @@ final class DrawItemCache {
 
   private static final int LEAST_OF_ONE = 40;
 
+  /**
+   * What is no longer drawn is freed when one triangle was made anew for so many shapes of the
+   * scene, so that looking at all of them is paid for.
+   */
+  private static final int FREED_AFTER = 8;
+
   private final GpuResourceCache assets;
   private @Nullable InstanceTree tree;
   private long structureVersion;
@@ -48,17 +58,78 @@ final class DrawItemCache {
   private @Nullable DrawItem[] slots = {};
   private final BitSet waiting = new BitSet();
   private final BitSet late = new BitSet(); // The deferred shapes that came shown.
-  private List<DrawItem> items = List.of();
+  private final BitSet anywhere = new BitSet(); // The items that no box bounds.
+  private @Nullable List<DrawItem> items = List.of();
+  private boolean reflects;
+  private double terms;
+  private double pixels;
+
+  /** Triangles of items that were made anew since resources were freed, and one for each. */
+  private long replaced;
+
   private final Map<ShapeInstance, Integer> moves = new IdentityHashMap<>();
   private LightChangeDetector watch = new LightChangeDetector(List.of());
-  private long placementVersion;
+  private long read;
 
   DrawItemCache(GpuResourceCache assets) {
     this.assets = assets;
   }
 
+  /** Returns all items in the order of their shapes; the same list until one of them changes. */
   List<DrawItem> items() {
-    return items;
+    List<DrawItem> known = items;
+    if (known == null) {
+      known = Arrays.stream(slots).filter(Objects::nonNull).toList();
+      items = known;
+    }
+    return known;
+  }
+
+  /** Returns whether there is a generated cube map on any shape. */
+  boolean reflects() {
+    return reflects;
+  }
+
+  @Override
+  public int size() {
+    return slots.length;
+  }
+
+  @Override
+  public DrawItem get(int number) {
+    return Objects.requireNonNull(slots[number]);
+  }
+
+  @Override
+  public double terms() {
+    return terms;
+  }
+
+  @Override
+  public double pixels() {
+    return pixels;
+  }
+
+  /** Notes the bounds of an item, which count until the structure changes. */
+  private void bound(DrawItem item) {
+    terms = Math.max(terms, item.part().occluders().terms(item.place()));
+    pixels = Math.max(pixels, Culler.pixels(item));
+  }
+
+  @Override
+  public void search(Bvh.BoxTest test, IntConsumer found) {
+    if (tree == null) {
+      return;
+    }
+    tree.boxes()
+        .search(
+            test,
+            i -> {
+              if (slots[i] != null && !anywhere.get(i)) {
+                found.accept(i);
+              }
+            });
+    anywhere.stream().forEach(found);
   }
 
   /**
@@ -72,15 +143,30 @@ final class DrawItemCache {
     if (changed) {
       restructure(newTree, all);
     }
-    boolean made = waited && !changed && arrive(gl, all ? Long.MAX_VALUE : PORTION);
     boolean otherLight = watch.changed();
-    if (changed || otherLight || newTree.placementVersion() != placementVersion) {
-      placementVersion = newTree.placementVersion();
-      made |= update(gl, changed, otherLight);
-    } // Otherwise nothing moved or changed.
-    if (changed || made) {
-      publish(gl);
+    boolean movedLight = watch.moved();
+    BitSet candidates = candidates(newTree, changed || otherLight || movedLight);
+    if (waited && !changed) {
+      arrive(gl, all ? Long.MAX_VALUE : PORTION, candidates);
     }
+    update(gl, changed, otherLight, candidates);
+    if (changed || replaced > slots.length / FREED_AFTER) {
+      replaced = 0;
+      assets.keepOnly(gl, items());
+    }
+  }
+
+  /** Returns the places of the shapes that may have changed since the last call. */
+  private BitSet candidates(InstanceTree of, boolean all) {
+    Optional<List<ShapeInstance>> changed = of.changes().since(read);
+    read = of.changes().end();
+    BitSet places = new BitSet();
+    if (all || changed.isEmpty()) {
+      places.set(0, slots.length);
+    } else {
+      changed.get().forEach(shape -> places.set(shape.index()));
+    }
+    return places;
   }
 
   /**
@@ -88,14 +174,15 @@ final class DrawItemCache {
    * the portion.
    *
    * @param portion triangles
+   * @param candidates the places of those that may have become shown
    */
-  private boolean arrive(GL3 gl, long portion) {
+  private void arrive(GL3 gl, long portion, BitSet candidates) {
     Arrivals arrivals = new Arrivals(portion);
     for (int i = late.nextSetBit(0); i >= 0; i = late.nextSetBit(i + 1)) {
       late.set(i, shapes.get(i).shown()); // A shape hidden meanwhile is no longer late.
     }
-    for (int i = waiting.nextSetBit(0); i >= 0; i = waiting.nextSetBit(i + 1)) {
-      if (shapes.get(i).shown() && !late.get(i)) {
+    for (int i = candidates.nextSetBit(0); i >= 0; i = candidates.nextSetBit(i + 1)) {
+      if (waiting.get(i) && shapes.get(i).shown() && !late.get(i)) {
         arrivals.take(i);
       }
     }
@@ -108,7 +195,6 @@ final class DrawItemCache {
       arrivals.take(i);
     }
     fill(arrivals.places, assets.prepare(gl, arrivals.requests, true));
-    return !arrivals.places.isEmpty();
   }
 
   /** The deferred shapes that are uploaded with this frame. */
@@ -140,28 +226,32 @@ final class DrawItemCache {
     return mesh == null ? 0 : Math.max(LEAST_OF_ONE, mesh.polygons());
   }
 
-  /** Makes the items anew that no longer match their shapes; returns whether there were any. */
-  private boolean update(GL3 gl, boolean changed, boolean otherLight) {
+  /** Makes those of the candidates anew that no longer match their shapes. */
+  private void update(GL3 gl, boolean changed, boolean otherLight, BitSet candidates) {
     boolean together = changed || otherLight;
     List<Integer> places = new ArrayList<>();
     List<LightingPlanner.Request> requests = new ArrayList<>();
-    boolean any = false;
-    for (int i = 0; i < slots.length; i++) {
+    for (int i = candidates.nextSetBit(0); i >= 0; i = candidates.nextSetBit(i + 1)) {
       if (waiting.get(i)) {
         continue;
       }
       DrawItem slot = slots[i];
       ShapeInstance shape = shapes.get(i);
       Mesh mesh = mesh(shape);
+      if (slot != null) {
+        bound(slot); // Its shape may have moved.
+      }
       boolean current = slot == null ? mesh == null : slot.current();
       boolean lit = slot == null || slot.lighting().current(shape);
       if (current && lit) {
         continue;
       }
-      any = true;
+      replaced += slot == null ? 0 : 1 + slot.source().polygons();
+      items = null;
       // A lamp that moves affects many shapes, which are to stay batched together.
       together |= current && slot != null && slot.lighting().stands(shape);
       slots[i] = null;
+      anywhere.clear(i);
       if (mesh != null) {
         int times = slot == null ? 0 : moves.merge(shape, 1, Integer::sum);
         places.add(i);
@@ -169,12 +259,14 @@ final class DrawItemCache {
       }
     }
     fill(places, assets.prepare(gl, requests, together));
-    return any;
   }
 
   private void fill(List<Integer> places, List<DrawItem> made) {
     for (int i = 0; i < made.size(); i++) {
       slots[places.get(i)] = made.get(i);
+      anywhere.set(places.get(i), made.get(i).anywhere());
+      bound(made.get(i));
+      items = null;
     }
   }
 
@@ -195,13 +287,18 @@ final class DrawItemCache {
 
   private void restructure(InstanceTree newTree, boolean all) {
     Map<ShapeInstance, DrawItem> known = new IdentityHashMap<>();
-    items.forEach(item -> known.put(item.shape(), item));
+    items().forEach(item -> known.put(item.shape(), item));
     Set<ShapeInstance> older = older();
     long left = all || newTree != tree ? Long.MAX_VALUE : PORTION;
     tree = newTree;
     structureVersion = newTree.structureVersion();
     shapes = newTree.shapes();
     slots = new DrawItem[shapes.size()];
+    reflects = shapes.stream().anyMatch(shape -> !shape.cubes().isEmpty());
+    items = null;
+    terms = 0;
+    pixels = 0;
+    anywhere.clear();
     waiting.clear();
     late.clear();
     for (int i = 0; i < slots.length; i++) {
@@ -215,6 +312,7 @@ final class DrawItemCache {
                   && before.around().equals(before.shape().surroundings())
               ? before
               : null;
+      anywhere.set(i, slots[i] != null && slots[i].anywhere());
       ShapeInstance shape = shapes.get(i);
       boolean fresh = before == null && shape.shown() && !older.contains(shape);
       late.set(i, fresh && left <= 0);
@@ -223,12 +321,5 @@ final class DrawItemCache {
     }
     watch = new LightChangeDetector(newTree.lights());
     moves.keySet().retainAll(known.keySet());
-  }
-
-  private void publish(GL3 gl) {
-    List<DrawItem> all = new ArrayList<>(slots.length);
-    Arrays.stream(slots).filter(java.util.Objects::nonNull).forEach(all::add);
-    items = all;
-    assets.keepOnly(gl, items);
   }
 }

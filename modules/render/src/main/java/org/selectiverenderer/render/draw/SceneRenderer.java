@@ -110,13 +110,13 @@ public final class SceneRenderer {
    * result is reused by the next call.
    */
   public VisibleSet cull(List<Camera> eyes) {
-    culler.cull(items(), eyes, occlusion);
+    culler.cull(list == null ? Culler.Items.of(List.of()) : list, eyes, occlusion);
     return visible;
   }
 
   /** Culls to the view frusta only and keeps what is occluded, for wireframe pictures. */
   public VisibleSet cullToView(List<Camera> eyes) {
-    culler.cull(items(), eyes, null);
+    culler.cull(list == null ? Culler.Items.of(List.of()) : list, eyes, null);
     return visible;
   }
 
@@ -129,7 +129,7 @@ public final class SceneRenderer {
    */
   public void reflect(
       GL3 gl, InstanceTree tree, List<Camera> eyes, LightingContext setting, double near) {
-    cubes.follow(items());
+    cubes.follow(list != null && list.reflects() ? items() : List.of());
     if (cubes.isEmpty()) {
       return;
     }
@@ -145,7 +145,7 @@ public final class SceneRenderer {
         eyes,
         near,
         (items, camera) -> {
-          culler.cull(items, List.of(camera), null);
+          culler.cull(Culler.Items.of(items), List.of(camera), null);
           PixelRectangle all = PixelRectangle.of(camera);
           draw(gl, visible, camera, eyes.get(0), around, HiddenAreaMesh.NONE, all);
         });

@@ -1,14 +1,16 @@
 package org.selectiverenderer.render.lighting;
 
 import java.util.List;
+import org.joml.Matrix4dc;
 import org.selectiverenderer.browser.instance.Light;
 import org.selectiverenderer.browser.instance.LightInstance;
 
-/** Detects that a point or spot light has changed its fields, or is switched on or off. */
+/** Detects that a point or spot light has changed its fields, is switched on or off, or moves. */
 public final class LightChangeDetector {
   private final LightInstance[] lights;
   private final Light[] fields;
   private final boolean[] on;
+  private final Matrix4dc[] places;
 
   /**
    * @param all all lights of a scene
@@ -20,7 +22,9 @@ public final class LightChangeDetector {
             .toArray(LightInstance[]::new);
     fields = new Light[lights.length];
     on = new boolean[lights.length];
+    places = new Matrix4dc[lights.length];
     changed();
+    moved();
   }
 
   /** Returns whether some lights have changed since the last call. */
@@ -33,5 +37,16 @@ public final class LightChangeDetector {
       on[i] = lights[i].on();
     }
     return changed;
+  }
+
+  /** Returns whether some lights have moved since the last call. */
+  public boolean moved() {
+    boolean moved = false;
+    for (int i = 0; i < lights.length; i++) {
+      Matrix4dc place = lights[i].world(); // Another object whenever a group above has moved.
+      moved |= places[i] != place;
+      places[i] = place;
+    }
+    return moved;
   }
 }

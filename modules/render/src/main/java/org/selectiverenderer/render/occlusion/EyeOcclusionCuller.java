@@ -88,6 +88,19 @@ final class EyeOcclusionCuller {
     return usable ? cells((w * w + h * h + d * d) / 4, x * x + y * y + z * z) : 0;
   }
 
+  /** Returns a number of cells that no box within a box can cover more of. */
+  double mostCells(double[] box) {
+    double radius2 = 0;
+    double distance2 = 0;
+    for (int axis = 0; axis < 3; axis++) {
+      double side = box[axis + 3] - box[axis];
+      double before = Math.max(0, Math.max(box[axis] - eye.get(axis), eye.get(axis) - box[axis + 3]));
+      radius2 += side * side / 4;
+      distance2 += before * before;
+    }
+    return usable ? cells(radius2, distance2) : 0;
+  }
+
   private double cells(double radius2, double distance2) {
     return distance2 <= radius2
         ? Double.POSITIVE_INFINITY
@@ -157,6 +170,14 @@ final class EyeOcclusionCuller {
   void ask(Matrix4dc world, double reach) {
     if (usable) {
       terms = RasterErrorBounds.terms(world, reach, eye);
+      sharpFrom = Math.max(near, RasterErrorBounds.sharpFrom(terms, focal));
+    }
+  }
+
+  /** Sets a bound of the terms of all shapes that are in the boxes queried next. */
+  void ask(double termsAtOrigin) {
+    if (usable) {
+      terms = RasterErrorBounds.terms(termsAtOrigin, eye);
       sharpFrom = Math.max(near, RasterErrorBounds.sharpFrom(terms, focal));
     }
   }

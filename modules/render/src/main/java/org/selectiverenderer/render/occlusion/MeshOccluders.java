@@ -80,4 +80,14 @@ public final class MeshOccluders {
   double reach() {
     return reach;
   }
+
+  /**
+   * Returns a bound of the numbers that drawing the mesh at a place adds up, for {@link
+   * OcclusionCuller#ask(double)}.
+   *
+   * @param place the matrix from the coordinates in its buffers to the world
+   */
+  public double terms(Matrix4dc place) {
+    return RasterErrorBounds.terms(place, reach);
+  }
 }

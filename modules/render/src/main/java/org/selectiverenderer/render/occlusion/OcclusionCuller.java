@@ -55,6 +55,16 @@ public final class OcclusionCuller {
     }
   }
 
+  /** Returns whether a box may hold a shape that is large enough to be an occluder. */
+  public boolean offers(double[] box) {
+    for (int eye = 0; eye < eyes && on; eye++) {
+      if (!(depths.get(eye).mostCells(box) < FEWEST_CELLS)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   /**
    * Offers a shape as an occluder. All of its triangles must be drawn opaquely and as a whole;
    * those of a solid mesh from the front only.
@@ -131,6 +141,17 @@ public final class OcclusionCuller {
     double reach = shape.reach();
     for (int eye = 0; eye < eyes; eye++) {
       depths.get(eye).ask(place, reach);
+    }
+  }
+
+  /**
+   * Sets that boxes with any shapes are queried next.
+   *
+   * @param terms the greatest of {@link MeshOccluders#terms} of the shapes
+   */
+  public void ask(double terms) {
+    for (int eye = 0; eye < eyes; eye++) {
+      depths.get(eye).ask(terms);
     }
   }
 

@@ -54,6 +54,22 @@ final class RasterErrorBounds {
         + Math.abs(world.m32());
   }
 
+  /** Returns a bound of {@link #terms} for an eye at the origin of the world. */
+  static double terms(Matrix4dc world, double reach) {
+    double x = world.m30();
+    double y = world.m31();
+    double z = world.m32();
+    return Math.sqrt(3) * (norm(world) * reach + Math.sqrt(x * x + y * y + z * z))
+        + Math.abs(x)
+        + Math.abs(y)
+        + Math.abs(z);
+  }
+
+  /** Returns a bound of the terms of a shape for another eye than that at the origin. */
+  static double terms(double atOrigin, Vector3dc eye) {
+    return atOrigin + Math.sqrt(3) * eye.length();
+  }
+
   /** Returns the Frobenius norm of the linear part. */
   private static double norm(Matrix4dc m) {
     return Math.sqrt(

@@ -1,0 +1,69 @@
+package org.selectiverenderer.browser.instance;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.IntConsumer;
+import org.selectiverenderer.geometry.bvh.Bvh;
+import org.selectiverenderer.geometry.bvh.BvhBuilder;
+
+/**
+ * A bounding volume hierarchy over the boxes of all shapes of an {@link InstanceTree}, shown or
+ * hidden. It is built at the first search after the structure has changed, and refitted to shapes
+ * that move.
+ */
+public final class ShapeTree {
+  /** The number of moves per shape after which the hierarchy is built anew. */
+  private static final int WORN = 4;
+
+  private final InstanceTree tree;
+  private List<ShapeInstance> shapes = List.of();
+  private Bvh boxes = BvhBuilder.build(0, (item, out) -> {});
+  private long read;
+  private long moves;
+
+  ShapeTree(InstanceTree tree) {
+    this.tree = tree;
+    read = -1;
+  }
+
+  /**
+   * Reports the shapes of all leaves that a test enters.
+   *
+   * @param found receives indices in {@link InstanceTree#shapes()}, in no particular order
+   */
+  public void search(Bvh.BoxTest test, IntConsumer found) {
+    refresh();
+    boxes.search(test, found);
+  }
+
+  private void refresh() {
+    Optional<List<ShapeInstance>> changed = tree.changes().since(read);
+    read = tree.changes().end();
+    if (shapes != tree.shapes() || changed.isEmpty()) {
+      build();
+      return;
+    }
+    for (ShapeInstance shape : changed.get()) {
+      boxes.moved(shape.index);
+    }
+    moves += changed.get().size();
+    if (moves > (long) WORN * shapes.size()) {
+      build();
+    }
+  }
+
+  private void build() {
+    shapes = tree.shapes();
+    moves = 0;
+    boxes = BvhBuilder.build(shapes.size(), this::box);
+  }
+
+  /** Rounds outwards, so that the box of floats encloses that of doubles. */
+  private void box(int item, float[] out) {
+    double[] box = shapes.get(item).bounds();
+    for (int axis = 0; axis < 3; axis++) {
+      out[axis] = Math.nextDown((float) box[axis]);
+      out[axis + 3] = Math.nextUp((float) box[axis + 3]);
+    }
+  }
+}
