@@ -32,7 +32,9 @@
  *
  * <p>A picture leaves out what no eye can see: surfaces outside of the frustum, facing away, or
  * behind walls and other large flat things ({@code render.occlusion}, on the processor; no pixel
- * changes). Small shapes of one look that stand still share buffers and are drawn by one call.
+ * changes). It is found by a hierarchy over the boxes of all shapes ({@code instance.ShapeTree}),
+ * and what has changed by a log ({@code instance.ShapeChanges}), so that a frame costs what is in
+ * view and what changes, not what there is. Small shapes of one look that stand still share buffers and are drawn by one call.
  * Shapes that are new and hidden are made ready over the next frames, shapes that are shown in
  * their own frame. Light is computed at pixels on a graphics card and at vertices on a processor,
  * by one text ({@code light.glsl}); {@code render.lighting} decides for each shape and divides

@@ -24,10 +24,14 @@
  * <p>The shaders of an Appearance are {@link ShaderProgramSource}s. The renderer uses the first
  * that compiles and reports the result for each.
  *
+ * <p>A renderer follows the shapes by {@link ShapeChanges}, a log of those that moved, changed or
+ * came to be shown, and finds those in a part of space by {@link ShapeTree}, a hierarchy over all
+ * their boxes: neither walks through all shapes.
+ *
  * <p>In: changes of nodes. Out: the tree, updated at the cost of what has changed. Uses {@code
  * browser.nodes.group}, {@code browser.nodes.sensor}, {@code browser.nodes.shader}, {@code
  * browser.nodes.sound}, {@code browser.scene}, the movies of {@code browser.movie}, {@code
- * geometry.mesh}, {@code x3d.tessellate}, {@code x3d.catalogue}, {@code x3d.field}, {@code
+ * geometry.bvh}, {@code geometry.mesh}, {@code x3d.tessellate}, {@code x3d.catalogue}, {@code x3d.field}, {@code
  * x3d.shader} and {@code base.problem}; no GL.
  */
 @NullMarked

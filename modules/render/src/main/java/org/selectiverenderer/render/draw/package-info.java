@@ -42,10 +42,15 @@
  * batches decides how coordinates are rounded: single pixels at edges may differ between a run with
  * deferred uploads and one without.
  *
+ * <p>A frame looks at the shapes that the tree's log names, and at those in boxes of its hierarchy
+ * that some eye may see: {@link org.selectiverenderer.render.draw.Culler} first takes large ones in
+ * view as occluders, then leaves out boxes that are outside of every view or hidden. What no item
+ * uses is freed when so much has been made anew that looking at all items is paid for.
+ *
  * <p>Uses {@code render.gpu}, {@code render.glsl}, {@code render.lighting}, {@code render.mesh},
  * {@code render.occlusion}, {@code render.context}, {@code browser.instance}, {@code
- * browser.nodes.shader}, {@code browser.camera}, {@code geometry.mesh}, {@code x3d.field}, {@code
- * base.problem} and JOGL.
+ * browser.nodes.shader}, {@code browser.camera}, {@code geometry.bvh}, {@code geometry.mesh},
+ * {@code x3d.field}, {@code base.problem} and JOGL.
  */
 @NullMarked
 package org.selectiverenderer.render.draw;
