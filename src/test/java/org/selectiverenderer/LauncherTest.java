@@ -35,8 +35,24 @@ class LauncherTest {
   /** What the launcher calls, but for flock. */
   private static final List<String> PROGRAMS =
       List.of(
-          "sh", "mkdir", "rmdir", "touch", "find", "sleep", "mv", "rm", "cp", "cat", "grep", "sed",
-          "locale", "env", "ls", "readlink", "awk", "nice");
+          "sh",
+          "mkdir",
+          "rmdir",
+          "touch",
+          "find",
+          "sleep",
+          "mv",
+          "rm",
+          "cp",
+          "cat",
+          "grep",
+          "sed",
+          "locale",
+          "env",
+          "ls",
+          "readlink",
+          "awk",
+          "nice");
 
   @TempDir private Path folder;
   private Path home;

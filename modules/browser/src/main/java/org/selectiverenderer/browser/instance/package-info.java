@@ -31,8 +31,8 @@
  * <p>In: changes of nodes. Out: the tree, updated at the cost of what has changed. Uses {@code
  * browser.nodes.group}, {@code browser.nodes.sensor}, {@code browser.nodes.shader}, {@code
  * browser.nodes.sound}, {@code browser.scene}, the movies of {@code browser.movie}, {@code
- * geometry.bvh}, {@code geometry.mesh}, {@code x3d.tessellate}, {@code x3d.catalogue}, {@code x3d.field}, {@code
- * x3d.shader} and {@code base.problem}; no GL.
+ * geometry.bvh}, {@code geometry.mesh}, {@code x3d.tessellate}, {@code x3d.catalogue}, {@code
+ * x3d.field}, {@code x3d.shader} and {@code base.problem}; no GL.
  */
 @NullMarked
 package org.selectiverenderer.browser.instance;

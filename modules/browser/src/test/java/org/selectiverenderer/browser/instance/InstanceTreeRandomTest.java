@@ -66,9 +66,7 @@ class InstanceTreeRandomTest {
 
   /** A shape that changed, and was not only hidden, is in the log, or the log knows of nothing. */
   private static void logged(
-      InstanceTree tree,
-      Map<ShapeInstance, String> before,
-      Optional<List<ShapeInstance>> changes) {
+      InstanceTree tree, Map<ShapeInstance, String> before, Optional<List<ShapeInstance>> changes) {
     for (ShapeInstance shape : tree.shapes()) {
       assertThat(tree.shapes().get(shape.index())).isSameAs(shape);
       boolean hidden =
@@ -82,8 +80,7 @@ class InstanceTreeRandomTest {
   /** A search reports what a plane of X cuts. */
   private static void searched(InstanceTree tree, int x) {
     BitSet found = new BitSet();
-    tree.boxes()
-        .search((boxes, at, leaf) -> boxes[at] <= x && x <= boxes[at + 3], found::set);
+    tree.boxes().search((boxes, at, leaf) -> boxes[at] <= x && x <= boxes[at + 3], found::set);
     for (ShapeInstance shape : tree.shapes()) {
       double[] box = shape.bounds();
       if (box[0] <= x && x <= box[3]) {

@@ -94,7 +94,8 @@ final class EyeOcclusionCuller {
     double distance2 = 0;
     for (int axis = 0; axis < 3; axis++) {
       double side = box[axis + 3] - box[axis];
-      double before = Math.max(0, Math.max(box[axis] - eye.get(axis), eye.get(axis) - box[axis + 3]));
+      double before =
+          Math.max(0, Math.max(box[axis] - eye.get(axis), eye.get(axis) - box[axis + 3]));
       radius2 += side * side / 4;
       distance2 += before * before;
     }
