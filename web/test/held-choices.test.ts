@@ -37,7 +37,7 @@ class RoutedNode {
 
   private process(field: string, choice: number): void {
     this.scene.routes.filter((route) => route.sourceNode === this && route.sourceField === field)
-      .forEach((route) => { (route.destinationNode as RoutedNode).send(route.destinationField, choice); });
+      .forEach((route) => { (route.destinationNode as RoutedNode).send(route.destinationField.replace('set_', ''), choice); });
     this.callbacks.get(field)?.forEach((callback) => { callback(choice); });
   }
 }
@@ -49,8 +49,8 @@ class RoutedScene {
   readonly script = new RoutedNode(this, 0);
   readonly trigger = new RoutedNode(this, 0);
   readonly routes: Route[] = [
-    { sourceNode: this.script, sourceField: 'choice0', destinationNode: this.lamp, destinationField: 'whichChoice' },
-    { sourceNode: this.trigger, sourceField: 'triggerValue', destinationNode: this.lamp, destinationField: 'whichChoice' },
+    { sourceNode: this.script, sourceField: 'choice0', destinationNode: this.lamp, destinationField: 'set_whichChoice' },
+    { sourceNode: this.trigger, sourceField: 'triggerValue', destinationNode: this.lamp, destinationField: 'set_whichChoice' },
   ];
   readonly choices = new HeldChoices({ named: (name) => this.named(name), routes: this.routes });
   private readonly rules = new Controller([], [{ shown: 0, choices: { desk: 1 } }], { most: [2], least: [1], highLow: [1] });

@@ -16,6 +16,9 @@ export interface Route {
   readonly destinationField: string;
 }
 
+/** ROUTEs name the field of a Switch so; X_ITE the second way. */
+const CHOICE = ['whichChoice', 'set_whichChoice'];
+
 interface Source {
   readonly node: FieldNode;
   readonly field: string;
@@ -84,7 +87,7 @@ export class HeldChoices {
 
   private sources(node: FieldNode): Source[] {
     return [...this.scene.routes]
-      .filter((route) => route.destinationField === 'whichChoice' && same(route.destinationNode, node))
+      .filter((route) => CHOICE.includes(route.destinationField) && same(route.destinationNode, node))
       .map((route) => ({ node: route.sourceNode as FieldNode, field: route.sourceField }));
   }
 }
