@@ -34,14 +34,24 @@ export function officeStudy(folder: string): string {
   return path.join(folder, 'study.json');
 }
 
+/** Returns the metadata of a version. */
+function version(consistency: 'consistent' | 'inconsistent'): string {
+  return `<MetadataSet containerField='value' name='${consistency}'>
+    <MetadataString containerField='value' name='consistencyType' value='"${consistency}"'/>
+    <MetadataString containerField='value' name='degreeOfConsistency' value='"high"'/>
+    <MetadataString containerField='value' name='schemaBelonginess' value='"${consistency}Schema"'/></MetadataSet>`;
+}
+
 /**
  * Writes a study of two blocks, a practice and one of four trials in two conditions, with a factor between participants;
- * returns its file.
+ * returns its file. The practice is in the condition high, which shows the cone on the left where no trial hides it.
  */
 export function blocksStudy(folder: string): string {
   writeFileSync(path.join(folder, 'shelf.x3d'), `<X3D profile='Immersive' version='3.3'><Scene>
     <Viewpoint DEF='Front' position='0 0 6'/>
-    <Transform translation='-1 0 0'><Switch DEF='Left' whichChoice='-1'><Shape><Box/></Shape><Shape><Cone/></Shape></Switch></Transform>
+    <Transform translation='-1 0 0'><Switch DEF='Left' whichChoice='-1'>
+      <MetadataSet containerField='metadata' name='Left'>${version('inconsistent')}${version('consistent')}</MetadataSet>
+      <Shape><Cone/></Shape><Shape><Box/></Shape></Switch></Transform>
     <Transform translation='1 0 0'><Switch DEF='Right' whichChoice='-1'><Shape><Box/></Shape></Switch></Transform>
     <Switch DEF='Wall' whichChoice='0'><Transform translation='0 0 -3'><Shape><Appearance>
       <Material emissiveColor='0 0.5 0'/></Appearance><Box size='20 20 1'/></Shape></Transform></Switch></Scene></X3D>`);
@@ -65,6 +75,7 @@ export function blocksStudy(folder: string): string {
       {
         name: 'training',
         factors: [],
+        condition: 'high',
         stimuli: 'sides.csv',
         viewpoint: 'Front',
         practice: { correct: 1, rounds: 3 },

@@ -67,6 +67,8 @@ it('runs a practice until it is passed, and a block with questions, as the plan 
     await page.keyboard.press('Space');
     await exposed(page);
     await picture(page, 'exposure');
+    // Also after a trial that held what the condition high shows.
+    expect(await page.evaluate(() => window.selectiveRenderer?.world.choice('Left'))).toBe(0);
     await page.keyboard.press(key);
     await told(page, feedback);
     await picture(page, 'feedback');

@@ -143,6 +143,35 @@ describe('the reference receiver', () => {
     expect(await post('data', part(0, [1]), 'https://other.example')).toMatchObject({ status: 403 });
   });
 
+  it('refuses what is set up wrongly with a sentence that says what to do, and so does a sink without a receiver', async () => {
+    const place = async (study: string): Promise<string> => {
+      // A browser names the page's origin itself; a proxy does so here.
+      const network = await Network.open(async (what, body) => {
+        const { status, answer } = await post(what.slice(1), body, origin);
+        return { status, body: JSON.stringify(answer) };
+      });
+      const sink = await HttpSink.open({ url: network.url, study, participant: '', waiting: PATIENT });
+      try {
+        return await sink.slot().then((slot) => `place ${String(slot)}`, (error: unknown) => String(error).replace(network.url, 'URL'));
+      } finally {
+        sink.close();
+        await network.close();
+      }
+    };
+    let origin = ORIGIN;
+    expect(await place('Kitchen')).toBe('place 1');
+    expect(await place('Lounge')).toBe('Error: URL does not receive the study "Lounge". Researchers: start the receiver with '
+      + '--study "Lounge", or correct "receiver" in study-settings.json.');
+    origin = 'https://elsewhere.example.org';
+    expect(await place('Kitchen')).toBe('Error: URL does not allow this page. Researchers: start the receiver with the page\'s --origin.');
+    await stop();
+    const sink = await HttpSink.open({ url, study: 'Kitchen', participant: '', waiting: PATIENT });
+    await expect(sink.slot()).rejects.toThrow(
+      `${url}/slot does not answer. Researchers: does the receiver run there, and does it allow this page (--origin this page)?`,
+    );
+    sink.close();
+  });
+
   it('keeps nothing of a request that was cut off', async () => {
     const socket = connect(Number(new URL(url).port), '127.0.0.1');
     const body = JSON.stringify(part(0, ['whole']));

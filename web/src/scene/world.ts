@@ -1,7 +1,8 @@
+import { HeldChoices } from './held-choices.js';
 import { angles, orientation, type Pose } from './pose.js';
 import { LaterVersions, type LaterVersion } from './later.js';
 import { room, type Rig } from './rig.js';
-import { browserOf, named, prepareTangents, type Browser, type FieldNode, type Namespace, type Scene, xite } from './xite.js';
+import { browserOf, named, prepareTangents, same, type Browser, type FieldNode, type Namespace, type Scene, xite } from './xite.js';
 
 /** The conditions in which a scene can be shown, as of the command run. */
 export const CONDITIONS = ['selective', 'high', 'high-low', 'random'] as const;
@@ -34,13 +35,6 @@ interface Vector {
   readonly x: number;
   readonly y: number;
   readonly z: number;
-}
-
-/** A Switch whose choice is held, and the choice that the scene wants meanwhile. */
-interface Held {
-  readonly node: FieldNode;
-  choice: number;
-  wanted: number;
 }
 
 /** What X_ITE's declarations lack. */
@@ -81,7 +75,7 @@ export class World {
   private rig: Rig | undefined;
   private head: Pose;
   private readonly later: LaterVersions;
-  private readonly held = new Map<string, Held>();
+  private readonly held: HeldChoices;
   /** Whether the scene itself has the headlight on; known once that was changed. */
   private light: boolean | undefined;
 
@@ -98,6 +92,7 @@ export class World {
       choice: (object) => this.choice(object),
       loaded: (inlines) => this.loaded(inlines),
     });
+    this.held = new HeldChoices({ named: (name) => named(scene, name), routes: scene.routes });
     this.areas = controller ? strings(controller.areaNames) : [];
     this.objects = controller ? strings(controller.objectNames) : [];
     this.internals = browser as unknown as Internals;
@@ -199,11 +194,7 @@ export class World {
    */
   hold(choices: Readonly<Record<string, number>>): void {
     for (const [name, choice] of Object.entries(choices)) {
-      const held = this.held.get(name) ?? this.watched(name);
-      held.choice = choice;
-      if (Number(held.node.whichChoice) !== choice) {
-        held.node.whichChoice = choice;
-      }
+      this.held.hold(name, choice);
       if (!this.objects.includes(name)) {
         this.tell({ kind: 'switch', object: name, choice });
       }
@@ -212,30 +203,7 @@ export class World {
 
   /** Lets all Switches show again what the scene wants. */
   release(): void {
-    for (const held of this.held.values()) {
-      held.node.removeFieldCallback(this.held, 'whichChoice');
-      held.node.whichChoice = held.wanted;
-    }
-    this.held.clear();
-  }
-
-  private watched(name: string): Held {
-    let node: FieldNode;
-    try {
-      node = named(this.scene, name);
-    } catch (error) {
-      throw new Error(`the scene has no Switch ${name}; export the study anew`, { cause: error });
-    }
-    const choice = Number(node.whichChoice);
-    const held: Held = { node, choice, wanted: choice };
-    this.held.set(name, held);
-    node.addFieldCallback(this.held, 'whichChoice', (value) => {
-      if (Number(value) !== held.choice) {
-        held.wanted = Number(value);
-        node.whichChoice = held.choice;
-      }
-    });
-    return held;
+    this.held.release();
   }
 
   /** Switches the viewer's headlight on or off; undefined for what the scene says. */
@@ -470,10 +438,6 @@ export class World {
 function poseOf(view: FieldNode): Pose {
   const at = view.position as Vector;
   return { x: at.x, y: at.y, z: at.z, ...angles(view.orientation as Vector & { angle: number }) };
-}
-
-function same(one: FieldNode, other: FieldNode): boolean {
-  return one === other || (one as unknown as { equals?: (node: unknown) => boolean }).equals?.(other) === true;
 }
 
 function strings(field: unknown): string[] {

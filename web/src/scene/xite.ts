@@ -60,6 +60,11 @@ export function named(scene: Scene, name: string): FieldNode {
   return scene.getNamedNode(name) as FieldNode;
 }
 
+/** Returns whether two of X_ITE's objects stand for the same node. */
+export function same(one: object, other: object): boolean {
+  return one === other || (one as { equals?: (node: unknown) => boolean }).equals?.(other) === true;
+}
+
 const generators = new WeakMap<Geometry, Geometry['generateTangents']>();
 
 /** Lets X_ITE compute the tangents of the models that it loads from now on, or leave that, as only some scenes need them. */

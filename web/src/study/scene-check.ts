@@ -1,16 +1,19 @@
 import { type JsPsychPlugin, ParameterType, type TrialType } from 'jspsych';
 import { rising } from '../page/progress.js';
 import type { Condition } from '../scene/world.js';
-import type { Study, Wording } from './description.js';
+import type { Step, Study, Wording } from './description.js';
 import { element } from './fields.js';
 import { FrameRate } from './frame-rate.js';
 import { preload } from './preload.js';
 import type { Stage } from './stage.js';
 
-/** The scene is measured for so long, and over so many pictures. */
+/** A scene is measured for so long, and over so many pictures. */
 const SECONDS = 1;
 const PICTURES = 10;
 const MOST_SECONDS = 5;
+
+/** So many scenes are measured. */
+const MOST_SCENES = 8;
 
 /** The brightness of the picture meanwhile: participants are not to see the place yet. */
 const FAINT = 0.01;
@@ -22,7 +25,7 @@ const info = {
   data: { frames_per_second: { type: ParameterType.FLOAT } },
 } as const;
 
-/** The plugin of jsPsych that loads the scenes and measures how fast the first one of an exposure is drawn. */
+/** The plugin of jsPsych that loads the scenes and measures how fast they are drawn. */
 export type SceneCheckPlugin = new () => JsPsychPlugin<typeof info>;
 
 /**
@@ -30,7 +33,7 @@ export type SceneCheckPlugin = new () => JsPsychPlugin<typeof info>;
  * session begins when it is fast enough.
  *
  * @param needed pictures per second
- * @param measured is handed the pictures per second
+ * @param measured is handed the pictures per second of the slowest scene
  */
 export function sceneCheckPlugin(
   study: Study,
@@ -49,11 +52,11 @@ export function sceneCheckPlugin(
       display.replaceChildren(status);
       // Files that are there are opened again: participants see one progress.
       const say = rising((percent) => { status.textContent = words.of('web.loading', percent); });
-      const view = viewOf(study);
+      const views = viewsOf(study);
       await preload(filesOf(study), say);
       for (;;) {
-        const rate = view ? await measure(view, stage, words, say, status) : 0;
-        if (!view || rate >= needed) {
+        const rate = await slowest(views, needed, (view) => measure(view, stage, words, say, status));
+        if (views.length === 0 || rate >= needed) {
           display.replaceChildren();
           measured(rate);
           return { frames_per_second: rate };
@@ -80,7 +83,7 @@ async function tooSlow(display: HTMLElement, words: Wording, rate: number, neede
 
 /** Returns whether a study shows a scene, which is then worth a check. */
 export function shows(study: Study): boolean {
-  return viewOf(study) !== undefined;
+  return viewsOf(study).length > 0;
 }
 
 /** A scene as a step begins with it. */
@@ -96,15 +99,42 @@ function filesOf(study: Study): Record<string, number> {
 }
 
 /**
- * Returns the view that is measured: that of the first exposure or trial, else that of the practice. It is the same for
- * everybody, whatever the place in the plan, in the condition that has most to draw: who may take part must not depend on
- * the condition.
+ * Returns the views that are measured, one of each scene that exposures or trials show, else that of the practice. They
+ * are the same for everybody, whatever the place in the plan: in the condition high if anybody sees the scene so, else in
+ * the first one that somebody sees. Who may take part must not depend on the condition.
  */
-function viewOf(study: Study): View | undefined {
+function viewsOf(study: Study): readonly View[] {
   const steps = Object.values(study.steps);
-  const step = steps.find(({ kind }) => kind === 'exposure') ?? steps.find(({ kind }) => kind === 'practice');
+  const shown = [...steps.filter(({ kind }) => kind === 'exposure').flatMap((step) => stepView(study, step)), ...(study.trials ?? [])];
+  const views = shown.length > 0 ? shown : steps.flatMap((step) => stepView(study, step)).slice(0, 1);
+  const costliest = new Map<string, View>();
+  for (const view of views) {
+    const before = costliest.get(view.scene);
+    if (!before || (before.condition !== 'high' && view.condition === 'high')) {
+      costliest.set(view.scene, view);
+    }
+  }
+  return [...costliest.values()].slice(0, MOST_SCENES);
+}
+
+/** Returns the view with which a step begins, if it shows a scene. */
+function stepView(study: Study, step: Step): View[] {
   const condition = study.slots.some((slot) => slot.condition === 'high') ? 'high' : (study.slots[0]?.condition ?? 'high');
-  return study.trials?.[0] ?? (step && 'scene' in step ? { ...step, condition, choices: {} } : undefined);
+  return 'scene' in step ? [{ scene: step.scene, viewpoint: step.viewpoint, condition, choices: {} }] : [];
+}
+
+/** Measures views until one is drawn too slowly; returns the lowest rate, 0 for none. */
+async function slowest(views: readonly View[], needed: number, measured: (view: View) => Promise<number>): Promise<number> {
+  const rates: number[] = [];
+  // The first scene comes last, so that it is open when the session begins.
+  for (const view of [...views].reverse()) {
+    const rate = await measured(view);
+    rates.push(rate);
+    if (rate < needed) {
+      break;
+    }
+  }
+  return rates.length > 0 ? Math.min(...rates) : 0;
 }
 
 async function measure(

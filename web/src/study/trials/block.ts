@@ -33,7 +33,10 @@ export function blockPlugin(context: StepContext, step: BlockStep): BlockPlugin 
         await announce(context, display, progress, first);
       }
       for (let placed = progress.next(); placed; placed = progress.next()) {
-        await run(context, display, progress, placed, words);
+        if (!await run(context, display, progress, placed, words)) {
+          context.refused();
+          return { failed: false };
+        }
       }
       recorder.begin(block);
       recorder.end({ block, failed: progress.failed });
@@ -43,13 +46,14 @@ export function blockPlugin(context: StepContext, step: BlockStep): BlockPlugin 
   };
 }
 
+/** Runs a trial and records it; returns false if consent was refused in its questions. */
 async function run(
   context: StepContext,
   display: HTMLElement,
   progress: BlockProgress,
   placed: PlacedTrial,
   words: Wording,
-): Promise<void> {
+): Promise<boolean> {
   const { recorder, slot, texts, stage } = context;
   const { id, number, round, trial } = placed;
   context.begun(id);
@@ -63,10 +67,14 @@ async function run(
     levels: trial.levels,
     ...(trial.line === undefined ? {} : { line: trial.line, stimulus: trial.stimulus }),
     ...(context.repeated === id ? { repeated: true } : {}),
-    ...result,
+    ...(result ?? { refused: true }),
   });
+  if (!result) {
+    return false;
+  }
   progress.add(placed, result.correct);
   context.ended(id, result.correct);
+  return true;
 }
 
 /** Tells what comes; the first scene is loaded meanwhile. */

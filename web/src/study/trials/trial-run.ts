@@ -28,6 +28,7 @@ export class TrialRun {
   private readonly buttons = matchMedia('(pointer: coarse)').matches;
   private drawn: ShownPhase | undefined;
   private world: World | undefined;
+  private refused = false;
 
   /**
    * @param seed of the participant, for objects that are drawn at random
@@ -51,7 +52,8 @@ export class TrialRun {
     this.overlay.setAttribute('role', 'status');
   }
 
-  async run(): Promise<TrialResult> {
+  /** Returns what came of the trial; undefined if consent was refused in its questions. */
+  async run(): Promise<TrialResult | undefined> {
     const listening = new AbortController();
     try {
       return await this.shown(listening.signal);
@@ -63,7 +65,7 @@ export class TrialRun {
     }
   }
 
-  private async shown(signal: AbortSignal): Promise<TrialResult> {
+  private async shown(signal: AbortSignal): Promise<TrialResult | undefined> {
     const { world, walker } = await this.open();
     await this.prepare(world, walker);
     window.addEventListener('keydown', (event) => { this.key(event); }, { capture: true, signal });
@@ -86,6 +88,9 @@ export class TrialRun {
         }
         if (this.course.phase?.show === 'questions') {
           await this.ask(this.course.phase.questionnaire);
+          if (this.refused) {
+            return undefined;
+          }
           log.pause(performance.now());
         } else if (this.course.phase?.show === 'instruction') {
           log.pause(now); // as long as the participant reads
@@ -197,7 +202,11 @@ export class TrialRun {
     this.stage.hide();
     const state = new QuestionnaireState(this.pages(questionnaire));
     new QuestionnaireView(this.display, state, this.words);
-    const { answers } = await state.result;
+    const { answers, refused } = await state.result;
+    if (refused) {
+      this.refused = true;
+      return;
+    }
     this.answers.push(...answers);
     this.course.questionsAnswered();
     await this.open();

@@ -106,7 +106,7 @@ final class WebRecordParser {
         texts(json.path("recruitment")),
         texts(json.path("device")),
         answers(step, json.path("answers"), place),
-        step instanceof SessionStep.Form && json.path("refused").asBoolean(),
+        json.path("refused").asBoolean() && asksConsent(step),
         exposure && json.path("repeated").asBoolean(),
         json.path("display").asText().equals("webxr"),
         step instanceof SessionStep.Block && json.path("failed").asBoolean(),
@@ -250,6 +250,14 @@ final class WebRecordParser {
     // The order of the questions, which differs between participants, does not matter here.
     return questionnaires.computeIfAbsent(
         step.id(), id -> List.of(material.questionnaire(step, "001")));
+  }
+
+  /** Returns whether an answer to the questions of a step may refuse consent. */
+  private boolean asksConsent(SessionStep step) {
+    return step instanceof SessionStep.Form
+        || questionnaires(step).stream()
+            .flatMap(questionnaire -> questionnaire.questions().stream())
+            .anyMatch(question -> question.must().isPresent());
   }
 
   private WebRecord.Given answer(List<Questionnaire> asked, JsonNode json) throws Fault {

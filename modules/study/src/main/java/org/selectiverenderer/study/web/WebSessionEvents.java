@@ -110,7 +110,12 @@ final class WebSessionEvents {
   private void tell(WebRecord record, WebSessionJournal journal, Map<String, String> device) {
     journal.begin(record);
     if (record.refused()) {
-      journal.add(0, "step-began", id(record), Map.of("run", 1));
+      blocks.began(record, journal);
+      Map<String, Object> began = new LinkedHashMap<>(Map.of("run", 1));
+      if (record.step() instanceof SessionStep.OneTrial trial) {
+        began.putAll(TrialEvents.members(trial.trial()));
+      }
+      journal.add(0, "step-began", id(record), began);
       journal.add(record.seconds(), "refused", "", Map.of());
       return;
     }

@@ -160,4 +160,42 @@ class WebTrialImportTest extends WebStudyFixture {
     collect();
     assertThat(journal()).contains("\"flag\":\"not-seen\"");
   }
+
+  @Test
+  void whoRefusesConsentInTheQuestionsOfATrialHasRefused() throws IOException {
+    Files.writeString(
+        folder.resolve("study/sure.json"),
+        """
+        {"name": "sure", "pages": [{"questions": [
+          {"id": "on", "kind": "yes-no", "text": "May we go on?", "must": "yes"}]}]}
+        """);
+    String refused =
+        record(
+            1,
+            1,
+            "main-002",
+            3,
+            "\"interruptions\":[],\"block\":\"main\",\"trial\":2,\"round\":1,%s,\"refused\":true"
+                .formatted(CELLS));
+    String first =
+        result("f")
+            .replace("\"sure\",\"kind\":\"scale\"", "\"on\",\"kind\":\"yes-no\"")
+            .replace("\"value\":\"4\"", "\"value\":\"yes\"");
+    write("all.jsonl", List.of(form(1, 1), trial(1, CELLS, first), refused));
+    collect();
+    assertThat(told()).isEmpty();
+    assertThat(journal())
+        .contains("\"event\":\"step-began\",\"step\":\"main-002\"")
+        .contains("\"event\":\"refused\"")
+        .doesNotContain("\"event\":\"step-finished\",\"step\":\"main-002\"");
+  }
+
+  @Test
+  void aTrialThatAsksForNoConsentIsNotRefused() throws IOException {
+    write("all.jsonl", List.of(form(1, 1), trial(1, CELLS, result("f") + ",\"refused\":true")));
+    collect();
+    assertThat(journal())
+        .contains("\"event\":\"step-finished\",\"step\":\"main-001\"")
+        .doesNotContain("\"event\":\"refused\"");
+  }
 }

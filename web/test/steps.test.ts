@@ -1,0 +1,74 @@
+// @vitest-environment happy-dom
+import { describe, expect, it } from 'vitest';
+import { Wording, type Step, type Study } from '../src/study/description.js';
+import { Recorder } from '../src/study/recorder.js';
+import type { Stage } from '../src/study/stage.js';
+import { timeline, type StepContext } from '../src/study/steps.js';
+
+const WORDS = { 'web.exposure.place': 'Place {0} of {1}', 'web.exposure': 'You see it for {0} s.', 'web.turn': 'Turn.', 'web.walk': 'Walk.' };
+
+/** Nothing is shown here. */
+const STAGE = {} as unknown as Stage;
+
+function exposure(area: string): Step {
+  return { kind: 'exposure', scene: 'house', area, viewpoint: '', seconds: 5, stay: 'turn' };
+}
+
+/** Returns what is told before each exposure of a participant. */
+function told(order: readonly string[], more: Partial<StepContext> = {}): string[] {
+  const steps: Record<string, Step> = {
+    form: { kind: 'form' },
+    practice: { kind: 'practice', scene: 'house', viewpoint: '' },
+    hall: exposure('hall'),
+    yard: exposure('yard'),
+    attic: exposure('attic'),
+  };
+  const identity = {
+    study: '', checksum: '', session: '', slot: 1, participant: '001', group: 'all', condition: 'high', language: 'en',
+  };
+  const context: StepContext = {
+    study: { steps, fade: 0 } as unknown as Study,
+    slot: { slot: 0, participant: '001', group: 'all', condition: 'high', seed: 1, steps: order },
+    texts: { words: WORDS, questionnaires: {} },
+    words: new Wording(WORDS),
+    stage: STAGE,
+    recorder: new Recorder(identity, { send: () => undefined, finish: () => Promise.resolve() }),
+    headset: 'no',
+    repeated: '',
+    first: () => ({}),
+    begun: () => undefined,
+    done: [],
+    wrong: [],
+    ended: () => undefined,
+    refused: () => undefined,
+    ...more,
+  };
+  return (timeline(context) as { timeline: { stimulus?: string; on_screen?: readonly string[] }[] }[])
+    .flatMap((step) => step.timeline)
+    .flatMap(({ stimulus, on_screen }) => stimulus ?? (on_screen?.length ? [on_screen.join(' ')] : []))
+    .map((text) => text.replaceAll(/<\/?p>/g, ' ').trim());
+}
+
+describe('what is told before an exposure', () => {
+  it('says which of several it is, in the order of the participant', () => {
+    expect(told(['form', 'practice', 'yard', 'hall', 'attic'])).toEqual([
+      expect.stringContaining('Place 1 of 3'), expect.stringContaining('Place 2 of 3'), expect.stringContaining('Place 3 of 3'),
+    ]);
+  });
+
+  it('counts those that are done, after the page was opened again', () => {
+    expect(told(['form', 'hall', 'yard', 'attic'], { done: ['form', 'hall'] })).toEqual([
+      expect.stringContaining('Place 2 of 3'), expect.stringContaining('Place 3 of 3'),
+    ]);
+  });
+
+  it('says no place of a single one', () => {
+    expect(told(['form', 'hall'])).toEqual([expect.not.stringContaining('Place')]);
+  });
+
+  it('says it in front of a headset, too', () => {
+    expect(told(['hall', 'yard'], { headset: 'offer' })).toEqual([
+      expect.stringContaining('Place 1 of 2'), expect.stringContaining('Place 2 of 2'),
+    ]);
+  });
+});
