@@ -48,7 +48,7 @@ final class SceneDialogs {
               open.commit();
               RatingsDialog dialog = new RatingsDialog(owner, open.session());
               table.ifPresent(dialog::open);
-              dialog.setVisible(true);
+              dialog.showAndWait();
             });
   }
 
@@ -91,7 +91,7 @@ final class SceneDialogs {
         .ifPresent(
             open -> {
               open.commit();
-              new BatchVersionsDialog(owner, open.session()).setVisible(true);
+              new BatchVersionsDialog(owner, open.session()).showAndWait();
               open.lookAtFilesAgain();
             });
   }

@@ -19,6 +19,7 @@ import javax.swing.JScrollPane;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.enricher.component.InitialFocus;
 import org.selectiverenderer.enricher.component.NamedFileChooser;
 import org.selectiverenderer.enricher.settings.AllowedPlaces;
 import org.selectiverenderer.enricher.text.Mnemonics;
@@ -88,7 +89,7 @@ public final class AccessDialog extends JDialog {
     JButton add = Mnemonics.button("access.host.add");
     JButton remove = Mnemonics.button("access.host.remove");
     add.addActionListener(e -> addHost());
-    host.addActionListener(e -> addHost());
+    host.addActionListener(e -> enter());
     return part("access.hosts", hostList, hosts, remove, host, add);
   }
 
@@ -144,6 +145,15 @@ public final class AccessDialog extends JDialog {
     }
   }
 
+  /** Adds the host that was typed; where none is, Enter is for the default button. */
+  private void enter() {
+    if (host.getText().isBlank()) {
+      confirm();
+    } else {
+      addHost();
+    }
+  }
+
   /** Adds the host that was typed, unless it is none, which is said. */
   private boolean addHost() {
     String typed = host.getText().strip();
@@ -173,7 +183,7 @@ public final class AccessDialog extends JDialog {
 
   /** Shows the dialog and waits; empty if the author cancels. */
   public Optional<AllowedPlaces> ask() {
-    setVisible(true);
+    InitialFocus.show(this, host);
     return agreed ? Optional.of(chosen()) : Optional.empty();
   }
 

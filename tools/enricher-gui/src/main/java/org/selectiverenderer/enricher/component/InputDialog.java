@@ -1,13 +1,10 @@
 package org.selectiverenderer.enricher.component;
 
 import java.awt.Component;
-import java.awt.Container;
 import java.awt.Insets;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Window;
-import java.awt.event.WindowAdapter;
-import java.awt.event.WindowEvent;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.Supplier;
@@ -18,7 +15,6 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
-import javax.swing.LayoutFocusTraversalPolicy;
 import javax.swing.SwingUtilities;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.base.markup.MarkupEscaper;
@@ -68,15 +64,6 @@ public final class InputDialog {
             event -> dialog.dispose(),
             KeyStroke.getKeyStroke("ESCAPE"),
             JComponent.WHEN_IN_FOCUSED_WINDOW);
-    dialog.setFocusTraversalPolicy(new FirstField());
-    dialog.addWindowFocusListener(
-        new WindowAdapter() {
-          @Override
-          public void windowGainedFocus(WindowEvent event) {
-            dialog.removeWindowFocusListener(this);
-            first.requestFocusInWindow();
-          }
-        });
     dialog.getRootPane().setDefaultButton(ok);
     WindowPacker.pack(dialog);
     dialog.setLocationRelativeTo(window);
@@ -99,12 +86,7 @@ public final class InputDialog {
             complain(why.get());
           }
         });
-    TypeAheadBuffer keys = TypeAheadBuffer.holdFor(first);
-    try {
-      dialog.setVisible(true);
-    } finally {
-      keys.end();
-    }
+    InitialFocus.show(dialog, first);
     return accepted;
   }
 
@@ -187,19 +169,5 @@ public final class InputDialog {
     dialog.setLocation(
         Math.max(screen.x, Math.min(at.x + view.getWidth(), most)),
         Math.max(screen.y, Math.min(at.y + view.getHeight() / 4, lowest)));
-  }
-
-  private final class FirstField extends LayoutFocusTraversalPolicy {
-    private static final long serialVersionUID = 1L;
-
-    @Override
-    public Component getInitialComponent(Window window) {
-      return first;
-    }
-
-    @Override
-    public Component getDefaultComponent(Container container) {
-      return first;
-    }
   }
 }

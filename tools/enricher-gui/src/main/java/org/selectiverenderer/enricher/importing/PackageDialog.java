@@ -18,6 +18,8 @@ import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.enricher.component.FileNameSelection;
+import org.selectiverenderer.enricher.component.InitialFocus;
 import org.selectiverenderer.enricher.component.NamedFileChooser;
 import org.selectiverenderer.enricher.text.Mnemonics;
 import org.selectiverenderer.enricher.text.Texts;
@@ -148,7 +150,8 @@ public final class PackageDialog extends JDialog {
 
   /** Shows the dialog and waits; empty if the author cancels. */
   public Optional<Target> ask() {
-    setVisible(true);
+    FileNameSelection.select(path, ENDING);
+    InitialFocus.show(this, path);
     return Optional.ofNullable(target);
   }
 }

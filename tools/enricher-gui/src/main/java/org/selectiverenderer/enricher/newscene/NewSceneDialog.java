@@ -25,6 +25,8 @@ import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.authoring.creation.NewScene;
 import org.selectiverenderer.authoring.creation.RoomSize;
+import org.selectiverenderer.enricher.component.FileNameSelection;
+import org.selectiverenderer.enricher.component.InitialFocus;
 import org.selectiverenderer.enricher.component.NamedFileChooser;
 import org.selectiverenderer.enricher.text.Mnemonics;
 import org.selectiverenderer.enricher.text.Texts;
@@ -198,7 +200,8 @@ public final class NewSceneDialog extends JDialog {
 
   /** Shows the dialog and waits; empty if the author cancels. */
   public Optional<Answer> ask() {
-    setVisible(true);
+    FileNameSelection.select(file, ENDING);
+    InitialFocus.show(this, file);
     return Optional.ofNullable(answer);
   }
 }

@@ -27,6 +27,7 @@ import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.base.files.InputFileReader;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.enricher.component.InitialFocus;
 import org.selectiverenderer.enricher.component.NamedFileChooser;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Mnemonics;
@@ -151,6 +152,11 @@ public final class RatingsDialog extends JDialog {
     if (chooser.showOpenDialog(this) == JFileChooser.APPROVE_OPTION) {
       open(chooser.chosen());
     }
+  }
+
+  /** Shows the dialog and waits until it is closed. */
+  public void showAndWait() {
+    InitialFocus.show(this, file);
   }
 
   /** Reads a table in the background and shows what it implies. */

@@ -24,6 +24,7 @@ import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.authoring.versions.PlannedFile;
 import org.selectiverenderer.authoring.versions.VersionsEdit;
 import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.enricher.component.InitialFocus;
 import org.selectiverenderer.enricher.component.TextChangeListener;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Mnemonics;
@@ -235,7 +236,8 @@ public final class VersionsDialog extends JDialog {
 
   /** Shows the dialog, waits, and returns how many versions the object has been given. */
   public int made() {
-    setVisible(true);
+    name.selectAll();
+    InitialFocus.show(this, name);
     return made;
   }
 

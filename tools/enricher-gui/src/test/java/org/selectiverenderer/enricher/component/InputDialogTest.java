@@ -5,7 +5,6 @@ import static org.selectiverenderer.enricher.EventThread.edt;
 import static org.selectiverenderer.enricher.EventThread.get;
 
 import java.awt.AWTException;
-import java.awt.Robot;
 import java.awt.event.ActionEvent;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
@@ -19,7 +18,6 @@ import java.util.concurrent.TimeoutException;
 import java.util.function.Function;
 import javax.swing.AbstractAction;
 import javax.swing.JDialog;
-import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
@@ -28,7 +26,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.selectiverenderer.enricher.robot.TestSessions;
+import org.selectiverenderer.enricher.robot.FastTypist;
 import org.selectiverenderer.testing.ShowsWindows;
 import org.selectiverenderer.testing.robot.GuiRobot;
 
@@ -44,47 +42,16 @@ class InputDialogTest {
   private static final int FEWEST = 10;
   private static final String LETTERS = "abcdefghij";
 
-  private final GuiRobot hands = new GuiRobot();
-  private final JFrame window = get(() -> new JFrame("Below"));
-  private final JTextField below = get(JTextField::new);
-  private Optional<Process> manager = Optional.empty();
-  private Robot robot;
+  private FastTypist typist;
 
   @BeforeEach
-  void show() throws AWTException {
-    robot = new Robot();
-    try {
-      manager = Optional.of(new ProcessBuilder("openbox").start()); // ends where another one runs
-    } catch (IOException e) {
-      manager = Optional.empty(); // not installed
-    }
-    TestSessions.theme(false);
-    edt(
-        () -> {
-          below.getAccessibleContext().setAccessibleName("Below");
-          window.getContentPane().add(below);
-          window.setBounds(20, 20, 500, 300);
-        });
-    hands.show(window);
-    hands.click(below);
+  void show() throws AWTException, IOException {
+    typist = new FastTypist();
   }
 
   @AfterEach
-  void close() throws InterruptedException {
-    edt(window::dispose);
-    if (manager.isPresent()) {
-      manager.get().destroy();
-      manager.get().waitFor();
-    }
-  }
-
-  private void stroke(int key) {
-    robot.keyPress(key);
-    robot.keyRelease(key);
-  }
-
-  private void type(String letters) {
-    letters.chars().forEach(letter -> stroke(KeyEvent.getExtendedKeyCodeForChar(letter)));
+  void close() {
+    typist.close();
   }
 
   private CompletableFuture<Optional<String>> ask(Function<String, Optional<String>> complaint) {
@@ -92,7 +59,7 @@ class InputDialogTest {
     SwingUtilities.invokeLater(
         () ->
             answer.complete(
-                InputDialog.ask(window, "Rename", "Name (DEF)", "Proposal", complaint)));
+                InputDialog.ask(typist.window(), "Rename", "Name (DEF)", "Proposal", complaint)));
     return answer;
   }
 
@@ -102,14 +69,7 @@ class InputDialogTest {
     try {
       return answer.get(10, TimeUnit.SECONDS).orElse("(cancelled)");
     } catch (TimeoutException e) {
-      edt(
-          () -> {
-            for (java.awt.Window each : java.awt.Window.getWindows()) {
-              if (each instanceof JDialog) {
-                each.dispose();
-              }
-            }
-          });
+      FastTypist.closeDialogs();
       return "(open)";
     }
   }
@@ -122,19 +82,17 @@ class InputDialogTest {
     int dialogs = 0;
     while (dialogs < DIALOGS && (dialogs < FEWEST || System.nanoTime() - begin < LONGEST)) {
       CompletableFuture<Optional<String>> answer = ask(name -> Optional.empty());
-      type(LETTERS);
-      stroke(KeyEvent.VK_ENTER);
+      typist.type(LETTERS);
+      typist.stroke(KeyEvent.VK_ENTER);
       String said = said(answer);
       if (!said.equals(LETTERS)) {
         wrong.add(dialogs + ": " + said);
       }
       dialogs++;
-      if (!GuiRobot.has(below::isFocusOwner)) {
-        hands.click(below); // without a window manager nobody gives the keyboard back
-      }
+      typist.goBack();
     }
     assertThat(wrong).as("of " + dialogs + " dialogs").isEmpty();
-    String under = get(below::getText);
+    String under = get(typist.below()::getText);
     assertThat(under).as("typed into the window below").isEmpty();
   }
 
@@ -142,22 +100,23 @@ class InputDialogTest {
   void whatIsInvalidIsSaidInTheDialogWhichStays() throws InterruptedException, ExecutionException {
     CompletableFuture<Optional<String>> answer =
         ask(name -> name.equals("ab") ? Optional.of("<html>ab is taken") : Optional.empty());
-    type("ab");
+    typist.type("ab");
+    GuiRobot hands = new GuiRobot();
     JDialog dialog = hands.dialog(JDialog.class);
     JLabel complaint = GuiRobot.named(dialog, " ", JLabel.class);
-    stroke(KeyEvent.VK_ENTER);
+    typist.stroke(KeyEvent.VK_ENTER);
     hands.await("the complaint", () -> complaint.getText().contains("ab is taken"));
     GuiRobot.picture(dialog.getContentPane(), "input-dialog", 1);
-    type("c");
-    stroke(KeyEvent.VK_ENTER);
+    typist.type("c");
+    typist.stroke(KeyEvent.VK_ENTER);
     assertThat(said(answer)).isEqualTo("abc");
   }
 
   @Test
   void escapeCancelsHoweverEarlyItIsTyped() throws InterruptedException, ExecutionException {
     CompletableFuture<Optional<String>> answer = ask(name -> Optional.empty());
-    type("ab");
-    stroke(KeyEvent.VK_ESCAPE);
+    typist.type("ab");
+    typist.stroke(KeyEvent.VK_ESCAPE);
     assertThat(said(answer)).isEqualTo("(cancelled)");
   }
 
@@ -166,6 +125,7 @@ class InputDialogTest {
     CompletableFuture<Optional<String>> answer = new CompletableFuture<>();
     edt(
         () -> {
+          JTextField below = typist.below();
           below.getInputMap().put(KeyStroke.getKeyStroke("N"), "ask");
           below
               .getActionMap()
@@ -177,12 +137,12 @@ class InputDialogTest {
                     @Override
                     public void actionPerformed(ActionEvent event) {
                       answer.complete(
-                          InputDialog.ask(window, "New", "Name", "", name -> Optional.empty()));
+                          InputDialog.ask(typist.window(), "New", "Name", "", name -> Optional.empty()));
                     }
                   });
         });
-    type("nab");
-    stroke(KeyEvent.VK_ENTER);
+    typist.type("nab");
+    typist.stroke(KeyEvent.VK_ENTER);
     assertThat(said(answer)).isEqualTo("ab");
   }
 }
