@@ -5,6 +5,8 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.Deque;
+import java.util.HashMap;
+import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -23,6 +25,9 @@ import org.selectiverenderer.x3d.source.TextEdit;
  */
 final class ExternPrototypes {
   private final SceneFiles files;
+
+  /** Names by which prototypes of a file were declared directly in the scene of a document. */
+  private final Map<SceneDocument, Map<Path, Map<String, String>>> taken = new IdentityHashMap<>();
 
   ExternPrototypes(SceneFiles files) {
     this.files = files;
@@ -69,11 +74,30 @@ final class ExternPrototypes {
       Path file,
       SceneFiles.Target target) {
     DocumentElement wanted = wanted(content, target).orElseThrow();
-    List<DocumentElement> needed = needed(content, wanted);
+    boolean shared = external.parent().filter(at -> at.name().equals("Scene")).isPresent();
+    Map<String, String> known =
+        shared
+            ? taken
+                .computeIfAbsent(document, key -> new HashMap<>())
+                .computeIfAbsent(target.file(), key -> new HashMap<>())
+            : Map.of(); // a declaration within a prototype is known there alone
+    List<DocumentElement> needed =
+        needed(content, wanted).stream()
+            .filter(element -> element.equals(wanted) || !known.containsKey(name(element)))
+            .toList();
     Set<String> own = new LinkedHashSet<>();
     needed.forEach(element -> own.add(name(element)));
     own.remove(name(wanted));
-    Map<String, String> renamed = PrototypeNames.renamed(own, PrototypeNames.declared(document));
+    Map<String, String> renamed =
+        PrototypeNames.renamed(own, PrototypeNames.declared(document));
+    if (shared) {
+      needed.forEach(
+          element ->
+              known.putIfAbsent(
+                  name(element), renamed.getOrDefault(name(element), name(element))));
+      known.remove(name(wanted)); // its own name in the scene may hide a helper's
+    }
+    known.forEach(renamed::put);
     renamed.put(name(wanted), name(external));
     List<TextEdit> changes = new ArrayList<>(files.urls(content, target.file(), file));
     changes.addAll(PrototypeNames.edits(content, renamed));

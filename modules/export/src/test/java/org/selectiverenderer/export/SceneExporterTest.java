@@ -217,6 +217,30 @@ class SceneExporterTest {
   }
 
   @Test
+  void prototypesOfOneFileShareThoseThatTheyUse() throws IOException {
+    Files.writeString(
+        folder.resolve("rooms/bins.x3d"),
+        scene(
+            "<ProtoDeclare name='Lid'><ProtoBody><PointLight DEF='Glow'/></ProtoBody></ProtoDeclare>"
+                + prototype("<ProtoInstance name='Lid'/>")
+                + "<ProtoDeclare name='Box'><ProtoBody><Group><ProtoInstance name='Lid'/></Group>"
+                + "</ProtoBody></ProtoDeclare>"));
+    String content =
+        scene(
+            AREA
+                + "<ProtoDeclare name='Lid'><ProtoBody><Group/></ProtoBody></ProtoDeclare>"
+                + "<ExternProtoDeclare name='Bin' url='\"rooms/bins.x3d#P\"'/>"
+                + "<ExternProtoDeclare name='Chest' url='\"rooms/bins.x3d#Box\"'/>"
+                + "<ProtoInstance name='Bin'/><ProtoInstance name='Chest'/>");
+
+    String exported = exported(content);
+    assertThat(exported.split("<PointLight", -1)).hasSize(2); // declared once
+    assertThat(exported).contains("<ProtoDeclare name='Lid_2'>").doesNotContain("Lid_3");
+    // of both versions of the bin, and of the chest
+    assertThat(exported.split("<ProtoInstance name='Lid_2'", -1)).hasSize(4);
+  }
+
+  @Test
   void aPrototypeThatComesByWayOfTwoFilesIsTakenIn() throws IOException {
     Files.writeString(folder.resolve("rooms/bins.x3d"), scene(prototype("<Shape/>")));
     Files.writeString(

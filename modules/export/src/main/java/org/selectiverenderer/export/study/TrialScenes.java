@@ -41,14 +41,16 @@ final class TrialScenes {
         blocks.isEmpty() ? List.<PlannedSession>of() : PlannedSession.all(material)) {
       for (TrialBlock block : blocks) {
         int rounds = block.practice().map(TrialBlock.PracticeCriterion::rounds).orElse(1);
-        List<Trial> trials = session.trials(material.study(), block, 1);
-        number += (long) trials.size() * rounds;
-        if (number > MOST_TRIALS) {
-          throw new IllegalArgumentException(
-              "the plan has more than %d trials, which the page cannot load; plan fewer \"participants\""
-                  .formatted(MOST_TRIALS));
+        for (int round = 1; round <= rounds; round++) { // each has an order of its own
+          List<Trial> trials = session.trials(material.study(), block, round);
+          number += trials.size();
+          if (number > MOST_TRIALS) {
+            throw new IllegalArgumentException(
+                "the plan has more than %d trials, which the page cannot load; plan fewer \"participants\""
+                    .formatted(MOST_TRIALS));
+          }
+          trials.forEach(this::add);
         }
-        trials.forEach(this::add);
       }
     }
   }

@@ -265,27 +265,15 @@ public final class TrialSequencer {
   }
 
   /**
-   * Returns the trial of a recorded key at a place of its block. If the list no longer has the row
-   * of the stimulus, what it determined is left to levels and block.
+   * Returns the trial of a recorded key at a place of its block.
    *
    * @param stimulus the cells of the row as they were then; empty without a list
+   * @param ofRow what the row determines; what it does not is left to levels and block
    */
-  public Trial recorded(TrialKey key, Map<String, String> stimulus, int number, int round) {
-    Optional<StimulusList.Stimulus> row =
-        block
-            .stimuli()
-            .flatMap(
-                list -> list.rows().stream().filter(one -> one.line() == key.line()).findFirst());
-    Trial present = trial(new Cell(key.levels(), row), number, round);
-    return new Trial(
-        block.name(),
-        number,
-        round,
-        present.levels(),
-        stimulus,
-        key.line(),
-        present.settings(),
-        present.phases());
+  public Trial recorded(
+      TrialKey key, Map<String, String> stimulus, TrialSettings ofRow, int number, int round) {
+    StimulusList.Stimulus row = new StimulusList.Stimulus(key.line(), stimulus, ofRow);
+    return trial(new Cell(key.levels(), Optional.of(row)), number, round);
   }
 
   /** Returns the trial of a cell. */

@@ -39,8 +39,9 @@ public record PlannedSession(
         .orElseThrow(
             () ->
                 new IllegalArgumentException(
-                    "no order of the trials of the block %s keeps its limits of runs"
-                        .formatted(block.name())));
+                    ("no order of the trials of the block %s (place %d of the plan, round %d) keeps"
+                            + " its limits of runs; allow longer ones by \"at_most_in_a_row\"")
+                        .formatted(block.name(), place, round)));
   }
 
   /** Returns the sessions of all planned participants of a study, in the order of the schedule. */

@@ -70,10 +70,16 @@ final class WebBlockEvents {
           .filter(
               trials ->
                   trial.number() <= trials.size()
-                      && trials.get(trial.number() - 1).key().equals(trial.key()));
+                      && same(trials.get(trial.number() - 1), trial));
     } catch (IllegalArgumentException e) {
       return Optional.empty(); // The study has changed since.
     }
+  }
+
+  /** Returns whether a trial is the planned one, and its line still has the stimulus. */
+  private static boolean same(Trial planned, Trial trial) {
+    return planned.key().equals(trial.key())
+        && StimulusRows.cleaned(planned.stimulus()).equals(trial.stimulus());
   }
 
   /**

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.time.ZoneOffset;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -13,14 +14,17 @@ import java.util.Set;
 import org.joml.Quaterniond;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.decimal.DecimalRounding;
+import org.selectiverenderer.base.decimal.Pluralizer;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.study.definition.QualityCriteria;
 import org.selectiverenderer.study.definition.SessionFlag;
 import org.selectiverenderer.study.definition.Study;
+import org.selectiverenderer.study.design.StimulusList;
 import org.selectiverenderer.study.design.StudyGroup;
 import org.selectiverenderer.study.design.Trial;
+import org.selectiverenderer.study.design.TrialBlock;
 import org.selectiverenderer.study.headlog.HeadLogMetadata;
 import org.selectiverenderer.study.headlog.HeadLogText;
 import org.selectiverenderer.study.headlog.HeadSample;
@@ -53,6 +57,7 @@ final class WebExposureFiles {
   private final Study study;
   private final ExposureReplay replay;
   private final ProblemCollector problems;
+  private final Map<String, Integer> unlisted = new HashMap<>();
 
   WebExposureFiles(LoadedStudy material, ExposureReplay replay, ProblemCollector problems) {
     this.material = material;
@@ -126,6 +131,10 @@ final class WebExposureFiles {
   private ExposureReplay.Replayed replayed(
       WebRecord record, WebExposureLog log, Map<String, String> device) {
     ExposureReplay.Exposure exposure = exposure(record, log, device);
+    if (record.step() instanceof SessionStep.OneTrial one && !listed(record)) {
+      unlisted.merge(one.trial().block(), 1, Integer::sum);
+      return unseen(exposure);
+    }
     try {
       return replay.of(study, exposure);
     } catch (IOException e) {
@@ -134,6 +143,26 @@ final class WebExposureFiles {
           "what was in view in exposures is not known, as the scene cannot be replayed: "
               + e.getMessage());
       return unseen(exposure);
+    }
+  }
+
+  /** Returns whether it is known what was shown. */
+  private static boolean listed(WebRecord record) {
+    return record.trial().map(WebRecord.TrialOutcome::listed).orElse(true);
+  }
+
+  /** Reports the trials whose stimuli are no longer in their lists. */
+  void tellUnlisted() {
+    for (TrialBlock block : study.design().blocks()) {
+      int number = unlisted.getOrDefault(block.name(), 0);
+      if (number > 0) {
+        problems.warning(
+            SourceLocation.of(
+                block.stimuli().map(StimulusList::file).orElse(study.file()).toString()),
+            ("what was in view in %s of the block %s is not known, as the list of its stimuli no"
+                    + " longer has the rows that were shown; all else of the records is used")
+                .formatted(Pluralizer.of(number, "trial"), block.name()));
+      }
     }
   }
 
@@ -148,7 +177,7 @@ final class WebExposureFiles {
       viewpoint = exposure.area().viewpoint();
     } else if (record.step() instanceof SessionStep.OneTrial one) {
       Trial trial = one.trial();
-      scene = study.scene(trial).or(material::scenery);
+      scene = listed(record) ? study.scene(trial).or(material::scenery) : Optional.empty();
       viewpoint = study.viewpoint(trial).orElse("");
       condition = trial.settings().condition().orElse(Condition.SELECTIVE);
       seed += trial.number();

@@ -56,8 +56,10 @@ record WebRecord(
    * An outcome of a trial.
    *
    * @param phases members of the phases that were shown
+   * @param listed whether the list still has the row of the stimulus, without which it is not known
+   *     what was shown
    */
-  record TrialOutcome(TrialResult result, List<Map<String, Object>> phases) {
+  record TrialOutcome(TrialResult result, List<Map<String, Object>> phases, boolean listed) {
     TrialOutcome {
       phases = List.copyOf(phases);
     }

@@ -1,6 +1,7 @@
 package org.selectiverenderer.study.web;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.time.DateTimeException;
 import java.time.Duration;
@@ -54,10 +55,10 @@ final class WebRecordParser {
     }
   }
 
-  WebRecordParser(LoadedStudy material, RecordFaults faults) {
+  WebRecordParser(LoadedStudy material, RecordFaults faults) throws IOException {
     this.material = material;
     this.faults = faults;
-    trials = new WebTrialParser(material.study());
+    trials = new WebTrialParser(material);
     material.steps().forEach(step -> steps.put(step.id(), step));
   }
 

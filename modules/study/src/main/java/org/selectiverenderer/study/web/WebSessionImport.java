@@ -51,6 +51,7 @@ public final class WebSessionImport {
   private final ProblemCollector problems;
   private final RecordFaults faults;
   private final WebRecordParser parser;
+  private final WebExposureFiles exposures;
   private final WebSessionFiles files;
   private final Set<String> taken = new HashSet<>();
   private final Set<String> registered = new HashSet<>();
@@ -69,9 +70,8 @@ public final class WebSessionImport {
     this.problems = problems;
     faults = new RecordFaults(problems);
     parser = new WebRecordParser(material, faults);
-    files =
-        new WebSessionFiles(
-            material, software, new WebExposureFiles(material, replay, problems), faults);
+    exposures = new WebExposureFiles(material, replay, problems);
+    files = new WebSessionFiles(material, software, exposures, faults);
   }
 
   /**
@@ -107,6 +107,7 @@ public final class WebSessionImport {
       new ParticipantsFile(material.study()).record(running.assigned);
     }
     running.tellVersions();
+    running.exposures.tellUnlisted();
     running.tellPlaces();
     return new Summary(running.added, running.changed, running.unchanged);
   }

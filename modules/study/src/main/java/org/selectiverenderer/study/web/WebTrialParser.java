@@ -1,7 +1,9 @@
 package org.selectiverenderer.study.web;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import java.io.IOException;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -11,6 +13,7 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import org.selectiverenderer.study.definition.Study;
 import org.selectiverenderer.study.design.Factor;
+import org.selectiverenderer.study.design.StimulusList;
 import org.selectiverenderer.study.design.StudyGroup;
 import org.selectiverenderer.study.design.Trial;
 import org.selectiverenderer.study.design.TrialBlock;
@@ -18,6 +21,8 @@ import org.selectiverenderer.study.design.TrialKey;
 import org.selectiverenderer.study.design.TrialPhase;
 import org.selectiverenderer.study.design.TrialResult;
 import org.selectiverenderer.study.design.TrialSequencer;
+import org.selectiverenderer.study.design.TrialSettings;
+import org.selectiverenderer.study.session.LoadedStudy;
 
 /**
  * Reads what the record of a trial tells of it. Levels must be those of the study; the cells of the
@@ -27,13 +32,18 @@ final class WebTrialParser {
   private static final int MOST_TRIALS = 1_000_000;
   private static final int MOST_ROUNDS = 100;
   private static final int MOST_PHASES = 10_000;
-  private static final int LONGEST_CELL = 1000;
   private static final double LONGEST = 200_000;
 
   private final Study study;
+  private final WebTrialPlan plan;
+  private final Map<String, StimulusRows> rows = new HashMap<>();
 
-  WebTrialParser(Study study) {
-    this.study = study;
+  WebTrialParser(LoadedStudy material) throws IOException {
+    study = material.study();
+    plan = new WebTrialPlan(material);
+    for (TrialBlock block : study.design().blocks()) {
+      block.stimuli().ifPresent(list -> rows.put(block.name(), new StimulusRows(list)));
+    }
   }
 
   /**
@@ -60,13 +70,23 @@ final class WebTrialParser {
     int round = json.has("round") ? whole(json, "round", 1, MOST_ROUNDS) : 1;
     int line = json.has("line") ? whole(json, "line", 0, Integer.MAX_VALUE) : 0;
     Map<String, String> levels = levels(json.path("levels"), block, own);
+    Map<String, String> cells = StimulusRows.cells(json.path("stimulus"));
     Trial trial =
         new TrialSequencer(block, own, study.seed())
             .recorded(
-                new TrialKey(levels, line), stimulus(json.path("stimulus"), block), number, round);
+                new TrialKey(levels, line),
+                present(cells, block),
+                row(cells, block)
+                    .map(StimulusList.Stimulus::settings)
+                    .orElse(TrialSettings.NONE),
+                number,
+                round);
     require(
         trial.id().equals(json.path("step").asText()),
         "\"step\" is not the trial that \"block\", \"trial\" and \"round\" name");
+    StimulusRows list = rows.get(block.name());
+    plan.require(
+        json, block, trial, list == null ? cells.isEmpty() : list.inPlace(line, cells));
     return Optional.of(trial);
   }
 
@@ -100,20 +120,23 @@ final class WebTrialParser {
     return levels;
   }
 
-  private static Map<String, String> stimulus(JsonNode json, TrialBlock block) {
-    Map<String, String> cells = new LinkedHashMap<>();
-    if (block.stimuli().isPresent()) {
-      for (String column : block.stimuli().get().columns()) {
-        String cell = json.path(column).asText();
-        require(
-            cell.length() <= LONGEST_CELL && cell.chars().noneMatch(Character::isISOControl),
-            "the cell %s of the stimulus is not one of a list".formatted(column));
-        if (json.has(column)) {
-          cells.put(column, cell);
-        }
-      }
-    }
-    return cells;
+  /** Returns the row with these cells; empty for none, and without a list. */
+  private Optional<StimulusList.Stimulus> row(Map<String, String> cells, TrialBlock block) {
+    StimulusRows list = rows.get(block.name());
+    return list == null ? Optional.empty() : list.row(cells);
+  }
+
+  /** Returns the cells of the columns that the list has now, as tables have no others. */
+  private static Map<String, String> present(Map<String, String> cells, TrialBlock block) {
+    Map<String, String> present = new LinkedHashMap<>();
+    block
+        .stimuli()
+        .ifPresent(
+            list ->
+                list.columns().stream()
+                    .filter(cells::containsKey)
+                    .forEach(column -> present.put(column, cells.get(column))));
+    return present;
   }
 
   /**
@@ -137,8 +160,11 @@ final class WebTrialParser {
         json.path("correct").isBoolean()
             ? Optional.of(json.path("correct").asBoolean())
             : Optional.empty();
+    Map<String, String> cells = StimulusRows.cells(json.path("stimulus"));
+    TrialBlock block = block(trial.block());
+    boolean known = block.stimuli().isEmpty() ? cells.isEmpty() : row(cells, block).isPresent();
     return new WebRecord.TrialOutcome(
-        TrialResult.of(trial, response, ms, correct), phases(json.path("phases")));
+        TrialResult.of(trial, response, ms, correct), phases(json.path("phases")), known);
   }
 
   private static void addKeys(TrialPhase phase, Set<String> keys) {

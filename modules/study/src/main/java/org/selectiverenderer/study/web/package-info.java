@@ -10,9 +10,10 @@
  *
  * <p>{@link org.selectiverenderer.study.web.WebSessionImport} does it: {@code WebRecordIndex} finds
  * which line belongs to which session, {@code WebRecordParser} checks a record, {@code
- * WebSessionEvents} tells it as events of a journal, trials of blocks among them. What was in view
- * is not in the records; an {@link org.selectiverenderer.study.web.ExposureReplay} finds it in the
- * scene.
+ * WebSessionEvents} tells it as events of a journal, trials of blocks among them. {@code
+ * WebTrialPlan} refuses trials that no plan has, {@code StimulusRows} finds what they showed. What
+ * was in view is not in the records; an {@link org.selectiverenderer.study.web.ExposureReplay}
+ * finds it in the scene.
  *
  * <p>Uses {@code study.session}, {@code study.questionnaire}, {@code study.headlog}, {@code
  * study.definition}, {@code study.design}, {@code formats} and {@code base}.

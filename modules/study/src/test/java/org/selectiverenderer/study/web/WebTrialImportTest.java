@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalInt;
@@ -197,5 +199,128 @@ class WebTrialImportTest extends WebStudyFixture {
     assertThat(journal())
         .contains("\"event\":\"step-finished\",\"step\":\"main-001\"")
         .doesNotContain("\"event\":\"refused\"");
+  }
+
+  /** Collects, and tells the scene of each replay with the Viewpoint at which it began. */
+  private List<String> replayed() throws IOException {
+    List<String> shown = new ArrayList<>();
+    WebSessionImport.run(
+        material(),
+        List.of(data),
+        "program 1",
+        (study, exposure) -> {
+          shown.add(exposure.scene().orElseThrow().getFileName() + " " + exposure.viewpoint());
+          return COAT.of(study, exposure);
+        },
+        problems);
+    return shown;
+  }
+
+  @Test
+  void cellsOfSeveralLinesAndLongOnesAreThoseOfTheList() throws IOException {
+    String text = "Look.\nThen\tanswer. " + "Wait. ".repeat(400).strip();
+    Files.writeString(
+        folder.resolve("study/sides.csv"),
+        "side,answer\n\"" + text + "\",f\n\"r\u0007g\",j\n");
+    String cells = CELLS.replace("left", text.replace("\n", "\\n").replace("\t", "\\t"));
+    write(
+        "all.jsonl",
+        List.of(
+            form(1, 1),
+            trial(1, cells, result("f")),
+            trial(2, CELLS.replace("left", "r\\u0007g").replace("\"f\"", "\"j\""), result("j"))));
+    List<String> shown = replayed();
+    assertThat(told()).isEmpty();
+    assertThat(shown).hasSize(2);
+    assertThat(String.join("\n", trials())).contains("\"" + text + "\",f,f,").contains("r g,j,j,");
+  }
+
+  private void scenes() throws IOException {
+    for (String name : List.of("left", "right", "new")) {
+      Files.copy(folder.resolve("study/hall.x3d"), folder.resolve("study/" + name + ".x3d"));
+    }
+    Files.writeString(
+        folder.resolve("study/sides.csv"),
+        """
+        side,answer,scene,viewpoint
+        new,j,new.x3d,HallView
+        right,j,right.x3d,HallView
+        left,f,left.x3d,HallView
+        """);
+  }
+
+  private static final String LEFT =
+      CELLS.replace("\"f\"}", "\"f\",\"scene\":\"left.x3d\",\"viewpoint\":\"HallView\"}");
+
+  @Test
+  void aStimulusIsFoundByItsCellsWhereTheListWasSorted() throws IOException {
+    scenes();
+    write("all.jsonl", List.of(form(1, 1), trial(1, LEFT, result("f"))));
+    assertThat(replayed()).containsExactly("left.x3d HallView");
+    assertThat(told()).isEmpty();
+    assertThat(journal()).doesNotContain("trial-order"); // nobody knows that of the list then
+  }
+
+  @Test
+  void anExposureIsNotReplayedInTheSceneOfAnotherStimulus() throws IOException {
+    scenes();
+    write(
+        "all.jsonl",
+        List.of(
+            form(1, 1),
+            trial(1, LEFT.replace("left.x3d", "gone.x3d"), result("f")),
+            trial(2, CELLS, result("f")))); // columns were added since
+    assertThat(replayed()).isEmpty();
+    assertThat(told())
+        .containsExactly(
+            "what was in view in 2 trials of the block main is not known, as the list of its stimuli"
+                + " no longer has the rows that were shown; all else of the records is used");
+    assertThat(trials()).hasSize(3);
+    assertThat(folder.resolve("study/sub-web001/ses-01/head/main-001_run-01.csv")).exists();
+  }
+
+  @Test
+  void trialsThatThePlanDoesNotHaveAreRefused() throws IOException {
+    String third =
+        trial(1, CELLS, result("f"))
+            .replace("\"round\":1", "\"round\":3")
+            .replace("\"step\":\"main-001\"", "\"step\":\"main-round3-001\"");
+    write(
+        "all.jsonl",
+        List.of(form(1, 1), trial(4, CELLS, result("f")), trial(5, CELLS, result("f")), third));
+    collect();
+    assertThat(told())
+        .containsExactly(
+            "the block main has no trial 5, only 4; if its list of stimuli has lost rows, put them"
+                + " back; the record is left out",
+            "the block main has no round 3; the record is left out");
+    assertThat(trials()).hasSize(2);
+  }
+
+  @Test
+  void aTrialWithoutAListIsThatOfItsPlaceInThePlan() throws IOException {
+    Path file = folder.resolve("study/study.json");
+    Files.writeString(
+        file,
+        Files.readString(file)
+            .replace("\"stimuli\": \"sides.csv\", ", "\"order\": \"fixed\", ")
+            .replace("{answer}", "f"));
+    sha = Sha256.of(Files.readAllBytes(file));
+    String red = "\"levels\":{\"coat\":\"red\"}";
+    write(
+        "all.jsonl",
+        List.of(form(1, 1), trial(1, red, result("f")), trial(2, red, result("f"))));
+    collect();
+    assertThat(told())
+        .containsExactly(
+            "the participant's plan has another trial 2 of the block main; the record is left out");
+    sha = "0".repeat(64); // of another version, whose plan nobody knows
+    write(
+        "all.jsonl",
+        List.of(form(2, 2), trial(2, red, result("f"))
+                .replace(session(1), session(2))
+                .replace("\"slot\":1,\"participant\":\"001\"", "\"slot\":2,\"participant\":\"002\"")));
+    collect();
+    assertThat(told()).hasSize(2).last().asString().contains("ran another version of the study");
   }
 }

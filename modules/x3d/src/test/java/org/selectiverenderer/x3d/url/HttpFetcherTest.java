@@ -73,6 +73,9 @@ class HttpFetcherTest {
     server.stop(0);
   }
 
+  /** Long, so that a busy machine does not make a server slow. */
+  private Duration patience = Duration.ofSeconds(30);
+
   private UrlResolver root(String... hosts) {
     return root(InetAddress::getAllByName, hosts);
   }
@@ -81,7 +84,7 @@ class HttpFetcherTest {
     HttpFetcher network =
         new HttpFetcher(
             List.of(hosts).stream().map(HostPattern::new).toList(),
-            Duration.ofSeconds(1),
+            patience,
             1000,
             names);
     return new UrlResolver(folder, new ContentAccessPolicy(List.of(), network));
@@ -218,6 +221,7 @@ class HttpFetcherTest {
 
   @Test
   void whatIsTooLargeOrTooSlowIsLeft() throws IOException {
+    patience = Duration.ofSeconds(1);
     UrlResolver root = root(here);
     String large =
         "UNREACHABLE cannot be fetched: the file has more than 1000 bytes, which is the limit";
