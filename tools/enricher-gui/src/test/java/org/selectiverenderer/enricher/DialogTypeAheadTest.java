@@ -33,7 +33,6 @@ import org.selectiverenderer.enricher.robot.TestSessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.menu.StructureCommands;
 import org.selectiverenderer.enricher.settings.AllowedPlaces;
-import org.selectiverenderer.enricher.versions.BatchVersionsDialog;
 import org.selectiverenderer.enricher.versions.VersionsDialog;
 import org.selectiverenderer.testing.Eventually;
 import org.selectiverenderer.testing.ShowsWindows;
@@ -53,7 +52,6 @@ class DialogTypeAheadTest {
     ACCESS("abcdefghij", "abcdefghij"),
     RATINGS("abcdefghij", "abcdefghij"),
     VERSIONS("abcdefghij", "abcdefghij"),
-    MANY_VERSIONS("1234567", "1234567"),
     INSERT("abcdefghij", "abcdefghij");
 
     final String typed;
@@ -76,12 +74,11 @@ class DialogTypeAheadTest {
         case NEW_SCENE -> new NewSceneDialog(owner, scene, (over, why) -> false).ask();
         case PACKAGE -> new PackageDialog(owner, scene).ask();
         case ACCESS -> new AccessDialog(owner, scene, AllowedPlaces.NONE).ask();
-        case RATINGS -> new RatingsDialog(owner, session).setVisible(true);
+        case RATINGS -> new RatingsDialog(owner, session).showAndWait();
         case VERSIONS ->
             new VersionsDialog(
                     owner, session, session.document().tree().orElseThrow().named("Vase").orElseThrow())
                 .made();
-        case MANY_VERSIONS -> new BatchVersionsDialog(owner, session).setVisible(true);
         case INSERT ->
             new InsertCommands(
                     session,
