@@ -91,7 +91,7 @@ final class SceneDialogs {
         .ifPresent(
             open -> {
               open.commit();
-              new BatchVersionsDialog(owner, open.session()).setVisible(true);
+              new BatchVersionsDialog(owner, open.session()).showAndWait();
               open.lookAtFilesAgain();
             });
   }

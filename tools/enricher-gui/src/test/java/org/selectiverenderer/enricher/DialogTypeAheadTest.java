@@ -33,6 +33,7 @@ import org.selectiverenderer.enricher.robot.TestSessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.menu.StructureCommands;
 import org.selectiverenderer.enricher.settings.AllowedPlaces;
+import org.selectiverenderer.enricher.versions.BatchVersionsDialog;
 import org.selectiverenderer.enricher.versions.VersionsDialog;
 import org.selectiverenderer.testing.Eventually;
 import org.selectiverenderer.testing.ShowsWindows;
@@ -52,6 +53,7 @@ class DialogTypeAheadTest {
     ACCESS("abcdefghij", "abcdefghij"),
     RATINGS("abcdefghij", "abcdefghij"),
     VERSIONS("abcdefghij", "abcdefghij"),
+    MANY_VERSIONS("1234567", "1234567"),
     INSERT("abcdefghij", "abcdefghij");
 
     final String typed;
@@ -79,6 +81,7 @@ class DialogTypeAheadTest {
             new VersionsDialog(
                     owner, session, session.document().tree().orElseThrow().named("Vase").orElseThrow())
                 .made();
+        case MANY_VERSIONS -> new BatchVersionsDialog(owner, session).showAndWait();
         case INSERT ->
             new InsertCommands(
                     session,

@@ -39,6 +39,7 @@ import org.selectiverenderer.authoring.versions.VersionsEdit;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.enricher.component.InitialFocus;
 import org.selectiverenderer.enricher.component.ShortcutTable;
 import org.selectiverenderer.enricher.component.TextChangeListener;
 import org.selectiverenderer.enricher.session.EnricherSession;
@@ -117,6 +118,12 @@ public final class BatchVersionsDialog extends JDialog {
     WindowPacker.pack(this);
     setLocationRelativeTo(owner);
     search();
+  }
+
+  /** Shows the dialog and waits until it is closed. */
+  public void showAndWait() {
+    goal.selectAll();
+    InitialFocus.show(this, goal);
   }
 
   private JPanel choice() {
