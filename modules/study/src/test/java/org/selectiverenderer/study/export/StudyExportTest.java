@@ -96,7 +96,7 @@ class StudyExportTest {
     assertThat(lines("exposures.csv").get(1))
         .isEqualTo(
             "001,1,selective,exposure-hall,1,yes,2026-03-01T10:00:12+02:00,1,7,5,2,15,0,,50,20,25,"
-                + "0.0125,59.95,yes,8.5,14,GeForce,Linux 6.1 amd64 8 processors,"
+                + "0.0125,59.95,yes,8.5,14,GeForce,Linux 6.1 amd64 8 processors,,"
                 + "low-frame-rate,sub-001/ses-01/head/exposure-hall_run-01.csv");
     assertThat(lines("exposures.csv").get(2)).startsWith("P2,1,high,exposure-hall,1,no,");
   }

@@ -88,6 +88,7 @@ class TcpLinesTest {
       try (Socket client = server.accept()) {
         say(client, "4 5 6\n");
         watching.problem("records arrive again");
+        watching.until("its record", () -> watching.samples() == 2);
       }
       assertThat(watching.orientations).endsWith(new Orientation(4, 5, 6));
       assertThat(tracker.health().reconnects()).isEqualTo(1);

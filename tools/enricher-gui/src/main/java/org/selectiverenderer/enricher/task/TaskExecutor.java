@@ -163,9 +163,10 @@ public final class TaskExecutor implements AutoCloseable {
       handOver = () -> failed.accept(new ExecutionException(e));
     }
     Runnable last = handOver;
-    running.remove(task);
+    // It can be cancelled until its result is handed over.
     eventThread.execute(
         () -> {
+          running.remove(task);
           if (!closed && !task.cancelled()) {
             last.run();
           }
