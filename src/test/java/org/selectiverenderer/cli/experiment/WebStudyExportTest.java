@@ -28,19 +28,23 @@ class WebStudyExportTest extends CommandTestCase {
   }
 
   private int export(Path study) {
+    return export(study, "page");
+  }
+
+  private int export(Path study, String page) {
     return execute(
         "experiment",
         "export",
         study.toString(),
         "--to",
         "web",
-        folder.resolve("page").toString());
+        folder.resolve(page).toString());
   }
 
-  /** Begins a study from the template for web browsers. */
-  private Path template() {
+  /** Begins a study from an example. */
+  private Path begun(String design) {
     Path own = folder.resolve("own");
-    assertThat(execute("experiment", "new", own.toString(), "--design", "web"))
+    assertThat(execute("experiment", "new", own.toString(), "--design", design))
         .as(messages())
         .isZero();
     return own;
@@ -75,23 +79,20 @@ class WebStudyExportTest extends CommandTestCase {
 
   @Test
   void aDisplayThatIsNotUsedIsToldOnlyWhereThereIsOne() throws IOException {
-    Path own = template();
-    export(own);
-    assertThat(printed()).contains("with places for 120 participants").doesNotContain("display");
+    Path study = begun("change-blindness").resolve("study.json");
+    assertThat(export(study.getParent())).as(messages()).isZero();
+    assertThat(printed()).contains("shown in one picture").doesNotContain("display");
 
-    Path study = own.resolve("study.json");
     Files.writeString(
         study,
-        Files.readString(study)
-            .replace("\"fade\": 0.5,", "\"fade\": 0.5, \"display\": {\"mode\": \"window\"},"));
-    execute(
-        "experiment", "export", own.toString(), "--to", "web", folder.resolve("other").toString());
+        Files.readString(study).replaceFirst("\\{", "{\"display\": {\"mode\": \"window\"},"));
+    assertThat(export(study.getParent(), "other")).as(messages()).isZero();
     assertThat(printed()).contains("the study's \"display\" is not used");
   }
 
   @Test
   void anAddressThatTheAuthorHasNotFilledInIsToldWithItsLine() throws IOException {
-    Path own = template();
+    Path own = begun("web");
     Path form = own.resolve("form.json");
     assertThat(messages())
         .contains("change ADDRESS in " + form)
@@ -100,20 +101,13 @@ class WebStudyExportTest extends CommandTestCase {
     assertThat(export(own)).isEqualTo(1);
     assertThat(messages().lines().filter(line -> line.contains("ADDRESS")))
         .hasSize(2)
-        .allSatisfy(line -> assertThat(line).matches(".*form\\.json:1[01]:\\d+: .*who takes part.*"));
+        .allSatisfy(
+            line ->
+                assertThat(line).matches(".*form\\.json:1[01]:\\d+: .*who takes part.*"));
     assertThat(folder.resolve("page/index.html")).isRegularFile();
 
     Files.writeString(
         form, "// Not ADDRESS\n" + Files.readString(form).replace("ADDRESS", "a@example.org"));
-    assertThat(
-            execute(
-                "experiment",
-                "export",
-                own.toString(),
-                "--to",
-                "web",
-                folder.resolve("other").toString()))
-        .as(messages())
-        .isZero();
+    assertThat(export(own, "other")).as(messages()).isZero();
   }
 }
