@@ -4,6 +4,7 @@ import argparse
 import contextlib
 import csv
 import datetime
+import errno
 import http.server
 import json
 import os
@@ -215,7 +216,7 @@ def main():
     parser.add_argument("--origin", action="append", default=[], help="of the page, such as https://lab.example.org")
     parser.add_argument("--slots", type=int, default=0, help="number of places in the study's plan")
     parser.add_argument("--host", default="127.0.0.1")
-    parser.add_argument("--port", type=int, default=8000)
+    parser.add_argument("--port", type=int, default=8010, help="to listen at (default: %(default)s)")
     parser.add_argument("--megabytes", type=int, default=10_000, help="that the database may grow to")
     parser.add_argument("--write", type=pathlib.Path, metavar="DIR", help="write one file a session instead, or update those written before")
     parser.add_argument("--give-back", type=float, metavar="HOURS", help="free places of sessions silent so long")
@@ -234,7 +235,13 @@ def main():
         return
     if not options.study or not options.origin:
         parser.error("--study and --origin are needed to receive")
-    receiver = Receiver(options)
+    try:
+        receiver = Receiver(options)
+    except OSError as e:
+        if e.errno != errno.EADDRINUSE:
+            raise
+        where = f"{options.host}:{options.port}"
+        parser.error(f"--port {options.port}: another program listens at {where} already; name another port")
     try:
         print(f"receiving at http://{options.host}:{receiver.server_port}", flush=True)
         receiver.serve_forever()

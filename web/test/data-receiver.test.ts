@@ -76,6 +76,17 @@ describe('the reference receiver', () => {
     return { study: 'Kitchen', session: SESSION, part: number, final, records };
   }
 
+  it('says in one sentence that its port is taken, and which one it uses by default', async () => {
+    const port = new URL(url).port;
+    const options = ['--study', 'Kitchen', '--origin', ORIGIN, '--port', port];
+    const second = promisify(execFile)('python3', [RECEIVE, path.join(folder, 'second.sqlite'), ...options]);
+    const refused: unknown = await second.catch((error: unknown) => error);
+    const said = (refused as { stderr: string }).stderr;
+    expect(said).toContain(`--port ${port}: another program listens at 127.0.0.1:${port} already; name another port`);
+    expect(said).not.toContain('Traceback');
+    expect((await promisify(execFile)('python3', [RECEIVE, '--help'])).stdout).toMatch(/--port.*default: 8010/s);
+  });
+
   it('has what it answered on the disk, each part once, gaps and all', async () => {
     const odd = { text: 'ά"\u2028\ud800', number: 0.1, large: 2 ** 70, nested: [null, true, {}] };
     expect(await post('data', part(0, [odd, 2]))).toEqual({ status: 200, answer: { received: 2 } });

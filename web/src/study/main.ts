@@ -10,6 +10,7 @@ import { element as make } from './fields.js';
 import { RecordFile } from './record-file.js';
 import { Recorder } from './recorder.js';
 import { loadJatos, queryOf } from './jatos.js';
+import { lastPage } from './last-page.js';
 import { open, type Session } from './session.js';
 import { JATOS, completion, language, recruitment, settings, type Settings } from './settings.js';
 import { sceneCheckPlugin, shows } from './scene-check.js';
@@ -235,21 +236,9 @@ async function finish(session: Session, lab: Settings, ids: Readonly<Record<stri
   element('study').hidden = true;
   await session.sink.finish();
   session.place.forget();
-  const end = make('div', 'thanks');
-  end.append(make('h1', '', words.of('thanks.title')));
-  if (session.sink instanceof RecordFile) {
-    end.append(session.sink.link(words.of('web.save'), `${session.id}.jsonl`));
-  }
-  if (lab.completion === '') {
-    end.append(make('p', '', words.of('web.thanks')));
-  } else {
-    const link = document.createElement('a');
-    link.href = completion(lab.completion, ids);
-    link.className = 'jspsych-btn';
-    link.textContent = words.of('web.completion.link');
-    end.append(make('p', '', words.of('web.completion')), link);
-  }
-  element('message').replaceChildren(end);
+  const unsaved = session.sink instanceof RecordFile ? { file: session.sink, name: `${session.id}.jsonl` } : undefined;
+  const leads = lab.completion === '' ? '' : completion(lab.completion, ids);
+  element('message').replaceChildren(lastPage(words, leads, unsaved));
 }
 
 run().catch((error: unknown) => { failed(error); });

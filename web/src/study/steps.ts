@@ -86,6 +86,7 @@ function scene(context: StepContext, id: string, step: SceneStep): unknown[] {
     );
     context.ended(id);
   };
+  const later = !timed && onlyTurns(study) ? [words.of('web.practice.turn')] : [];
   const shown = {
     type: exposurePlugin(context.stage, words, ended),
     scene: step.scene,
@@ -93,6 +94,7 @@ function scene(context: StepContext, id: string, step: SceneStep): unknown[] {
     seconds: timed ? step.seconds : 0,
     fade: study.fade,
     stay: timed ? step.stay : 'free',
+    ...(timed ? {} : { hints: [words.of('web.walk'), ...later] }),
     condition: slot.condition satisfies Condition,
     seed: slot.seed,
     on_start: () => {
@@ -104,7 +106,7 @@ function scene(context: StepContext, id: string, step: SceneStep): unknown[] {
     return [shown];
   }
   if (!timed) {
-    return [entry(context, step.scene, [], [words.of('web.headset.walk'), words.of('web.headset.practice')]), shown];
+    return [entry(context, step.scene, [], [words.of('web.headset.walk'), ...later, words.of('web.headset.practice')]), shown];
   }
   const lines = [
     ...place(context, id),
@@ -131,6 +133,12 @@ function scene(context: StepContext, id: string, step: SceneStep): unknown[] {
 function place({ study, slot, words }: StepContext, id: string): string[] {
   const exposures = slot.steps.filter((step) => study.steps[step]?.kind === 'exposure');
   return exposures.length > 1 ? [words.of('web.exposure.place', exposures.indexOf(id) + 1, exposures.length)] : [];
+}
+
+/** Returns whether there are exposures and none lets the participant walk, as the practice does. */
+function onlyTurns(study: Study): boolean {
+  const exposures = Object.values(study.steps).filter((step) => step.kind === 'exposure');
+  return exposures.length > 0 && exposures.every((step) => step.stay === 'turn');
 }
 
 /** Tells what comes next, and lets people put the headset on. */

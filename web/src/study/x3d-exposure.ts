@@ -21,6 +21,8 @@ const info = {
     fade: { type: ParameterType.FLOAT, default: 0 },
     /** Where the viewer may go: turn, or free. */
     stay: { type: ParameterType.STRING, default: 'free' },
+    /** Lines that a practice shows beside the picture. */
+    hints: { type: ParameterType.STRING, array: true, default: [] },
     condition: { type: ParameterType.STRING, default: 'selective' },
     seed: { type: ParameterType.INT, default: 0 },
   },
@@ -60,7 +62,7 @@ export function exposurePlugin(
       const timed = (trial.seconds ?? 0) > 0;
       const log = timed
         ? await expose(stage, world, walker, new Fade(trial.fade ?? 0, trial.seconds ?? 0))
-        : await practise(stage, world, walker, display, words);
+        : await practise(stage, world, walker, display, words, trial.hints ?? []);
       stage.hide();
       display.replaceChildren();
       done(log);
@@ -104,12 +106,14 @@ async function expose(stage: Stage, world: World, walker: Walker, fade: Fade): P
   }
 }
 
-async function practise(stage: Stage, world: World, walker: Walker, display: HTMLElement, words: Wording): Promise<Log> {
+async function practise(
+  stage: Stage, world: World, walker: Walker, display: HTMLElement, words: Wording, hints: readonly string[],
+): Promise<Log> {
   const bar = element('div', 'practice');
   const button = document.createElement('button');
   button.className = 'jspsych-btn';
   button.textContent = words.of('web.practice.end');
-  bar.append(element('p', '', words.of('web.walk')), button);
+  bar.append(...hints.map((hint) => element('p', '', hint)), button);
   display.replaceChildren(bar);
   const ended = { now: false };
   const end = (): void => { ended.now = true; };

@@ -16,6 +16,7 @@ import org.selectiverenderer.command.output.ExitStatus;
 import org.selectiverenderer.command.trust.TrustOption;
 import org.selectiverenderer.export.WebPage;
 import org.selectiverenderer.export.study.StudyFolder;
+import org.selectiverenderer.formats.json.JsonSettingsReader;
 import org.selectiverenderer.study.dataset.DataTable;
 import org.selectiverenderer.study.definition.Study;
 import org.selectiverenderer.study.export.StudyExport;
@@ -150,6 +151,10 @@ final class ExperimentExportCommand extends CliCommand {
     Study first = languages.orElseThrow().get(0).study();
     console().line("  the receiver of its data, with the address of your web server as --origin:");
     console().line("    " + receiver(first, folder));
+    console()
+        .line(
+            "  set \"receiver\" in %s to its address; as it is, answers stay with the participant"
+                .formatted(folder.resolve(StudyFolder.SETTINGS)));
     return ExitStatus.of(problems);
   }
 
@@ -196,7 +201,7 @@ final class ExperimentExportCommand extends CliCommand {
     return StudyFolder.of(runner, host, languages, problems);
   }
 
-  private void tell(String what, Study first) {
+  private void tell(String what, Study first) throws IOException {
     console()
         .line(
             "%s, with places for %s"
@@ -204,8 +209,21 @@ final class ExperimentExportCommand extends CliCommand {
     if (first.scene().isPresent()) {
       console()
           .line(
-              "  scenes are shown in one picture with the field of view of their viewpoints; the"
-                  + " study's \"display\" is not used");
+              "  scenes are shown in one picture with the field of view of their viewpoints"
+                  + (hasDisplay(first) ? "; the study's \"display\" is not used" : ""));
     }
+  }
+
+  /** Returns whether the study file sets a display, rather than leaving it as it is by default. */
+  private static boolean hasDisplay(Study study) throws IOException {
+    return new JsonSettingsReader("a study", "the study is not exported")
+        .read(
+            study.file(),
+            new ProblemCollector(),
+            keys -> {
+              keys.names(); // all are known to the reader of the study
+              return keys.value("display").isPresent();
+            })
+        .orElse(false);
   }
 }

@@ -143,7 +143,15 @@ final class ExperimentNewCommand extends CliCommand {
             .find(List.of(name))
             .orElseThrow(
                 () -> CommandException.usage("there is no %s; %s".formatted(name, GET_EXAMPLES)));
-    return written(StudyTemplate.copy(example.toAbsolutePath().getParent(), folder));
+    ExitStatus status =
+        written(StudyTemplate.copy(example.toAbsolutePath().getParent(), folder));
+    if (wanted == Design.web) {
+      console()
+          .message(
+              "change ADDRESS in %s; then: ./selective-renderer experiment export %s --to web %s"
+                  .formatted(folder.resolve("form.json"), folder, folder + "-page"));
+    }
+    return status;
   }
 
   private ExitStatus written(Path study) throws IOException {

@@ -45,8 +45,10 @@ public record StudyFolder(String name, List<PackagedFile> files) {
 
   static final String PRACTICE = "practice";
 
+  /** The name of the file in which the lab sets the receiver of the data and the like. */
+  public static final String SETTINGS = "study-settings.json";
+
   private static final String DESCRIPTION = "study-web.json";
-  private static final String SETTINGS = "study-settings.json";
 
   private static final Path PAGE = Path.of("index.html");
 
@@ -74,7 +76,8 @@ public record StudyFolder(String name, List<PackagedFile> files) {
    * @param page the page of {@link WebPage#ofStudy}
    * @param host who serves the folder
    * @param languages the study in each of its languages
-   * @param problems receives what cannot be exported, as errors with lines
+   * @param problems receives what cannot be exported, as errors with lines, and placeholders of the
+   *     template, as warnings
    * @return empty if the study cannot be exported, which is then reported
    * @throws IOException if a file cannot be read, with a sentence
    */
@@ -122,6 +125,7 @@ public record StudyFolder(String name, List<PackagedFile> files) {
     if (faults.anyError()) {
       return Optional.empty();
     }
+    PlaceholderCheck.warn(study, faults);
     StudyPictures pictures = new StudyPictures();
     String description = new StudyDescription(languages, pictures).text(scenes, ofTrials);
     List<PackagedFile> files = new ArrayList<>(page.files());
