@@ -116,6 +116,12 @@ interface Told {
   readonly to?: number;
 }
 
+/** What X_ITE has of a viewpoint inside. */
+interface Viewed {
+  _positionOffset: unknown;
+  readonly timeSensor: { readonly _isActive: { getValue(): boolean } };
+}
+
 describe('the page of the trash can', () => {
   let site: string;
   beforeAll(() => {
@@ -131,6 +137,34 @@ describe('the page of the trash can', () => {
     expect(errors).toEqual([]);
     await page.close();
   });
+
+  it('takes back what the viewer of X_ITE itself moved the eyes by', async () => {
+    const { page } = await open(site);
+    const heights = await page.evaluate(async () => {
+      const shown = window.selectiveRenderer;
+      if (!shown) {
+        throw new Error('no scene');
+      }
+      const { world, walker } = shown;
+      walker.walks = false;
+      world.browser.setBrowserOption('ContentScale', 0.1);
+      const placed = world.pose();
+      const inside = (world.browser.activeViewpoint as unknown as { getValue(): Viewed }).getValue();
+      while (inside.timeSensor._isActive.getValue()) {
+        await world.browser.nextFrame(); // X_ITE is still on the way to the viewpoint
+      }
+      // As X_ITE does when it sets the eyes on the floor, for which they must be a centimetre too low.
+      inside._positionOffset = new world.x3d.SFVec3f(0, 0.0147, 0);
+      await world.nextFrame();
+      await world.nextFrame();
+      world.setPose({ ...placed, x: placed.x + 0.1 });
+      await world.nextFrame();
+      await world.nextFrame();
+      return { placed: placed.y, after: world.pose().y };
+    });
+    expect(heights.after).toBeCloseTo(heights.placed, 4);
+    await page.close();
+  }, 300_000);
 
   it('loads the version that nobody sees after the first picture', async () => {
     const server = await serve(site);

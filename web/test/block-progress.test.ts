@@ -32,6 +32,15 @@ describe('a block', () => {
     expect(run(progress({}, [[0, 1, 2]], ['main-001']), () => true)).toEqual(['main-002:3', 'main-003:4']);
   });
 
+  it('tells how many trials are left of a round, and whether some are over', () => {
+    const whole = progress({}, [[0, 1, 2]]);
+    expect([whole.left.length, whole.begun]).toEqual([3, false]);
+    const rest = progress({}, [[0, 1, 2]], ['main-001']);
+    expect([rest.left.length, rest.begun]).toEqual([2, true]);
+    const again = progress({ practice: { correct: 1, rounds: 2 } }, [[0, 1], [2, 1]], ['main-001', 'main-002'], ['main-001']);
+    expect([again.left.length, again.begun]).toEqual([2, false]);
+  });
+
   it('repeats a practice until it is passed', () => {
     const practice = { correct: 0.5, rounds: 3 };
     const rounds = [[0, 1], [1, 0], [0, 2]];

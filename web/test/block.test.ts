@@ -40,7 +40,7 @@ const STAGE = {
 } as unknown as Stage;
 
 /** Runs a block of two trials that ask for consent; returns its display and what came of it. */
-function block(): { display: HTMLElement; records: Record<string, unknown>[]; events: string[]; over: Promise<unknown> } {
+function block(done: readonly string[] = []): { display: HTMLElement; records: Record<string, unknown>[]; events: string[]; over: Promise<unknown> } {
   const study = { trials: [TRIAL] } as unknown as Study;
   const records: Record<string, unknown>[] = [];
   const events: string[] = [];
@@ -51,7 +51,7 @@ function block(): { display: HTMLElement; records: Record<string, unknown>[]; ev
     study,
     slot: { slot: 0, participant: '001', group: 'all', condition: 'high', seed: 1, steps: ['main'], trials: { main: [[0, 0]] } },
     texts: { words: {}, questionnaires: { sure: [CONSENT] }, phases: { main: [{ show: 'questions', questionnaire: 'sure' }] } },
-    words: new Wording({}),
+    words: new Wording({ 'web.block.left': '{0} left' }),
     stage: STAGE,
     recorder: new Recorder(identity, {
       send: (record) => { records.push(record as Record<string, unknown>); },
@@ -61,7 +61,7 @@ function block(): { display: HTMLElement; records: Record<string, unknown>[]; ev
     repeated: '',
     first: () => ({}),
     begun: (step) => { events.push(`${step} begun`); },
-    done: [],
+    done,
     wrong: [],
     ended: (step) => { events.push(`${step} ended`); },
     refused: () => { events.push('refused'); },
@@ -113,5 +113,13 @@ describe('a block whose trials ask for consent', () => {
     expect(records[0]).toMatchObject({ step: 'main-001', block: 'main', trial: 1, round: 1, levels: { wall: 'red' }, refused: true });
     expect(records[0]).not.toHaveProperty('answers');
     expect(display.childElementCount).toBe(0);
+  });
+});
+
+describe('a block that was left', () => {
+  it('says how many of its trials are left', async () => {
+    const { display } = block(['main-001']);
+    await expect.poll(() => button(display, 'web.begin')?.disabled).toBe(false);
+    expect(display.querySelector('p')?.textContent).toBe('1 left');
   });
 });

@@ -54,3 +54,17 @@ describe('words', () => {
     expect(words.of('missing')).toBe('missing');
   });
 });
+
+describe('the words of participants', () => {
+  const words = new Wording({
+    left: '{0} of {1} are left.', 'left.one': '1 is left.', more: '{0} more', 'web.loading': '{0} %', 'web.measuring': 'It is prepared.',
+  });
+
+  it('are others for a single thing, where there are such words', () => {
+    expect([words.count('left', 2, 3), words.count('left', 1, 3), words.count('more', 1)]).toEqual(['2 of 3 are left.', '1 is left.', '1 more']);
+  });
+
+  it('say of a scene whose bytes are there that it is prepared', () => {
+    expect([words.loading(99), words.loading(100)]).toEqual(['99 %', 'It is prepared.']);
+  });
+});

@@ -1,6 +1,10 @@
+// @vitest-environment happy-dom
 import { describe, expect, it } from 'vitest';
 import { Fade } from '../src/study/fade.js';
-import { COLUMNS, HeadLog } from '../src/study/head-log.js';
+import { COLUMNS, HeadLog, type Log } from '../src/study/head-log.js';
+import { Wording } from '../src/study/description.js';
+import type { Stage } from '../src/study/stage.js';
+import { exposurePlugin } from '../src/study/x3d-exposure.js';
 
 describe('a fade', () => {
   it('comes and goes in addition to the exposure', () => {
@@ -39,5 +43,34 @@ describe('a head log', () => {
       { t: 1.5, event: 'switch', node: 'Switch_Lamp', choice: 0 },
       { t: 2, event: 'exit', node: 'DeskProx' },
     ]);
+  });
+});
+
+describe('an exposure', () => {
+  it('has a row of its end, when the last of its pictures has been seen', async () => {
+    const world = {
+      objects: [],
+      entered: () => [],
+      listen: () => () => undefined,
+      setCondition: () => undefined,
+      pose: () => ({ x: 1, y: 1.6, z: 2, yaw: 0, pitch: 0, roll: 0 }),
+      nextFrame: () => new Promise((frame) => { setTimeout(frame, 1); }),
+    };
+    const stage = {
+      open: () => Promise.resolve({ world, walker: { move: () => undefined } }),
+      darken: () => undefined,
+      release: () => undefined,
+      show: () => undefined,
+      hide: () => undefined,
+    } as unknown as Stage;
+    let logged: Log | undefined;
+    const Plugin = exposurePlugin(stage, new Wording({}), (log) => { logged = log; });
+    await new Plugin().trial(document.createElement('div'), {
+      type: Plugin, scene: 'hall', viewpoint: '', seconds: 0.02, fade: 0, stay: 'turn', condition: 'high', seed: 1,
+    });
+    const rows = logged?.rows ?? [];
+    const visible = COLUMNS.indexOf('visible');
+    expect(rows.at(-1)?.[0]).toBeGreaterThanOrEqual(0.02);
+    expect(rows.map((row) => row[visible])).toEqual([...rows.slice(1).map(() => 1), 0]);
   });
 });

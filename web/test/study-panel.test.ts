@@ -83,6 +83,23 @@ describe('the state of a questionnaire', () => {
     ]);
   });
 
+  it('tells the places of the questions at the end, when an answer has opened one before others', async () => {
+    const state = new QuestionnaireState([page('one',
+      { id: 'seen', kind: 'choice', fields: [CHOICE] },
+      { id: 'again', kind: 'choice', when: { question: 'seen', is: ['yes'] }, fields: [CHOICE] },
+      { id: 'liked', kind: 'choice', fields: [CHOICE] })]);
+    for (const id of ['liked', 'seen', 'again']) {
+      const question = state.questions.find((each) => each.id === id);
+      expect(question).toBeDefined();
+      if (question) {
+        state.take(question, { value: 'yes' });
+      }
+    }
+    expect(state.next()).toBe('end');
+    const { answers } = await state.result;
+    expect(answers.map(({ question, place }) => [question, place])).toEqual([['seen', 1], ['again', 2], ['liked', 3]]);
+  });
+
   it('has no answers when consent is refused', async () => {
     const state = new QuestionnaireState(pages);
     state.refuse();

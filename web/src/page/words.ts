@@ -19,7 +19,7 @@ export interface Words {
 }
 
 const ENGLISH: Words = {
-  loading: (percent) => `Loading: ${percent} %`,
+  loading: (percent) => (percent < 100 ? `Loading: ${percent} %` : 'The scene is being prepared.'),
   failed: 'The scene cannot be shown.',
   condition: 'Condition',
   conditions: {
@@ -43,7 +43,7 @@ const ENGLISH: Words = {
 };
 
 const GREEK: Words = {
-  loading: (percent) => `Φόρτωση: ${percent} %`,
+  loading: (percent) => (percent < 100 ? `Φόρτωση: ${percent} %` : 'Η σκηνή ετοιμάζεται.'),
   failed: 'Η σκηνή δεν μπορεί να εμφανιστεί.',
   condition: 'Συνθήκη',
   conditions: {

@@ -44,8 +44,8 @@ export class Walker {
     const walked = worn !== undefined && Math.hypot(at.x - this.stood.x, at.z - this.stood.z) > PACE;
     // Looking for the floor draws the scene once more: after a step, and until the eyes are at their height.
     this.still = moves || walked ? 0 : this.still + 1;
-    if (!moves && left === 0 && (worn || drag.up === 0) && this.still > 30) {
-      return;
+    if (!moves && left === 0 && (worn || drag.up === 0) && (this.stays || this.still > 30)) {
+      return; // who only turns is not placed anew where a sensor says
     }
     if (this.still === 0) {
       this.stood = at;

@@ -2,7 +2,7 @@ import { HeldChoices } from './held-choices.js';
 import { angles, orientation, type Pose } from './pose.js';
 import { LaterVersions, type LaterVersion } from './later.js';
 import { room, type Rig } from './rig.js';
-import { browserOf, named, prepareTangents, same, type Browser, type FieldNode, type Namespace, type Scene, xite } from './xite.js';
+import { browserOf, named, prepareTangents, same, takeBackOffset, type Browser, type FieldNode, type Namespace, type Scene, xite } from './xite.js';
 
 /** The conditions in which a scene can be shown, as of the command run. */
 export const CONDITIONS = ['selective', 'high', 'high-low', 'random'] as const;
@@ -344,14 +344,22 @@ export class World {
   /** Waits for the next frame, and takes over what the scene itself binds. */
   async nextFrame(): Promise<void> {
     await this.browser.nextFrame();
-    const info = this.browser.activeNavigationInfo as unknown as FieldNode | null;
-    if (info && strings(info.type).join() !== 'NONE') {
-      // The page moves the viewer itself; X_ITE would do so as well.
-      info.type = new this.x3d.MFString('NONE');
-    }
+    this.moveAlone();
     const active = this.browser.activeViewpoint as unknown as FieldNode | null;
     if (active && !same(active, this.viewpoint)) {
       this.head = this.adopt();
+    }
+  }
+
+  /** The page moves the viewer itself: X_ITE, which would do so as well, leaves it alone. */
+  private moveAlone(): void {
+    const info = this.browser.activeNavigationInfo as unknown as FieldNode | null;
+    if (info && strings(info.type).join() !== 'NONE') {
+      info.type = new this.x3d.MFString('NONE');
+    }
+    // It may have set the viewer on the floor before. Sensors add that to the place in which the page puts the viewer.
+    if (takeBackOffset(this.viewpoint) && !this.rig) {
+      this.head = poseOf(this.viewpoint);
     }
   }
 
@@ -366,6 +374,7 @@ export class World {
     this.viewpoint.jump = true;
     this.setPose(pose);
     this.viewpoint.set_bind = true;
+    this.moveAlone();
     return pose;
   }
 

@@ -65,6 +65,23 @@ export function same(one: object, other: object): boolean {
   return one === other || (one as { equals?: (node: unknown) => boolean }).equals?.(other) === true;
 }
 
+/** A viewpoint as X_ITE has it inside, with what its own viewers have moved it by. */
+interface Viewed {
+  readonly _positionOffset: { readonly x: number; readonly y: number; readonly z: number };
+  resetUserOffsets(): void;
+}
+
+/** Takes back what X_ITE's own viewers have moved a viewpoint by, such as up a step; returns whether there was any. */
+export function takeBackOffset(viewpoint: FieldNode): boolean {
+  const viewed = (viewpoint as unknown as { getValue(): Viewed }).getValue();
+  const { x, y, z } = viewed._positionOffset;
+  if (x === 0 && y === 0 && z === 0) {
+    return false;
+  }
+  viewed.resetUserOffsets();
+  return true;
+}
+
 const generators = new WeakMap<Geometry, Geometry['generateTangents']>();
 
 /** Lets X_ITE compute the tangents of the models that it loads from now on, or leave that, as only some scenes need them. */

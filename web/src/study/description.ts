@@ -220,4 +220,15 @@ export class Wording {
     const text = this.words[key] ?? key;
     return text.replace(/\{(\d)\}/g, (place, index: string) => String(values[Number(index)] ?? place));
   }
+
+  /** Returns words about a number of things, which are others for a single one. */
+  count(key: string, number: number, ...values: readonly (string | number)[]): string {
+    const one = `${key}.one`;
+    return this.of(number === 1 && one in this.words ? one : key, number, ...values);
+  }
+
+  /** Tells how far a scene is loaded; when all bytes are there, it is prepared, which may take as long. */
+  loading(percent: number): string {
+    return percent < 100 ? this.of('web.loading', percent) : this.of('web.measuring');
+  }
 }

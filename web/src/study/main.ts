@@ -44,6 +44,7 @@ function failed(error: unknown, sentence = ''): void {
 
 async function run(): Promise<void> {
   const study = parse(await json('study-web.json'));
+  document.title = study.name;
   const lab = settings(await json('study-settings.json'));
   if (lab.headset !== 'no' && Object.values(study.steps).some((step) => step.kind === 'block')) {
     throw new Error('study-settings.json: "headset" must be "no", as the page cannot show blocks of trials in a headset yet');

@@ -10,7 +10,7 @@ export interface GivenAnswer {
   readonly confidence?: string;
   /** Milliseconds from when the page was shown to the last change of the answer. */
   readonly ms: number;
-  /** Where the question stood on its page, from 1. */
+  /** Where the question stood on its page after the last answer, from 1. */
   readonly place: number;
   readonly personal?: boolean;
 }
@@ -29,7 +29,7 @@ export class QuestionnaireState {
   readonly result: Promise<QuestionnaireResult>;
 
   private readonly answers = new Map<string, Answer>();
-  private readonly times = new Map<string, { ms: number; place: number }>();
+  private readonly times = new Map<string, number>();
   private current = 0;
   private since = performance.now();
   private finish: (result: QuestionnaireResult) => void = () => undefined;
@@ -68,9 +68,8 @@ export class QuestionnaireState {
   /** Takes an answer; returns whether other questions are asked than before. */
   take(question: Question, change: Partial<Answer>): boolean {
     const before = this.questions.map((each) => each.id).join();
-    const place = this.questions.findIndex((each) => each.id === question.id) + 1;
     this.answers.set(question.id, { ...this.answer(question), ...change });
-    this.times.set(question.id, { ms: Math.round(performance.now() - this.since), place });
+    this.times.set(question.id, Math.round(performance.now() - this.since));
     return this.questions.map((each) => each.id).join() !== before;
   }
 
@@ -107,10 +106,10 @@ export class QuestionnaireState {
 
   private complete(): void {
     const given = shown(this.pages, this.answers).flatMap((page) =>
-      asked(page, this.answers).flatMap((question): GivenAnswer[] => {
+      asked(page, this.answers).flatMap((question, at): GivenAnswer[] => {
         const answer = this.answer(question);
-        const time = this.times.get(question.id);
-        if (answer.value === '' || !time) {
+        const ms = this.times.get(question.id);
+        if (answer.value === '' || ms === undefined) {
           return [];
         }
         return [{
@@ -119,7 +118,8 @@ export class QuestionnaireState {
           kind: question.kind,
           value: answer.value,
           ...(question.fields.length > 1 ? { confidence: answer.confidence } : {}),
-          ...time,
+          ms,
+          place: at + 1,
           ...(question.personal ? { personal: true } : {}),
         }];
       }));

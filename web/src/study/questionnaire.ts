@@ -173,7 +173,7 @@ export class QuestionnaireView {
 
   /** Says how many questions are open, where the first of them is, and brings that into view. */
   private tellOpen(open: number, all: number): void {
-    this.note.textContent = this.words.of('left', open, all);
+    this.note.textContent = this.words.count('left', open, all);
     const first = this.form.querySelector<HTMLElement>('fieldset.open');
     first?.before(this.note);
     first?.querySelector<HTMLElement>('input, textarea, button')?.focus({ preventScroll: true });

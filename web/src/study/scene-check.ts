@@ -51,7 +51,7 @@ export function sceneCheckPlugin(
       status.setAttribute('role', 'status');
       display.replaceChildren(status);
       // Files that are there are opened again: participants see one progress.
-      const say = rising((percent) => { status.textContent = words.of('web.loading', percent); });
+      const say = rising((percent) => { status.textContent = words.loading(percent); });
       const views = viewsOf(study);
       await preload(filesOf(study), say);
       for (;;) {

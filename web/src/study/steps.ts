@@ -165,7 +165,7 @@ function prepare(context: StepContext, scene: string): void {
   const label = button.textContent;
   button.disabled = true;
   const opened = context.stage.open(scene, (percent) => {
-    button.textContent = context.words.of('web.loading', percent);
+    button.textContent = context.words.loading(percent);
   });
   void opened.then(() => {
     context.stage.hide();

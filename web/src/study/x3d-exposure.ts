@@ -51,7 +51,7 @@ export function exposurePlugin(
       const status = element('p', 'loading');
       display.replaceChildren(status);
       const { world, walker } = await stage.open(trial.scene, (percent) => {
-        status.textContent = words.of('web.loading', percent);
+        status.textContent = words.loading(percent);
       });
       ready?.();
       stage.darken();
@@ -93,6 +93,8 @@ async function expose(stage: Stage, world: World, walker: Walker, fade: Fade): P
       const now = performance.now();
       const t = (now - began) / 1000;
       if (fade.over(t)) {
+        // The last picture was seen until now, which is long where pictures come slowly.
+        log.frame(now, world.pose(), false);
         return log.log();
       }
       const brightness = fade.brightness(t);

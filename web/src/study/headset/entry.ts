@@ -34,7 +34,7 @@ export function entryPlugin(stage: Stage, words: Wording, required: boolean): En
       ready?.();
       const status = element('p', 'loading');
       display.replaceChildren(status);
-      await stage.open(trial.scene, (percent) => { status.textContent = words.of('web.loading', percent); });
+      await stage.open(trial.scene, (percent) => { status.textContent = words.loading(percent); });
       for (;;) {
         if (stage.worn) {
           if (await stage.tell(trial.in_headset ?? [], words.of('web.begin'))) {

@@ -102,7 +102,7 @@ export class PanelQuestionnaire {
   private next(): void {
     const question = this.state.questions[this.place];
     if (question && this.state.open.some((each) => each.id === question.id)) {
-      this.say(this.words.of('left', this.state.open.length, this.state.questions.length));
+      this.say(this.words.count('left', this.state.open.length, this.state.questions.length));
       return;
     }
     if (this.place + 1 < this.state.questions.length) {
@@ -117,7 +117,7 @@ export class PanelQuestionnaire {
         break;
       case 'open':
         this.place = this.state.questions.findIndex((each) => each.id === this.state.open[0]?.id);
-        this.say(this.words.of('left', this.state.open.length, this.state.questions.length));
+        this.say(this.words.count('left', this.state.open.length, this.state.questions.length));
         break;
       case 'refuses':
         this.refusing = true;

@@ -61,9 +61,19 @@ export class BlockProgress {
     }
   }
 
-  /** The trials of the first round. */
-  get first(): readonly PlacedTrial[] {
-    return this.rounds[0] ?? [];
+  /** The trials that are left of the round that comes next or is open. */
+  get left(): readonly PlacedTrial[] {
+    const round = this.round(this.next());
+    return round.filter((trial) => !this.done.has(trial.id));
+  }
+
+  /** Whether a part of the round is over already. */
+  get begun(): boolean {
+    return this.left.length < this.round(this.next()).length;
+  }
+
+  private round(trial: PlacedTrial | undefined): readonly PlacedTrial[] {
+    return trial ? (this.rounds[trial.round - 1] ?? []) : [];
   }
 
   /** Whether the block is a practice that is over without having reached its criterion. */

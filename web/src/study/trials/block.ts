@@ -84,12 +84,12 @@ async function announce(context: StepContext, display: HTMLElement, progress: Bl
   begin.type = 'button';
   begin.className = 'jspsych-btn';
   begin.disabled = true;
-  const lines = [words.of('web.block', progress.first.length)];
+  const lines = [words.count(progress.begun ? 'web.block.left' : 'web.block', progress.left.length)];
   if (context.repeated.startsWith(`${first.trial.block}-`)) {
     lines.unshift(words.of('web.block.again'));
   }
   display.replaceChildren(...lines.map((line) => element('p', '', line)), begin);
-  await stage.open(first.trial.scene, (percent) => { begin.textContent = words.of('web.loading', percent); });
+  await stage.open(first.trial.scene, (percent) => { begin.textContent = words.loading(percent); });
   stage.hide();
   begin.textContent = words.of('web.begin');
   begin.disabled = false;

@@ -107,7 +107,7 @@ export class TrialRun {
 
   private async open(): Promise<{ world: World; walker: Walker }> {
     const opened = await this.stage.open(this.placed.trial.scene, (percent) => {
-      this.overlay.textContent = this.words.of('web.loading', percent);
+      this.overlay.textContent = this.words.loading(percent);
     });
     this.world = opened.world;
     return opened;

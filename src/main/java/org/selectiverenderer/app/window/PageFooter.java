@@ -95,7 +95,7 @@ final class PageFooter {
     left.setText(
         refused
             ? wording.of("form.refused")
-            : open > 0 ? wording.filled("left", open, asked) : " ");
+            : open > 0 ? wording.filled(open == 1 ? "left.one" : "left", open, asked) : " ");
     left.setForeground(refused ? WARNING : plain);
     hint.setText(PlainText.of(keys));
     page.setText(wording.filled("page", at + 1, pages));

@@ -185,7 +185,10 @@ final class ExperimentCollectCommand extends CliCommand {
     return ExitStatus.of(problems);
   }
 
-  /** Says how many answers there are, in which table, and which option writes the others. */
+  /**
+   * Says how many answers there are, in which table, and which option writes the others. Rows of
+   * the tables are counted, so that the numbers add up.
+   */
   private void tell(CollectedAnswers answers) {
     boolean printed =
         Stream.of(responses, ratings, others, scores, trials, bands).allMatch(Objects::isNull);
@@ -196,11 +199,18 @@ final class ExperimentCollectCommand extends CliCommand {
     tell(answers.others(), "other answers and the form", "--answers", false, others, rows, left);
     tell(answers.scores(), "scores", "--scores", false, scores, rows, left);
     tell(answers.trials(), "trials", "--trials", false, trials, rows, left);
+    if (trials != null && !practice && rows(answers.trials()) == 0) {
+      rows.add("trials: 0; those of practice blocks are written with --practice");
+    }
+    int all =
+        Stream.of(answers.responses(), answers.ratings(), answers.others(), answers.trials())
+            .mapToInt(ExperimentCollectCommand::rows)
+            .sum();
     console()
         .message(
             "collected: %s of %s%s"
                 .formatted(
-                    Pluralizer.of(answers.answers(), "answer"),
+                    Pluralizer.of(all, "answer"),
                     Pluralizer.of(answers.participants(), "participant"),
                     rows.isEmpty()
                         ? ""

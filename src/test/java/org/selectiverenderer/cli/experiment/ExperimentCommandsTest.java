@@ -334,6 +334,11 @@ class ExperimentCommandsTest extends CommandTestCase {
         List.of("experiment", "collect", study.toString(), "--paper", name, "--scores");
     assertThat(execute(with(other, scores.toString()))).isZero();
     assertThat(text(err)).contains("not written: recognition answers (--responses F.csv)");
+    Path trials = folder.resolve("trials.csv");
+    List<String> ofTrials =
+        List.of("experiment", "collect", study.toString(), "--paper", name, "--trials");
+    assertThat(execute(with(ofTrials, trials.toString()))).isZero();
+    assertThat(text(err)).contains("trials: 0; those of practice blocks are written with");
   }
 
   private static String[] with(List<String> arguments, String last) {

@@ -29,6 +29,7 @@ final class StudyDescription {
           "next",
           "back",
           "left",
+          "left.one",
           "page",
           "form.cancel",
           "thanks.title",

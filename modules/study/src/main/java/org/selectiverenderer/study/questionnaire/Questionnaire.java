@@ -101,7 +101,8 @@ public record Questionnaire(
 
   /**
    * Returns the rows for tables, in order: one for each question that was asked, without examples
-   * and personal questions.
+   * and personal questions. The places are those that the questions had at the end: an answer may
+   * have opened a question before others that were answered already.
    */
   public List<AnswerRow> tabled(Map<String, TimedAnswer> given) {
     Map<String, Answer> answers = new HashMap<>();
@@ -109,8 +110,12 @@ public record Questionnaire(
     Map<String, Answer> counting = counting(answers);
     List<AnswerRow> tabled = new ArrayList<>();
     for (QuestionnairePage page : shown(counting)) {
-      for (Question question : page.asked(counting)) {
-        TimedAnswer own = given.getOrDefault(question.id(), TimedAnswer.NONE);
+      List<Question> asked = page.asked(counting);
+      for (Question question : asked) {
+        TimedAnswer own =
+            given
+                .getOrDefault(question.id(), TimedAnswer.NONE)
+                .placed(asked.indexOf(question) + 1);
         if (!question.personal() && !own.personal() && !question.kind().example()) {
           tabled.add(new AnswerRow(page, question, own));
         }

@@ -39,6 +39,11 @@ public record TimedAnswer(
     return new TimedAnswer(answer, first, last, place, true);
   }
 
+  /** Returns this answer with another place of its question; one of an unknown place keeps that. */
+  TimedAnswer placed(int where) {
+    return place > 0 ? new TimedAnswer(answer, first, last, where, personal) : this;
+  }
+
   /** Returns the table cell of the response time; empty without a value. */
   public String milliseconds() {
     return last.isPresent() && !answer.value().isEmpty() ? Long.toString(last.getAsLong()) : "";

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
@@ -25,6 +26,7 @@ import org.selectiverenderer.study.questionnaire.Question;
 import org.selectiverenderer.study.questionnaire.QuestionKind;
 import org.selectiverenderer.study.questionnaire.Questionnaire;
 import org.selectiverenderer.study.questionnaire.QuestionnairePage;
+import org.selectiverenderer.study.questionnaire.TimedAnswer;
 
 class QuestionnaireReaderTest {
   private static final String TEXT =
@@ -67,6 +69,31 @@ class QuestionnaireReaderTest {
       answers.put(pairs[i], Answer.of(pairs[i + 1]));
     }
     return answers;
+  }
+
+  @Test
+  void aTableHasThePlacesOfTheEndWhenAnAnswerHasOpenedAQuestionBeforeOthers() {
+    Questionnaire questionnaire =
+        read(
+                """
+                {"name": "all", "title": "All", "pages": [{"name": "one", "questions": [
+                  {"id": "seen", "kind": "yes-no", "text": "Seen?"},
+                  {"id": "where", "kind": "text", "text": "Where?",
+                   "when": {"question": "seen", "is": ["yes"]}},
+                  {"id": "liked", "kind": "yes-no", "text": "Liked?"},
+                  {"id": "paper", "kind": "yes-no", "text": "On paper?"}]}]}
+                """,
+                new ProblemCollector())
+            .orElseThrow();
+    Map<String, TimedAnswer> given =
+        Map.of(
+            "liked", TimedAnswer.NONE.then(Answer.of("yes"), OptionalLong.of(100), 2),
+            "seen", TimedAnswer.NONE.then(Answer.of("yes"), OptionalLong.of(200), 1),
+            "where", TimedAnswer.NONE.then(Answer.of("there"), OptionalLong.of(300), 2),
+            "paper", TimedAnswer.of(Answer.of("no")));
+    assertThat(questionnaire.tabled(given))
+        .extracting(row -> row.question().id() + " " + row.given().placeCell())
+        .containsExactly("seen 1", "where 2", "liked 3", "paper ");
   }
 
   @ParameterizedTest
