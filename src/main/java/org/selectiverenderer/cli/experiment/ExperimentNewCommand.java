@@ -143,8 +143,7 @@ final class ExperimentNewCommand extends CliCommand {
             .find(List.of(name))
             .orElseThrow(
                 () -> CommandException.usage("there is no %s; %s".formatted(name, GET_EXAMPLES)));
-    ExitStatus status =
-        written(StudyTemplate.copy(example.toAbsolutePath().getParent(), folder));
+    ExitStatus status = written(StudyTemplate.copy(example.toAbsolutePath().getParent(), folder));
     if (wanted == Design.web) {
       console()
           .message(

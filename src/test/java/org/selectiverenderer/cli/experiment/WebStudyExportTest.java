@@ -33,12 +33,7 @@ class WebStudyExportTest extends CommandTestCase {
 
   private int export(Path study, String page) {
     return execute(
-        "experiment",
-        "export",
-        study.toString(),
-        "--to",
-        "web",
-        folder.resolve(page).toString());
+        "experiment", "export", study.toString(), "--to", "web", folder.resolve(page).toString());
   }
 
   /** Begins a study from an example. */
@@ -102,8 +97,7 @@ class WebStudyExportTest extends CommandTestCase {
     assertThat(messages().lines().filter(line -> line.contains("ADDRESS")))
         .hasSize(2)
         .allSatisfy(
-            line ->
-                assertThat(line).matches(".*form\\.json:1[01]:\\d+: .*who takes part.*"));
+            line -> assertThat(line).matches(".*form\\.json:1[01]:\\d+: .*who takes part.*"));
     assertThat(folder.resolve("page/index.html")).isRegularFile();
 
     Files.writeString(

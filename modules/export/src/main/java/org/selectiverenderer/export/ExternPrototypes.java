@@ -88,13 +88,11 @@ final class ExternPrototypes {
     Set<String> own = new LinkedHashSet<>();
     needed.forEach(element -> own.add(name(element)));
     own.remove(name(wanted));
-    Map<String, String> renamed =
-        PrototypeNames.renamed(own, PrototypeNames.declared(document));
+    Map<String, String> renamed = PrototypeNames.renamed(own, PrototypeNames.declared(document));
     if (shared) {
       needed.forEach(
           element ->
-              known.putIfAbsent(
-                  name(element), renamed.getOrDefault(name(element), name(element))));
+              known.putIfAbsent(name(element), renamed.getOrDefault(name(element), name(element))));
       known.remove(name(wanted)); // its own name in the scene may hide a helper's
     }
     known.forEach(renamed::put);

@@ -26,12 +26,12 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.selectiverenderer.enricher.access.AccessDialog;
 import org.selectiverenderer.enricher.importing.PackageDialog;
 import org.selectiverenderer.enricher.insert.InsertCommands;
+import org.selectiverenderer.enricher.menu.StructureCommands;
 import org.selectiverenderer.enricher.newscene.NewSceneDialog;
 import org.selectiverenderer.enricher.ratings.RatingsDialog;
 import org.selectiverenderer.enricher.robot.FastTypist;
 import org.selectiverenderer.enricher.robot.TestSessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
-import org.selectiverenderer.enricher.menu.StructureCommands;
 import org.selectiverenderer.enricher.settings.AllowedPlaces;
 import org.selectiverenderer.enricher.versions.BatchVersionsDialog;
 import org.selectiverenderer.enricher.versions.VersionsDialog;
@@ -79,7 +79,9 @@ class DialogTypeAheadTest {
         case RATINGS -> new RatingsDialog(owner, session).showAndWait();
         case VERSIONS ->
             new VersionsDialog(
-                    owner, session, session.document().tree().orElseThrow().named("Vase").orElseThrow())
+                    owner,
+                    session,
+                    session.document().tree().orElseThrow().named("Vase").orElseThrow())
                 .made();
         case MANY_VERSIONS -> new BatchVersionsDialog(owner, session).showAndWait();
         case INSERT ->
@@ -125,9 +127,7 @@ class DialogTypeAheadTest {
       typist.type(kind.typed);
       boolean there =
           Eventually.within(
-              10,
-              TimeUnit.SECONDS,
-              () -> get(() -> text().filter(kind::complete).isPresent()));
+              10, TimeUnit.SECONDS, () -> get(() -> text().filter(kind::complete).isPresent()));
       if (!there) {
         wrong.add(time + ": " + get(() -> text().orElse("(no text has the keyboard)")));
       }

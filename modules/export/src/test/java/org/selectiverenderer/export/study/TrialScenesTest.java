@@ -39,8 +39,7 @@ class TrialScenesTest {
     return rows.toString();
   }
 
-  private static List<LoadedStudy> read(StudyFixture fixture, int rounds)
-      throws IOException {
+  private static List<LoadedStudy> read(StudyFixture fixture, int rounds) throws IOException {
     return fixture.read(
         StudyFixture.text(BLOCK.formatted(rounds))
             .replace("[\"high\", \"selective\"]", "[\"selective\"]")
@@ -67,10 +66,7 @@ class TrialScenesTest {
     assertThat(found(material, 2)).isFalse();
     assertThat(
             StudyFolder.of(
-                page.get(),
-                StudyFolder.Host.WEB_SERVER,
-                read(fixture, 2),
-                fixture.collector()))
+                page.get(), StudyFolder.Host.WEB_SERVER, read(fixture, 2), fixture.collector()))
         .isEmpty();
     assertThat(fixture.problems())
         .singleElement()

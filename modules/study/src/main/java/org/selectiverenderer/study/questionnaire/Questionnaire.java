@@ -113,9 +113,7 @@ public record Questionnaire(
       List<Question> asked = page.asked(counting);
       for (Question question : asked) {
         TimedAnswer own =
-            given
-                .getOrDefault(question.id(), TimedAnswer.NONE)
-                .placed(asked.indexOf(question) + 1);
+            given.getOrDefault(question.id(), TimedAnswer.NONE).placed(asked.indexOf(question) + 1);
         if (!question.personal() && !own.personal() && !question.kind().example()) {
           tabled.add(new AnswerRow(page, question, own));
         }

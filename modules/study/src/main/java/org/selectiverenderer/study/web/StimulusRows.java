@@ -17,8 +17,7 @@ final class StimulusRows {
   /** The page shows a cell as a text, of which nobody reads more. */
   private static final int LONGEST = 100_000;
 
-  private static final Pattern CONTROLS =
-      Pattern.compile("[\\p{Cntrl}\\x80-\\x9f&&[^\\n\\r\\t]]");
+  private static final Pattern CONTROLS = Pattern.compile("[\\p{Cntrl}\\x80-\\x9f&&[^\\n\\r\\t]]");
 
   private final Map<Integer, Stimulus> lines = new HashMap<>();
   private final Map<Map<String, String>, Stimulus> contents = new HashMap<>();

@@ -69,8 +69,7 @@ final class WebBlockEvents {
       return Optional.of(order)
           .filter(
               trials ->
-                  trial.number() <= trials.size()
-                      && same(trials.get(trial.number() - 1), trial));
+                  trial.number() <= trials.size() && same(trials.get(trial.number() - 1), trial));
     } catch (IllegalArgumentException e) {
       return Optional.empty(); // The study has changed since.
     }

@@ -76,17 +76,14 @@ final class WebTrialParser {
             .recorded(
                 new TrialKey(levels, line),
                 present(cells, block),
-                row(cells, block)
-                    .map(StimulusList.Stimulus::settings)
-                    .orElse(TrialSettings.NONE),
+                row(cells, block).map(StimulusList.Stimulus::settings).orElse(TrialSettings.NONE),
                 number,
                 round);
     require(
         trial.id().equals(json.path("step").asText()),
         "\"step\" is not the trial that \"block\", \"trial\" and \"round\" name");
     StimulusRows list = rows.get(block.name());
-    plan.require(
-        json, block, trial, list == null ? cells.isEmpty() : list.inPlace(line, cells));
+    plan.require(json, block, trial, list == null ? cells.isEmpty() : list.inPlace(line, cells));
     return Optional.of(trial);
   }
 

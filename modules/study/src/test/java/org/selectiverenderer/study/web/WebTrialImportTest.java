@@ -220,8 +220,7 @@ class WebTrialImportTest extends WebStudyFixture {
   void cellsOfSeveralLinesAndLongOnesAreThoseOfTheList() throws IOException {
     String text = "Look.\nThen\tanswer. " + "Wait. ".repeat(400).strip();
     Files.writeString(
-        folder.resolve("study/sides.csv"),
-        "side,answer\n\"" + text + "\",f\n\"r\u0007g\",j\n");
+        folder.resolve("study/sides.csv"), "side,answer\n\"" + text + "\",f\n\"r\u0007g\",j\n");
     String cells = CELLS.replace("left", text.replace("\n", "\\n").replace("\t", "\\t"));
     write(
         "all.jsonl",
@@ -307,9 +306,7 @@ class WebTrialImportTest extends WebStudyFixture {
             .replace("{answer}", "f"));
     sha = Sha256.of(Files.readAllBytes(file));
     String red = "\"levels\":{\"coat\":\"red\"}";
-    write(
-        "all.jsonl",
-        List.of(form(1, 1), trial(1, red, result("f")), trial(2, red, result("f"))));
+    write("all.jsonl", List.of(form(1, 1), trial(1, red, result("f")), trial(2, red, result("f"))));
     collect();
     assertThat(told())
         .containsExactly(
@@ -317,9 +314,12 @@ class WebTrialImportTest extends WebStudyFixture {
     sha = "0".repeat(64); // of another version, whose plan nobody knows
     write(
         "all.jsonl",
-        List.of(form(2, 2), trial(2, red, result("f"))
+        List.of(
+            form(2, 2),
+            trial(2, red, result("f"))
                 .replace(session(1), session(2))
-                .replace("\"slot\":1,\"participant\":\"001\"", "\"slot\":2,\"participant\":\"002\"")));
+                .replace(
+                    "\"slot\":1,\"participant\":\"001\"", "\"slot\":2,\"participant\":\"002\"")));
     collect();
     assertThat(told()).hasSize(2).last().asString().contains("ran another version of the study");
   }

@@ -83,10 +83,7 @@ class HttpFetcherTest {
   private UrlResolver root(HttpFetcher.NameLookup names, String... hosts) {
     HttpFetcher network =
         new HttpFetcher(
-            List.of(hosts).stream().map(HostPattern::new).toList(),
-            patience,
-            1000,
-            names);
+            List.of(hosts).stream().map(HostPattern::new).toList(), patience, 1000, names);
     return new UrlResolver(folder, new ContentAccessPolicy(List.of(), network));
   }
 

@@ -137,7 +137,8 @@ class InputDialogTest {
                     @Override
                     public void actionPerformed(ActionEvent event) {
                       answer.complete(
-                          InputDialog.ask(typist.window(), "New", "Name", "", name -> Optional.empty()));
+                          InputDialog.ask(
+                              typist.window(), "New", "Name", "", name -> Optional.empty()));
                     }
                   });
         });
