@@ -121,7 +121,7 @@ class StudyQuestionnairesTest {
             "participant,session,condition,questionnaire,page,question,kind,value,response_ms,"
                 + "place\n001,1,high,form,page-1,agree,yes-no,yes,900,1\n")
         .contains("001,1,high,own,p,changes,yes-no,no,4000,1\n")
-        .contains("001,1,high,own,p,seen,multiple,hmd|cave,3000,1\n")
+        .contains("001,1,high,own,p,seen,multiple,hmd|cave,3000,2\n")
         .doesNotContain("Eva", "the boat");
     assertThat(session.resolve("scores.csv"))
         .hasContent(
