@@ -32,7 +32,7 @@ import org.selectiverenderer.testing.Eventually;
 class LauncherTest {
   private static final Instant LONG_AGO = Instant.parse("2020-01-01T00:00:00Z");
 
-  /** What the launcher calls, but for flock. */
+  /** The programs that the launcher calls, without flock. */
   private static final List<String> PROGRAMS =
       List.of(
           "sh",

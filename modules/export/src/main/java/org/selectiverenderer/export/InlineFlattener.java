@@ -174,7 +174,7 @@ final class InlineFlattener {
   }
 
   /**
-   * What a file holds.
+   * The content of a file, as far as it decides whether the file is taken in.
    *
    * @param enriched whether it has enriched nodes of its own
    * @param inlines the files of its Inlines

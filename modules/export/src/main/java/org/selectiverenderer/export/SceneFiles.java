@@ -36,7 +36,7 @@ final class SceneFiles {
   }
 
   /**
-   * What a url field names.
+   * The file that a url field names.
    *
    * @param fragment what follows {@code #} in the url; empty without
    */

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.validation.run.RuleCatalogue;
 import org.selectiverenderer.validation.run.Validator;
 
-/** Who edits a large scene has the processors to himself: the check of the text before ends. */
+/** An edit ends the running check of the text before it, which would slow down the window. */
 class InterruptedRunTest {
   @TempDir Path folder;
 

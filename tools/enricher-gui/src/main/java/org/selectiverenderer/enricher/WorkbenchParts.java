@@ -61,7 +61,7 @@ final class WorkbenchParts {
   /** The parts that are to be made. */
   private final Deque<Part<?>> left = new ArrayDeque<>();
 
-  /** What ends the parts that have been made, the last one first, as it may use the others. */
+  /** The actions that end the parts made so far; the last part ends first. */
   private final Deque<Runnable> disposals = new ArrayDeque<>();
 
   private boolean disposed;

@@ -38,7 +38,7 @@ import org.selectiverenderer.enricher.versions.VersionsDialog;
 import org.selectiverenderer.testing.Eventually;
 import org.selectiverenderer.testing.ShowsWindows;
 
-/** What is typed since a dialog was asked for is in the field that its author fills in first. */
+/** Letters that are typed before a dialog is there arrive in its first field. */
 @ShowsWindows
 @Timeout(value = 240, unit = TimeUnit.SECONDS)
 class DialogTypeAheadTest {

@@ -9,7 +9,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.enricher.robot.TestSessions;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** Of which object versions are made when a node is selected. */
+/** The selected node decides of which object versions are made. */
 class SceneDialogsTest {
   @TempDir Path folder;
 

@@ -18,7 +18,7 @@ import org.selectiverenderer.study.design.TrialSequencer;
 import org.selectiverenderer.study.session.LoadedStudy;
 
 class TrialScenesTest {
-  /** So many rows alike among one fewer, none after another: orders that are seldom found. */
+  /** The number of equal rows, none of which may follow another: few orders are allowed. */
   private static final int ALIKE = 300;
 
   /** With it an order is found for the first round, but not for the second. */

@@ -46,8 +46,8 @@ final class DrawItemCache implements Culler.Items {
   private static final int LEAST_OF_ONE = 40;
 
   /**
-   * What is no longer drawn is freed when one triangle was made anew for so many shapes of the
-   * scene, so that looking at all of them is paid for.
+   * Unused resources are freed when the triangles of replaced items exceed the number of shapes
+   * divided by this: looking at all shapes then costs little beside making these items.
    */
   private static final int FREED_AFTER = 8;
 

@@ -45,7 +45,7 @@ final class FirstPicturePane extends JPanel {
     progress.setVisible(busy);
   }
 
-  /** What it says. */
+  /** Returns the sentence that is shown. */
   String said() {
     return word.getText();
   }

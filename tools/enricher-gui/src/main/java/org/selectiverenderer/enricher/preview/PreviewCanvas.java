@@ -51,7 +51,7 @@ final class PreviewCanvas extends AccessibleCanvas {
     add(waiting, "wmin 0");
   }
 
-  /** What is said until there is a picture. */
+  /** The sentence that is shown until there is a picture. */
   FirstPicturePane waiting() {
     return waiting;
   }

@@ -73,7 +73,7 @@ final class PreviewUpdater implements AutoCloseable {
   private final Timer timer = new Timer(PAUSE, event -> follow());
   private final Timer soon = new Timer(SOON, event -> patchSoon());
 
-  /** When the document was changed last, by {@link System#nanoTime}. */
+  /** The time of the last change of the document, by {@link System#nanoTime}. */
   private long changed = System.nanoTime() - TimeUnit.MILLISECONDS.toNanos(SOON);
 
   /** The edits since the last state that was handed over. */
