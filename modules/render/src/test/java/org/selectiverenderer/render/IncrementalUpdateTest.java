@@ -23,7 +23,8 @@ import org.selectiverenderer.testing.RequiresDisplay;
 class IncrementalUpdateTest {
   private static final int SHAPES = 40;
   private static final int LIGHTS = 6;
-  private static final int STEPS = 120;
+  private static final int SCENES = 2; // One after the other in the same renderer.
+  private static final int STEPS = 60;
   private static final int SIZE = 128;
 
   private final Random random = new Random(5);
@@ -31,29 +32,35 @@ class IncrementalUpdateTest {
   @ParameterizedTest
   @CsvSource({"PIXEL, false", "VERTEX, false", "VERTEX, true"})
   void whateverChanges(ShadingMode shading, boolean hiddenOnesWait) {
-    TestScene scene = TestScene.of(nodes());
+    try (TestImageRenderer studio = new TestImageRenderer(shading)) {
+      for (int i = 0; i < SCENES; i++) {
+        followChanges(studio, TestScene.of(nodes()), shading, hiddenOnesWait);
+      }
+    }
+  }
+
+  private void followChanges(
+      TestImageRenderer studio, TestScene scene, ShadingMode shading, boolean hiddenOnesWait) {
     Node group = scene.loaded().scene().find("G").orElseThrow();
     List<Node> children = group.nodes("children");
-    try (TestImageRenderer studio = new TestImageRenderer(shading)) {
-      GL3 gl = studio.gl();
-      OffscreenFramebuffer target = new OffscreenFramebuffer(gl, SIZE, SIZE, 0);
-      for (int step = 0; step < STEPS; step++) {
-        for (int i = random.nextInt(4); i >= 0; i--) {
-          change(scene, children);
-        }
-        List<Camera> eyes = eyes();
-        SceneRenderer fresh = new SceneRenderer(2, shading);
-        List<byte[]> followed = shoot(gl, target, studio.renderer, scene, eyes, hiddenOnesWait);
-        List<byte[]> expected = shoot(gl, target, fresh, scene, eyes, false);
-        fresh.dispose(gl);
-        for (int eye = 0; eye < 2; eye++) {
-          assertThat(differing(followed.get(eye), expected.get(eye)))
-              .as("channels that differ after step %d", step)
-              .isLessThan(100);
-        }
+    GL3 gl = studio.gl();
+    OffscreenFramebuffer target = new OffscreenFramebuffer(gl, SIZE, SIZE, 0);
+    for (int step = 0; step < STEPS; step++) {
+      for (int i = random.nextInt(4); i >= 0; i--) {
+        change(scene, children);
       }
-      target.dispose(gl);
+      List<Camera> eyes = eyes();
+      SceneRenderer fresh = new SceneRenderer(2, shading);
+      List<byte[]> followed = shoot(gl, target, studio.renderer, scene, eyes, hiddenOnesWait);
+      List<byte[]> expected = shoot(gl, target, fresh, scene, eyes, false);
+      fresh.dispose(gl);
+      for (int eye = 0; eye < 2; eye++) {
+        assertThat(differing(followed.get(eye), expected.get(eye)))
+            .as("channels that differ after step %d", step)
+            .isLessThan(100);
+      }
     }
+    target.dispose(gl);
   }
 
   private static int differing(byte[] a, byte[] b) {

@@ -158,10 +158,11 @@ final class DrawItemCache implements Culler.Items {
 
   /** Returns the places of the shapes that may have changed since the last call. */
   private BitSet candidates(InstanceTree of, boolean all) {
-    Optional<List<ShapeInstance>> changed = of.changes().since(read);
+    // What was read of another tree's log says nothing about this one's.
+    Optional<List<ShapeInstance>> changed = all ? Optional.empty() : of.changes().since(read);
     read = of.changes().end();
     BitSet places = new BitSet();
-    if (all || changed.isEmpty()) {
+    if (changed.isEmpty()) {
       places.set(0, slots.length);
     } else {
       changed.get().forEach(shape -> places.set(shape.index()));
