@@ -3,6 +3,7 @@ package org.selectiverenderer.browser.instance;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.IntConsumer;
+import java.util.function.IntToLongFunction;
 import org.selectiverenderer.geometry.bvh.Bvh;
 import org.selectiverenderer.geometry.bvh.BvhBuilder;
 
@@ -34,6 +35,17 @@ public final class ShapeTree {
   public void search(Bvh.BoxTest test, IntConsumer found) {
     refresh();
     boxes.search(test, found);
+  }
+
+  /**
+   * Returns the indices of all shapes in groups of neighbours.
+   *
+   * @param weight the weight of the shape of an index
+   * @param most the largest weight of a group, if it has more than a few shapes
+   */
+  public List<int[]> groups(IntToLongFunction weight, long most) {
+    refresh();
+    return boxes.groups(weight, most);
   }
 
   private void refresh() {
