@@ -84,7 +84,7 @@ final class DrawItemCache implements Culler.Items {
   private long triangles; // Of all items.
 
   private final Map<ShapeInstance, Integer> moves = new IdentityHashMap<>();
-  private LightChangeDetector watch = new LightChangeDetector(List.of());
+  private @Nullable LightChangeDetector watch;
   private long read;
 
   DrawItemCache(GpuResourceCache assets, UnseenShapes.Limits limits) {
@@ -218,9 +218,10 @@ final class DrawItemCache implements Culler.Items {
     if (changed) {
       restructure(newTree, all);
     }
-    boolean otherLight = watch.changed();
-    boolean movedLight = watch.moved();
-    BitSet candidates = candidates(newTree, changed || otherLight || movedLight);
+    LightChangeDetector lights = Objects.requireNonNull(watch);
+    lights.look();
+    boolean otherLight = lights.changed();
+    BitSet candidates = candidates(newTree, changed || otherLight || lights.moved());
     if (all && !changed) {
       unseen.all().forEach(this::await);
     }
@@ -469,7 +470,7 @@ final class DrawItemCache implements Culler.Items {
       left -= fresh ? cost(shape) : 0;
       waiting.set(i, late.get(i) || (!all && before == null && !shape.shown()));
     }
-    watch = new LightChangeDetector(newTree.lights());
+    watch = new LightChangeDetector(newTree);
     moves.keySet().retainAll(known.keySet());
   }
 }
