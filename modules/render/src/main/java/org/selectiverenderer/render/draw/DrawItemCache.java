@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.IntConsumer;
 import java.util.function.Predicate;
+import java.util.stream.IntStream;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
@@ -255,7 +256,7 @@ final class DrawItemCache implements Culler.Items {
     int group = unseen.nearest(eye);
     for (int place : unseen.unseen(group).toArray()) {
       if (arrivals.left > 0) {
-        arrivals.take(place);
+        arrivals.takeIfReady(place);
       }
     }
     fill(arrivals.places, assets.prepare(gl, arrivals.requests, true));
@@ -315,12 +316,12 @@ final class DrawItemCache implements Culler.Items {
       }
     }
     for (int i = late.nextSetBit(0); i >= 0 && arrivals.left > 0; i = late.nextSetBit(i + 1)) {
-      arrivals.take(i);
+      arrivals.takeIfReady(i);
     }
     for (int i = waiting.nextSetBit(0);
         i >= 0 && arrivals.left > 0;
         i = waiting.nextSetBit(i + 1)) {
-      arrivals.take(i);
+      arrivals.takeIfReady(i);
     }
     fill(arrivals.places, assets.prepare(gl, arrivals.requests, true));
   }
@@ -329,10 +330,20 @@ final class DrawItemCache implements Culler.Items {
   private final class Arrivals {
     final List<Integer> places = new ArrayList<>();
     final List<LightingPlanner.Request> requests = new ArrayList<>();
+    private final long portion;
     long left;
 
     Arrivals(long portion) {
+      this.portion = portion;
       left = portion;
+    }
+
+    /** Takes a shape, unless its mesh is so large that it is still being packed. */
+    void takeIfReady(int place) {
+      Mesh mesh = mesh(shapes.get(place));
+      if (portion == Long.MAX_VALUE || mesh == null || assets.ready(mesh)) {
+        take(place);
+      }
     }
 
     void take(int place) {
@@ -347,6 +358,11 @@ final class DrawItemCache implements Culler.Items {
         requests.add(new LightingPlanner.Request(shape, mesh, shape.lights(), true));
       }
     }
+  }
+
+  private boolean ready(ShapeInstance shape) {
+    Mesh mesh = mesh(shape);
+    return mesh == null || assets.ready(mesh);
   }
 
   /** Returns the cost of uploading a shape, in triangles. */
@@ -466,11 +482,15 @@ final class DrawItemCache implements Culler.Items {
       }
       ShapeInstance shape = shapes.get(i);
       boolean fresh = before == null && shape.shown() && !older.contains(shape);
-      late.set(i, fresh && left <= 0);
-      left -= fresh ? cost(shape) : 0;
+      late.set(i, fresh && (left <= 0 || !(all || other || ready(shape))));
+      left -= fresh && !late.get(i) ? cost(shape) : 0;
       waiting.set(i, late.get(i) || (!all && before == null && !shape.shown()));
     }
     watch = new LightChangeDetector(newTree);
+    Set<Mesh> wanted = Collections.newSetFromMap(new IdentityHashMap<>());
+    IntStream.concat(waiting.stream(), unseen.all())
+        .forEach(place -> shapes.get(place).mesh().ifPresent(wanted::add));
+    assets.keepPacked(wanted);
     moves.keySet().retainAll(known.keySet());
   }
 }
