@@ -13,6 +13,7 @@ import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.render.lighting.MeshMetrics;
 import org.selectiverenderer.render.mesh.MeshPacker;
 import org.selectiverenderer.render.mesh.PackedMesh;
+import org.selectiverenderer.render.occlusion.MeshOccluders;
 
 /**
  * Measures and packs large meshes on a thread of its own, {@code mesh-packer}, so that no frame
@@ -20,8 +21,14 @@ import org.selectiverenderer.render.mesh.PackedMesh;
  * renderer's thread.
  */
 final class BackgroundPacker {
-  /** A mesh that is ready to be uploaded. */
-  record Packed(MeshMetrics survey, PackedMesh mesh) {}
+  /** A mesh that is ready to be uploaded, with its occluders found. */
+  record Packed(MeshMetrics survey, PackedMesh mesh, MeshOccluders occluders) {
+    static Packed of(Mesh mesh, MeshMetrics survey) {
+      MeshOccluders occluders = MeshOccluders.of(mesh);
+      occluders.find();
+      return new Packed(survey, MeshPacker.pack(mesh), occluders);
+    }
+  }
 
   private final Function<Mesh, MeshMetrics> survey;
   private final Map<Mesh, CompletableFuture<Packed>> jobs = new IdentityHashMap<>();
@@ -49,7 +56,7 @@ final class BackgroundPacker {
             mesh,
             of ->
                 CompletableFuture.supplyAsync(
-                    () -> new Packed(survey.apply(of), MeshPacker.pack(of)), thread))
+                    () -> Packed.of(of, survey.apply(of)), thread))
         .isDone();
   }
 

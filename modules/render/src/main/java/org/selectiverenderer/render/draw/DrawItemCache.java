@@ -47,14 +47,17 @@ final class DrawItemCache implements Culler.Items {
   private static final int MOST_MOVES = 3;
 
   /**
-   * Triangles of deferred shapes that are uploaded per frame (about 5 ms), where each shape counts
-   * for at least {@link #LEAST_OF_ONE}.
+   * The time of a frame that the upload of deferred shapes may take, in nanoseconds; and likewise
+   * for shapes that are near, but that no eye has seen.
    */
+  private static final double DEFERRED = 5e6;
+
+  private static final double AHEAD = DEFERRED / 4;
+
+  /** The triangles that are uploaded in such a time at first and at most. */
   private static final int PORTION = 20_000;
 
-  /** Likewise for shapes that are near, but that no eye has seen. */
-  private static final int AHEAD = PORTION / 4;
-
+  /** What one shape counts for at least, in triangles. */
   private static final int LEAST_OF_ONE = 40;
 
   /**
@@ -83,6 +86,9 @@ final class DrawItemCache implements Culler.Items {
   private final BitSet inView = new BitSet(); // The groups of which some item is in view.
   private Vector3dc eye = new Vector3d();
   private long triangles; // Of all items.
+
+  /** The measured time of making a triangle ready, in nanoseconds. */
+  private double perTriangle = DEFERRED / PORTION;
 
   private final Map<ShapeInstance, Integer> moves = new IdentityHashMap<>();
   private @Nullable LightChangeDetector watch;
@@ -196,7 +202,7 @@ final class DrawItemCache implements Culler.Items {
                 }
               });
     }
-    fill(arrivals.places, assets.prepare(gl, arrivals.requests, true));
+    take(gl, arrivals);
   }
 
   /** Notes what is seen in a frame, and from where, by which the next decides what to keep. */
@@ -227,7 +233,7 @@ final class DrawItemCache implements Culler.Items {
       unseen.all().forEach(this::await);
     }
     if ((waited || all) && !changed) {
-      arrive(gl, all ? Long.MAX_VALUE : PORTION, candidates);
+      arrive(gl, all ? Long.MAX_VALUE : portion(DEFERRED), candidates);
     } else if (!changed) {
       approach(gl);
     }
@@ -252,14 +258,14 @@ final class DrawItemCache implements Culler.Items {
     if (unseen.isEmpty() || triangles >= unseen.limits().ahead()) {
       return;
     }
-    Arrivals arrivals = new Arrivals(AHEAD);
+    Arrivals arrivals = new Arrivals(portion(AHEAD));
     int group = unseen.nearest(eye);
     for (int place : unseen.unseen(group).toArray()) {
       if (arrivals.left > 0) {
         arrivals.takeIfReady(place);
       }
     }
-    fill(arrivals.places, assets.prepare(gl, arrivals.requests, true));
+    take(gl, arrivals);
   }
 
   /** Gives up the items of groups that are far and not in view, if there are too many. */
@@ -323,7 +329,22 @@ final class DrawItemCache implements Culler.Items {
         i = waiting.nextSetBit(i + 1)) {
       arrivals.takeIfReady(i);
     }
+    take(gl, arrivals);
+  }
+
+  /** Returns the triangles that can be made ready in some nanoseconds. */
+  private long portion(double time) {
+    return Math.max(1, Math.min(PORTION, Math.round(time / perTriangle)));
+  }
+
+  /** Makes shapes ready, and measures how long that takes. */
+  private void take(GL3 gl, Arrivals arrivals) {
+    long start = System.nanoTime();
     fill(arrivals.places, assets.prepare(gl, arrivals.requests, true));
+    if (arrivals.taken > 0) {
+      double now = (System.nanoTime() - start) / (double) arrivals.taken;
+      perTriangle += (now - perTriangle) / 4; // One frame that was interrupted tells little.
+    }
   }
 
   /** The deferred shapes that are uploaded with this frame. */
@@ -332,6 +353,7 @@ final class DrawItemCache implements Culler.Items {
     final List<LightingPlanner.Request> requests = new ArrayList<>();
     private final long portion;
     long left;
+    long taken;
 
     Arrivals(long portion) {
       this.portion = portion;
@@ -352,6 +374,7 @@ final class DrawItemCache implements Culler.Items {
       late.clear(place);
       unseen.remove(place);
       left -= cost(shape);
+      taken += cost(shape);
       Mesh mesh = mesh(shape);
       if (mesh != null) {
         places.add(place);

@@ -48,7 +48,7 @@ final class GpuResourceCache {
     }
   }
 
-  private record Packed(Drawn drawn, PackedMesh mesh) {}
+  private record Packed(Drawn drawn, PackedMesh mesh, MeshOccluders occluders) {}
 
   GpuResourceCache(LightingPlanner planner, TextureFilterQuality filters) {
     this.planner = planner;
@@ -186,24 +186,26 @@ final class GpuResourceCache {
 
   private void upload(GL3 gl, Map<RefinedMeshKey, Drawn> missing) {
     missing.values().parallelStream()
-        .map(drawn -> new Packed(drawn, packed(drawn)))
+        .map(this::packed)
         .toList()
         .forEach(
             packed -> {
               RefinedMeshKey form = packed.drawn().form();
               packer.forget(form.source());
-              // The refined triangles cover the same surface as the mesh's own.
-              MeshOccluders occluders = MeshOccluders.of(form.source());
-              SubMesh part = SubMesh.whole(new GpuMesh(gl, packed.mesh(), buffers), occluders);
+              SubMesh part =
+                  SubMesh.whole(new GpuMesh(gl, packed.mesh(), buffers), packed.occluders());
               meshes.put(form, new Uploaded(part, packed.drawn().survey()));
               uploads++;
             });
   }
 
-  private PackedMesh packed(Drawn drawn) {
+  private Packed packed(Drawn drawn) {
     RefinedMeshKey form = drawn.form();
     BackgroundPacker.Packed ahead = form.isPlain() ? packer.of(form.source()) : null;
-    return ahead == null ? MeshPacker.pack(drawn.staged()) : ahead.mesh();
+    return ahead == null
+        // The refined triangles cover the same surface as the mesh's own.
+        ? new Packed(drawn, MeshPacker.pack(drawn.staged()), MeshOccluders.of(form.source()))
+        : new Packed(drawn, ahead.mesh(), ahead.occluders());
   }
 
   private DrawItem item(BatchPlanner.Candidate shape, Mesh source, SubMesh part) {
