@@ -1,11 +1,8 @@
 package org.selectiverenderer.browser.instance;
 
 import java.util.ArrayList;
-import java.util.Collections;
-import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Problem;
@@ -28,13 +25,13 @@ final class SharedShapeState implements NodeObserver {
   private final AssetProvider assets;
   private final InstanceTree tree;
   final List<ShapeInstance> instances = new ArrayList<>(1);
-  private final Set<Node> observed = Collections.newSetFromMap(new IdentityHashMap<>());
+  private List<Node> inAppearance = List.of();
+  private List<Node> inGeometry = List.of();
   private @Nullable Mesh mesh;
   private @Nullable Vector3dc anchor;
   private SurfaceMaterial surface = SurfaceMaterial.UNLIT_WHITE;
   private DrawProperties stroke = DrawProperties.PLAIN;
   private List<ShaderProgramSource> programs = List.of();
-  private final Set<Node> inGeometry = Collections.newSetFromMap(new IdentityHashMap<>());
   private boolean pending;
   private boolean disposed;
   private boolean onScreen;
@@ -132,14 +129,13 @@ final class SharedShapeState implements NodeObserver {
   }
 
   private void observe() {
-    observed.add(shape);
     shape.addObserver(this);
     geometry = shape.node("geometry");
     if (geometry != null) {
-      observe(geometry, inGeometry);
+      inGeometry = observed(geometry);
       int changes = 0;
-      for (Node part : inGeometry) {
-        changes += part.changes();
+      for (int i = 0; i < inGeometry.size(); i++) {
+        changes += inGeometry.get(i).changes();
       }
       if (changes > 0) {
         assets.asOf(geometry, changes);
@@ -147,23 +143,24 @@ final class SharedShapeState implements NodeObserver {
     }
     Node appearance = shape.node("appearance");
     if (appearance != null) {
-      observe(appearance, observed);
+      inAppearance = observed(appearance);
     }
   }
 
-  private void observe(Node node, Set<Node> set) {
-    for (Node part : NodeSubgraphCollector.of(node)) {
-      if (set.add(part)) {
-        part.addObserver(this);
-        if (part.changes() > 0 && hasAsset(part)) {
-          assets.asOf(part, part.changes());
-        }
-        if (part instanceof SoundSourceNode film) {
-          films = films.isEmpty() ? new ArrayList<>(1) : films;
-          films.add(film);
-        }
+  private List<Node> observed(Node top) {
+    List<Node> parts = List.copyOf(NodeSubgraphCollector.of(top)); // compact
+    for (int i = 0; i < parts.size(); i++) {
+      Node part = parts.get(i);
+      part.addObserver(this);
+      if (part.changes() > 0 && hasAsset(part)) {
+        assets.asOf(part, part.changes());
+      }
+      if (part instanceof SoundSourceNode film) {
+        films = films.isEmpty() ? new ArrayList<>(1) : films;
+        films.add(film);
       }
     }
+    return parts;
   }
 
   /** Returns whether a node of an appearance has an asset of its own. */
@@ -233,9 +230,10 @@ final class SharedShapeState implements NodeObserver {
 
   private void forget() {
     films = List.of();
-    observed.forEach(node -> node.removeObserver(this));
-    observed.clear();
+    shape.removeObserver(this);
+    inAppearance.forEach(node -> node.removeObserver(this));
+    inAppearance = List.of();
     inGeometry.forEach(node -> node.removeObserver(this));
-    inGeometry.clear();
+    inGeometry = List.of();
   }
 }
