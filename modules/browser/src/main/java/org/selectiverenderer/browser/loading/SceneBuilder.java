@@ -19,12 +19,12 @@ import org.selectiverenderer.browser.nodes.script.ScriptNode;
 import org.selectiverenderer.browser.nodes.sound.AudioClipNode;
 import org.selectiverenderer.browser.nodes.sound.MovieTextureNode;
 import org.selectiverenderer.browser.scene.Node;
+import org.selectiverenderer.browser.scene.NodeTemplate;
 import org.selectiverenderer.browser.scene.Route;
 import org.selectiverenderer.browser.scene.Scene;
 import org.selectiverenderer.browser.sound.AudioBuffer;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
-import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.geodesy.SpatialReferenceSystem;
 import org.selectiverenderer.x3d.read.ParsedNode;
@@ -107,6 +107,10 @@ final class SceneBuilder {
   /** What all scenes of one file have in common besides its nodes' values. */
   private final class SharedHead {
     private final LoadedFile content;
+
+    /** The templates of Shapes and geometry nodes. */
+    final Map<ParsedNode, NodeTemplate> templates = new IdentityHashMap<>();
+
     final Map<String, Integer> components;
     final Map<String, String> meta;
     final Map<String, String> exports;
@@ -123,6 +127,20 @@ final class SceneBuilder {
       Map<String, String> exported = new LinkedHashMap<>();
       file.exports().forEach(export -> exported.put(export.as(), export.localDef()));
       exports = Collections.unmodifiableMap(exported);
+      content
+          .meshes()
+          .forEach(
+              (geometry, mesh) ->
+                  templates.put(geometry, new NodeTemplate(geometry.location(), mesh)));
+    }
+
+    @Nullable NodeTemplate template(ParsedNode parsed) {
+      NodeTemplate known = templates.get(parsed);
+      if (known == null && parsed.type().name().equals("Shape")) {
+        known = new NodeTemplate(parsed.location(), null);
+        templates.put(parsed, known);
+      }
+      return known;
     }
 
     /** Returns the context of the file's urls where it is inlined by some other files. */
@@ -223,11 +241,10 @@ final class SceneBuilder {
       depth++;
       Node node = factory.make(parsed.type(), parsed.name(), parsed.location());
       made.put(parsed, node);
-      List<FieldDefinition> fields = parsed.type().fields();
-      for (int i = 0; i < fields.size(); i++) {
-        if (parsed.given(i)) {
-          node.init(i, convert(fields.get(i), parsed));
-        }
+      node.init(values(parsed));
+      NodeTemplate template = head.template(parsed);
+      if (template != null) {
+        node.template(template);
       }
       attach(parsed, node);
       depth--;
@@ -254,28 +271,36 @@ final class SceneBuilder {
       return !tooMany;
     }
 
-    private List<Node> makeAll(List<? extends NodeView> parsed) {
+    private List<Node> makeAll(List<?> parsed) {
       List<Node> made = new ArrayList<>(parsed.size());
-      for (NodeView node : parsed) {
+      for (Object node : parsed) {
         make((ParsedNode) node).ifPresent(made::add);
       }
       return List.copyOf(made);
     }
 
-    private Object convert(FieldDefinition field, ParsedNode parsed) {
-      Object value = parsed.value(field.index());
-      if (field.type() == FieldType.SFNode) {
-        return value instanceof ParsedNode child ? make(child).orElse(null) : null;
+    /** Returns a node's values: the array of the parsed node itself if it holds no other nodes. */
+    private @Nullable Object[] values(ParsedNode parsed) {
+      List<FieldDefinition> fields = parsed.type().fields();
+      @Nullable Object[] shared = parsed.values();
+      @Nullable Object[] values = shared;
+      for (int i = 0; i < shared.length; i++) {
+        if (shared[i] == null) {
+          continue;
+        }
+        FieldType type = fields.get(i).type();
+        if (type == FieldType.SFNode || type == FieldType.MFNode) {
+          values = values == shared ? shared.clone() : values;
+          values[i] =
+              shared[i] instanceof List<?> children
+                  ? makeAll(children)
+                  : make((ParsedNode) shared[i]).orElse(null);
+        }
       }
-      if (field.type() == FieldType.MFNode) {
-        return makeAll(parsed.nodes(field.name()));
-      }
-      return value;
+      return values;
     }
 
     private void attach(ParsedNode parsed, Node node) {
-      Optional.ofNullable(content.meshes().get(parsed))
-          .ifPresent(mesh -> store.assets().put(node, mesh));
       Optional.ofNullable(content.images().get(parsed))
           .ifPresent(image -> store.assets().putImage(node, image));
       if (node instanceof InlineNode inline) {
