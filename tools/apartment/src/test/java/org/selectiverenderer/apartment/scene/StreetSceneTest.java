@@ -47,7 +47,6 @@ class StreetSceneTest {
     try (Stream<Path> pictures = Files.list(Path.of("inlineNodes", "textures"))) {
       pictures.forEach(this::copy);
     }
-    Files.createDirectory(folder.resolve(".git")); // Marks the project.
     Path street = folder.resolve("scenes").resolve(StreetScene.fileName(2));
     Files.writeString(street, StreetScene.text(2));
     List<Problem> problems = new ArrayList<>();
