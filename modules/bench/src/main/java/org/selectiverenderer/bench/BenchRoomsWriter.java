@@ -30,7 +30,8 @@ final class BenchRoomsWriter {
       box(out, WALLS, bounds[i], 0.25, 0, 0.08, 0.5, 2 * HALF_DEPTH);
     }
     for (int room = 1; room < bounds.length; room++) {
-      sensor(out, enabled, room, bounds[room - 1], bounds[room]);
+      double x = (bounds[room - 1] + bounds[room]) / 2;
+      area(out, enabled, "Room" + room, x, 0, bounds[room] - bounds[room - 1]);
     }
   }
 
@@ -50,15 +51,19 @@ final class BenchRoomsWriter {
     out.empty("Box", "size", numbers(width, height, depth)).close().close();
   }
 
-  private static void sensor(
-      X3dWriter out, boolean enabled, int room, double west, double east) {
-    String name = "Room" + room;
+  /**
+   * Writes a sensor as deep and high as the house.
+   *
+   * @param name of the area, and of the schema that one activates by entering it
+   */
+  static void area(
+      X3dWriter out, boolean enabled, String name, double x, double z, double width) {
     out.open("ProximitySensor", "DEF", name + "Prox");
     if (!enabled) {
       out.attribute("enabled", "false");
     }
-    out.attribute("center", DecimalFormatter.fixed((west + east) / 2, 3) + " 1.3 0");
-    out.attribute("size", DecimalFormatter.fixed(east - west, 3) + " 2.6 7");
+    out.attribute("center", DecimalFormatter.fixed(x, 3) + " 1.3 " + DecimalFormatter.rounded(z, 3));
+    out.attribute("size", DecimalFormatter.fixed(width, 3) + " 2.6 7");
     out.open("MetadataSet", "containerField", "metadata");
     BenchSwitchWriter.string(out, "enterTimeSchema", name + "Schema");
     BenchSwitchWriter.string(out, "exitTimeSchema", "HouseSchema");

@@ -18,6 +18,9 @@ public final class VersionsSceneGenerator {
   /** The number of objects that a room's area turns to the higher version. */
   static final int UNEXPECTED = 2;
 
+  /** An area behind the house, to which the path does not lead. */
+  private static final String GARDEN = "Garden";
+
   private static final String HIGH = "high";
   private static final String LOW = "low";
 
@@ -55,8 +58,9 @@ public final class VersionsSceneGenerator {
               HeavySceneGenerator.name(i),
               x,
               z,
-              turns ? "Room" + room + "Schema" : "OtherPlaceSchema");
+              turns ? "Room" + room + "Schema" : GARDEN + "Schema");
         });
+    BenchRoomsWriter.area(out, true, GARDEN, 0, 20, 17);
     Path scene = dir.resolve("scene.x3d");
     long bytes = high.bytes() + low.bytes() + HeavySceneGenerator.write(scene, out.finish());
     Path path = dir.resolve("bench-path.csv");

@@ -92,6 +92,7 @@ class GrowthSeriesTest {
     CameraPath path = CameraPathReader.read(scene.path(), new ProblemCollector()).orElseThrow();
     List<ControlEvent> events = new ArrayList<>();
     try (Walkthrough walk = open(scene, events)) {
+      assertThat(walk.problems().any()).isFalse();
       for (double time = 0; time <= path.end(); time += 0.25) {
         walk.step(time, new PathMotion(path, 0));
         assertThat(walk.enteredAreas()).hasSize(1);

@@ -25,7 +25,7 @@ class ConditionComparisonTest {
         .mapToObj(
             value -> {
               ObjectNode run = json.createObjectNode();
-              run.putObject("frame_ms").put("p50", value);
+              run.putObject("frame_ms").put("processor", value);
               return (JsonNode) run;
             })
         .toList();
@@ -51,7 +51,7 @@ class ConditionComparisonTest {
   }
 
   @Test
-  void theTimeOfVerticesIsThatOfAFrameInTheSmallPicture() {
+  void theTimeOfVerticesIsTheProcessorTimeOfAFrameInTheSmallPicture() {
     ObjectNode room = json.createObjectNode();
 
     ConditionComparison.put(
@@ -61,6 +61,6 @@ class ConditionComparisonTest {
 
     assertThat(room.at("/high/vertex_ms").asDouble()).isEqualTo(8);
     assertThat(room.at("/selective/vertex_ms").asDouble()).isEqualTo(2);
-    assertThat(room.get("vertex_time_to_high").asDouble()).isEqualTo(0.25);
+    assertThat(room.get("vertex_to_high").asDouble()).isEqualTo(0.25);
   }
 }
