@@ -60,7 +60,7 @@ class DeferredUploadTest {
     studio.renderer.follow(gl, scene.tree());
     studio.renderer.draw(
         gl,
-        studio.renderer.cull(List.of(TestImageRenderer.parallel())),
+        studio.renderer.cull(studio.gl(), List.of(TestImageRenderer.parallel())),
         TestImageRenderer.parallel(),
         Background.BLACK,
         false);

@@ -65,6 +65,7 @@ public final class InstanceTree {
   private long structureVersion;
   private long placementVersion;
   private long choiceVersion;
+  private long lightVersion;
   private boolean structureChanged = true;
   private Consumer<? super Node> onMoved = node -> {};
   private boolean cutOff;
@@ -117,6 +118,15 @@ public final class InstanceTree {
   /** Returns a number that changes when a group may show other children or let others be picked. */
   public long choiceVersion() {
     return choiceVersion;
+  }
+
+  /** Returns a number that changes when a light may have changed, moved, or been shown or hidden. */
+  public long lightVersion() {
+    return lightVersion;
+  }
+
+  void lightChanged() {
+    lightVersion++;
   }
 
   void chosen() {
