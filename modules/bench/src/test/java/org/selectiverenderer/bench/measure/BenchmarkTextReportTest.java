@@ -24,7 +24,7 @@ class BenchmarkTextReportTest {
            "polygons_drawn": 300000,
            "polygons": 784002},
          "selective": {"fps": 88.2, "frame_p50_ms": 10.1, "cpu_ms": 20, "vertex_ms": 3.5,
-          
+
            "polygons_drawn": 50123.4, "polygons": 130667}},
        "apartment": {"kitchen": {
          "high": {"fps": 30.4, "polygons_drawn": 277224, "first_frame_ms": 800, "rss_mb": 512.6,
