@@ -44,7 +44,7 @@ public final class InstanceTree {
   /**
    * Number of instances beyond which groups stay empty, since nested USEs multiply without bound.
    */
-  private static final long MAX_INSTANCES = 8_000_000;
+  private static final long MAX_INSTANCES = 16_000_000;
 
   /** Bytes of heap required per instance. */
   private static final long BYTES_PER_INSTANCE = 512;

@@ -13,11 +13,11 @@ public record ReadLimits(long maxBytes, int maxRatio, int maxDepth, int maxNodes
   /**
    * Returns the standard limits: 1 GiB but at most a quarter of the heap, since the text is kept
    * while it is read; a ratio of 1000:1, while real scenes have 3:1 to 30:1; 250 levels, which fit
-   * a stack of half a MiB; 4 million nodes, fewer on a small heap.
+   * a stack of half a MiB; 16 million nodes, fewer on a small heap.
    */
   public static ReadLimits standard() {
     long heap = Runtime.getRuntime().maxMemory();
     return new ReadLimits(
-        Math.min(1L << 30, heap / 4), 1000, 250, (int) Math.min(4_000_000, heap / 512));
+        Math.min(1L << 30, heap / 4), 1000, 250, (int) Math.min(16_000_000, heap / 512));
   }
 }
