@@ -16,6 +16,7 @@ import org.selectiverenderer.browser.scene.NodeSubgraphCollector;
 import org.selectiverenderer.browser.scene.NodeTemplate;
 import org.selectiverenderer.browser.scene.ProceduralShape;
 import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 
 /**
  * The mesh, material and drawing properties of one Shape node, shared by its instances. It observes
@@ -29,6 +30,7 @@ final class SharedShapeState implements NodeObserver {
   private List<Node> inAppearance = List.of();
   private List<Node> inGeometry = List.of();
   private ShapeReading reading;
+  private final int visibleField;
   private boolean pending;
   private boolean disposed;
   private @Nullable Node geometry;
@@ -47,6 +49,7 @@ final class SharedShapeState implements NodeObserver {
     this.shape = shape;
     this.assets = assets;
     this.tree = tree;
+    visibleField = shape.type().field("visible").map(FieldDefinition::index).orElse(-1);
     if (shape instanceof ProceduralShape formed) {
       formed.meshes(assets::mesh);
     }
@@ -142,7 +145,7 @@ final class SharedShapeState implements NodeObserver {
   }
 
   boolean visible() {
-    return shape.type().field("visible").map(f -> (Boolean) shape.value(f.index())).orElse(true);
+    return visibleField < 0 || (Boolean) shape.value(visibleField);
   }
 
   /** Returns the movie textures in the appearance. */

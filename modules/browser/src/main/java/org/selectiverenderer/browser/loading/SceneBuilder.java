@@ -23,6 +23,7 @@ import org.selectiverenderer.browser.scene.NodeTemplate;
 import org.selectiverenderer.browser.scene.Route;
 import org.selectiverenderer.browser.scene.Scene;
 import org.selectiverenderer.browser.sound.AudioBuffer;
+import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.field.FieldType;
@@ -104,12 +105,22 @@ final class SceneBuilder {
     }
   }
 
+  /**
+   * What is found once for all nodes that are made from one parsed node.
+   *
+   * @param template the template of a Shape or geometry node
+   * @param attached whether more belongs to the node than its values: a file, an image, a program
+   */
+  private record Recipe(@Nullable NodeTemplate template, boolean attached) {}
+
   /** What all scenes of one file have in common besides its nodes' values. */
   private final class SharedHead {
     private final LoadedFile content;
 
-    /** The templates of Shapes and geometry nodes. */
-    final Map<ParsedNode, NodeTemplate> templates = new IdentityHashMap<>();
+    final Map<ParsedNode, Recipe> recipes = new IdentityHashMap<>();
+
+    /** The number of nodes in the scene last built, of which most are alike. */
+    int count;
 
     final Map<String, Integer> components;
     final Map<String, String> meta;
@@ -127,20 +138,34 @@ final class SceneBuilder {
       Map<String, String> exported = new LinkedHashMap<>();
       file.exports().forEach(export -> exported.put(export.as(), export.localDef()));
       exports = Collections.unmodifiableMap(exported);
-      content
-          .meshes()
-          .forEach(
-              (geometry, mesh) ->
-                  templates.put(geometry, new NodeTemplate(geometry.location(), mesh)));
     }
 
-    @Nullable NodeTemplate template(ParsedNode parsed) {
-      NodeTemplate known = templates.get(parsed);
-      if (known == null && parsed.type().name().equals("Shape")) {
-        known = new NodeTemplate(parsed.location(), null);
-        templates.put(parsed, known);
+    /** Returns the recipe of a node of the file; at the first time it reports the node's type. */
+    Recipe recipe(ParsedNode parsed) {
+      Recipe known = recipes.get(parsed);
+      if (known == null) {
+        known = newRecipe(parsed);
+        recipes.put(parsed, known);
       }
       return known;
+    }
+
+    private Recipe newRecipe(ParsedNode parsed) {
+      NodeType type = parsed.type();
+      store.kept(type).ifPresent(text -> content.info(parsed.location(), text));
+      Optional<Mesh> mesh = content.meshes().get(parsed);
+      boolean attached =
+          type.is("X3DUrlObject")
+              || type.is("X3DTextureNode")
+              || type.name().equals("Inline")
+              || type.component().equals("Geospatial")
+              || BackgroundTextures.names(type)
+              || content.images().containsKey(parsed);
+      return new Recipe(
+          mesh != null || type.name().equals("Shape")
+              ? new NodeTemplate(parsed.location(), mesh)
+              : null,
+          attached);
     }
 
     /** Returns the context of the file's urls where it is inlined by some other files. */
@@ -172,7 +197,7 @@ final class SceneBuilder {
       X3dFile file = content.file();
       modern = file.version().startsWith("4");
       // A capacity for which the map hardly ever grows.
-      made = new IdentityHashMap<>(4 * file.named().size() + 32);
+      made = new IdentityHashMap<>(head.count > 0 ? head.count : 4 * file.named().size() + 32);
       origin = head.origin(above);
       Node top = factory.make(groupType, null, SourceLocation.of(file.source()));
       store.origin(top, origin);
@@ -213,6 +238,7 @@ final class SceneBuilder {
       PrototypeInstanceBuilder.build(file.instances(), made);
       new ImportBuilder(scene, this::end).build(file);
       scene.imports().refresh(scene, ImportUpdater::content, content::error);
+      head.count = made.size();
       return scene;
     }
 
@@ -242,11 +268,13 @@ final class SceneBuilder {
       Node node = factory.make(parsed.type(), parsed.name(), parsed.location());
       made.put(parsed, node);
       node.init(values(parsed));
-      NodeTemplate template = head.template(parsed);
-      if (template != null) {
-        node.template(template);
+      Recipe recipe = head.recipe(parsed);
+      if (recipe.template() != null) {
+        node.template(recipe.template());
       }
-      attach(parsed, node);
+      if (recipe.attached()) {
+        attach(parsed, node);
+      }
       depth--;
       return Optional.of(node);
     }
@@ -337,7 +365,6 @@ final class SceneBuilder {
       if (modern && node.type().is("X3DTextureNode")) {
         store.assets().multiply(node);
       }
-      store.kept(node.type()).ifPresent(text -> content.info(node.location(), text));
     }
 
     private void geospatial(Node node, UrlContext base) {

@@ -31,16 +31,16 @@ final class EmbeddedScene extends PrototypelessSceneAdapter {
   private final SaiContext binding;
   private final SceneFactory maker;
   private final Scene scene;
-  private final String worldUrl;
+  private final @Nullable String worldUrl;
   private final int children;
   private volatile boolean shown;
   private volatile boolean disposed;
 
   /**
    * @param scene the scene, whose lock is held while its lists of names are read or written
-   * @param worldUrl the scene's full URL, or empty
+   * @param worldUrl the scene's full URL, or empty; null for that of the file it was read from
    */
-  EmbeddedScene(SaiContext binding, SceneFactory maker, Scene scene, String worldUrl) {
+  EmbeddedScene(SaiContext binding, SceneFactory maker, Scene scene, @Nullable String worldUrl) {
     this.binding = binding;
     this.maker = maker;
     this.scene = scene;
@@ -128,7 +128,7 @@ final class EmbeddedScene extends PrototypelessSceneAdapter {
   @Override
   public String getWorldURL() {
     check();
-    return worldUrl;
+    return worldUrl != null ? worldUrl : SaiUrls.urlOf(scene.url());
   }
 
   @Override
