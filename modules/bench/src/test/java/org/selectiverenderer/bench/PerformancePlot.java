@@ -18,7 +18,26 @@ enum PerformancePlot {
       Form.CURVES, "More sensors", "of which few are near the viewer", "sensors", "milliseconds"),
   GROWTH_SWITCHES(
       Form.CURVES, "More switches", "of which ten change at a time", "switches", "milliseconds"),
-  GROWTH_INLINES(Form.CURVES, "More inlined files", "of equal size", "files", "milliseconds");
+  GROWTH_INLINES(Form.CURVES, "More inlined files", "of equal size", "files", "milliseconds"),
+  STREET_FRAME(
+      Form.CURVES,
+      "A frame in a street",
+      "the first apartment's walls hide the others; less is better",
+      "apartments",
+      "milliseconds"),
+  STREET_LOAD(
+      Form.CURVES,
+      "Until a street is drawn",
+      "this program from the start of reading, others from that of the process",
+      "apartments",
+      "seconds"),
+  STREET_MEMORY(
+      Form.CURVES, "Resident memory in a street", "at most, while it is shown", "apartments", "megabytes"),
+  SELECTIVE(
+      Form.PARTS,
+      "What selective rendering saves",
+      "processor time of a frame, heavy scene with two versions of each object",
+      " ms");
 
   /** How the figures are drawn. */
   enum Form {

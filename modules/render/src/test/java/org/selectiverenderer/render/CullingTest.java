@@ -89,12 +89,12 @@ class CullingTest {
     for (int trial = 0; trial < 20; trial++) {
       Camera camera = TestImageRenderer.perspective(looking(random));
       byte[] culled = studio.shoot(scene, camera, Background.BLACK, false, 0).rgba();
-      long few = studio.renderer.cull(List.of(camera)).indices();
+      long few = studio.renderer.cull(studio.gl(), List.of(camera)).indices();
       Camera everything = new Camera(new Matrix4d(), all, 0, 0, 64, 64);
       Camera behind = new Camera(new Matrix4d().rotateY(Math.PI), all, 0, 0, 64, 64);
       byte[] whole = shoot(scene, List.of(camera, everything, behind));
       assertThat(whole).isEqualTo(culled);
-      spared += studio.renderer.cull(List.of(camera, everything, behind)).indices() - few;
+      spared += studio.renderer.cull(studio.gl(), List.of(camera, everything, behind)).indices() - few;
     }
     assertThat(spared).isPositive();
   }
@@ -104,7 +104,7 @@ class CullingTest {
     var target = new org.selectiverenderer.render.context.OffscreenFramebuffer(gl, 64, 64, 0);
     target.bind(gl);
     studio.renderer.prepare(gl, scene.tree());
-    studio.renderer.draw(gl, studio.renderer.cull(eyes), eyes.get(0), Background.BLACK, false);
+    studio.renderer.draw(gl, studio.renderer.cull(studio.gl(), eyes), eyes.get(0), Background.BLACK, false);
     byte[] rgba = target.read(gl).rgba();
     target.dispose(gl);
     return rgba;
@@ -129,9 +129,9 @@ class CullingTest {
         TestScene.of(
             "<Switch DEF='S' whichChoice='-1'><Shape><Box/></Shape></Switch><Shape><Box/></Shape>");
     studio.renderer.prepare(studio.gl(), scene.tree());
-    assertThat(studio.renderer.cull(List.of(TestImageRenderer.parallel())).shapes()).isEqualTo(1);
+    assertThat(studio.renderer.cull(studio.gl(), List.of(TestImageRenderer.parallel())).shapes()).isEqualTo(1);
     scene.set("S", "whichChoice", 0);
     studio.renderer.prepare(studio.gl(), scene.tree());
-    assertThat(studio.renderer.cull(List.of(TestImageRenderer.parallel())).shapes()).isEqualTo(2);
+    assertThat(studio.renderer.cull(studio.gl(), List.of(TestImageRenderer.parallel())).shapes()).isEqualTo(2);
   }
 }

@@ -47,7 +47,7 @@ class DiffuseBatchTest {
     try (TestImageRenderer studio = new TestImageRenderer(shading)) {
       Screenshot shot =
           studio.shoot(scene, TestImageRenderer.parallel(), Background.BLACK, true, 0);
-      assertThat(studio.renderer.cull(List.of(TestImageRenderer.parallel())).calls())
+      assertThat(studio.renderer.cull(studio.gl(), List.of(TestImageRenderer.parallel())).calls())
           .as("three plain ones, two that glow, one that shines")
           .isEqualTo(3);
       assertThat(List.of(at(shot, -2, 0), at(shot, 0, 0), at(shot, 2, 0)))
@@ -88,7 +88,7 @@ class DiffuseBatchTest {
               Background.BLACK,
               true,
               0);
-      VisibleSet seen = studio.renderer.cull(List.of(TestImageRenderer.parallel()));
+      VisibleSet seen = studio.renderer.cull(studio.gl(), List.of(TestImageRenderer.parallel()));
       assertThat(seen.shapes()).isEqualTo(8);
       assertThat(seen.calls()).as("2,000 triangles at their finest, 64 from afar").isEqualTo(1);
       assertThat(at(shot, -3, -1) & 0xff).isPositive().isLessThan(at(shot, 3, 1) & 0xff);

@@ -42,7 +42,7 @@ class DrawBatchTest {
 
   private VisibleSet visible(TestScene scene) {
     studio.renderer.prepare(studio.gl(), scene.tree());
-    return studio.renderer.cull(List.of(TestImageRenderer.parallel()));
+    return studio.renderer.cull(studio.gl(), List.of(TestImageRenderer.parallel()));
   }
 
   /** What is seen of the square around a place. */
@@ -330,6 +330,6 @@ class DrawBatchTest {
 
   private int calls() {
     Matrix4d all = new Matrix4d().setOrtho(-99, 99, -99, 99, -99, 99);
-    return studio.renderer.cull(List.of(new Camera(new Matrix4d(), all, 0, 0, 64, 64))).calls();
+    return studio.renderer.cull(studio.gl(), List.of(new Camera(new Matrix4d(), all, 0, 0, 64, 64))).calls();
   }
 }

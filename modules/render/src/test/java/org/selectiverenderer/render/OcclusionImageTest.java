@@ -56,12 +56,12 @@ class OcclusionImageTest {
     for (int pose = 0; pose < poses; pose++) {
       Camera camera = camera(x, y, z);
       List<Camera> eyes = List.of(camera);
-      VisibleSet whole = studio.renderer.cullToView(eyes);
+      VisibleSet whole = studio.renderer.cullToView(studio.gl(), eyes);
       long indices = whole.indices();
       byte[] expected = draw(target, whole, camera);
-      VisibleSet part = studio.renderer.cull(eyes);
+      VisibleSet part = studio.renderer.cull(studio.gl(), eyes);
       for (int look = 1; look < LOOKS && part.indices() == indices; look++) {
-        part = studio.renderer.cull(eyes);
+        part = studio.renderer.cull(studio.gl(), eyes);
       }
       all += indices;
       drawn += part.indices();

@@ -150,7 +150,7 @@ class VertexShadingTest {
     for (ShadingMode shading : List.of(ShadingMode.PIXEL, ShadingMode.VERTEX)) {
       try (TestImageRenderer studio = new TestImageRenderer(shading)) {
         shots.add(studio.shoot(scene));
-        assertThat(studio.renderer.cull(List.of(TestImageRenderer.parallel())).calls())
+        assertThat(studio.renderer.cull(studio.gl(), List.of(TestImageRenderer.parallel())).calls())
             .as("two small ones in one call, of the others each its own, %s", shading)
             .isEqualTo(4);
       }
@@ -235,7 +235,7 @@ class VertexShadingTest {
       TestScene scene = TestScene.of(LAMP + WALL);
       studio.shoot(scene);
       assertThat(studio.renderer.items().get(0).mesh().indexCount()).isGreaterThan(100);
-      assertThat(studio.renderer.cull(List.of(TestImageRenderer.parallel())).indices())
+      assertThat(studio.renderer.cull(studio.gl(), List.of(TestImageRenderer.parallel())).indices())
           .isEqualTo(6);
     }
   }

@@ -44,7 +44,7 @@ public final class InstanceTree {
   /**
    * Number of instances beyond which groups stay empty, since nested USEs multiply without bound.
    */
-  private static final long MAX_INSTANCES = 8_000_000;
+  private static final long MAX_INSTANCES = 16_000_000;
 
   /** Bytes of heap required per instance. */
   private static final long BYTES_PER_INSTANCE = 512;
@@ -70,6 +70,7 @@ public final class InstanceTree {
   private long structureVersion;
   private long placementVersion;
   private long choiceVersion;
+  private long lightVersion;
   private boolean structureChanged = true;
   private Consumer<? super Node> onMoved = node -> {};
   private boolean cutOff;
@@ -122,6 +123,15 @@ public final class InstanceTree {
   /** Returns a number that changes when a group may show other children or let others be picked. */
   public long choiceVersion() {
     return choiceVersion;
+  }
+
+  /** Returns a number that changes when a light may have changed, moved, or been shown or hidden. */
+  public long lightVersion() {
+    return lightVersion;
+  }
+
+  void lightChanged() {
+    lightVersion++;
   }
 
   void chosen() {

@@ -1,6 +1,11 @@
 package org.selectiverenderer.geometry.bvh;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.IntConsumer;
+import java.util.function.IntToDoubleFunction;
+import java.util.function.IntToLongFunction;
+import java.util.stream.IntStream;
 import org.joml.Vector3dc;
 
 /**
@@ -135,6 +140,48 @@ public final class Bvh {
     }
   }
 
+  /** Bounds a value of the items in a box. */
+  @FunctionalInterface
+  public interface BoxBound {
+    /**
+     * Returns a number that no item in the box has more of.
+     *
+     * @param boxes holds min x, y, z, max x, y, z of the node
+     * @param at the index of min x
+     */
+    double most(float[] boxes, int at);
+  }
+
+  /**
+   * Returns the greatest value of an item (branch and bound); {@code least} if none is greater.
+   *
+   * @param value the value of an item
+   */
+  public double greatest(BoxBound bound, IntToDoubleFunction value, double least) {
+    return order.length == 0 ? least : greatest(0, bound, value, least);
+  }
+
+  private double greatest(int node, BoxBound bound, IntToDoubleFunction value, double least) {
+    double best = least;
+    if (count[node] > 0) {
+      for (int i = 0; i < count[node]; i++) {
+        best = Math.max(best, value.applyAsDouble(order[first[node] + i]));
+      }
+      return best;
+    }
+    int left = first[node];
+    double ofLeft = bound.most(boxes, 6 * left);
+    double ofRight = bound.most(boxes, 6 * (left + 1));
+    int other = ofLeft >= ofRight ? left + 1 : left;
+    if (!(Math.max(ofLeft, ofRight) <= best)) {
+      best = greatest(other == left ? left + 1 : left, bound, value, best);
+    }
+    if (!(Math.min(ofLeft, ofRight) <= best)) {
+      best = greatest(other, bound, value, best);
+    }
+    return best;
+  }
+
   /** Reports the items of all leaves that overlap a box (min x, y, z, max x, y, z). */
   public void overlap(double[] box, IntConsumer found) {
     search((of, at, leaf) -> touches(of, at, box), found);
@@ -160,6 +207,57 @@ public final class Bvh {
       for (int i = first[node]; i < first[node] + count[node]; i++) {
         found.accept(order[i]);
       }
+    }
+  }
+
+  /**
+   * Returns the items in groups of neighbours, each item in one of them: the largest subtrees that
+   * are light enough, and leaves.
+   *
+   * @param weight the weight of each item
+   * @param most the largest weight of a group of several leaves
+   */
+  public List<int[]> groups(IntToLongFunction weight, long most) {
+    List<int[]> groups = new ArrayList<>();
+    if (order.length > 0) {
+      long[] weights = new long[count.length];
+      weigh(0, weight, weights);
+      group(0, weights, most, groups);
+    }
+    return groups;
+  }
+
+  private long weigh(int node, IntToLongFunction weight, long[] weights) {
+    long sum = 0;
+    for (int i = 0; i < count[node]; i++) {
+      sum += weight.applyAsLong(order[first[node] + i]);
+    }
+    if (count[node] == 0) {
+      sum =
+          weigh(first[node], weight, weights) + weigh(first[node] + 1, weight, weights);
+    }
+    weights[node] = sum;
+    return sum;
+  }
+
+  private void group(int node, long[] weights, long most, List<int[]> groups) {
+    if (count[node] > 0 || weights[node] <= most) {
+      IntStream.Builder items = IntStream.builder();
+      collect(node, items);
+      groups.add(items.build().toArray());
+    } else {
+      group(first[node], weights, most, groups);
+      group(first[node] + 1, weights, most, groups);
+    }
+  }
+
+  private void collect(int node, IntStream.Builder to) {
+    for (int i = 0; i < count[node]; i++) {
+      to.add(order[first[node] + i]);
+    }
+    if (count[node] == 0) {
+      collect(first[node], to);
+      collect(first[node] + 1, to);
     }
   }
 

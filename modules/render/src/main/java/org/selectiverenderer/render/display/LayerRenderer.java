@@ -79,7 +79,7 @@ final class LayerRenderer {
               renderer,
               setting,
               cameras,
-              style.wireframe() ? renderer.cullToView(cameras) : renderer.cull(cameras)));
+              style.wireframe() ? renderer.cullToView(gl, cameras) : renderer.cull(gl, cameras)));
     }
   }
 

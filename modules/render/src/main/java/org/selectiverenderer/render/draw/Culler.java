@@ -1,15 +1,19 @@
 package org.selectiverenderer.render.draw;
 
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.List;
 import java.util.function.IntConsumer;
+import java.util.function.Predicate;
 import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.browser.camera.Camera;
+import org.selectiverenderer.browser.instance.DrawProperties;
 import org.selectiverenderer.geometry.bvh.Bvh;
+import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.render.mesh.TriangleClusters;
 import org.selectiverenderer.render.occlusion.MeshOccluders;
 import org.selectiverenderer.render.occlusion.OcclusionCuller;
@@ -47,6 +51,16 @@ final class Culler {
     /** Returns the greatest number of pixels by which an item reaches beyond its box. */
     double pixels();
 
+    /**
+     * Returns the numbers of shown shapes that have no item yet and are in boxes that a test enters.
+     *
+     * @param visible receives each one's box; those for which it returns false are left out
+     */
+    BitSet missing(Bvh.BoxTest test, Predicate<double[]> visible);
+
+    /** Returns whether all shapes have items. */
+    boolean complete();
+
     /** Returns a list as items, of which each search reports all. */
     static Items of(List<DrawItem> list) {
       return new Items() {
@@ -68,6 +82,16 @@ final class Culler {
         @Override
         public double pixels() {
           return 0;
+        }
+
+        @Override
+        public BitSet missing(Bvh.BoxTest test, Predicate<double[]> visible) {
+          return new BitSet();
+        }
+
+        @Override
+        public boolean complete() {
+          return true;
         }
 
         @Override
@@ -114,14 +138,22 @@ final class Culler {
   }
 
   /**
-   * Fills the visible set with what at least one eye sees of the items.
+   * Fills the visible set with what at least one eye sees of the items, all of which are there.
    *
    * @param hiding the occlusion test, or null to keep what is hidden behind other things
    */
   void cull(Items items, List<Camera> seeing, @Nullable OcclusionCuller hiding) {
-    out.clear();
+    begin(items, seeing, hiding);
+    finish(items);
+  }
+
+  /**
+   * Begins a frame; what is hidden is decided by the items that there are now.
+   *
+   * @param hiding the occlusion test, or null to keep what is hidden behind other things
+   */
+  void begin(Items items, List<Camera> seeing, @Nullable OcclusionCuller hiding) {
     look(seeing);
-    hidden = 0;
     if (next.length < items.size()) {
       next = new int[2 * items.size()];
       order = new long[2 * items.size()];
@@ -130,7 +162,21 @@ final class Culler {
     if (occlusion != null) {
       occlusion.ask(items.terms());
     }
-    findInView(items, occlusion == null ? this::enters : hidesNot(occlusion, items.pixels()));
+  }
+
+  /** Returns the numbers of shapes that an eye may see and that have no items. */
+  BitSet missing(Items items) {
+    double pixels = items.pixels();
+    return items.missing(
+        inView(pixels),
+        of -> side(of) != Frustum.Side.OUTSIDE && (occlusion == null || !hides(of, pixels)));
+  }
+
+  /** Fills the visible set with what at least one eye sees of the items. */
+  void finish(Items items) {
+    out.clear();
+    hidden = 0;
+    findInView(items, inView(items.pixels()));
     fill(items);
     if (occlusion != null) {
       occlusion.end(hidden, out.indices());
@@ -163,19 +209,17 @@ final class Culler {
     return side(box) != Frustum.Side.OUTSIDE;
   }
 
-  /** Returns a test that leaves out boxes that are hidden, too; items of leaves are asked later. */
-  private Bvh.BoxTest hidesNot(OcclusionCuller hiding, double pixels) {
+  /**
+   * Returns a test that leaves out boxes that are out of view or hidden; items of leaves are asked
+   * later.
+   */
+  private Bvh.BoxTest inView(double pixels) {
     return (boxes, at, leaf) -> {
       if (!enters(boxes, at, leaf)) {
         return false;
       }
-      if (leaf) {
+      if (leaf || occlusion == null || !hides(box, pixels)) {
         return true;
-      }
-      for (int eye = 0; eye < frusta.length; eye++) {
-        if (!hiding.hides(eye, box, pixels)) {
-          return true;
-        }
       }
       hidden += HIDDEN_BOX;
       return false;
@@ -183,7 +227,7 @@ final class Culler {
   }
 
   private boolean occlude(Items items, OcclusionCuller hiding) {
-    hiding.begin(eyes);
+    hiding.begin(eyes, !items.complete());
     findInView(items, (boxes, at, leaf) -> enters(boxes, at, leaf) && hiding.offers(box));
     for (int i = 0; i < inView; i++) {
       DrawItem item = items.get((int) order[i]);
@@ -228,18 +272,21 @@ final class Culler {
       return false;
     }
     occlusion.ask(item.place(), item.part().occluders());
-    double pixels = pixels(item);
+    return hides(item.shape().bounds(), pixels(item.stroke(), item.source().primitive()));
+  }
+
+  private boolean hides(double[] of, double pixels) {
     for (int eye = 0; eye < frusta.length; eye++) {
-      if (!occlusion.hides(eye, item.shape().bounds(), pixels)) {
+      if (!occlusion.hides(eye, of, pixels)) {
         return false;
       }
     }
     return true;
   }
 
-  /** Returns the pixels by which an item may reach beyond its box: 0 for triangles. */
-  static double pixels(DrawItem item) {
-    return StrokePatterns.reach(item.stroke(), item.source().primitive(), LOOSE_PIXELS);
+  /** Returns the pixels by which a shape may reach beyond its box: 0 for triangles. */
+  static double pixels(DrawProperties stroke, Mesh.Primitive primitive) {
+    return StrokePatterns.reach(stroke, primitive, LOOSE_PIXELS);
   }
 
   private void look(List<Camera> seeing) {

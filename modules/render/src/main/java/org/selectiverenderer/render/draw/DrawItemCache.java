@@ -12,6 +12,10 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.IntConsumer;
+import java.util.function.Predicate;
+import java.util.stream.IntStream;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.browser.instance.InstanceTree;
 import org.selectiverenderer.browser.instance.ShapeInstance;
@@ -24,6 +28,11 @@ import org.selectiverenderer.render.lighting.LightingPlanner;
  * The draw items of all shapes of an instance tree, shown or not, kept between frames. All are
  * checked when the tree's structure or a light changes; otherwise only those of shapes that have
  * moved or changed, so that a frame's cost does not depend on how many shapes there are.
+ *
+ * <p>The shapes of a large scene have no items before an eye sees them or comes near ({@link
+ * UnseenShapes}): so the memory and the first frame depend on what is seen and near, not on what
+ * there is. A group of neighbours of which a shape is seen gets the items of its shown shapes in
+ * that frame, those of its hidden ones as if they were new.
  *
  * <p>The upload of new shapes may be deferred and spread over the following frames. A deferred
  * hidden shape that becomes shown is uploaded in that very frame. If more shown shapes come into a
@@ -38,11 +47,17 @@ final class DrawItemCache implements Culler.Items {
   private static final int MOST_MOVES = 3;
 
   /**
-   * Triangles of deferred shapes that are uploaded per frame (about 5 ms), where each shape counts
-   * for at least {@link #LEAST_OF_ONE}.
+   * The time of a frame that the upload of deferred shapes may take, in nanoseconds; and likewise
+   * for shapes that are near, but that no eye has seen.
    */
+  private static final double DEFERRED = 5e6;
+
+  private static final double AHEAD = DEFERRED / 4;
+
+  /** The triangles that are uploaded in such a time at first and at most. */
   private static final int PORTION = 20_000;
 
+  /** What one shape counts for at least, in triangles. */
   private static final int LEAST_OF_ONE = 40;
 
   /**
@@ -67,12 +82,21 @@ final class DrawItemCache implements Culler.Items {
   /** Triangles of items that were made anew since resources were freed, and one for each. */
   private long replaced;
 
+  private final UnseenShapes unseen;
+  private final BitSet inView = new BitSet(); // The groups of which some item is in view.
+  private Vector3dc eye = new Vector3d();
+  private long triangles; // Of all items.
+
+  /** The measured time of making a triangle ready, in nanoseconds. */
+  private double perTriangle = DEFERRED / PORTION;
+
   private final Map<ShapeInstance, Integer> moves = new IdentityHashMap<>();
-  private LightChangeDetector watch = new LightChangeDetector(List.of());
+  private @Nullable LightChangeDetector watch;
   private long read;
 
-  DrawItemCache(GpuResourceCache assets) {
+  DrawItemCache(GpuResourceCache assets, UnseenShapes.Limits limits) {
     this.assets = assets;
+    unseen = new UnseenShapes(limits);
   }
 
   /** Returns all items in the order of their shapes; the same list until one of them changes. */
@@ -102,18 +126,18 @@ final class DrawItemCache implements Culler.Items {
 
   @Override
   public double terms() {
-    return terms;
+    return Math.max(terms, unseen.terms());
   }
 
   @Override
   public double pixels() {
-    return pixels;
+    return Math.max(pixels, unseen.pixels());
   }
 
   /** Notes the bounds of an item, which count until the structure changes. */
   private void bound(DrawItem item) {
     terms = Math.max(terms, item.part().occluders().terms(item.place()));
-    pixels = Math.max(pixels, Culler.pixels(item));
+    pixels = Math.max(pixels, Culler.pixels(item.stroke(), item.source().primitive()));
   }
 
   @Override
@@ -132,6 +156,64 @@ final class DrawItemCache implements Culler.Items {
     anywhere.stream().forEach(found);
   }
 
+  @Override
+  public boolean complete() {
+    return unseen.isEmpty();
+  }
+
+  @Override
+  public BitSet missing(Bvh.BoxTest test, Predicate<double[]> visible) {
+    BitSet found = new BitSet();
+    if (tree != null) {
+      tree.boxes()
+          .search(
+              test,
+              place -> {
+                if (unseen.contains(place)
+                    && shapes.get(place).shown()
+                    && visible.test(shapes.get(place).bounds())) {
+                  found.set(place);
+                }
+              });
+    }
+    return found;
+  }
+
+  /**
+   * Makes items of the shown shapes of groups that are seen; those of the hidden ones follow.
+   *
+   * @param places of shapes that are seen
+   * @param from the place of the eye in the world
+   * @param most the most groups for which that is done now; the nearest
+   */
+  void see(GL3 gl, BitSet places, Vector3dc from, int most) {
+    Arrivals arrivals = new Arrivals(Long.MAX_VALUE);
+    int[] groups = unseen.groups(places, from);
+    for (int i = 0; i < Math.min(most, groups.length); i++) {
+      unseen
+          .unseen(groups[i])
+          .forEach(
+              place -> {
+                if (shapes.get(place).shown()) {
+                  arrivals.take(place);
+                } else {
+                  unseen.remove(place);
+                  waiting.set(place);
+                }
+              });
+    }
+    take(gl, arrivals);
+  }
+
+  /** Notes what is seen in a frame, and from where, by which the next decides what to keep. */
+  void seen(VisibleSet visible, Vector3dc from) {
+    eye = new Vector3d(from);
+    inView.clear();
+    if (unseen.grouped()) {
+      visible.calls.forEach(item -> inView.set(unseen.group(item.shape().index())));
+    }
+  }
+
   /**
    * Updates the items to the tree and uploads what is not on the graphics card yet.
    *
@@ -143,16 +225,68 @@ final class DrawItemCache implements Culler.Items {
     if (changed) {
       restructure(newTree, all);
     }
-    boolean otherLight = watch.changed();
-    boolean movedLight = watch.moved();
-    BitSet candidates = candidates(newTree, changed || otherLight || movedLight);
-    if (waited && !changed) {
-      arrive(gl, all ? Long.MAX_VALUE : PORTION, candidates);
+    LightChangeDetector lights = Objects.requireNonNull(watch);
+    lights.look();
+    boolean otherLight = lights.changed();
+    BitSet candidates = candidates(newTree, changed || otherLight || lights.moved());
+    if (all && !changed) {
+      unseen.all().forEach(this::await);
+    }
+    if ((waited || all) && !changed) {
+      arrive(gl, all ? Long.MAX_VALUE : portion(DEFERRED), candidates);
+    } else if (!changed) {
+      approach(gl);
     }
     update(gl, changed, otherLight, candidates);
+    if (!changed) {
+      giveUp();
+    }
     if (changed || replaced > slots.length / FREED_AFTER) {
       replaced = 0;
       assets.keepOnly(gl, items());
+    }
+  }
+
+  /** Lets an unseen shape wait for its turn, as one that is near. */
+  private void await(int place) {
+    unseen.remove(place);
+    waiting.set(place);
+  }
+
+  /** Makes some shapes ready that are near, though no eye has seen them. */
+  private void approach(GL3 gl) {
+    if (unseen.isEmpty() || triangles >= unseen.limits().ahead()) {
+      return;
+    }
+    Arrivals arrivals = new Arrivals(portion(AHEAD));
+    int group = unseen.nearest(eye);
+    for (int place : unseen.unseen(group).toArray()) {
+      if (arrivals.left > 0) {
+        arrivals.takeIfReady(place);
+      }
+    }
+    take(gl, arrivals);
+  }
+
+  /** Gives up the items of groups that are far and not in view, if there are too many. */
+  private void giveUp() {
+    BitSet kept = (BitSet) inView.clone();
+    while (unseen.grouped() && triangles > unseen.limits().most()) {
+      int group = unseen.farthest(eye, kept);
+      if (group < 0) {
+        return;
+      }
+      kept.set(group);
+      unseen
+          .giveUp(group)
+          .stream()
+          .forEach(
+              place -> {
+                put(place, null);
+                waiting.clear(place);
+                late.clear(place);
+              });
+      replaced = slots.length; // The resources are freed now.
     }
   }
 
@@ -188,37 +322,70 @@ final class DrawItemCache implements Culler.Items {
       }
     }
     for (int i = late.nextSetBit(0); i >= 0 && arrivals.left > 0; i = late.nextSetBit(i + 1)) {
-      arrivals.take(i);
+      arrivals.takeIfReady(i);
     }
     for (int i = waiting.nextSetBit(0);
         i >= 0 && arrivals.left > 0;
         i = waiting.nextSetBit(i + 1)) {
-      arrivals.take(i);
+      arrivals.takeIfReady(i);
     }
+    take(gl, arrivals);
+  }
+
+  /** Returns the triangles that can be made ready in some nanoseconds. */
+  private long portion(double time) {
+    return Math.max(1, Math.min(PORTION, Math.round(time / perTriangle)));
+  }
+
+  /** Makes shapes ready, and measures how long that takes. */
+  private void take(GL3 gl, Arrivals arrivals) {
+    long start = System.nanoTime();
     fill(arrivals.places, assets.prepare(gl, arrivals.requests, true));
+    if (arrivals.taken > 0) {
+      double now = (System.nanoTime() - start) / (double) arrivals.taken;
+      perTriangle += (now - perTriangle) / 4; // One frame that was interrupted tells little.
+    }
   }
 
   /** The deferred shapes that are uploaded with this frame. */
   private final class Arrivals {
     final List<Integer> places = new ArrayList<>();
     final List<LightingPlanner.Request> requests = new ArrayList<>();
+    private final long portion;
     long left;
+    long taken;
 
     Arrivals(long portion) {
+      this.portion = portion;
       left = portion;
+    }
+
+    /** Takes a shape, unless its mesh is so large that it is still being packed. */
+    void takeIfReady(int place) {
+      Mesh mesh = mesh(shapes.get(place));
+      if (portion == Long.MAX_VALUE || mesh == null || assets.ready(mesh)) {
+        take(place);
+      }
     }
 
     void take(int place) {
       ShapeInstance shape = shapes.get(place);
       waiting.clear(place);
       late.clear(place);
+      unseen.remove(place);
       left -= cost(shape);
+      taken += cost(shape);
       Mesh mesh = mesh(shape);
       if (mesh != null) {
         places.add(place);
         requests.add(new LightingPlanner.Request(shape, mesh, shape.lights(), true));
       }
     }
+  }
+
+  private boolean ready(ShapeInstance shape) {
+    Mesh mesh = mesh(shape);
+    return mesh == null || assets.ready(mesh);
   }
 
   /** Returns the cost of uploading a shape, in triangles. */
@@ -233,6 +400,10 @@ final class DrawItemCache implements Culler.Items {
     List<Integer> places = new ArrayList<>();
     List<LightingPlanner.Request> requests = new ArrayList<>();
     for (int i = candidates.nextSetBit(0); i >= 0; i = candidates.nextSetBit(i + 1)) {
+      if (unseen.contains(i)) {
+        unseen.bound(i); // It may have moved.
+        continue;
+      }
       if (waiting.get(i)) {
         continue;
       }
@@ -248,11 +419,9 @@ final class DrawItemCache implements Culler.Items {
         continue;
       }
       replaced += slot == null ? 0 : 1 + slot.source().polygons();
-      items = null;
       // A lamp that moves affects many shapes, which are to stay batched together.
       together |= current && slot != null && slot.lighting().stands(shape);
-      slots[i] = null;
-      anywhere.clear(i);
+      put(i, null);
       if (mesh != null) {
         int times = slot == null ? 0 : moves.merge(shape, 1, Integer::sum);
         places.add(i);
@@ -264,11 +433,18 @@ final class DrawItemCache implements Culler.Items {
 
   private void fill(List<Integer> places, List<DrawItem> made) {
     for (int i = 0; i < made.size(); i++) {
-      slots[places.get(i)] = made.get(i);
-      anywhere.set(places.get(i), made.get(i).anywhere());
+      put(places.get(i), made.get(i));
       bound(made.get(i));
-      items = null;
     }
+  }
+
+  private void put(int place, @Nullable DrawItem item) {
+    DrawItem before = slots[place];
+    triangles -= before == null ? 0 : before.source().polygons();
+    triangles += item == null ? 0 : item.source().polygons();
+    slots[place] = item;
+    anywhere.set(place, item != null && item.anywhere());
+    items = null;
   }
 
   private static @Nullable Mesh mesh(ShapeInstance shape) {
@@ -290,12 +466,22 @@ final class DrawItemCache implements Culler.Items {
     Map<ShapeInstance, DrawItem> known = new IdentityHashMap<>();
     items().forEach(item -> known.put(item.shape(), item));
     Set<ShapeInstance> older = older();
-    long left = all || newTree != tree ? Long.MAX_VALUE : PORTION;
+    boolean other = newTree != tree;
+    long left = all || other ? Long.MAX_VALUE : PORTION;
     tree = newTree;
     structureVersion = newTree.structureVersion();
     shapes = newTree.shapes();
     slots = new DrawItem[shapes.size()];
     reflects = shapes.stream().anyMatch(shape -> !shape.cubes().isEmpty());
+    if (all || reflects) {
+      unseen.clear();
+    } else if (other) {
+      unseen.begin(newTree, DrawItemCache::cost);
+    } else if (unseen.grouped()) {
+      unseen.regroup(newTree, DrawItemCache::cost);
+    }
+    inView.clear();
+    triangles = 0;
     items = null;
     terms = 0;
     pixels = 0;
@@ -306,21 +492,28 @@ final class DrawItemCache implements Culler.Items {
       DrawItem before = known.get(shapes.get(i));
       // An item with another light or effect in scope is made anew; its meshes and textures are
       // kept.
-      slots[i] =
+      put(
+          i,
           before != null
                   && before.current()
                   && before.lighting().scope().equals(before.shape().lights())
                   && before.around().equals(before.shape().surroundings())
               ? before
-              : null;
-      anywhere.set(i, slots[i] != null && slots[i].anywhere());
+              : null);
+      if (unseen.contains(i)) {
+        continue;
+      }
       ShapeInstance shape = shapes.get(i);
       boolean fresh = before == null && shape.shown() && !older.contains(shape);
-      late.set(i, fresh && left <= 0);
-      left -= fresh ? cost(shape) : 0;
+      late.set(i, fresh && (left <= 0 || !(all || other || ready(shape))));
+      left -= fresh && !late.get(i) ? cost(shape) : 0;
       waiting.set(i, late.get(i) || (!all && before == null && !shape.shown()));
     }
-    watch = new LightChangeDetector(newTree.lights());
+    watch = new LightChangeDetector(newTree);
+    Set<Mesh> wanted = Collections.newSetFromMap(new IdentityHashMap<>());
+    IntStream.concat(waiting.stream(), unseen.all())
+        .forEach(place -> shapes.get(place).mesh().ifPresent(wanted::add));
+    assets.keepPacked(wanted);
     moves.keySet().retainAll(known.keySet());
   }
 }

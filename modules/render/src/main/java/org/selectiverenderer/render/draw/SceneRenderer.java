@@ -2,6 +2,7 @@ package org.selectiverenderer.render.draw;
 
 import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL3;
+import java.util.BitSet;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
@@ -43,6 +44,7 @@ public final class SceneRenderer {
   private final EnvironmentMapCache mirrored = new EnvironmentMapCache();
   private final GeneratedCubeMapRenderer cubes = new GeneratedCubeMapRenderer();
   private final float pointSize;
+  private final UnseenShapes.Limits limits;
   private boolean wireframe;
 
   /**
@@ -50,8 +52,13 @@ public final class SceneRenderer {
    * @param shading whether lighting is computed per vertex or per pixel
    */
   public SceneRenderer(float pointSize, ShadingMode shading) {
+    this(pointSize, shading, UnseenShapes.Limits.USUAL);
+  }
+
+  SceneRenderer(float pointSize, ShadingMode shading, UnseenShapes.Limits limits) {
     this.shading = shading;
     this.pointSize = pointSize;
+    this.limits = limits;
   }
 
   /** Sets whether only the edges of polygons are drawn. */
@@ -70,7 +77,8 @@ public final class SceneRenderer {
   /**
    * Prepares the tree likewise, but defers new hidden shapes, a few of which are uploaded with each
    * frame. Whatever is shown is uploaded now, so that a Switch shows its choice in the frame in
-   * which it changes, however early that is.
+   * which it changes, however early that is; of a large scene, what {@link #cull} finds that is
+   * seen, and then what is near.
    */
   public void follow(GL3 gl, InstanceTree tree) {
     follow(gl, tree, false);
@@ -81,7 +89,7 @@ public final class SceneRenderer {
       GlInfo info = GlInfo.of(gl);
       assets = new GpuResourceCache(new LightingPlanner(shading.byVertex(info)), filters(info));
       portions = new FrameFlusher(info.software());
-      list = new DrawItemCache(assets);
+      list = new DrawItemCache(assets, limits);
     }
     mirrored.forgetOthers(gl);
     list.follow(gl, tree, all);
@@ -109,14 +117,35 @@ public final class SceneRenderer {
    * Returns what the eyes can see of the tree last prepared, without most of what is occluded. The
    * result is reused by the next call.
    */
-  public VisibleSet cull(List<Camera> eyes) {
-    culler.cull(list == null ? Culler.Items.of(List.of()) : list, eyes, occlusion);
-    return visible;
+  public VisibleSet cull(GL3 gl, List<Camera> eyes) {
+    return cull(gl, eyes, occlusion);
   }
 
   /** Culls to the view frusta only and keeps what is occluded, for wireframe pictures. */
-  public VisibleSet cullToView(List<Camera> eyes) {
-    culler.cull(list == null ? Culler.Items.of(List.of()) : list, eyes, null);
+  public VisibleSet cullToView(GL3 gl, List<Camera> eyes) {
+    return cull(gl, eyes, null);
+  }
+
+  /**
+   * Culls, and makes ready what an eye sees for the first time: the nearest groups of shapes first,
+   * then more at a time, as the nearest hide most of what is behind them.
+   */
+  private VisibleSet cull(GL3 gl, List<Camera> eyes, @Nullable OcclusionCuller hiding) {
+    if (list == null) {
+      culler.cull(Culler.Items.of(List.of()), eyes, hiding);
+      return visible;
+    }
+    culler.begin(list, eyes, hiding);
+    for (int groups = 1; !list.complete(); groups *= 2) {
+      BitSet missing = culler.missing(list);
+      if (missing.isEmpty()) {
+        break;
+      }
+      list.see(gl, missing, eyes.get(0).eye(), groups);
+      culler.begin(list, eyes, hiding);
+    }
+    culler.finish(list);
+    list.seen(visible, eyes.get(0).eye());
     return visible;
   }
 

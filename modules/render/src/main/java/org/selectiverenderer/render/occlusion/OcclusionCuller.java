@@ -36,16 +36,23 @@ public final class OcclusionCuller {
   private long[] order = new long[64];
   private int eyes;
   private boolean on;
+  private boolean needed;
   private boolean waiting;
   private int rest;
   private int nextRest = 1;
 
-  /** Begins a frame. */
-  public void begin(List<Camera> cameras) {
+  /**
+   * Begins a frame.
+   *
+   * @param needed whether it neither pauses nor puts off the search for occluders, because what is
+   *     not hidden costs more than drawing
+   */
+  public void begin(List<Camera> cameras, boolean needed) {
     offered.clear();
     places.clear();
     eyes = cameras.size();
-    on = rest == 0;
+    this.needed = needed;
+    on = rest == 0 || needed;
     rest = Math.max(0, rest - 1);
     while (depths.size() < eyes) {
       depths.add(new EyeOcclusionCuller());
@@ -109,7 +116,7 @@ public final class OcclusionCuller {
     for (int i = 0; i < offered.size() && used < MOST_OCCLUDERS; i++) {
       MeshOccluders occluders = offered.get((int) order[i]);
       // The first is searched however large it is.
-      if (unseen == 0 || unseen + occluders.unseen() <= MOST_UNSEEN) {
+      if (needed || unseen == 0 || unseen + occluders.unseen() <= MOST_UNSEEN) {
         unseen += occluders.unseen();
         occluders.find();
       }

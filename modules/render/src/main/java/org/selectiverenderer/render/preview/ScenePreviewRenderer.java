@@ -133,7 +133,7 @@ public final class ScenePreviewRenderer implements AutoCloseable {
     Optional<List<PixelRectangle>> changed =
         damage.next(world.instances(), renderer.items(), camera, setting, marking);
     renderer.reflect(gl, world.instances(), List.of(camera), setting, sight.range().near());
-    VisibleSet seen = cull(camera, marking);
+    VisibleSet seen = cull(gl, camera, marking);
     FrameStatistics statistics = new FrameStatistics(seen.shapes(), seen.indices() / 3);
     if (before != null
         && !marking.wireframe()
@@ -153,9 +153,9 @@ public final class ScenePreviewRenderer implements AutoCloseable {
     return new PreviewImage(pixels, camera, statistics, wantedSamples);
   }
 
-  private VisibleSet cull(Camera camera, PreviewOptions marking) {
+  private VisibleSet cull(GL3 gl, Camera camera, PreviewOptions marking) {
     List<Camera> eyes = List.of(camera);
-    return marking.wireframe() ? renderer.cullToView(eyes) : renderer.cull(eyes);
+    return marking.wireframe() ? renderer.cullToView(gl, eyes) : renderer.cull(gl, eyes);
   }
 
   /** Returns whether drawing only the changed parts of the previous picture pays. */
@@ -184,7 +184,7 @@ public final class ScenePreviewRenderer implements AutoCloseable {
     patch = null;
     Target on = target(gl, known, drawn.width(), drawn.height(), samples);
     patch = on;
-    VisibleSet seen = cull(drawn.within(camera), marking);
+    VisibleSet seen = cull(gl, drawn.within(camera), marking);
     Camera moved =
         new Camera(
             camera.view(),

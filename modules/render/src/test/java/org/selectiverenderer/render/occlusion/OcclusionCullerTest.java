@@ -45,7 +45,7 @@ class OcclusionCullerTest {
 
   private static boolean hides(Mesh mesh, Matrix4dc world, double[] box, Camera... eyes) {
     OcclusionCuller occlusion = new OcclusionCuller();
-    occlusion.begin(List.of(eyes));
+    occlusion.begin(List.of(eyes), false);
     double inf = 1e3;
     occlusion.offer(MeshOccluders.of(mesh), world, new double[] {-inf, -inf, -inf, inf, inf, inf});
     if (!occlusion.cover()) {
