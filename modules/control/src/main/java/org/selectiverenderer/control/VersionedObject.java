@@ -136,7 +136,10 @@ final class VersionedObject {
     }
     shown = choice;
     List<Integer> before = pending;
-    pending = Stream.concat(before.stream(), Stream.of(choice)).toList();
+    pending =
+        before.isEmpty()
+            ? List.of(choice)
+            : Stream.concat(before.stream(), Stream.of(choice)).toList();
     try {
       node.setWhichChoice(choice);
       return Optional.empty();

@@ -45,7 +45,7 @@ public final class CollisionWorld {
     this.tree = tree;
     this.assets = assets;
     this.meshes = meshes;
-    index = new PlacedMeshIndex<>(List.of(), meshes);
+    index = new PlacedMeshIndex<>(List.of(), tree, meshes);
   }
 
   /** Brings the index up to date with the scene and the proxies. */
@@ -60,7 +60,7 @@ public final class CollisionWorld {
     if (structureNow != structure) {
       List<PlacedMesh> all = new ArrayList<>();
       collect(tree.root(), List.of(), all);
-      index = new PlacedMeshIndex<>(all, meshes);
+      index = new PlacedMeshIndex<>(all, tree, meshes);
       // The versions of new proxies enter these sums from the next call on.
       structure = versions(InstanceTree::structureVersion);
       placement = versions(InstanceTree::placementVersion);

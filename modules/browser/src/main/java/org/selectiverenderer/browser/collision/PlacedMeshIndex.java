@@ -1,12 +1,16 @@
 package org.selectiverenderer.browser.collision;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.stream.IntStream;
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.browser.instance.InstanceTree;
+import org.selectiverenderer.browser.instance.ShapeInstance;
 import org.selectiverenderer.geometry.bvh.Bvh;
 import org.selectiverenderer.geometry.bvh.BvhBuilder;
 import org.selectiverenderer.geometry.bvh.MeshBvh;
@@ -27,16 +31,41 @@ final class PlacedMeshIndex<P extends PlacedMesh> {
   private final MeshBvhCache meshes;
   private final List<P> all;
   private final double[][] known;
+  private final InstanceTree scene;
+
+  /** For each shape of the scene the element that it is, or -1. */
+  private final int[] elementOf;
+
+  /** The elements that are no shapes of the scene. */
+  private final int[] others;
+
+  private long read;
   private Bvh tree;
   private long moves;
+  private long looks;
 
-  PlacedMeshIndex(List<P> all, MeshBvhCache meshes) {
+  /**
+   * @param scene the tree whose shapes are among the elements; for another structure of it another
+   *     index is needed
+   */
+  PlacedMeshIndex(List<P> all, InstanceTree scene, MeshBvhCache meshes) {
     this.all = all;
+    this.scene = scene;
     this.meshes = meshes;
     known = new double[all.size()][];
+    elementOf = new int[scene.shapes().size()];
+    Arrays.fill(elementOf, -1);
+    IntStream.Builder apart = IntStream.builder();
     for (int i = 0; i < known.length; i++) {
       known[i] = all.get(i).bounds();
+      if (all.get(i) instanceof PlacedMesh.OfShape drawn) {
+        elementOf[drawn.shape().index()] = i;
+      } else {
+        apart.add(i);
+      }
     }
+    others = apart.build().toArray();
+    read = scene.changes().end();
     tree = BvhBuilder.build(known.length, this::box);
   }
 
@@ -49,19 +78,46 @@ final class PlacedMeshIndex<P extends PlacedMesh> {
     }
   }
 
-  /** Refits the BVH to the meshes that moved since the last call. */
+  /**
+   * Refits the BVH to the meshes that moved since the last call. It looks only at shapes in the
+   * scene's log of changes, as long as that reaches back to the last call.
+   */
   void refresh() {
-    for (int i = 0; i < known.length; i++) {
-      double[] bounds = all.get(i).bounds();
-      if (bounds != known[i]) {
-        known[i] = bounds;
-        tree.moved(i);
-        moves++;
+    Optional<List<ShapeInstance>> changed = scene.changes().since(read);
+    read = scene.changes().end();
+    if (changed.isPresent()) {
+      for (ShapeInstance shape : changed.get()) {
+        int element = elementOf[shape.index()];
+        if (element >= 0) {
+          refresh(element);
+        }
+      }
+      for (int element : others) {
+        refresh(element);
+      }
+    } else {
+      for (int i = 0; i < known.length; i++) {
+        refresh(i);
       }
     }
     if (moves > (long) WORN * known.length) {
       moves = 0;
       tree = BvhBuilder.build(known.length, this::box);
+    }
+  }
+
+  /** Returns how many elements were examined by refreshing, for the test of the complexity. */
+  long looks() {
+    return looks;
+  }
+
+  private void refresh(int element) {
+    looks++;
+    double[] bounds = all.get(element).bounds();
+    if (bounds != known[element]) {
+      known[element] = bounds;
+      tree.moved(element);
+      moves++;
     }
   }
 

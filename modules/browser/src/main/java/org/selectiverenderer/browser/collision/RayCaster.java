@@ -50,6 +50,7 @@ public final class RayCaster {
     placement = tree.placementVersion();
     return new PlacedMeshIndex<>(
         tree.shapes().stream().map(shape -> new PlacedMesh.OfShape(shape, List.of())).toList(),
+        tree,
         meshes);
   }
 

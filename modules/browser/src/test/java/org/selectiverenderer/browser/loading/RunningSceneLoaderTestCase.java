@@ -76,9 +76,14 @@ abstract class RunningSceneLoaderTestCase {
     byte[] text = scene(nodes).getBytes(StandardCharsets.UTF_8);
     loaded = loader.load("test.x3d", new ByteArrayInputStream(text), folder);
     files = new RunningSceneLoader(loaded, problems, arrivals::add, built::putAll);
-    tree = new InstanceTree((GroupingNode) loaded.scene().root(), files.assets());
+    open();
     watch();
     files.update();
+  }
+
+  /** Makes the tree of the scene's instances. */
+  void open() {
+    tree = new InstanceTree((GroupingNode) loaded.scene().root(), files.assets());
   }
 
   void watch() {
