@@ -293,7 +293,9 @@ final class SceneController implements ControlledArea.Listener {
     } else {
       settings.condition().initialChoices(enriched, activatedSchemas(), seed).forEach(this::show);
     }
-    candidates.forEach(this::hold);
+    if (!held.isEmpty()) {
+      candidates.forEach(this::hold);
+    }
   }
 
   private Set<String> activatedSchemas() {

@@ -22,6 +22,7 @@ import org.selectiverenderer.browser.nodes.layout.ViewParameters;
 import org.selectiverenderer.browser.nodes.shader.ShaderNode;
 import org.selectiverenderer.browser.scene.EventCascade;
 import org.selectiverenderer.browser.scene.Node;
+import org.selectiverenderer.browser.scene.NodeTemplate;
 import org.selectiverenderer.browser.scene.ProceduralShape;
 
 /**
@@ -43,7 +44,7 @@ public final class InstanceTree {
   /**
    * Number of instances beyond which groups stay empty, since nested USEs multiply without bound.
    */
-  private static final long MAX_INSTANCES = 8_000_000;
+  private static final long MAX_INSTANCES = 16_000_000;
 
   /** Bytes of heap required per instance. */
   private static final long BYTES_PER_INSTANCE = 512;
@@ -53,6 +54,10 @@ public final class InstanceTree {
   private final AssetProvider assets;
   private final GroupInstance root;
   private final Map<Node, SharedShapeState> looks = new IdentityHashMap<>();
+
+  /** What the Shapes of the same template share that are added at the same time. */
+  private final Map<NodeTemplate, ShapeReading> readings = new IdentityHashMap<>();
+
   private final InstanceIndex lists = new InstanceIndex();
   private final List<GroupInstance> pendingGroups = new ArrayList<>();
   private final List<SharedShapeState> pendingLooks = new ArrayList<>();
@@ -304,9 +309,9 @@ public final class InstanceTree {
     }
     if (node.type().name().equals("Shape") || node instanceof ProceduralShape) {
       SharedShapeState look =
-          looks.computeIfAbsent(node, shape -> new SharedShapeState(shape, assets, this));
+          looks.computeIfAbsent(node, shape -> new SharedShapeState(shape, assets, this, readings));
       ShapeInstance instance = new ShapeInstance(node, parent, look);
-      look.instances.add(instance);
+      look.add(instance);
       instance.see(sight);
       return instance;
     }
@@ -377,8 +382,8 @@ public final class InstanceTree {
       group.children.forEach(this::dispose);
       group.node().removeObserver(group);
     } else if (instance instanceof ShapeInstance shape) {
-      shape.look().instances.remove(shape);
-      if (shape.look().instances.isEmpty()) {
+      shape.look().remove(shape);
+      if (shape.look().instances().isEmpty()) {
         shape.look().dispose();
         looks.remove(shape.node());
       }
@@ -393,6 +398,7 @@ public final class InstanceTree {
     lists.collect(root);
     LightScopeResolver.tell(root, lists);
     changes.forget();
+    readings.clear();
     structureVersion++;
     structureChanged = false;
   }

@@ -74,7 +74,7 @@ public final class SceneLoader implements AutoCloseable {
     this.factory = factory;
     this.problems = problems;
     reader = new X3dReader(catalogue, limits);
-    maxNodes = limits.maxNodes();
+    maxNodes = limits.maxSceneNodes();
     AssetStore assets =
         new AssetStore(
             node -> tessellator.tessellate(node, problems),

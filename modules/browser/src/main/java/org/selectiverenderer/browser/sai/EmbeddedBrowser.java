@@ -2,6 +2,7 @@ package org.selectiverenderer.browser.sai;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -78,7 +79,8 @@ public final class EmbeddedBrowser implements ExternalBrowser, InlineSceneAccess
   }
 
   private EmbeddedScene shown(Scene scene) {
-    EmbeddedScene shown = new EmbeddedScene(binding, scenes, scene, SaiUrls.urlOf(scene.url()));
+    // The URL is made when asked for: whether it is a file's is a question to the disk.
+    EmbeddedScene shown = new EmbeddedScene(binding, scenes, scene, null);
     shown.show();
     return shown;
   }
@@ -115,7 +117,7 @@ public final class EmbeddedBrowser implements ExternalBrowser, InlineSceneAccess
   public boolean mayHold(X3DNode inline, Set<String> types) {
     Scene content = inlineOf(inline).shown().orElse(null);
     return content != null
-        && (content.mayGrow() || content.types().orElseThrow().stream().anyMatch(types::contains));
+        && (content.mayGrow() || !Collections.disjoint(types, content.types().orElseThrow()));
   }
 
   @Override

@@ -31,16 +31,16 @@ final class EmbeddedScene extends PrototypelessSceneAdapter {
   private final SaiContext binding;
   private final SceneFactory maker;
   private final Scene scene;
-  private final String worldUrl;
+  private final @Nullable String worldUrl;
   private final int children;
   private volatile boolean shown;
   private volatile boolean disposed;
 
   /**
    * @param scene the scene, whose lock is held while its lists of names are read or written
-   * @param worldUrl the scene's full URL, or empty
+   * @param worldUrl the scene's full URL, or empty; null for that of the file it was read from
    */
-  EmbeddedScene(SaiContext binding, SceneFactory maker, Scene scene, String worldUrl) {
+  EmbeddedScene(SaiContext binding, SceneFactory maker, Scene scene, @Nullable String worldUrl) {
     this.binding = binding;
     this.maker = maker;
     this.scene = scene;
@@ -128,7 +128,7 @@ final class EmbeddedScene extends PrototypelessSceneAdapter {
   @Override
   public String getWorldURL() {
     check();
-    return worldUrl;
+    return worldUrl != null ? worldUrl : SaiUrls.urlOf(scene.url());
   }
 
   @Override
@@ -208,7 +208,7 @@ final class EmbeddedScene extends PrototypelessSceneAdapter {
 
   @Override
   public void removeImportedNode(String name) {
-    write(() -> scene.imported().remove(name));
+    write(() -> scene.removeImported(name));
   }
 
   @Override
@@ -221,7 +221,7 @@ final class EmbeddedScene extends PrototypelessSceneAdapter {
             .flatMap(inner -> inner.exported(exportedName))
             .orElseThrow(
                 () -> new ImportedNodeException("the Inline exports no node as " + exportedName));
-    write(() -> scene.imported().put(name, node));
+    write(() -> scene.putImported(name, node));
   }
 
   @Override
@@ -247,18 +247,18 @@ final class EmbeddedScene extends PrototypelessSceneAdapter {
           if (scene.find(name).isEmpty()) {
             throw new InvalidNodeException("no node has the DEF name " + name);
           }
-          scene.exports().put(exportedName == null ? name : exportedName, name);
+          scene.putExport(exportedName == null ? name : exportedName, name);
         });
   }
 
   @Override
   public void removeExportedNode(String exportedName) {
-    write(() -> scene.exports().remove(exportedName));
+    write(() -> scene.removeExport(exportedName));
   }
 
   @Override
   public void addMetaData(String name, String value) {
-    write(() -> scene.meta().put(name, value));
+    write(() -> scene.putMeta(name, value));
   }
 
   @Override
@@ -268,7 +268,7 @@ final class EmbeddedScene extends PrototypelessSceneAdapter {
 
   @Override
   public void removeMetaData(String name) {
-    write(() -> scene.meta().remove(name));
+    write(() -> scene.removeMeta(name));
   }
 
   @Override

@@ -185,14 +185,23 @@ final class FieldProxy implements InvocationHandler, SingleFieldListener, FieldM
     synchronized (owner.node()) {
       FieldProxy kept = kept();
       if (kept != null) {
-        X3DFieldEventListener[] after =
-            Arrays.stream(kept.all())
-                .filter(other -> !other.equals(listener))
-                .toArray(X3DFieldEventListener[]::new);
-        kept.listeners = after.length > 1 ? after : after.length == 1 ? after[0] : null;
+        kept.listeners = without(listener, kept.listeners);
         kept.dropIfUnused();
       }
     }
+  }
+
+  /** Returns listeners in the form of the field {@code listeners}, without one of them. */
+  private static @Nullable Object without(
+      X3DFieldEventListener listener, @Nullable Object listeners) {
+    if (!(listeners instanceof X3DFieldEventListener[] several)) {
+      return listener.equals(listeners) ? null : listeners;
+    }
+    X3DFieldEventListener[] after =
+        Arrays.stream(several)
+            .filter(other -> !other.equals(listener))
+            .toArray(X3DFieldEventListener[]::new);
+    return after.length > 1 ? after : after.length == 1 ? after[0] : null;
   }
 
   private X3DFieldEventListener[] all() {

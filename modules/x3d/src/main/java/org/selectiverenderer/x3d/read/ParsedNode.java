@@ -87,6 +87,14 @@ public final class ParsedNode implements NodeView {
     return values[field] != null;
   }
 
+  /**
+   * Returns the values of all fields by their indices, null where the file gives none; the node's
+   * own array, not to be changed.
+   */
+  public @Nullable Object[] values() {
+    return values;
+  }
+
   /** Sets the value of a field, as {@link FieldType} represents it. For readers. */
   public void put(int field, Object value) {
     values[field] = value;
