@@ -225,7 +225,7 @@ final class SceneBuilder {
     }
 
     private Object convert(FieldDefinition field, ParsedNode parsed) {
-      Object value = parsed.value(field.index());
+      Object value = parsed.kept(field.index());
       if (field.type() == FieldType.SFNode) {
         return value instanceof ParsedNode child ? make(child).orElse(null) : null;
       }

@@ -24,9 +24,11 @@ public final class NodeSubgraphCollector {
       if (field.name().equals("metadata")) {
         continue;
       }
-      Object value = node.value(field.index());
-      if (value instanceof Node child) {
-        add(child, all);
+      // The values of other fields stay as they are kept: to read a packed array would unpack it.
+      if (field.type() == FieldType.SFNode) {
+        if (node.value(field.index()) instanceof Node child) {
+          add(child, all);
+        }
       } else if (field.type() == FieldType.MFNode) {
         node.nodes(field.name()).forEach(child -> add(child, all));
       }
