@@ -21,6 +21,8 @@ import org.selectiverenderer.tracker.LatencyHistogram;
  * @param processToFirstFrameMs milliseconds from the start of the process until the first frame is
  *     completely drawn
  * @param times statistics of the intervals between consecutive frames
+ * @param processorMs milliseconds of processor time per frame, over all threads, once warm; 0 if
+ *     the run is too short or the platform does not tell
  * @param polygons polygons of the whole scene with its current versions, visible or not, per frame
  * @param drawn triangles sent to the GPU after culling, per frame and for all eyes
  * @param shading the shading that was asked for
@@ -35,6 +37,7 @@ public record RunMetrics(
     double firstFrameMs,
     double processToFirstFrameMs,
     FrameTimeStatistics.Summary times,
+    double processorMs,
     FramePolygonStatistics polygons,
     FramePolygonStatistics drawn,
     double peakMegabytes,
@@ -54,6 +57,7 @@ public record RunMetrics(
         firstFrameMs,
         processToFirstFrameMs,
         times,
+        processorMs,
         polygons,
         drawn,
         peakMegabytes,
@@ -76,12 +80,16 @@ public record RunMetrics(
     node.put("load_ms", DecimalRounding.to(1, loadMs));
     node.put("first_frame_ms", DecimalRounding.to(1, firstFrameMs));
     node.put("process_to_first_frame_ms", DecimalRounding.to(1, processToFirstFrameMs));
-    node.putObject("frame_ms")
+    ObjectNode frame = node.putObject("frame_ms");
+    frame
         .put("p50", DecimalRounding.to(2, times.p50()))
         .put("p95", DecimalRounding.to(2, times.p95()))
         .put("p99", DecimalRounding.to(2, times.p99()))
         .put("max", DecimalRounding.to(2, times.max()))
         .put("slow_share", DecimalRounding.to(4, times.shareAbove(SLOW * times.p50())));
+    if (processorMs > 0) {
+      frame.put("processor", DecimalRounding.to(2, processorMs));
+    }
     polygons.put(node.putObject("polygons"));
     drawn.put(node.putObject("polygons_drawn"));
     if (latency.count() > 0) {

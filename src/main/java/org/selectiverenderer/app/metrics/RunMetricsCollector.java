@@ -18,10 +18,15 @@ public final class RunMetricsCollector {
   /** The number of frames whose times are kept for the percentiles: an hour at 60 per second. */
   private static final int KEPT = 216_000;
 
+  /** The number of frames before processor time counts, in which code is compiled and sent. */
+  private static final int WARM_UP = 60;
+
   private final long begun = System.nanoTime();
   private final FrameTimeStatistics times = new FrameTimeStatistics(KEPT);
   private FramePolygonStatistics polygons = FramePolygonStatistics.NONE;
   private FramePolygonStatistics drawn = FramePolygonStatistics.NONE;
+  private long warmProcessorNanos;
+  private long lastProcessorNanos;
   private double loadMs;
   private double firstFrameMs;
   private double processToFirstFrameMs;
@@ -42,8 +47,25 @@ public final class RunMetricsCollector {
       times.add(since(lastFrame));
     }
     lastFrame = System.nanoTime();
+    lastProcessorNanos = processorNanos();
+    if (polygons.frames() == WARM_UP) {
+      warmProcessorNanos = lastProcessorNanos;
+    }
     polygons = polygons.with(scenePolygons);
     drawn = drawn.with(frame.triangles());
+  }
+
+  /** Returns the processor time of all threads of this process, 0 if unknown. */
+  private static long processorNanos() {
+    return ManagementFactory.getOperatingSystemMXBean()
+            instanceof com.sun.management.OperatingSystemMXBean system
+        ? system.getProcessCpuTime()
+        : 0;
+  }
+
+  private double processorMs() {
+    long frames = polygons.frames() - 1 - WARM_UP;
+    return frames > 0 ? (lastProcessorNanos - warmProcessorNanos) * 1e-6 / frames : 0;
   }
 
   private static double since(long nanos) {
@@ -67,6 +89,7 @@ public final class RunMetricsCollector {
         firstFrameMs,
         processToFirstFrameMs,
         times.summary(),
+        processorMs(),
         polygons,
         drawn,
         ProcessMemory.peakMegabytes(),

@@ -12,9 +12,10 @@ final class BenchRoomsWriter {
   private BenchRoomsWriter() {}
 
   /**
+   * @param enabled whether the areas' sensors are
    * @param bounds x of the walls across, from west to east; the inner ones are knee-high
    */
-  static void write(X3dWriter out, double... bounds) {
+  static void write(X3dWriter out, boolean enabled, double... bounds) {
     double west = bounds[0];
     double east = bounds[bounds.length - 1];
     double middle = (west + east) / 2;
@@ -29,7 +30,8 @@ final class BenchRoomsWriter {
       box(out, WALLS, bounds[i], 0.25, 0, 0.08, 0.5, 2 * HALF_DEPTH);
     }
     for (int room = 1; room < bounds.length; room++) {
-      sensor(out, room, bounds[room - 1], bounds[room]);
+      double x = (bounds[room - 1] + bounds[room]) / 2;
+      area(out, enabled, "Room" + room, x, 0, bounds[room] - bounds[room - 1]);
     }
   }
 
@@ -49,11 +51,19 @@ final class BenchRoomsWriter {
     out.empty("Box", "size", numbers(width, height, depth)).close().close();
   }
 
-  private static void sensor(X3dWriter out, int room, double west, double east) {
-    String name = "Room" + room;
-    out.open("ProximitySensor", "DEF", name + "Prox", "enabled", "false");
-    out.attribute("center", DecimalFormatter.fixed((west + east) / 2, 3) + " 1.3 0");
-    out.attribute("size", DecimalFormatter.fixed(east - west, 3) + " 2.6 7");
+  /**
+   * Writes a sensor as deep and high as the house.
+   *
+   * @param name of the area, and of the schema that one activates by entering it
+   */
+  static void area(
+      X3dWriter out, boolean enabled, String name, double x, double z, double width) {
+    out.open("ProximitySensor", "DEF", name + "Prox");
+    if (!enabled) {
+      out.attribute("enabled", "false");
+    }
+    out.attribute("center", DecimalFormatter.fixed(x, 3) + " 1.3 " + DecimalFormatter.rounded(z, 3));
+    out.attribute("size", DecimalFormatter.fixed(width, 3) + " 2.6 7");
     out.open("MetadataSet", "containerField", "metadata");
     BenchSwitchWriter.string(out, "enterTimeSchema", name + "Schema");
     BenchSwitchWriter.string(out, "exitTimeSchema", "HouseSchema");

@@ -44,6 +44,40 @@ public enum GrowthSeries {
       int columns = (int) Math.round(Math.sqrt(size / 20.0));
       return GrowthSceneGenerator.objects(dir, FILES, size / 20 / columns, columns, true);
     }
+  },
+  /** Apartments of the thesis, all inlined from the same file; the walk goes through the first. */
+  STREET(1, 16, 64, 256, 1_024) {
+    @Override
+    public BenchScene write(Path dir, int size) throws IOException {
+      return StreetSceneGenerator.write(dir, size);
+    }
+
+    @Override
+    public List<Integer> usualSizes() {
+      return sizes().subList(0, sizes().size() - 1);
+    }
+
+    @Override
+    public boolean sharesFiles() {
+      return true;
+    }
+
+    @Override
+    public int secondsDrawn() {
+      return 10;
+    }
+  },
+  /** Houses of the heavy scene, each with 70 objects of its own shapes; all files differ. */
+  MODELS(1, 4, 13) {
+    @Override
+    public BenchScene write(Path dir, int size) throws IOException {
+      return HousesSceneGenerator.write(dir, size, 1);
+    }
+
+    @Override
+    public int secondsDrawn() {
+      return 5;
+    }
   };
 
   private static final int FILES = 10;
@@ -57,6 +91,21 @@ public enum GrowthSeries {
   /** Returns the sizes of the scenes, ascending. */
   public List<Integer> sizes() {
     return sizes;
+  }
+
+  /** Returns the sizes that are measured when all series are, which leaves out very large ones. */
+  public List<Integer> usualSizes() {
+    return sizes();
+  }
+
+  /** Returns whether the scenes of the series are written into one folder, for common files. */
+  public boolean sharesFiles() {
+    return false;
+  }
+
+  /** Returns the duration of the drawn run in seconds of the path's time, of 60 frames each. */
+  public int secondsDrawn() {
+    return 1;
   }
 
   /**

@@ -35,6 +35,8 @@ public final class HeavySceneGenerator {
   private static final int PLACES_IN_A_ROW = 10;
   private static final double[] ROOM_BOUNDS = {-8.5, -1.7, 3.4, 8.5};
 
+  private static final String FOLDER = "objects";
+
   private HeavySceneGenerator() {}
 
   /**
@@ -68,25 +70,43 @@ public final class HeavySceneGenerator {
     if (!(share > 0 && share <= 1)) {
       throw new IllegalArgumentException("share must be above 0 and at most 1: " + share);
     }
-    Path objects = Files.createDirectories(dir.resolve("objects"));
+    Written objects = objects(dir.resolve(FOLDER), share, 0);
+    Path scene = dir.resolve("scene.x3d");
+    X3dWriter out = new X3dWriter().file("Immersive", "3.3").open("Scene");
+    surroundings(out);
+    BenchCameraPath.write(out);
+    house(out, false, (i, x, z, room) -> BenchSwitchWriter.write(out, FOLDER, name(i), x, z, room));
+    long bytes = objects.bytes() + write(scene, out.finish());
+    Path path = dir.resolve("bench-path.csv");
+    write(path, BenchCameraPath.csv());
+    return new BenchScene(scene, path, OBJECTS, objects.triangles(), bytes);
+  }
+
+  /** The length of the objects' files, and their triangles. */
+  record Written(long bytes, long triangles) {}
+
+  /**
+   * Writes {@code object00.x3d} to {@code object69.x3d}.
+   *
+   * @param folder created if it does not exist
+   * @param share share of the 784,000 triangles
+   * @param phase in radians: another one gives objects of other shapes
+   */
+  static Written objects(Path folder, double share, double phase) throws IOException {
+    Files.createDirectories(folder);
     int columns = Math.max(3, (int) Math.round(COLUMNS * Math.sqrt(share)));
     int[] rows = rows(share, columns);
-    long bytes;
+    long triangles = 2L * columns * IntStream.of(rows).sum();
     try {
-      bytes =
+      return new Written(
           IntStream.range(0, OBJECTS)
               .parallel()
-              .mapToLong(i -> writeObject(objects, i, rows[i], columns))
-              .sum();
+              .mapToLong(i -> writeObject(folder, i, phase, rows[i], columns))
+              .sum(),
+          triangles);
     } catch (UncheckedIOException e) {
       throw e.getCause();
     }
-    Path scene = dir.resolve("scene.x3d");
-    bytes += write(scene, sceneText());
-    Path path = dir.resolve("bench-path.csv");
-    write(path, BenchCameraPath.csv());
-    long triangles = 2L * columns * IntStream.of(rows).sum();
-    return new BenchScene(scene, path, OBJECTS, triangles, bytes);
   }
 
   /**
@@ -107,21 +127,21 @@ public final class HeavySceneGenerator {
     return rows;
   }
 
-  private static long writeObject(Path objects, int i, int rows, int columns) {
+  private static long writeObject(Path folder, int i, double phase, int rows, int columns) {
     BenchSurface form = BenchSurface.values()[i % BenchSurface.values().length];
     String name = name(i);
-    SurfaceMesh mesh = SurfaceMesh.of(form, 0.7 * i, rows, columns);
+    SurfaceMesh mesh = SurfaceMesh.of(form, 0.7 * i + phase, rows, columns);
     try {
       return write(
-          objects.resolve(name.toLowerCase(Locale.ROOT) + ".x3d"),
+          folder.resolve(name.toLowerCase(Locale.ROOT) + ".x3d"),
           BenchObjectWriter.text(name, i, mesh));
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
   }
 
-  private static String sceneText() {
-    X3dWriter out = new X3dWriter().file("Immersive", "3.3").open("Scene");
+  /** Writes how the viewer moves, the background and the lights. */
+  static void surroundings(X3dWriter out) {
     out.empty(
         "NavigationInfo",
         "type",
@@ -134,14 +154,29 @@ public final class HeavySceneGenerator {
     out.open("DirectionalLight", "direction", "-0.5 -0.75 -0.4", "intensity", "0.7");
     out.attribute("ambientIntensity", "0.6").close();
     out.empty("DirectionalLight", "direction", "0.7 -0.3 0.6", "intensity", "0.35");
-    BenchCameraPath.write(out);
-    BenchRoomsWriter.write(out, ROOM_BOUNDS);
+  }
+
+  /** Writes what stands at a place of the house. */
+  interface ObjectWriter {
+    /**
+     * @param i number of the object
+     * @param room number of the room, from 1
+     */
+    void write(int i, double x, double z, int room);
+  }
+
+  /**
+   * Writes the rooms with their areas and objects.
+   *
+   * @param enabled whether the areas' sensors are
+   */
+  static void house(X3dWriter out, boolean enabled, ObjectWriter objects) {
+    BenchRoomsWriter.write(out, enabled, ROOM_BOUNDS);
     for (int i = 0; i < OBJECTS; i++) {
       double x = -7.65 + 1.7 * (i % PLACES_IN_A_ROW);
       double z = -3 + i / PLACES_IN_A_ROW;
-      BenchSwitchWriter.write(out, name(i), x, z, room(x));
+      objects.write(i, x, z, room(x));
     }
-    return out.finish();
   }
 
   /** Number of the room, from 1. */
@@ -153,11 +188,11 @@ public final class HeavySceneGenerator {
     return room;
   }
 
-  private static String name(int i) {
+  static String name(int i) {
     return String.format(Locale.ROOT, "Object%02d", i);
   }
 
-  private static long write(Path file, String text) throws IOException {
+  static long write(Path file, String text) throws IOException {
     byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
     Files.write(file, bytes);
     return bytes.length;

@@ -66,7 +66,7 @@ public final class HeavySceneBenchmark {
           DepthRange range = DepthRange.of(scene.tree(), viewer.position(), 0.25, 0);
           Camera camera = Camera.of(viewer, 1024, 768, range.near(), range.far());
           renderer.prepare(context.gl(), scene.tree());
-          VisibleSet seen = renderer.cull(gl, List.of(camera));
+          VisibleSet seen = renderer.cull(context.gl(), List.of(camera));
           culling += System.nanoTime() - before;
           triangles += seen.indices() / 3;
           renderer.draw(context.gl(), seen, camera, Background.BLACK, false);

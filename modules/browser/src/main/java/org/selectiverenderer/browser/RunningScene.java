@@ -36,7 +36,7 @@ final class RunningScene {
     cascade = world.cascade();
     problems = world.problems();
     scene = loaded.scene();
-    files = new RunningSceneLoader(loaded, problems, world::post);
+    files = new RunningSceneLoader(loaded, problems, world::post, world.meshes()::add);
     AnchorHandler links = new AnchorHandler(scene, files, problems, new LinkTarget());
     layers =
         new LayerStack(

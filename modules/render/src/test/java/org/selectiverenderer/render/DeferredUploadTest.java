@@ -35,8 +35,15 @@ class DeferredUploadTest {
   }
 
   private static String hills(int version) {
+    return hills(version, SIDE);
+  }
+
+  /**
+   * @param side the squares of a side, of two triangles each
+   */
+  private static String hills(int version, int side) {
     StringBuilder heights = new StringBuilder();
-    for (int i = 0; i < (SIDE + 1) * (SIDE + 1); i++) {
+    for (int i = 0; i < (side + 1) * (side + 1); i++) {
       heights.append(i * (version + 3) % 7).append(' ');
     }
     return String.format(
@@ -47,8 +54,8 @@ class DeferredUploadTest {
             + " height='%s'/></Shape></Transform>",
         version % 3,
         version + 1,
-        SIDE + 1,
-        SIDE + 1,
+        side + 1,
+        side + 1,
         heights);
   }
 
@@ -164,6 +171,21 @@ class DeferredUploadTest {
     assertThat(studio.renderer.items())
         .filteredOn(item -> item.surface().emissive()[0] == 1)
         .hasSize(1);
+  }
+
+  @Test
+  void aMeshTooLargeForAFrameComesWhenItIsPacked() {
+    TestScene scene = TestScene.of("<Group DEF='G'>" + hills(0, 150) + "</Group>");
+    List<Node> all = scene.loaded().scene().find("G").orElseThrow().nodes("children");
+    scene.set("G", "children", List.of());
+    shoot(scene);
+    scene.set("G", "children", all);
+    byte[] last = shoot(scene);
+    assertThat(studio.renderer.items()).as("in the frame in which it comes").isEmpty();
+    while (studio.renderer.items().isEmpty()) { // JUnit ends this if it never comes.
+      last = shoot(scene);
+    }
+    assertThat(last).isEqualTo(studio.shoot(scene).rgba());
   }
 
   @Test

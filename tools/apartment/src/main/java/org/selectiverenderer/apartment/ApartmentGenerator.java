@@ -17,6 +17,7 @@ import org.selectiverenderer.apartment.furniture.FurnitureRecipes;
 import org.selectiverenderer.apartment.kitchen.KitchenRecipes;
 import org.selectiverenderer.apartment.lounge.LoungeRecipes;
 import org.selectiverenderer.apartment.office.OfficeRecipes;
+import org.selectiverenderer.apartment.scene.StreetScene;
 import org.selectiverenderer.apartment.textures.TextureImage;
 import org.selectiverenderer.apartment.textures.TextureRegistry;
 import org.selectiverenderer.apartment.versions.GeneratedFile;
@@ -90,10 +91,27 @@ public final class ApartmentGenerator {
    * @throws IllegalArgumentException if the recipes do not fit the plan or the polygon counts
    */
   public Written writeAll(Path folder, boolean replace) throws IOException {
+    return writeAll(folder, List.of(), replace);
+  }
+
+  /**
+   * Writes the same and, beside the apartment, scenes with many of it.
+   *
+   * @param folder where {@code scenes} and {@code inlineNodes} are or will be
+   * @param streets numbers of apartments, one for each {@link StreetScene}
+   * @param replace whether files that differ are replaced
+   * @return what has been written
+   * @throws IOException if a file cannot be written or differs, with one line that names it
+   */
+  public Written writeAll(Path folder, List<Integer> streets, boolean replace) throws IOException {
     GeneratedApartment apartment = GeneratedApartment.make(files, counts);
     Map<String, byte[]> contents = new TreeMap<>();
     apartment.texts().forEach((path, text) -> contents.put(path, bytes(text)));
     apartment.pictures().forEach((path, picture) -> contents.put(path, picture.png()));
+    for (int apartments : streets) {
+      contents.put(
+          "scenes/" + StreetScene.fileName(apartments), bytes(StreetScene.text(apartments)));
+    }
     return new Written(Map.of(), contents.size(), write(folder, contents, replace));
   }
 

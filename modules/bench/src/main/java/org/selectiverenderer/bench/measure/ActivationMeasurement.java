@@ -2,7 +2,6 @@ package org.selectiverenderer.bench.measure;
 
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
-import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.selectiverenderer.base.decimal.DecimalRounding;
 import org.selectiverenderer.bench.BenchScene;
@@ -21,9 +20,6 @@ final class ActivationMeasurement {
    */
   private static final int ROUNDS = 4000;
 
-  private static final Vector3dc INSIDE = new Vector3d(0, 0, 0);
-  private static final Vector3dc OUTSIDE = new Vector3d(0, 0, 6);
-
   private ActivationMeasurement() {}
 
   static void measure(BenchScene scene, int affected, ObjectNode node) throws IOException {
@@ -38,7 +34,7 @@ final class ActivationMeasurement {
       double loadMs = (System.nanoTime() - begun) * 1e-6;
       node.put("switches", scene.switches());
       node.put("affected", affected);
-      frames(walk, 0, ROUNDS, node);
+      frames(walk, scene, 0, ROUNDS, node);
       if (walk.enteredAreas().size() > 1) {
         throw new IOException("the benchmark's scene does not behave");
       }
@@ -52,15 +48,17 @@ final class ActivationMeasurement {
    * @param time present time of the walkthrough
    * @param rounds measured, after as many to warm up
    */
-  static void frames(Walkthrough walk, double time, int rounds, ObjectNode node) {
+  static void frames(
+      Walkthrough walk, BenchScene scene, double time, int rounds, ObjectNode node) {
     double[] changing = new double[rounds];
     double[] resting = new double[rounds];
     double now = time;
     for (int round = 0; round < 2 * rounds; round++) {
       // The first half warms up.
       int at = round % rounds;
-      changing[at] = step(walk, now += 0.01, round % 2 == 0 ? INSIDE : OUTSIDE);
-      resting[at] = step(walk, now += 0.01, round % 2 == 0 ? INSIDE : OUTSIDE);
+      Vector3dc eye = round % 2 == 0 ? scene.inside() : scene.outside();
+      changing[at] = step(walk, now += 0.01, eye);
+      resting[at] = step(walk, now += 0.01, eye);
     }
     node.put("us", DecimalRounding.to(1, Medians.median(changing)));
     node.put("idle_frame_us", DecimalRounding.to(1, Medians.median(resting)));

@@ -3,12 +3,14 @@ package org.selectiverenderer.bench.measure;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.function.Consumer;
 import org.selectiverenderer.apartment.ApartmentGenerator;
 import org.selectiverenderer.apparatus.DisplayProfile;
 import org.selectiverenderer.bench.BenchScene;
 import org.selectiverenderer.bench.HeavySceneGenerator;
 import org.selectiverenderer.bench.ManySwitchesSceneGenerator;
+import org.selectiverenderer.bench.VersionsSceneGenerator;
 import org.selectiverenderer.formats.json.JsonTree;
 
 /**
@@ -22,6 +24,9 @@ import org.selectiverenderer.formats.json.JsonTree;
 public record Benchmark(String mainClass, int runs, Consumer<String> progress) {
   private static final int SWITCHES = 100_000;
   private static final int AFFECTED = 10;
+
+  /** The duration of a run in each condition in seconds of the path's time, the whole way round. */
+  private static final String SECONDS = "20";
 
   /**
    * Runs all measurements.
@@ -56,6 +61,15 @@ public record Benchmark(String mainClass, int runs, Consumer<String> progress) {
     ObjectNode lightNode = report.putObject("light");
     put(lightNode, light, child.run(light));
     RawDrawMeasurement.measure(light, lightNode);
+    progress.accept("the heavy scene with versions: high and selective");
+    ConditionComparison conditions = new ConditionComparison(child, runs);
+    BenchScene versions = VersionsSceneGenerator.write(folder.resolve("versions"), 1);
+    conditions.measure(
+        versions.scene(),
+        versions.path(),
+        SECONDS,
+        List.of(ConditionComparison.HIGH, ConditionComparison.SELECTIVE),
+        report.putObject("versions"));
     progress.accept("both eyes");
     ObjectNode stereo = report.putObject("stereo");
     StereoMeasurement.measure(heavy, DisplayProfile.PROVIEW_50, stereo.putObject("heavy"));
@@ -75,7 +89,7 @@ public record Benchmark(String mainClass, int runs, Consumer<String> progress) {
         apartment.resolve("scenes").resolve("apartment-unlit.x3d"),
         folder,
         report.putObject("radiosity"));
-    new RoomMeasurement(child, runs, progress)
+    new RoomMeasurement(conditions, progress)
         .measure(
             apartment.resolve("scenes").resolve("apartment.x3d"),
             apartment,

@@ -117,10 +117,43 @@ public final class BenchmarkTextReport {
     line(
         text,
         "The peers were measured on another machine of 4 cores with software OpenGL: compare with care.");
+    if (report.has("versions")) {
+      versions(text, report.get("versions"));
+    }
     if (report.has("apartment")) {
       apartment(text, report);
     }
     return text.toString();
+  }
+
+  private static void versions(StringBuilder text, JsonNode versions) {
+    text.append(System.lineSeparator());
+    text.append(
+        String.format(
+            Locale.ROOT, APARTMENT, "heavy scene, two versions of each object", "high", "selective", "ratio")
+            .stripTrailing());
+    text.append(System.lineSeparator());
+    String[][] rows = {
+      {"frames/s", "fps"},
+      {"frame, ms", "frame_p50_ms"},
+      {"processor time of a frame, ms", "cpu_ms"},
+      {"of that, vertices, ms", "vertex_ms"},
+      {"polygons drawn", "polygons_drawn"},
+      {"polygons of the scene", "polygons"},
+    };
+    for (String[] row : rows) {
+      double high = versions.at("/high/" + row[1]).asDouble();
+      double selective = versions.at("/selective/" + row[1]).asDouble();
+      String format = row[1].startsWith("polygons") ? "%,.0f" : "%,.1f";
+      text.append(
+          String.format(
+              Locale.ROOT,
+              APARTMENT,
+              row[0],
+              String.format(Locale.ROOT, format, high),
+              String.format(Locale.ROOT, format, selective),
+              String.format(Locale.ROOT, "%.2f", selective / high)));
+    }
   }
 
   private static void radiosity(StringBuilder text, JsonNode report) {
@@ -158,6 +191,8 @@ public final class BenchmarkTextReport {
     String[][] rows = {
       {"frames/s", "fps"},
       {"polygons drawn", "polygons_drawn"},
+      {"processor time of a frame, ms", "cpu_ms"},
+      {"of that, vertices, ms", "vertex_ms"},
       {"first frame, ms", "first_frame_ms"},
       {"MB", "rss_mb"}
     };
@@ -185,7 +220,8 @@ public final class BenchmarkTextReport {
   }
 
   private static String figure(JsonNode room, String condition, String key) {
-    return String.format(Locale.ROOT, "%,.0f", room.get(condition).get(key).asDouble());
+    String format = key.equals("vertex_ms") || key.equals("cpu_ms") ? "%,.1f" : "%,.0f";
+    return String.format(Locale.ROOT, format, room.get(condition).get(key).asDouble());
   }
 
   private static String seconds(JsonNode report, String key) {

@@ -22,6 +22,9 @@ record ChildProcessRun(String mainClass, int runs) {
   /** Width and height of the picture, the same as for other browsers. */
   private static final String SIZE = "1024x768";
 
+  /** A picture of the same shape with a 64th of the pixels: what is left is the triangles' time. */
+  private static final String SMALL = "128x96";
+
   /** The duration of the run in seconds of the path's time: 300 frames. */
   private static final String SECONDS = "5";
 
@@ -59,7 +62,18 @@ record ChildProcessRun(String mainClass, int runs) {
    */
   JsonNode once(Path scene, Path path, String seconds, String... more)
       throws IOException, InterruptedException {
-    List<String> options = new ArrayList<>(List.of("--size", SIZE, "--samples", "0"));
+    return once(SIZE, scene, path, seconds, more);
+  }
+
+  /** Returns the measurements of the same in a very small picture. */
+  JsonNode small(Path scene, Path path, String seconds, String... more)
+      throws IOException, InterruptedException {
+    return once(SMALL, scene, path, seconds, more);
+  }
+
+  private JsonNode once(String size, Path scene, Path path, String seconds, String... more)
+      throws IOException, InterruptedException {
+    List<String> options = new ArrayList<>(List.of("--size", size, "--samples", "0"));
     options.addAll(List.of("--path", path.toString(), "--duration", seconds));
     options.addAll(List.of(more));
     return once(scene, options);

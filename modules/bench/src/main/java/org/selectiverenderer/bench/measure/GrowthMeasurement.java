@@ -5,14 +5,17 @@ import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.util.Arrays;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.selectiverenderer.base.decimal.DecimalRounding;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.bench.BenchScene;
 import org.selectiverenderer.browser.viewer.CameraPath;
 import org.selectiverenderer.browser.viewer.CameraPathReader;
 import org.selectiverenderer.browser.viewer.PathMotion;
+import org.selectiverenderer.control.ControlEvent;
 import org.selectiverenderer.control.SelectiveController;
 import org.selectiverenderer.walkthrough.Walkthrough;
+import org.selectiverenderer.walkthrough.timeline.TimelineEvent;
 
 /**
  * Measures a scene without drawing: the time from the start of reading until it can be stepped with
@@ -38,21 +41,28 @@ final class GrowthMeasurement {
     double[] processorMs = new double[loads];
     for (int i = 0; i + 1 < loads; i++) {
       Stopwatch watch = new Stopwatch();
-      Walkthrough walk = open(scene);
+      Walkthrough walk = open(scene, new AtomicInteger());
       loadMs[i] = watch.milliseconds();
       processorMs[i] = watch.processorMilliseconds();
       walk.close();
     }
     double before = heapMegabytes();
+    AtomicInteger changes = new AtomicInteger();
     Stopwatch watch = new Stopwatch();
-    try (Walkthrough walk = open(scene)) {
+    try (Walkthrough walk = open(scene, changes)) {
       loadMs[loads - 1] = watch.milliseconds();
       processorMs[loads - 1] = watch.processorMilliseconds();
       row.put("load_ms", DecimalRounding.to(1, Medians.median(loadMs)));
       row.put("load_cpu_ms", DecimalRounding.to(1, Medians.median(processorMs)));
       row.put("heap_mb", DecimalRounding.to(1, heapMegabytes() - before));
+      row.put("enriched", scene.switches());
+      row.put("polygons", walk.polygons());
       double end = walk(walk, scene, row);
-      ActivationMeasurement.frames(walk, end, ROUNDS, row.putObject("activation"));
+      ObjectNode activation = row.putObject("activation");
+      int told = changes.get();
+      ActivationMeasurement.frames(walk, scene, end, ROUNDS, activation);
+      // As many entries and exits warm up.
+      activation.put("changed", Math.round((changes.get() - told) / (2.0 * ROUNDS)));
     }
   }
 
@@ -77,12 +87,20 @@ final class GrowthMeasurement {
     }
   }
 
-  private static Walkthrough open(BenchScene scene) throws IOException {
+  /**
+   * @param changes counts the changes of Switches
+   */
+  private static Walkthrough open(BenchScene scene, AtomicInteger changes) throws IOException {
     return Walkthrough.open(
         scene.scene(),
         SelectiveController.Settings.SELECTIVE,
         problem -> {},
-        event -> {},
+        event -> {
+          if (event instanceof TimelineEvent.ControllerEvent control
+              && control.event() instanceof ControlEvent.SwitchChange) {
+            changes.incrementAndGet();
+          }
+        },
         text -> {});
   }
 

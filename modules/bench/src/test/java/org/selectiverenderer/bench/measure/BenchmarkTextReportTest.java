@@ -19,10 +19,20 @@ class BenchmarkTextReportTest {
        "light": {"load_ms": 100, "fps": 400.5, "rss_mb": 200, "process_to_first_frame_ms": 999},
        "simplify": {"objects_ms": 2345.6, "objects": 50, "large_ms": 1234.5,
          "large_triangles": 1001112, "large_left": 100111},
+       "versions": {
+         "high": {"fps": 31.4, "frame_p50_ms": 30.2, "cpu_ms": 40, "vertex_ms": 20.5,
+           "polygons_drawn": 300000,
+           "polygons": 784002},
+         "selective": {"fps": 88.2, "frame_p50_ms": 10.1, "cpu_ms": 20, "vertex_ms": 3.5,
+
+           "polygons_drawn": 50123.4, "polygons": 130667}},
        "apartment": {"kitchen": {
-         "high": {"fps": 30.4, "polygons_drawn": 277224, "first_frame_ms": 800, "rss_mb": 512.6},
-         "high-low": {"fps": 55.5, "polygons_drawn": 100000, "first_frame_ms": 801, "rss_mb": 513},
-         "selective": {"fps": 60.8, "polygons_drawn": 49135, "first_frame_ms": 802, "rss_mb": 514},
+         "high": {"fps": 30.4, "polygons_drawn": 277224, "first_frame_ms": 800, "rss_mb": 512.6,
+           "cpu_ms": 30, "vertex_ms": 8.25},
+         "high-low": {"fps": 55.5, "polygons_drawn": 100000, "first_frame_ms": 801, "rss_mb": 513,
+           "cpu_ms": 20.5, "vertex_ms": 4},
+         "selective": {"fps": 60.8, "polygons_drawn": 49135, "first_frame_ms": 802, "rss_mb": 514,
+           "cpu_ms": 18, "vertex_ms": 2.04},
          "selective_to_high": 2.0}}}
       """;
 
@@ -33,9 +43,23 @@ class BenchmarkTextReportTest {
       apartment, turning round                          high    high-low   selective
       kitchen, frames/s                                   30          56          61
       kitchen, polygons drawn                        277,224     100,000      49,135
+      kitchen, processor time of a frame, ms            30.0        20.5        18.0
+      kitchen, of that, vertices, ms                     8.3         4.0         2.0
       kitchen, first frame, ms                           800         801         802
       kitchen, MB                                        513         513         514
       kitchen: selective draws 2.0 times as many frames as high
+      """;
+
+  private static final String VERSIONS =
+      """
+
+      heavy scene, two versions of each object          high   selective       ratio
+      frames/s                                          31.4        88.2        2.81
+      frame, ms                                         30.2        10.1        0.33
+      processor time of a frame, ms                     40.0        20.0        0.50
+      of that, vertices, ms                             20.5         3.5        0.17
+      polygons drawn                                 300,000      50,123        0.17
+      polygons of the scene                          784,002     130,667        0.17
       """;
 
   private final ObjectMapper json = new ObjectMapper();
@@ -56,13 +80,13 @@ class BenchmarkTextReportTest {
             "yardstick   heavy scene: 50.5 frames/s of all triangles in one raw call; ours are 0.82")
         .containsPattern("from the start of reading\\) +1.23 +41.5 +300 +0.10 +400.5 +200\n")
         .containsPattern("from process start\\) +2.35 +1.00 +\n")
-        .endsWith(APARTMENT);
+        .endsWith(VERSIONS + "\n" + APARTMENT);
   }
 
   @Test
   void withoutTheApartmentThereIsNothingOfIt() throws IOException {
-    JsonNode report = json.readTree(REPORT.replace("\"apartment\"", "\"other\""));
+    JsonNode report = json.readTree(REPORT.replaceAll("\"(apartment|versions)\"", "\"other\""));
 
-    assertThat(text(report)).doesNotContain("apartment").endsWith("compare with care.\n");
+    assertThat(text(report)).doesNotContain("apartment", "versions of").endsWith("compare with care.\n");
   }
 }

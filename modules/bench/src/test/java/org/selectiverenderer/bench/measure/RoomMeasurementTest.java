@@ -2,36 +2,9 @@ package org.selectiverenderer.bench.measure;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.ObjectMapper;
-import com.fasterxml.jackson.databind.node.ObjectNode;
-import java.util.Arrays;
-import java.util.List;
-import java.util.Map;
 import org.junit.jupiter.api.Test;
 
 class RoomMeasurementTest {
-  private final ObjectMapper json = new ObjectMapper();
-
-  private List<JsonNode> runs(double... fps) {
-    return Arrays.stream(fps)
-        .mapToObj(value -> (JsonNode) json.createObjectNode().put("fps", value))
-        .toList();
-  }
-
-  @Test
-  void theRatioIsTheMiddleOneOfNeighbouringRunsAndNotThatOfTheMedians() {
-    ObjectNode room = json.createObjectNode();
-
-    RoomMeasurement.put(
-        room,
-        Map.of("high", runs(10, 40, 20), "high-low", runs(1, 1, 1), "selective", runs(20, 60, 80)));
-
-    assertThat(room.get("selective_to_high").asDouble()).isEqualTo(2);
-    assertThat(room.at("/high/fps").asDouble()).isEqualTo(20);
-    assertThat(room.at("/selective/fps").asDouble()).isEqualTo(60);
-  }
-
   @Test
   void theTurnGoesAllRoundOnOneSpot() {
     assertThat(RoomMeasurement.turn(1.5).lines())

@@ -59,36 +59,32 @@ public record DepthRange(double near, double far) {
 
   /** Returns the square of the distance to the farthest corner of a bounding box. */
   private static double farthest(InstanceTree tree, Vector3dc eye) {
-    double[] best = {0};
     double[] box = new double[6];
-    tree.boxes()
-        .search(
-            (boxes, at, leaf) -> !(farthest(copy(boxes, at, box), eye) <= best[0]),
+    return tree.boxes()
+        .greatest(
+            (boxes, at) -> farthest(copy(boxes, at, box), eye),
             i -> {
               ShapeInstance shape = tree.shapes().get(i);
-              if (shape.shown()) {
-                best[0] = Math.max(best[0], farthest(shape.bounds(), eye));
-              }
-            });
-    return best[0];
+              return shape.shown() ? farthest(shape.bounds(), eye) : 0;
+            },
+            0);
   }
 
   /**
    * Returns the distance to the nearest bounding box; from inside a box, the distance to its faces.
    */
   private static double nearest(InstanceTree tree, Vector3dc eye) {
-    double[] best = {Double.POSITIVE_INFINITY};
     double[] box = new double[6];
-    tree.boxes()
-        .search(
-            (boxes, at, leaf) -> !(outside(copy(boxes, at, box), eye) >= best[0]),
+    return -tree.boxes()
+        .greatest(
+            (boxes, at) -> -outside(copy(boxes, at, box), eye),
             i -> {
               ShapeInstance shape = tree.shapes().get(i);
-              if (shape.shown() && shape.bounds()[0] <= shape.bounds()[3]) {
-                best[0] = Math.min(best[0], distance(shape.bounds(), eye));
-              }
-            });
-    return best[0];
+              return shape.shown() && shape.bounds()[0] <= shape.bounds()[3]
+                  ? -distance(shape.bounds(), eye)
+                  : Double.NEGATIVE_INFINITY;
+            },
+            Double.NEGATIVE_INFINITY);
   }
 
   private static double[] copy(float[] boxes, int at, double[] box) {

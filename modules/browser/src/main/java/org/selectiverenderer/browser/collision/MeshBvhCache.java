@@ -14,6 +14,11 @@ public final class MeshBvhCache {
   // content.
   private final Map<Mesh, MeshBvh> made = new WeakHashMap<>();
 
+  /** Takes over hierarchies that were built before they are needed, as those of large meshes. */
+  public void add(Map<Mesh, MeshBvh> built) {
+    made.putAll(built);
+  }
+
   public MeshBvh of(Mesh mesh) {
     return made.computeIfAbsent(mesh, MeshBvh::new);
   }

@@ -17,7 +17,11 @@ import org.selectiverenderer.browser.scene.Node;
  * one pass over the tree when its structure changes.
  */
 final class InstanceIndex {
-  private final Map<Node, NodeInstances> places = new IdentityHashMap<>();
+  /**
+   * For each node its only instance, or a {@link NodeInstances}: a street of copies has hundreds of
+   * thousands of nodes with one instance each.
+   */
+  private final Map<Node, Object> places = new IdentityHashMap<>();
 
   /** The nodes that are neither group, shape nor light, each once. */
   final List<Node> otherNodes = new ArrayList<>();
@@ -54,9 +58,11 @@ final class InstanceIndex {
   }
 
   private void add(Instance instance, List<ShapeInstance> all) {
-    NodeInstances known = places.computeIfAbsent(instance.node(), node -> new NodeInstances());
-    boolean first = known.isEmpty();
-    known.append(instance);
+    Object known = places.putIfAbsent(instance.node(), instance);
+    boolean first = known == null;
+    if (known != null) {
+      several(instance.node(), known).append(instance);
+    }
     if (instance instanceof GroupInstance group) {
       if (first && group.node() instanceof ViewerDependentNode) {
         viewerDependent.add(group);
@@ -64,7 +70,10 @@ final class InstanceIndex {
       if (group.node() instanceof ViewDependentLayout) {
         seenGroups.add(group);
       }
-      group.children.forEach(child -> add(child, all));
+      List<Instance> children = group.children;
+      for (int i = 0; i < children.size(); i++) {
+        add(children.get(i), all);
+      }
     } else if (instance instanceof ShapeInstance shape) {
       shape.index = all.size();
       all.add(shape);
@@ -82,14 +91,28 @@ final class InstanceIndex {
 
   /** Returns the instances of a node; empty if it is in no part of the scene. */
   List<Instance> instances(Node node) {
-    NodeInstances known = places.get(node);
-    return known == null ? List.of() : known.instances();
+    Object known = places.get(node);
+    if (known instanceof Instance only) {
+      return List.of(only);
+    }
+    return known == null ? List.of() : ((NodeInstances) known).instances();
   }
 
   /** Returns a view of the matrices {@link Instance#world()} of a node's instances. */
   List<Matrix4dc> places(Node node) {
-    NodeInstances known = places.get(node);
-    return known == null ? List.of() : known;
+    Object known = places.get(node);
+    return known == null ? List.of() : several(node, known);
+  }
+
+  /** Returns the list of a node's instances, which is made when it is first needed. */
+  private NodeInstances several(Node node, Object known) {
+    if (known instanceof NodeInstances list) {
+      return list;
+    }
+    NodeInstances made = new NodeInstances();
+    made.append((Instance) known);
+    places.put(node, made);
+    return made;
   }
 
   /** The instances of a node, which is also a list of their world matrices. */

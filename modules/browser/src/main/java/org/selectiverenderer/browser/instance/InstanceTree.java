@@ -22,6 +22,7 @@ import org.selectiverenderer.browser.nodes.layout.ViewParameters;
 import org.selectiverenderer.browser.nodes.shader.ShaderNode;
 import org.selectiverenderer.browser.scene.EventCascade;
 import org.selectiverenderer.browser.scene.Node;
+import org.selectiverenderer.browser.scene.NodeTemplate;
 import org.selectiverenderer.browser.scene.ProceduralShape;
 
 /**
@@ -53,6 +54,10 @@ public final class InstanceTree {
   private final AssetProvider assets;
   private final GroupInstance root;
   private final Map<Node, SharedShapeState> looks = new IdentityHashMap<>();
+
+  /** What the Shapes of the same template share that are added at the same time. */
+  private final Map<NodeTemplate, ShapeReading> readings = new IdentityHashMap<>();
+
   private final InstanceIndex lists = new InstanceIndex();
   private final List<GroupInstance> pendingGroups = new ArrayList<>();
   private final List<SharedShapeState> pendingLooks = new ArrayList<>();
@@ -65,6 +70,7 @@ public final class InstanceTree {
   private long structureVersion;
   private long placementVersion;
   private long choiceVersion;
+  private long lightVersion;
   private boolean structureChanged = true;
   private Consumer<? super Node> onMoved = node -> {};
   private boolean cutOff;
@@ -117,6 +123,15 @@ public final class InstanceTree {
   /** Returns a number that changes when a group may show other children or let others be picked. */
   public long choiceVersion() {
     return choiceVersion;
+  }
+
+  /** Returns a number that changes when a light may have changed, moved, or been shown or hidden. */
+  public long lightVersion() {
+    return lightVersion;
+  }
+
+  void lightChanged() {
+    lightVersion++;
   }
 
   void chosen() {
@@ -294,9 +309,9 @@ public final class InstanceTree {
     }
     if (node.type().name().equals("Shape") || node instanceof ProceduralShape) {
       SharedShapeState look =
-          looks.computeIfAbsent(node, shape -> new SharedShapeState(shape, assets, this));
+          looks.computeIfAbsent(node, shape -> new SharedShapeState(shape, assets, this, readings));
       ShapeInstance instance = new ShapeInstance(node, parent, look);
-      look.instances.add(instance);
+      look.add(instance);
       instance.see(sight);
       return instance;
     }
@@ -367,8 +382,8 @@ public final class InstanceTree {
       group.children.forEach(this::dispose);
       group.node().removeObserver(group);
     } else if (instance instanceof ShapeInstance shape) {
-      shape.look().instances.remove(shape);
-      if (shape.look().instances.isEmpty()) {
+      shape.look().remove(shape);
+      if (shape.look().instances().isEmpty()) {
         shape.look().dispose();
         looks.remove(shape.node());
       }
@@ -383,6 +398,7 @@ public final class InstanceTree {
     lists.collect(root);
     LightScopeResolver.tell(root, lists);
     changes.forget();
+    readings.clear();
     structureVersion++;
     structureChanged = false;
   }

@@ -30,6 +30,7 @@ public final class LightInstance extends Instance implements NodeObserver {
   public void changed(Node node, int field) {
     boolean wasGlobal = light.global();
     light = LightReader.read(node);
+    tree.lightChanged();
     if (light.global() != wasGlobal) {
       tree.structureChanged();
     }
@@ -37,11 +38,14 @@ public final class LightInstance extends Instance implements NodeObserver {
 
   @Override
   void show(boolean show, InstanceTree tree) {
-    shown = show;
+    if (show != shown) {
+      shown = show;
+      tree.lightChanged();
+    }
   }
 
   @Override
   void moved(InstanceTree tree) {
-    // Nothing to update: world() is the parent's matrix.
+    tree.lightChanged(); // world() is the parent's matrix.
   }
 }

@@ -3,6 +3,7 @@ package org.selectiverenderer.browser.instance;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.IntConsumer;
+import java.util.function.IntToDoubleFunction;
 import java.util.function.IntToLongFunction;
 import org.selectiverenderer.geometry.bvh.Bvh;
 import org.selectiverenderer.geometry.bvh.BvhBuilder;
@@ -35,6 +36,17 @@ public final class ShapeTree {
   public void search(Bvh.BoxTest test, IntConsumer found) {
     refresh();
     boxes.search(test, found);
+  }
+
+  /**
+   * Returns the greatest value of a shape; {@code least} if none is greater.
+   *
+   * @param bound bounds the value of shapes in a box
+   * @param value the value of the shape of an index in {@link InstanceTree#shapes()}
+   */
+  public double greatest(Bvh.BoxBound bound, IntToDoubleFunction value, double least) {
+    refresh();
+    return boxes.greatest(bound, value, least);
   }
 
   /**

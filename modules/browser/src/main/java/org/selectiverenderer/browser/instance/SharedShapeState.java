@@ -1,11 +1,9 @@
 package org.selectiverenderer.browser.instance;
 
 import java.util.ArrayList;
-import java.util.Collections;
-import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Problem;
@@ -15,9 +13,9 @@ import org.selectiverenderer.browser.nodes.sound.SoundSourceNode;
 import org.selectiverenderer.browser.scene.Node;
 import org.selectiverenderer.browser.scene.NodeObserver;
 import org.selectiverenderer.browser.scene.NodeSubgraphCollector;
+import org.selectiverenderer.browser.scene.NodeTemplate;
 import org.selectiverenderer.browser.scene.ProceduralShape;
 import org.selectiverenderer.geometry.mesh.Mesh;
-import org.selectiverenderer.x3d.tessellate.GeoMeshOrigin;
 
 /**
  * The mesh, material and drawing properties of one Shape node, shared by its instances. It observes
@@ -27,22 +25,25 @@ final class SharedShapeState implements NodeObserver {
   private final Node shape;
   private final AssetProvider assets;
   private final InstanceTree tree;
-  final List<ShapeInstance> instances = new ArrayList<>(1);
-  private final Set<Node> observed = Collections.newSetFromMap(new IdentityHashMap<>());
-  private @Nullable Mesh mesh;
-  private @Nullable Vector3dc anchor;
-  private SurfaceMaterial surface = SurfaceMaterial.UNLIT_WHITE;
-  private DrawProperties stroke = DrawProperties.PLAIN;
-  private List<ShaderProgramSource> programs = List.of();
-  private final Set<Node> inGeometry = Collections.newSetFromMap(new IdentityHashMap<>());
+  private List<ShapeInstance> instances = List.of();
+  private List<Node> inAppearance = List.of();
+  private List<Node> inGeometry = List.of();
+  private ShapeReading reading;
   private boolean pending;
   private boolean disposed;
-  private boolean onScreen;
   private @Nullable Node geometry;
   private List<SoundSourceNode> films = List.of();
-  private List<GeneratedCubeMapTextureNode> cubes = List.of();
 
-  SharedShapeState(Node shape, AssetProvider assets, InstanceTree tree) {
+  /**
+   * Reads a Shape.
+   *
+   * @param readings the readings of Shapes that are like their templates; a new one is added
+   */
+  SharedShapeState(
+      Node shape,
+      AssetProvider assets,
+      InstanceTree tree,
+      Map<NodeTemplate, ShapeReading> readings) {
     this.shape = shape;
     this.assets = assets;
     this.tree = tree;
@@ -50,11 +51,57 @@ final class SharedShapeState implements NodeObserver {
       formed.meshes(assets::mesh);
     }
     observe();
-    read();
+    NodeTemplate template = shape.template();
+    reading =
+        template != null && isLikeTemplate()
+            ? readings.computeIfAbsent(template, any -> ShapeReading.of(shape, geometry, assets))
+            : ShapeReading.of(shape, geometry, assets);
+  }
+
+  /**
+   * Returns whether a copy of the Shape with the same template is read alike: no node in it has
+   * changed, and none has an image or program of its own, which may arrive later.
+   */
+  private boolean isLikeTemplate() {
+    for (Node part : inGeometry) {
+      if (part.changes() > 0) {
+        return false;
+      }
+    }
+    for (Node part : inAppearance) {
+      if (part.changes() > 0 || hasAsset(part) || part instanceof ShaderNode) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Returns the instances of the Shape; not to be modified. */
+  List<ShapeInstance> instances() {
+    return instances;
+  }
+
+  void add(ShapeInstance instance) {
+    if (instances.isEmpty()) {
+      instances = List.of(instance); // smaller than a list that grows
+      return;
+    }
+    if (instances.size() == 1) {
+      instances = new ArrayList<>(instances);
+    }
+    instances.add(instance);
+  }
+
+  void remove(ShapeInstance instance) {
+    if (instances.size() > 1) {
+      instances.remove(instance);
+    } else if (instances.contains(instance)) {
+      instances = List.of();
+    }
   }
 
   Optional<Mesh> mesh() {
-    return Optional.ofNullable(mesh);
+    return Optional.ofNullable(reading.mesh());
   }
 
   /**
@@ -62,19 +109,19 @@ final class SharedShapeState implements NodeObserver {
    * same.
    */
   @Nullable Vector3dc anchor() {
-    return anchor;
+    return reading.anchor();
   }
 
   SurfaceMaterial surface() {
-    return surface;
+    return reading.surface();
   }
 
   DrawProperties stroke() {
-    return stroke;
+    return reading.stroke();
   }
 
   List<ShaderProgramSource> programs() {
-    return programs;
+    return reading.programs();
   }
 
   /** Tells a shader node whether its program compiled and is used. */
@@ -85,40 +132,17 @@ final class SharedShapeState implements NodeObserver {
   }
 
   int polygons() {
+    Mesh mesh = reading.mesh();
     return mesh == null ? 0 : mesh.polygons();
   }
 
   /** Returns whether the geometry is text measured in pixels (X3D 4.0, 36.4.4). */
   boolean onScreen() {
-    return onScreen;
+    return reading.onScreen();
   }
 
   boolean visible() {
     return shape.type().field("visible").map(f -> (Boolean) shape.value(f.index())).orElse(true);
-  }
-
-  private void read() {
-    stroke = DrawPropertiesReader.read(shape.node("appearance"));
-    Mesh formed;
-    if (shape instanceof ProceduralShape own) {
-      formed = own.form().orElse(null);
-    } else {
-      formed = geometry == null ? null : assets.mesh(geometry).orElse(null);
-      anchor = geometry == null ? null : GeoMeshOrigin.of(geometry).orElse(null);
-    }
-    mesh = LineTextureCoordinates.of(formed, stroke);
-    onScreen = isOnScreen(geometry);
-    surface = AppearanceReader.read(shape.node("appearance"), geometry, assets);
-    programs = ShaderProgramReader.read(shape.node("appearance"), geometry, assets);
-    cubes = GeneratedCubeTexture.in(surface, programs);
-  }
-
-  private static boolean isOnScreen(@Nullable Node geometry) {
-    if (geometry == null || !geometry.type().name().equals("Text")) {
-      return false;
-    }
-    Node style = geometry.node("fontStyle");
-    return style != null && style.type().name().equals("ScreenFontStyle");
   }
 
   /** Returns the movie textures in the appearance. */
@@ -128,18 +152,17 @@ final class SharedShapeState implements NodeObserver {
 
   /** Returns the generated cube maps on the shape. */
   List<GeneratedCubeMapTextureNode> cubes() {
-    return cubes;
+    return reading.cubes();
   }
 
   private void observe() {
-    observed.add(shape);
     shape.addObserver(this);
     geometry = shape.node("geometry");
     if (geometry != null) {
-      observe(geometry, inGeometry);
+      inGeometry = observed(geometry);
       int changes = 0;
-      for (Node part : inGeometry) {
-        changes += part.changes();
+      for (int i = 0; i < inGeometry.size(); i++) {
+        changes += inGeometry.get(i).changes();
       }
       if (changes > 0) {
         assets.asOf(geometry, changes);
@@ -147,23 +170,24 @@ final class SharedShapeState implements NodeObserver {
     }
     Node appearance = shape.node("appearance");
     if (appearance != null) {
-      observe(appearance, observed);
+      inAppearance = observed(appearance);
     }
   }
 
-  private void observe(Node node, Set<Node> set) {
-    for (Node part : NodeSubgraphCollector.of(node)) {
-      if (set.add(part)) {
-        part.addObserver(this);
-        if (part.changes() > 0 && hasAsset(part)) {
-          assets.asOf(part, part.changes());
-        }
-        if (part instanceof SoundSourceNode film) {
-          films = films.isEmpty() ? new ArrayList<>(1) : films;
-          films.add(film);
-        }
+  private List<Node> observed(Node top) {
+    List<Node> parts = List.copyOf(NodeSubgraphCollector.of(top)); // compact
+    for (int i = 0; i < parts.size(); i++) {
+      Node part = parts.get(i);
+      part.addObserver(this);
+      if (part.changes() > 0 && hasAsset(part)) {
+        assets.asOf(part, part.changes());
+      }
+      if (part instanceof SoundSourceNode film) {
+        films = films.isEmpty() ? new ArrayList<>(1) : films;
+        films.add(film);
       }
     }
+    return parts;
   }
 
   /** Returns whether a node of an appearance has an asset of its own. */
@@ -204,8 +228,7 @@ final class SharedShapeState implements NodeObserver {
       return; // The last instance left the scene between the change and this update.
     }
     List<SoundSourceNode> filmsBefore = films;
-    List<GeneratedCubeMapTextureNode> cubesBefore = cubes;
-    boolean onScreenBefore = onScreen;
+    ShapeReading before = reading;
     forget();
     observe();
     for (ShapeInstance instance : instances) {
@@ -213,8 +236,10 @@ final class SharedShapeState implements NodeObserver {
       instance.show(false, tree);
       instance.wanted = wanted;
     }
-    read();
-    if (onScreen != onScreenBefore || !films.equals(filmsBefore) || !cubes.equals(cubesBefore)) {
+    reading = ShapeReading.of(shape, geometry, assets);
+    if (reading.onScreen() != before.onScreen()
+        || !films.equals(filmsBefore)
+        || !reading.cubes().equals(before.cubes())) {
       tree.structureChanged();
     }
     for (ShapeInstance instance : instances) {
@@ -233,9 +258,10 @@ final class SharedShapeState implements NodeObserver {
 
   private void forget() {
     films = List.of();
-    observed.forEach(node -> node.removeObserver(this));
-    observed.clear();
+    shape.removeObserver(this);
+    inAppearance.forEach(node -> node.removeObserver(this));
+    inAppearance = List.of();
     inGeometry.forEach(node -> node.removeObserver(this));
-    inGeometry.clear();
+    inGeometry = List.of();
   }
 }

@@ -13,12 +13,14 @@ import org.selectiverenderer.browser.instance.Texture;
 import org.selectiverenderer.browser.movie.MoviePlayback;
 import org.selectiverenderer.browser.nodes.sound.MovieTextureNode;
 import org.selectiverenderer.browser.scene.Node;
+import org.selectiverenderer.browser.scene.NodeTemplate;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.x3d.shader.ShaderSource;
 
 /**
  * A store of meshes, images and shader sources by node: those made while loading, and those made
- * later for new or changed nodes. It holds nodes weakly. Thread-safe.
+ * later for new or changed nodes. The mesh of a node that is like its {@link NodeTemplate} is there.
+ * The store holds nodes weakly. Thread-safe.
  */
 final class AssetStore implements AssetProvider {
   // Nodes are compared by identity; no value refers back to its node, so that the weak keys can be
@@ -75,10 +77,6 @@ final class AssetStore implements AssetProvider {
     return multiplying.contains(texture);
   }
 
-  synchronized void put(Node geometry, Optional<Mesh> mesh) {
-    meshes.put(geometry, mesh);
-  }
-
   /** Stores an image; each MovieTexture gets a playback of its own. */
   synchronized void putImage(Node texture, Optional<Texture.Image> image) {
     Optional<Texture.Image> own = image;
@@ -97,7 +95,9 @@ final class AssetStore implements AssetProvider {
 
   @Override
   public synchronized Optional<Mesh> mesh(Node geometry) {
-    return meshes.computeIfAbsent(geometry, tessellate);
+    NodeTemplate template = geometry.template();
+    Optional<Mesh> shared = template == null ? null : template.mesh();
+    return shared != null ? shared : meshes.computeIfAbsent(geometry, tessellate);
   }
 
   @Override
@@ -115,6 +115,7 @@ final class AssetStore implements AssetProvider {
 
   @Override
   public synchronized void changed(Node node) {
+    node.dropTemplate();
     meshes.remove(node);
     images.remove(node);
   }

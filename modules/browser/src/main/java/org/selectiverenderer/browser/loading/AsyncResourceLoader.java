@@ -1,11 +1,13 @@
 package org.selectiverenderer.browser.loading;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Function;
 import java.util.function.LongSupplier;
+import java.util.function.Supplier;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.browser.instance.Texture;
@@ -13,6 +15,8 @@ import org.selectiverenderer.browser.loading.LoadedFile.Outcome;
 import org.selectiverenderer.browser.nodes.group.InlineNode;
 import org.selectiverenderer.browser.scene.Scene;
 import org.selectiverenderer.browser.sound.AudioBuffer;
+import org.selectiverenderer.geometry.bvh.MeshBvh;
+import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.shader.ShaderSource;
@@ -36,8 +40,10 @@ final class AsyncResourceLoader {
    * @param value the content; empty if it could not be read
    * @param problems the problems found, in order
    * @param work the cost of showing the content, in triangles
+   * @param hierarchies those of its large meshes
    */
-  record Arrival<T>(Optional<T> value, List<Problem> problems, long work) {}
+  record Arrival<T>(
+      Optional<T> value, List<Problem> problems, long work, Map<Mesh, MeshBvh> hierarchies) {}
 
   /** Reads the file that an Inline names and all files that it names in turn. */
   CompletableFuture<Arrival<Scene>> inline(ParsedNode inline, UrlContext origin) {
@@ -97,7 +103,8 @@ final class AsyncResourceLoader {
     LoadedFile content =
         new LoadedFile(origin.file(), origin.base(), X3dFile.of(node, origin.unitLength()));
     tasks.start(() -> reading.follow(content));
-    return arrival(tasks, node, hears -> making.make(content, hears), content::work);
+    return arrival(
+        tasks, node, hears -> making.make(content, hears), content::work, content::hierarchies);
   }
 
   /**
@@ -126,7 +133,7 @@ final class AsyncResourceLoader {
                 });
           }
         });
-    return arrival(tasks, anchor, hears -> making.get().apply(hears), () -> 0);
+    return arrival(tasks, anchor, hears -> making.get().apply(hears), () -> 0, Map::of);
   }
 
   private Optional<Scene> scene(
@@ -146,14 +153,15 @@ final class AsyncResourceLoader {
       TaskGroup tasks,
       ParsedNode node,
       Function<ProblemCollector, Optional<T>> making,
-      LongSupplier work) {
+      LongSupplier work,
+      Supplier<Map<Mesh, MeshBvh>> hierarchies) {
     return loader
         .after(
             tasks,
             () -> {
               ProblemCollector hears = new ProblemCollector();
               Optional<T> made = making.apply(hears);
-              return new Arrival<>(made, hears.list(), work.getAsLong());
+              return new Arrival<>(made, hears.list(), work.getAsLong(), hierarchies.get());
             })
         .exceptionally(
             failure -> {
@@ -164,7 +172,7 @@ final class AsyncResourceLoader {
                       node.location(),
                       "the file that the %s names could not be read (%s); it is left out"
                           .formatted(node.type().name(), cause));
-              return new Arrival<>(Optional.empty(), List.of(problem), 0);
+              return new Arrival<>(Optional.empty(), List.of(problem), 0, Map.of());
             });
   }
 }

@@ -5,6 +5,7 @@ import java.util.Collection;
 import java.util.Collections;
 import java.util.Comparator;
 import java.util.Deque;
+import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
@@ -19,6 +20,7 @@ import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.browser.instance.Background;
 import org.selectiverenderer.browser.instance.Texture;
 import org.selectiverenderer.browser.sound.AudioBuffer;
+import org.selectiverenderer.geometry.bvh.MeshBvh;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.X3dFile;
@@ -98,19 +100,41 @@ record LoadedFile(
    * meshes are shared.
    */
   long work() {
-    Set<LoadedFile> files = Collections.newSetFromMap(new IdentityHashMap<>());
-    Deque<LoadedFile> open = new ArrayDeque<>(List.of(this));
     long work = 0;
-    while (!open.isEmpty()) {
-      LoadedFile file = open.pop();
-      if (!files.add(file)) {
-        continue;
-      }
+    for (LoadedFile file : withInlines()) {
       for (Optional<Mesh> mesh : file.meshes.values()) {
         work += Math.max(LEAST_OF_ONE, mesh.map(Mesh::polygons).orElse(0));
       }
       for (Optional<Texture.Image> image : file.images.values()) {
         work += image.map(of -> (long) of.rgba().length).orElse(0L) / (4 * PIXELS);
+      }
+    }
+    return work;
+  }
+
+  /**
+   * Builds the hierarchies of the large meshes of the file with its Inlines, for which a frame
+   * would wait when a ray or the viewer first comes near.
+   */
+  Map<Mesh, MeshBvh> hierarchies() {
+    Map<Mesh, MeshBvh> built = new HashMap<>();
+    for (LoadedFile file : withInlines()) {
+      for (Optional<Mesh> mesh : file.meshes.values()) {
+        mesh.filter(of -> of.polygons() > FrameBudgetQueue.MOST)
+            .ifPresent(of -> built.computeIfAbsent(of, MeshBvh::new));
+      }
+    }
+    return built;
+  }
+
+  /** Returns this file and those that it inlines, directly or not, each once. */
+  private Set<LoadedFile> withInlines() {
+    Set<LoadedFile> files = Collections.newSetFromMap(new IdentityHashMap<>());
+    Deque<LoadedFile> open = new ArrayDeque<>(List.of(this));
+    while (!open.isEmpty()) {
+      LoadedFile file = open.pop();
+      if (!files.add(file)) {
+        continue;
       }
       for (CompletableFuture<Outcome> inlined : file.inlines.values()) {
         if (inlined.join() instanceof Outcome.Read read) {
@@ -118,7 +142,7 @@ record LoadedFile(
         }
       }
     }
-    return work;
+    return files;
   }
 
   void error(SourceLocation location, String message) {

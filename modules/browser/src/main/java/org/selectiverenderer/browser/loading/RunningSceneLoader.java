@@ -2,6 +2,7 @@ package org.selectiverenderer.browser.loading;
 
 import java.util.Collection;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
@@ -20,6 +21,8 @@ import org.selectiverenderer.browser.nodes.sound.MovieTextureNode;
 import org.selectiverenderer.browser.scene.Node;
 import org.selectiverenderer.browser.scene.Scene;
 import org.selectiverenderer.browser.sound.AudioBuffer;
+import org.selectiverenderer.geometry.bvh.MeshBvh;
+import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.shader.ShaderSource;
@@ -38,6 +41,7 @@ public final class RunningSceneLoader {
 
   private final LoadedScene loaded;
   private final ProblemCollector problems;
+  private final Consumer<Map<Mesh, MeshBvh>> built;
   private final FrameBudgetQueue arrivals;
   private final InlineUpdater inlines;
   private final RunningSceneAssets images;
@@ -48,10 +52,15 @@ public final class RunningSceneLoader {
   /**
    * @param problems receives the problems of the files read
    * @param post runs a task on the stepping thread
+   * @param built receives the hierarchies of large meshes that arrive, on the stepping thread
    */
   public RunningSceneLoader(
-      LoadedScene loaded, ProblemCollector problems, Consumer<Runnable> post) {
+      LoadedScene loaded,
+      ProblemCollector problems,
+      Consumer<Runnable> post,
+      Consumer<Map<Mesh, MeshBvh>> built) {
     this.loaded = loaded;
+    this.built = built;
     this.problems = problems;
     arrivals = new FrameBudgetQueue(post);
     inlines = new InlineUpdater(this, new ImportUpdater(loaded.scene(), problems));
@@ -317,6 +326,7 @@ public final class RunningSceneLoader {
                   for (Problem problem : arrival.problems()) {
                     problems.add(problem);
                   }
+                  built.accept(arrival.hierarchies());
                   arrival.value().ifPresentOrElse(arrived, failed);
                 }));
   }

@@ -3,10 +3,11 @@ package org.selectiverenderer.browser.loading;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.IdentityHashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
@@ -18,12 +19,12 @@ import org.selectiverenderer.browser.nodes.script.ScriptNode;
 import org.selectiverenderer.browser.nodes.sound.AudioClipNode;
 import org.selectiverenderer.browser.nodes.sound.MovieTextureNode;
 import org.selectiverenderer.browser.scene.Node;
+import org.selectiverenderer.browser.scene.NodeTemplate;
 import org.selectiverenderer.browser.scene.Route;
 import org.selectiverenderer.browser.scene.Scene;
 import org.selectiverenderer.browser.sound.AudioBuffer;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
-import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.geodesy.SpatialReferenceSystem;
 import org.selectiverenderer.x3d.read.ParsedNode;
@@ -52,7 +53,7 @@ final class SceneBuilder {
   private final UrlResolver root;
   private final int maxNodes;
   private final List<LoadedFile> files = new ArrayList<>();
-  private final Set<LoadedFile> known = Collections.newSetFromMap(new IdentityHashMap<>());
+  private final Map<LoadedFile, SharedHead> known = new IdentityHashMap<>();
 
   /** The location of the first Inline that names a file. */
   private final Map<LoadedFile, SourceLocation> references = new IdentityHashMap<>();
@@ -84,10 +85,13 @@ final class SceneBuilder {
    * @param above the keys of the files that inline this one, outermost first
    */
   Scene build(LoadedFile content, List<String> above) {
-    if (known.add(content)) {
+    SharedHead head = known.get(content);
+    if (head == null) {
+      head = new SharedHead(content);
+      known.put(content, head);
       files.add(content);
     }
-    return new FileBuilder(content, above).build();
+    return new FileBuilder(content, head, above).build();
   }
 
   /** Reports the problems of all files built, in the order of their first use. */
@@ -100,23 +104,76 @@ final class SceneBuilder {
     }
   }
 
+  /** What all scenes of one file have in common besides its nodes' values. */
+  private final class SharedHead {
+    private final LoadedFile content;
+
+    /** The templates of Shapes and geometry nodes. */
+    final Map<ParsedNode, NodeTemplate> templates = new IdentityHashMap<>();
+
+    final Map<String, Integer> components;
+    final Map<String, String> meta;
+    final Map<String, String> exports;
+    private @Nullable List<String> includedBy;
+    private @Nullable UrlContext origin;
+
+    SharedHead(LoadedFile content) {
+      this.content = content;
+      X3dFile file = content.file();
+      components = Collections.unmodifiableMap(new LinkedHashMap<>(file.components()));
+      Map<String, String> named = new LinkedHashMap<>();
+      file.meta().forEach(one -> named.put(one.name(), one.content()));
+      meta = Collections.unmodifiableMap(named);
+      Map<String, String> exported = new LinkedHashMap<>();
+      file.exports().forEach(export -> exported.put(export.as(), export.localDef()));
+      exports = Collections.unmodifiableMap(exported);
+      content
+          .meshes()
+          .forEach(
+              (geometry, mesh) ->
+                  templates.put(geometry, new NodeTemplate(geometry.location(), mesh)));
+    }
+
+    @Nullable NodeTemplate template(ParsedNode parsed) {
+      NodeTemplate known = templates.get(parsed);
+      if (known == null && parsed.type().name().equals("Shape")) {
+        known = new NodeTemplate(parsed.location(), null);
+        templates.put(parsed, known);
+      }
+      return known;
+    }
+
+    /** Returns the context of the file's urls where it is inlined by some other files. */
+    UrlContext origin(List<String> above) {
+      if (origin == null || includedBy != above) {
+        List<String> including = new ArrayList<>(above);
+        including.add(content.key());
+        origin =
+            new UrlContext(
+                root, content.base(), List.copyOf(including), content.file().unitLength());
+        includedBy = above;
+      }
+      return origin;
+    }
+  }
+
   /** Builds the scene of one file, with its own DEF names and routes. */
   private final class FileBuilder {
     private final LoadedFile content;
+    private final SharedHead head;
     private final UrlContext origin;
     private final boolean modern;
     private final Scene scene;
     private final Map<ParsedNode, Node> made;
 
-    FileBuilder(LoadedFile content, List<String> above) {
+    FileBuilder(LoadedFile content, SharedHead head, List<String> above) {
       this.content = content;
+      this.head = head;
       X3dFile file = content.file();
       modern = file.version().startsWith("4");
       // A capacity for which the map hardly ever grows.
       made = new IdentityHashMap<>(4 * file.named().size() + 32);
-      List<String> including = new ArrayList<>(above);
-      including.add(content.key());
-      origin = new UrlContext(root, content.base(), List.copyOf(including), file.unitLength());
+      origin = head.origin(above);
       Node top = factory.make(groupType, null, SourceLocation.of(file.source()));
       store.origin(top, origin);
       scene =
@@ -125,7 +182,7 @@ final class SceneBuilder {
               file.source(),
               file.version(),
               file.profile(),
-              file.components(),
+              head.components,
               origin.unitLength());
     }
 
@@ -133,11 +190,11 @@ final class SceneBuilder {
       X3dFile file = content.file();
       scene.root().init(groupType.indexOf("children"), makeAll(file.nodes()));
       file.loose().forEach(this::end);
+      scene.head(head.meta, head.exports);
       scene.types(content.types());
       if (file.prototypes() != null && content.types().contains("Script")) {
         store.prototypes(scene.root(), file.prototypes());
       }
-      file.meta().forEach(meta -> scene.meta().put(meta.name(), meta.content()));
       file.named()
           .forEach(
               (name, parsed) -> {
@@ -146,7 +203,6 @@ final class SceneBuilder {
                   scene.name(name, node);
                 }
               });
-      file.exports().forEach(export -> scene.exports().put(export.as(), export.localDef()));
       for (X3dFile.ParsedRoute route : file.routes()) {
         Optional<Node> from = end(route.from());
         Optional<Node> to = end(route.to());
@@ -185,11 +241,10 @@ final class SceneBuilder {
       depth++;
       Node node = factory.make(parsed.type(), parsed.name(), parsed.location());
       made.put(parsed, node);
-      List<FieldDefinition> fields = parsed.type().fields();
-      for (int i = 0; i < fields.size(); i++) {
-        if (parsed.given(i)) {
-          node.init(i, convert(fields.get(i), parsed));
-        }
+      node.init(values(parsed));
+      NodeTemplate template = head.template(parsed);
+      if (template != null) {
+        node.template(template);
       }
       attach(parsed, node);
       depth--;
@@ -216,28 +271,36 @@ final class SceneBuilder {
       return !tooMany;
     }
 
-    private List<Node> makeAll(List<? extends NodeView> parsed) {
+    private List<Node> makeAll(List<?> parsed) {
       List<Node> made = new ArrayList<>(parsed.size());
-      for (NodeView node : parsed) {
+      for (Object node : parsed) {
         make((ParsedNode) node).ifPresent(made::add);
       }
       return List.copyOf(made);
     }
 
-    private Object convert(FieldDefinition field, ParsedNode parsed) {
-      Object value = parsed.kept(field.index());
-      if (field.type() == FieldType.SFNode) {
-        return value instanceof ParsedNode child ? make(child).orElse(null) : null;
+    /** Returns a node's values: the array of the parsed node itself if it holds no other nodes. */
+    private @Nullable Object[] values(ParsedNode parsed) {
+      List<FieldDefinition> fields = parsed.type().fields();
+      @Nullable Object[] shared = parsed.values();
+      @Nullable Object[] values = shared;
+      for (int i = 0; i < shared.length; i++) {
+        if (shared[i] == null) {
+          continue;
+        }
+        FieldType type = fields.get(i).type();
+        if (type == FieldType.SFNode || type == FieldType.MFNode) {
+          values = values == shared ? shared.clone() : values;
+          values[i] =
+              shared[i] instanceof List<?> children
+                  ? makeAll(children)
+                  : make((ParsedNode) shared[i]).orElse(null);
+        }
       }
-      if (field.type() == FieldType.MFNode) {
-        return makeAll(parsed.nodes(field.name()));
-      }
-      return value;
+      return values;
     }
 
     private void attach(ParsedNode parsed, Node node) {
-      Optional.ofNullable(content.meshes().get(parsed))
-          .ifPresent(mesh -> store.assets().put(node, mesh));
       Optional.ofNullable(content.images().get(parsed))
           .ifPresent(image -> store.assets().putImage(node, image));
       if (node instanceof InlineNode inline) {
@@ -323,7 +386,7 @@ final class SceneBuilder {
             "Inlines are nested more than %s deep; the Inline of %s is left out"
                 .formatted(MAX_INLINES, name));
       } else {
-        if (!known.contains(inner)) {
+        if (!known.containsKey(inner)) {
           references.put(inner, inline.location());
         }
         Scene included = SceneBuilder.this.build(inner, origin.including());

@@ -3,7 +3,6 @@ package org.selectiverenderer.browser.picking;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import org.joml.Matrix4dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.browser.collision.MeshBvhCache;
@@ -32,7 +31,7 @@ final class PickSensorSearch implements NodeObserver {
   private final InstanceTree tree;
   private final AssetProvider assets;
   private final MeshBvhCache meshes;
-  private Set<Node> observed = Set.of();
+  private List<Node> observed = List.of();
   private @Nullable Node geometry;
   private Picker picker = Picker.NOTHING;
   private boolean reshaped = true;
@@ -88,7 +87,7 @@ final class PickSensorSearch implements NodeObserver {
   private void reshape() {
     observed.forEach(node -> node.removeObserver(this));
     geometry = sensor.geometry();
-    observed = geometry == null ? Set.of() : NodeSubgraphCollector.of(geometry);
+    observed = geometry == null ? List.of() : NodeSubgraphCollector.of(geometry);
     observed.forEach(node -> node.addObserver(this));
     picker = PickerFactory.of(sensor.with(), geometry, assets);
   }

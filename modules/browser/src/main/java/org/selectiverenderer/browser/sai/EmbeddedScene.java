@@ -208,7 +208,7 @@ final class EmbeddedScene extends PrototypelessSceneAdapter {
 
   @Override
   public void removeImportedNode(String name) {
-    write(() -> scene.imported().remove(name));
+    write(() -> scene.removeImported(name));
   }
 
   @Override
@@ -221,7 +221,7 @@ final class EmbeddedScene extends PrototypelessSceneAdapter {
             .flatMap(inner -> inner.exported(exportedName))
             .orElseThrow(
                 () -> new ImportedNodeException("the Inline exports no node as " + exportedName));
-    write(() -> scene.imported().put(name, node));
+    write(() -> scene.putImported(name, node));
   }
 
   @Override
@@ -247,18 +247,18 @@ final class EmbeddedScene extends PrototypelessSceneAdapter {
           if (scene.find(name).isEmpty()) {
             throw new InvalidNodeException("no node has the DEF name " + name);
           }
-          scene.exports().put(exportedName == null ? name : exportedName, name);
+          scene.putExport(exportedName == null ? name : exportedName, name);
         });
   }
 
   @Override
   public void removeExportedNode(String exportedName) {
-    write(() -> scene.exports().remove(exportedName));
+    write(() -> scene.removeExport(exportedName));
   }
 
   @Override
   public void addMetaData(String name, String value) {
-    write(() -> scene.meta().put(name, value));
+    write(() -> scene.putMeta(name, value));
   }
 
   @Override
@@ -268,7 +268,7 @@ final class EmbeddedScene extends PrototypelessSceneAdapter {
 
   @Override
   public void removeMetaData(String name) {
-    write(() -> scene.meta().remove(name));
+    write(() -> scene.removeMeta(name));
   }
 
   @Override

@@ -19,9 +19,7 @@ import org.selectiverenderer.x3d.field.PackedArray;
  * world.
  */
 public class Node implements NodeView {
-  private static final Route[] NO_ROUTES = {};
-  private static final NodeObserver[] NO_OBSERVERS = {};
-  private static final SingleFieldListener[] NO_LISTENERS = {};
+  private static final Object[] ALL_DEFAULTS = {};
 
   private record Listening(int field, FieldListener listener) implements SingleFieldListener {
     @Override
@@ -30,27 +28,65 @@ public class Node implements NodeView {
     }
   }
 
+  /** The routes and listeners of a node, and what it needs to send events. */
+  private static final class Connections {
+    private static final Route[] NO_ROUTES = {};
+    private static final SingleFieldListener[] NO_LISTENERS = {};
+
+    @Nullable Route[] routes = NO_ROUTES;
+    int routeCount;
+    @Nullable SingleFieldListener[] listeners = NO_LISTENERS;
+    int listenerCount;
+    long @Nullable [] sentIn;
+    @Nullable EventCascade sentBy;
+    @Nullable PrototypeInstance face;
+  }
+
+  /** Several observers, or none after several. */
+  private static final class ObserverList {
+    @Nullable NodeObserver[] all;
+    int count = 1;
+
+    ObserverList(Object first) {
+      all = new NodeObserver[] {(NodeObserver) first, null};
+    }
+
+    void remove(NodeObserver observer) {
+      for (int i = 0; i < count; i++) {
+        if (all[i].equals(observer)) {
+          System.arraycopy(all, i + 1, all, i, count - i - 1);
+          all[--count] = null;
+          return;
+        }
+      }
+    }
+  }
+
   private final NodeType type;
-  private final SourceLocation location;
+
+  /** The {@link SourceLocation} or, while the node is like it, the {@link NodeTemplate}. */
+  private Object origin;
+
   private @Nullable String name;
-  private final @Nullable Object[] values;
-  private @Nullable Route[] routes = NO_ROUTES;
-  private int routeCount;
-  private @Nullable NodeObserver[] observers = NO_OBSERVERS;
-  private int observerCount;
+
+  /** The values; shared with other nodes, and perhaps shorter, until the first change. */
+  private @Nullable Object[] values = ALL_DEFAULTS;
+
+  private boolean sharing = true;
   private int changes;
-  private @Nullable SingleFieldListener[] listeners = NO_LISTENERS;
-  private int listenerCount;
-  private long @Nullable [] sentIn;
+
+  /** Null, one observer, or an {@link ObserverList}: most nodes have one. */
+  private @Nullable Object observers;
+
   private @Nullable Object companion;
-  private @Nullable EventCascade sentBy;
-  private @Nullable PrototypeInstance face;
+
+  /** What few nodes have; null for the others, of which a scene may have millions. */
+  private @Nullable Connections connections;
 
   public Node(NodeType type, @Nullable String name, SourceLocation location) {
     this.type = type;
     this.name = name;
-    this.location = location;
-    this.values = new Object[type.fields().size()];
+    this.origin = location;
   }
 
   @Override
@@ -70,12 +106,15 @@ public class Node implements NodeView {
 
   @Override
   public final SourceLocation location() {
-    return location;
+    return origin instanceof NodeTemplate template
+        ? template.location()
+        : (SourceLocation) origin;
   }
 
   @Override
   public final @Nullable Object value(int field) {
-    Object value = PackedArray.read(values[field]);
+    @Nullable Object[] now = values;
+    Object value = field < now.length ? PackedArray.read(now[field]) : null;
     return value != null ? value : type.fields().get(field).defaultValue();
   }
 
@@ -106,11 +145,18 @@ public class Node implements NodeView {
 
   /** Returns the outermost prototype instance whose body starts with this node, or null. */
   final @Nullable PrototypeInstance face() {
-    return face;
+    return connections == null ? null : connections.face;
   }
 
   final void face(PrototypeInstance outermost) {
-    face = outermost;
+    connections().face = outermost;
+  }
+
+  private Connections connections() {
+    if (connections == null) {
+      connections = new Connections();
+    }
+    return connections;
   }
 
   /**
@@ -120,7 +166,48 @@ public class Node implements NodeView {
    *     array packed
    */
   public final void init(int field, @Nullable Object value) {
-    values[field] = value;
+    set(field, value);
+  }
+
+  /** Returns the template of the node; null without one and once one of its values has changed. */
+  public final @Nullable NodeTemplate template() {
+    return origin instanceof NodeTemplate template ? template : null;
+  }
+
+  /** Notes that the node is like all others of a template. */
+  public final void template(NodeTemplate template) {
+    origin = template;
+  }
+
+  /** Notes that the node is no longer like others of its template: a node in it has changed. */
+  public final void dropTemplate() {
+    if (origin instanceof NodeTemplate template) {
+      origin = template.location();
+    }
+  }
+
+  /**
+   * Sets the initial values of all fields before the node is part of a world.
+   *
+   * @param initial the values by field, null for the default; not to be changed afterwards, as
+   *     nodes may share it
+   */
+  public final void init(@Nullable Object[] initial) {
+    values = initial;
+    sharing = true;
+  }
+
+  private void set(int field, @Nullable Object value) {
+    dropTemplate();
+    if (sharing) {
+      @Nullable Object[] own = Arrays.copyOf(values, type.fields().size());
+      own[field] = value;
+      VarHandle.releaseFence();
+      values = own;
+      sharing = false;
+    } else {
+      values[field] = value;
+    }
   }
 
   /**
@@ -144,7 +231,7 @@ public class Node implements NodeView {
   /** Replaces the value of a field that sends no events and notifies the observers. */
   final void replace(int field, @Nullable Object value) {
     VarHandle.releaseFence();
-    values[field] = value;
+    set(field, value);
     tellObservers(field);
   }
 
@@ -165,24 +252,29 @@ public class Node implements NodeView {
     }
     // Other threads may read fields at any time and must not see an array before its elements.
     VarHandle.releaseFence();
-    values[field] = value;
+    set(field, value);
     tellObservers(field);
+    sendOn(connections(), field, value, cascade);
+    return true;
+  }
+
+  private void sendOn(
+      Connections to, int field, @Nullable Object value, EventCascade cascade) {
     // Elements added meanwhile lie beyond the count; removing one replaces the array.
-    Route[] going = routes;
-    for (int i = 0, count = routeCount; i < count; i++) {
+    Route[] going = to.routes;
+    for (int i = 0, count = to.routeCount; i < count; i++) {
       Route route = going[i];
       if (route.fromField() == field) {
         cascade.deliver(route.to(), route.toField(), value);
       }
     }
-    SingleFieldListener[] hearing = listeners;
-    for (int i = 0, count = listenerCount; i < count; i++) {
+    SingleFieldListener[] hearing = to.listeners;
+    for (int i = 0, count = to.listenerCount; i < count; i++) {
       SingleFieldListener listener = hearing[i];
       if (listener.field() == field) {
         cascade.notify(listener, this, field, value);
       }
     }
-    return true;
   }
 
   /**
@@ -199,8 +291,19 @@ public class Node implements NodeView {
    */
   public final void tellObservers(int field) {
     changes++;
-    for (int i = 0; i < observerCount; i++) {
-      observers[i].changed(this, field);
+    // An observer may add and remove observers.
+    for (int i = 0; ; i++) {
+      Object now = observers;
+      if (now instanceof ObserverList list) {
+        if (i >= list.count) {
+          return;
+        }
+        list.all[i].changed(this, field);
+      } else if (now == null || i > 0) {
+        return;
+      } else {
+        ((NodeObserver) now).changed(this, field);
+      }
     }
   }
 
@@ -214,9 +317,12 @@ public class Node implements NodeView {
    * has.
    */
   private boolean firstIn(EventCascade cascade, int field) {
-    if (sentIn == null || sentBy != cascade) {
-      sentIn = new long[values.length];
-      sentBy = cascade;
+    Connections sending = connections();
+    long[] sentIn = sending.sentIn;
+    if (sentIn == null || sending.sentBy != cascade) {
+      sentIn = new long[type.fields().size()];
+      sending.sentIn = sentIn;
+      sending.sentBy = cascade;
     }
     boolean first = sentIn[field] != cascade.id();
     sentIn[field] = cascade.id();
@@ -231,7 +337,8 @@ public class Node implements NodeView {
 
   /** Adds a route that is no part of a scene. */
   final void connect(Route route) {
-    routes = append(routes, routeCount++, route);
+    Connections to = connections();
+    to.routes = append(to.routes, to.routeCount++, route);
   }
 
   /**
@@ -241,44 +348,56 @@ public class Node implements NodeView {
   void heardFrom(int field) {}
 
   final void removeRoute(Route route) {
-    int at = Arrays.asList(routes).indexOf(route);
+    Connections to = connections();
+    int at = Arrays.asList(to.routes).indexOf(route);
     if (at >= 0) {
-      routes = without(routes, at, routeCount--);
+      to.routes = without(to.routes, at, to.routeCount--);
     }
   }
 
   /** Adds an observer; observers are notified in the order in which they were added. */
   public final void addObserver(NodeObserver observer) {
-    observers = append(observers, observerCount++, observer);
+    Object now = observers;
+    if (now == null) {
+      observers = observer;
+      return;
+    }
+    ObserverList list = now instanceof ObserverList several ? several : new ObserverList(now);
+    list.all = append(list.all, list.count++, observer);
+    observers = list;
   }
 
   public final void removeObserver(NodeObserver observer) {
-    for (int i = 0; i < observerCount; i++) {
-      if (observers[i].equals(observer)) {
-        System.arraycopy(observers, i + 1, observers, i, observerCount - i - 1);
-        observers[--observerCount] = null;
-        return;
-      }
+    if (observers instanceof ObserverList list) {
+      list.remove(observer);
+    } else if (observer.equals(observers)) {
+      observers = null;
     }
   }
 
   /** Adds a listener; listeners are called in the order in which they were added. */
   public final void addListener(int field, FieldListener listener) {
     heardFrom(field);
-    listeners = append(listeners, listenerCount++, ofField(field, listener));
+    Connections to = connections();
+    to.listeners = append(to.listeners, to.listenerCount++, ofField(field, listener));
   }
 
   public final void removeListener(int field, FieldListener listener) {
-    int at = Arrays.asList(listeners).indexOf(ofField(field, listener));
+    Connections to = connections();
+    int at = Arrays.asList(to.listeners).indexOf(ofField(field, listener));
     if (at >= 0) {
-      listeners = without(listeners, at, listenerCount--);
+      to.listeners = without(to.listeners, at, to.listenerCount--);
     }
   }
 
   /** Returns whether a field has a route or a listener. */
   public final boolean heard(int field) {
-    for (int i = 0; i < routeCount; i++) {
-      if (routes[i].fromField() == field) {
+    Connections to = connections;
+    if (to == null) {
+      return false;
+    }
+    for (int i = 0; i < to.routeCount; i++) {
+      if (to.routes[i].fromField() == field) {
         return true;
       }
     }
@@ -290,8 +409,12 @@ public class Node implements NodeView {
    */
   public final <L extends SingleFieldListener> @Nullable L listener(
       int field, Class<L> kind, Predicate<? super L> wanted) {
-    for (int i = 0; i < listenerCount; i++) {
-      SingleFieldListener listener = listeners[i];
+    Connections to = connections;
+    if (to == null) {
+      return null;
+    }
+    for (int i = 0; i < to.listenerCount; i++) {
+      SingleFieldListener listener = to.listeners[i];
       if (listener.field() == field
           && kind.isInstance(listener)
           && wanted.test(kind.cast(listener))) {

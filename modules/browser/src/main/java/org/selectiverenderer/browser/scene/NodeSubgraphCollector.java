@@ -1,37 +1,64 @@
 package org.selectiverenderer.browser.scene;
 
-import java.util.LinkedHashSet;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.IdentityHashMap;
+import java.util.List;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
-import org.selectiverenderer.x3d.field.FieldType;
 
 /** Collects a node and all nodes in its fields, recursively, except metadata. */
 public final class NodeSubgraphCollector {
+  /** Number of nodes up to which a list is searched faster than a hash set is filled. */
+  private static final int FEW = 16;
+
+  private final List<Node> found = new ArrayList<>();
+
+  /** The same nodes; null while they are few, as in most shapes. */
+  private @Nullable Set<Node> many;
+
   private NodeSubgraphCollector() {}
 
   /** Returns the nodes, each once, in document order. */
-  public static Set<Node> of(Node node) {
-    Set<Node> all = new LinkedHashSet<>();
-    add(node, all);
-    return all;
+  public static List<Node> of(Node node) {
+    NodeSubgraphCollector collector = new NodeSubgraphCollector();
+    collector.add(node);
+    return collector.found;
   }
 
-  private static void add(Node node, Set<Node> all) {
-    if (!all.add(node)) {
+  private void add(Node node) {
+    if (!addNew(node)) {
       return;
     }
-    for (FieldDefinition field : node.type().fields()) {
-      if (field.name().equals("metadata")) {
-        continue;
-      }
-      // The values of other fields stay as they are kept: to read a packed array would unpack it.
-      if (field.type() == FieldType.SFNode) {
-        if (node.value(field.index()) instanceof Node child) {
-          add(child, all);
+    // The values of other fields stay as they are: to read a packed array would unpack it.
+    List<FieldDefinition> fields = node.type().nodeFields();
+    for (int i = 0; i < fields.size(); i++) {
+      Object value = node.value(fields.get(i).index());
+      if (value instanceof Node child) {
+        add(child);
+      } else if (value instanceof List<?> children) {
+        for (int j = 0; j < children.size(); j++) {
+          add((Node) children.get(j));
         }
-      } else if (field.type() == FieldType.MFNode) {
-        node.nodes(field.name()).forEach(child -> add(child, all));
       }
     }
+  }
+
+  private boolean addNew(Node node) {
+    if (many == null) {
+      for (int i = 0; i < found.size(); i++) {
+        if (found.get(i) == node) {
+          return false;
+        }
+      }
+      found.add(node);
+      if (found.size() > FEW) {
+        many = Collections.newSetFromMap(new IdentityHashMap<>());
+        many.addAll(found);
+      }
+      return true;
+    }
+    return many.add(node) && found.add(node);
   }
 }

@@ -19,21 +19,24 @@ public final class Scene {
   private final String version;
   private final String profile;
   private final Map<String, Integer> components;
-  private final Map<String, String> meta = new LinkedHashMap<>();
   private final double unitLength;
-  private final Map<String, Node> named = new LinkedHashMap<>();
-  private final Map<String, Node> imported = new LinkedHashMap<>();
-  private final Map<String, String> exports = new LinkedHashMap<>();
   private final SceneImports imports = new SceneImports();
-  private final Map<String, SceneImports.ExportedInstance> exportedInstances =
-      new LinkedHashMap<>();
-  private final Set<Route> routes = new LinkedHashSet<>();
+
+  // Each is a LinkedHashMap or LinkedHashSet from the first change on. Until then it is empty or
+  // shared by the scenes of the same file, of which there may be tens of thousands.
+  private Map<String, String> meta = Map.of();
+  private Map<String, Node> named = Map.of();
+  private Map<String, Node> imported = Map.of();
+  private Map<String, String> exports = Map.of();
+  private Map<String, SceneImports.ExportedInstance> exportedInstances = Map.of();
+  private Set<Route> routes = Set.of();
+  private Set<Node> loose = Set.of();
   private @Nullable Set<String> types;
-  private final Set<Node> loose = new LinkedHashSet<>();
 
   /**
    * @param root a Group that holds the scene's top nodes in its {@code children}
    * @param url the address from which the scene was read, or empty
+   * @param components the levels of the components that the file names; never changed
    * @param unitLength the metres per unit of length
    */
   public Scene(
@@ -47,7 +50,7 @@ public final class Scene {
     this.url = url;
     this.version = version;
     this.profile = profile;
-    this.components = Collections.unmodifiableMap(new LinkedHashMap<>(components));
+    this.components = Collections.unmodifiableMap(components);
     this.unitLength = unitLength;
   }
 
@@ -72,9 +75,40 @@ public final class Scene {
     return components;
   }
 
-  /** Returns the meta statements, name to content; the map may be changed. */
+  /** Returns the meta statements, name to content. */
   public Map<String, String> meta() {
-    return meta;
+    return Collections.unmodifiableMap(meta);
+  }
+
+  public void putMeta(String name, String content) {
+    meta = own(meta);
+    meta.put(name, content);
+  }
+
+  public void removeMeta(String name) {
+    if (meta.containsKey(name)) {
+      meta = own(meta);
+      meta.remove(name);
+    }
+  }
+
+  /**
+   * Sets the meta statements and exports, which the scenes of one file share until one changes.
+   *
+   * @param itsMeta the meta statements, name to content; not to be changed
+   * @param itsExports the exported names with their DEF names; not to be changed
+   */
+  public void head(Map<String, String> itsMeta, Map<String, String> itsExports) {
+    meta = Collections.unmodifiableMap(itsMeta);
+    exports = Collections.unmodifiableMap(itsExports);
+  }
+
+  private static <V> Map<String, V> own(Map<String, V> map) {
+    return map instanceof LinkedHashMap ? map : new LinkedHashMap<>(map);
+  }
+
+  private static <T> Set<T> own(Set<T> set) {
+    return set instanceof LinkedHashSet ? set : new LinkedHashSet<>(set);
   }
 
   /** Returns the metres per unit of length, from the {@code unit} statement. */
@@ -93,6 +127,7 @@ public final class Scene {
 
   /** Assigns a DEF name to a node; a name in use is moved to that node. */
   public void name(String name, Node node) {
+    named = own(named);
     Node before = named.put(name, node);
     if (before != null && before != node && name.equals(before.name())) {
       before.rename(null);
@@ -102,15 +137,30 @@ public final class Scene {
 
   /** Removes a DEF name. A node with a second name keeps that. */
   public void unname(String name) {
-    Node node = named.remove(name);
-    if (node != null && name.equals(node.name())) {
+    Node node = named.get(name);
+    if (node == null) {
+      return;
+    }
+    named.remove(name);
+    if (name.equals(node.name())) {
       node.rename(null);
     }
   }
 
   /** Returns the imported names with their nodes, from IMPORT statements. */
   public Map<String, Node> imported() {
-    return imported;
+    return Collections.unmodifiableMap(imported);
+  }
+
+  public void putImported(String name, Node node) {
+    imported = own(imported);
+    imported.put(name, node);
+  }
+
+  public void removeImported(String name) {
+    if (imported.containsKey(name)) {
+      imported.remove(name);
+    }
   }
 
   /** Returns the imports from this scene's Inlines. */
@@ -136,12 +186,26 @@ public final class Scene {
   }
 
   public void exportInstance(String name, SceneImports.ExportedInstance fields) {
+    exportedInstances = own(exportedInstances);
     exportedInstances.put(name, fields);
   }
 
   /** Returns the exported names with their DEF names, from EXPORT statements. */
   public Map<String, String> exports() {
-    return exports;
+    return Collections.unmodifiableMap(exports);
+  }
+
+  /** Exports the node of a DEF name under a name. */
+  public void putExport(String as, String localDef) {
+    exports = own(exports);
+    exports.put(as, localDef);
+  }
+
+  public void removeExport(String as) {
+    if (exports.containsKey(as)) {
+      exports = own(exports);
+      exports.remove(as);
+    }
   }
 
   /**
@@ -154,6 +218,7 @@ public final class Scene {
   }
 
   public void addLoose(Node node) {
+    loose = own(loose);
     loose.add(node);
   }
 
@@ -184,6 +249,7 @@ public final class Scene {
 
   /** Adds a route unless the scene has the same one. */
   public void addRoute(Route route) {
+    routes = own(routes);
     if (routes.add(route)) {
       route.from().addRoute(route);
     }
@@ -193,12 +259,14 @@ public final class Scene {
    * Removes a route; one between prototype instances stands for several between their body nodes.
    */
   public void removeRoute(Route route) {
-    if (routes.remove(route)) {
+    if (routes.contains(route)) {
+      routes.remove(route);
       route.from().removeRoute(route);
       return;
     }
     for (Route behind : PrototypeInstance.behind(route)) {
-      if (routes.remove(behind)) {
+      if (routes.contains(behind)) {
+        routes.remove(behind);
         behind.from().removeRoute(behind);
       }
     }

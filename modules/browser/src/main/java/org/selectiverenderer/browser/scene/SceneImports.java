@@ -36,8 +36,9 @@ public final class SceneImports {
   /** A ROUTE with an imported end. */
   public record Link(End from, End to, SourceLocation location) {}
 
-  private final List<Import> imports = new ArrayList<>();
-  private final List<LiveLink> links = new ArrayList<>();
+  // Lists of their own from the first element on: most scenes of Inlines import nothing.
+  private List<Import> imports = List.of();
+  private List<LiveLink> links = List.of();
 
   private static final class Import {
     final Declared declared;
@@ -69,10 +70,12 @@ public final class SceneImports {
   }
 
   public void add(Declared declared) {
+    imports = imports.isEmpty() ? new ArrayList<>() : imports;
     imports.add(new Import(declared));
   }
 
   public void add(Link link) {
+    links = links.isEmpty() ? new ArrayList<>() : links;
     links.add(new LiveLink(link));
   }
 
@@ -121,9 +124,9 @@ public final class SceneImports {
     }
     wanted.node = node;
     if (node == null) {
-      scene.imported().remove(declared.as());
+      scene.removeImported(declared.as());
     } else {
-      scene.imported().put(declared.as(), node);
+      scene.putImported(declared.as(), node);
     }
     return true;
   }

@@ -45,7 +45,7 @@ final class SceneObject extends HostObject {
     method("toXMLString", 0, args -> NodeSerializer.xml(completed()));
     method("toVRMLString", 0, args -> NodeSerializer.classic(completed(), files.catalogue()));
     method("getMetaData", 1, args -> scene.meta().get(text(args[0])));
-    action("setMetaData", 2, args -> scene.meta().put(text(args[0]), text(args[1])));
+    action("setMetaData", 2, args -> scene.putMeta(text(args[0]), text(args[1])));
   }
 
   Scene scene() {

@@ -5,11 +5,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.File;
 import java.nio.file.Files;
 import java.util.List;
+import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.browser.nodes.group.InlineNode;
 import org.selectiverenderer.browser.scene.Node;
+import org.selectiverenderer.geometry.bvh.MeshBvh;
+import org.selectiverenderer.geometry.mesh.Mesh;
 
 /** Inlines that are filled and emptied while the scene runs. */
 class RunningSceneLoaderTest extends RunningSceneLoaderTestCase {
@@ -33,6 +36,29 @@ class RunningSceneLoaderTest extends RunningSceneLoaderTestCase {
     set("I", "load", true);
     assertBoxes(2);
     assertThat(arrivals).isEmpty();
+  }
+
+  @Test
+  void theHierarchyOfALargeMeshComesWithItAndNoneForASmallOne() throws Exception {
+    String heights = "0 ".repeat(150 * 150);
+    String large =
+        "<Shape><ElevationGrid xDimension='150' zDimension='150' height='%s'/></Shape>"
+            .formatted(heights);
+    write("large.x3d", large + "<Shape><Box/></Shape>");
+    load("<Inline DEF='I' load='false' url='\"large.x3d\"'/>");
+    set("I", "load", true);
+    arrive();
+    Mesh mesh = tree.shapes().get(0).mesh().orElseThrow();
+    assertThat(built).containsOnlyKeys(mesh);
+    assertThat(
+            built
+                .get(mesh)
+                .nearest(
+                    new Vector3d(70.3, 5, 70.2),
+                    new Vector3d(0, -1, 0),
+                    Double.POSITIVE_INFINITY,
+                    MeshBvh.Sides.BOTH))
+        .isPresent();
   }
 
   @Test

@@ -7,6 +7,8 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.IdentityHashMap;
+import java.util.Map;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import org.junit.jupiter.api.AfterEach;
@@ -20,6 +22,8 @@ import org.selectiverenderer.browser.nodes.group.GroupingNode;
 import org.selectiverenderer.browser.nodes.group.InlineNode;
 import org.selectiverenderer.browser.scene.EventCascade;
 import org.selectiverenderer.browser.scene.Node;
+import org.selectiverenderer.geometry.bvh.MeshBvh;
+import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.ReadLimits;
 
@@ -31,6 +35,9 @@ import org.selectiverenderer.x3d.source.ReadLimits;
 abstract class RunningSceneLoaderTestCase {
   @TempDir Path folder;
   final BlockingQueue<Runnable> arrivals = new LinkedBlockingQueue<>();
+
+  /** The hierarchies of large meshes that have arrived. */
+  final Map<Mesh, MeshBvh> built = new IdentityHashMap<>();
 
   final ProblemCollector problems = new ProblemCollector();
 
@@ -68,7 +75,7 @@ abstract class RunningSceneLoaderTestCase {
   void load(String nodes) throws IOException {
     byte[] text = scene(nodes).getBytes(StandardCharsets.UTF_8);
     loaded = loader.load("test.x3d", new ByteArrayInputStream(text), folder);
-    files = new RunningSceneLoader(loaded, problems, arrivals::add);
+    files = new RunningSceneLoader(loaded, problems, arrivals::add, built::putAll);
     tree = new InstanceTree((GroupingNode) loaded.scene().root(), files.assets());
     watch();
     files.update();

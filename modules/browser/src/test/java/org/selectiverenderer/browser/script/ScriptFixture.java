@@ -47,7 +47,7 @@ final class ScriptFixture implements ScriptHost, AutoCloseable {
             "test.x3d",
             new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)),
             Path.of("no-such-folder"));
-    files = new RunningSceneLoader(loaded, problems, Runnable::run);
+    files = new RunningSceneLoader(loaded, problems, Runnable::run, built -> {});
     nodes =
         loaded.scene().root().nodes("children").stream()
             .filter(ScriptNode.class::isInstance)

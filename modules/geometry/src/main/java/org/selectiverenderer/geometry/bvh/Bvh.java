@@ -3,6 +3,7 @@ package org.selectiverenderer.geometry.bvh;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.IntConsumer;
+import java.util.function.IntToDoubleFunction;
 import java.util.function.IntToLongFunction;
 import java.util.stream.IntStream;
 import org.joml.Vector3dc;
@@ -137,6 +138,48 @@ public final class Bvh {
         stack[size++] = near;
       }
     }
+  }
+
+  /** Bounds a value of the items in a box. */
+  @FunctionalInterface
+  public interface BoxBound {
+    /**
+     * Returns a number that no item in the box has more of.
+     *
+     * @param boxes holds min x, y, z, max x, y, z of the node
+     * @param at the index of min x
+     */
+    double most(float[] boxes, int at);
+  }
+
+  /**
+   * Returns the greatest value of an item (branch and bound); {@code least} if none is greater.
+   *
+   * @param value the value of an item
+   */
+  public double greatest(BoxBound bound, IntToDoubleFunction value, double least) {
+    return order.length == 0 ? least : greatest(0, bound, value, least);
+  }
+
+  private double greatest(int node, BoxBound bound, IntToDoubleFunction value, double least) {
+    double best = least;
+    if (count[node] > 0) {
+      for (int i = 0; i < count[node]; i++) {
+        best = Math.max(best, value.applyAsDouble(order[first[node] + i]));
+      }
+      return best;
+    }
+    int left = first[node];
+    double ofLeft = bound.most(boxes, 6 * left);
+    double ofRight = bound.most(boxes, 6 * (left + 1));
+    int other = ofLeft >= ofRight ? left + 1 : left;
+    if (!(Math.max(ofLeft, ofRight) <= best)) {
+      best = greatest(other == left ? left + 1 : left, bound, value, best);
+    }
+    if (!(Math.min(ofLeft, ofRight) <= best)) {
+      best = greatest(other, bound, value, best);
+    }
+    return best;
   }
 
   /** Reports the items of all leaves that overlap a box (min x, y, z, max x, y, z). */

@@ -2,7 +2,11 @@ package org.selectiverenderer.geometry.bvh;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
+import java.util.IntSummaryStatistics;
+import java.util.List;
 import java.util.TreeSet;
+import java.util.stream.IntStream;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
@@ -55,6 +59,38 @@ class BvhTest {
     assertThat(found).hasSizeLessThan(9);
     tree.overlap(new double[] {-301, -1, -1, -299, 1, 1}, found::add);
     assertThat(found).contains(500);
+  }
+
+  @Test
+  void theGreatestIsFoundWithoutLookingAtMost() {
+    int[] looks = {0};
+    double farthest =
+        tree.greatest(
+            (boxes, at) -> boxes[at + 3],
+            item -> {
+              looks[0]++;
+              return centres[item];
+            },
+            0);
+    assertThat(farthest).isEqualTo(9990);
+    assertThat(looks[0]).isLessThan(20);
+    assertThat(tree.greatest((boxes, at) -> boxes[at + 3], item -> centres[item], 1e6))
+        .isEqualTo(1e6);
+  }
+
+  @Test
+  void groupsAreOfNeighboursAndHoldEachItemOnce() {
+    List<int[]> groups = tree.groups(item -> item == 0 ? 1000 : 1, 100);
+    List<Integer> all = new ArrayList<>();
+    for (int[] group : groups) {
+      IntSummaryStatistics range = IntStream.of(group).summaryStatistics();
+      assertThat(range.getMax() - range.getMin()).isEqualTo(group.length - 1);
+      assertThat(group.length).isBetween(1, 100);
+      IntStream.of(group).forEach(all::add);
+    }
+    assertThat(all).hasSize(centres.length).doesNotHaveDuplicates();
+    assertThat(groups).hasSizeLessThan(40);
+    assertThat(BvhBuilder.build(0, this::box).groups(item -> 1, 10)).isEmpty();
   }
 
   @Test

@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.IntConsumer;
 import java.util.function.Predicate;
+import java.util.stream.IntStream;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
@@ -46,14 +47,17 @@ final class DrawItemCache implements Culler.Items {
   private static final int MOST_MOVES = 3;
 
   /**
-   * Triangles of deferred shapes that are uploaded per frame (about 5 ms), where each shape counts
-   * for at least {@link #LEAST_OF_ONE}.
+   * The time of a frame that the upload of deferred shapes may take, in nanoseconds; and likewise
+   * for shapes that are near, but that no eye has seen.
    */
+  private static final double DEFERRED = 5e6;
+
+  private static final double AHEAD = DEFERRED / 4;
+
+  /** The triangles that are uploaded in such a time at first and at most. */
   private static final int PORTION = 20_000;
 
-  /** Likewise for shapes that are near, but that no eye has seen. */
-  private static final int AHEAD = PORTION / 4;
-
+  /** What one shape counts for at least, in triangles. */
   private static final int LEAST_OF_ONE = 40;
 
   /**
@@ -83,8 +87,11 @@ final class DrawItemCache implements Culler.Items {
   private Vector3dc eye = new Vector3d();
   private long triangles; // Of all items.
 
+  /** The measured time of making a triangle ready, in nanoseconds. */
+  private double perTriangle = DEFERRED / PORTION;
+
   private final Map<ShapeInstance, Integer> moves = new IdentityHashMap<>();
-  private LightChangeDetector watch = new LightChangeDetector(List.of());
+  private @Nullable LightChangeDetector watch;
   private long read;
 
   DrawItemCache(GpuResourceCache assets, UnseenShapes.Limits limits) {
@@ -195,7 +202,7 @@ final class DrawItemCache implements Culler.Items {
                 }
               });
     }
-    fill(arrivals.places, assets.prepare(gl, arrivals.requests, true));
+    take(gl, arrivals);
   }
 
   /** Notes what is seen in a frame, and from where, by which the next decides what to keep. */
@@ -218,14 +225,15 @@ final class DrawItemCache implements Culler.Items {
     if (changed) {
       restructure(newTree, all);
     }
-    boolean otherLight = watch.changed();
-    boolean movedLight = watch.moved();
-    BitSet candidates = candidates(newTree, changed || otherLight || movedLight);
+    LightChangeDetector lights = Objects.requireNonNull(watch);
+    lights.look();
+    boolean otherLight = lights.changed();
+    BitSet candidates = candidates(newTree, changed || otherLight || lights.moved());
     if (all && !changed) {
       unseen.all().forEach(this::await);
     }
     if ((waited || all) && !changed) {
-      arrive(gl, all ? Long.MAX_VALUE : PORTION, candidates);
+      arrive(gl, all ? Long.MAX_VALUE : portion(DEFERRED), candidates);
     } else if (!changed) {
       approach(gl);
     }
@@ -250,14 +258,14 @@ final class DrawItemCache implements Culler.Items {
     if (unseen.isEmpty() || triangles >= unseen.limits().ahead()) {
       return;
     }
-    Arrivals arrivals = new Arrivals(AHEAD);
+    Arrivals arrivals = new Arrivals(portion(AHEAD));
     int group = unseen.nearest(eye);
     for (int place : unseen.unseen(group).toArray()) {
       if (arrivals.left > 0) {
-        arrivals.take(place);
+        arrivals.takeIfReady(place);
       }
     }
-    fill(arrivals.places, assets.prepare(gl, arrivals.requests, true));
+    take(gl, arrivals);
   }
 
   /** Gives up the items of groups that are far and not in view, if there are too many. */
@@ -314,24 +322,50 @@ final class DrawItemCache implements Culler.Items {
       }
     }
     for (int i = late.nextSetBit(0); i >= 0 && arrivals.left > 0; i = late.nextSetBit(i + 1)) {
-      arrivals.take(i);
+      arrivals.takeIfReady(i);
     }
     for (int i = waiting.nextSetBit(0);
         i >= 0 && arrivals.left > 0;
         i = waiting.nextSetBit(i + 1)) {
-      arrivals.take(i);
+      arrivals.takeIfReady(i);
     }
+    take(gl, arrivals);
+  }
+
+  /** Returns the triangles that can be made ready in some nanoseconds. */
+  private long portion(double time) {
+    return Math.max(1, Math.min(PORTION, Math.round(time / perTriangle)));
+  }
+
+  /** Makes shapes ready, and measures how long that takes. */
+  private void take(GL3 gl, Arrivals arrivals) {
+    long start = System.nanoTime();
     fill(arrivals.places, assets.prepare(gl, arrivals.requests, true));
+    if (arrivals.taken > 0) {
+      double now = (System.nanoTime() - start) / (double) arrivals.taken;
+      perTriangle += (now - perTriangle) / 4; // One frame that was interrupted tells little.
+    }
   }
 
   /** The deferred shapes that are uploaded with this frame. */
   private final class Arrivals {
     final List<Integer> places = new ArrayList<>();
     final List<LightingPlanner.Request> requests = new ArrayList<>();
+    private final long portion;
     long left;
+    long taken;
 
     Arrivals(long portion) {
+      this.portion = portion;
       left = portion;
+    }
+
+    /** Takes a shape, unless its mesh is so large that it is still being packed. */
+    void takeIfReady(int place) {
+      Mesh mesh = mesh(shapes.get(place));
+      if (portion == Long.MAX_VALUE || mesh == null || assets.ready(mesh)) {
+        take(place);
+      }
     }
 
     void take(int place) {
@@ -340,12 +374,18 @@ final class DrawItemCache implements Culler.Items {
       late.clear(place);
       unseen.remove(place);
       left -= cost(shape);
+      taken += cost(shape);
       Mesh mesh = mesh(shape);
       if (mesh != null) {
         places.add(place);
         requests.add(new LightingPlanner.Request(shape, mesh, shape.lights(), true));
       }
     }
+  }
+
+  private boolean ready(ShapeInstance shape) {
+    Mesh mesh = mesh(shape);
+    return mesh == null || assets.ready(mesh);
   }
 
   /** Returns the cost of uploading a shape, in triangles. */
@@ -465,11 +505,15 @@ final class DrawItemCache implements Culler.Items {
       }
       ShapeInstance shape = shapes.get(i);
       boolean fresh = before == null && shape.shown() && !older.contains(shape);
-      late.set(i, fresh && left <= 0);
-      left -= fresh ? cost(shape) : 0;
+      late.set(i, fresh && (left <= 0 || !(all || other || ready(shape))));
+      left -= fresh && !late.get(i) ? cost(shape) : 0;
       waiting.set(i, late.get(i) || (!all && before == null && !shape.shown()));
     }
-    watch = new LightChangeDetector(newTree.lights());
+    watch = new LightChangeDetector(newTree);
+    Set<Mesh> wanted = Collections.newSetFromMap(new IdentityHashMap<>());
+    IntStream.concat(waiting.stream(), unseen.all())
+        .forEach(place -> shapes.get(place).mesh().ifPresent(wanted::add));
+    assets.keepPacked(wanted);
     moves.keySet().retainAll(known.keySet());
   }
 }

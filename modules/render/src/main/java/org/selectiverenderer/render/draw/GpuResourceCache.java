@@ -36,6 +36,7 @@ final class GpuResourceCache {
   private final List<GpuMesh> merged = new ArrayList<>();
   private final BufferPool buffers = new BufferPool();
   private final DrawStateCache looks;
+  private final BackgroundPacker packer;
   private long uploads;
 
   private record Uploaded(SubMesh part, MeshMetrics survey) {}
@@ -47,11 +48,22 @@ final class GpuResourceCache {
     }
   }
 
-  private record Packed(Drawn drawn, PackedMesh mesh) {}
+  private record Packed(Drawn drawn, PackedMesh mesh, MeshOccluders occluders) {}
 
   GpuResourceCache(LightingPlanner planner, TextureFilterQuality filters) {
     this.planner = planner;
     looks = new DrawStateCache(filters);
+    packer = new BackgroundPacker(planner::survey);
+  }
+
+  /**
+   * Returns whether a frame can take in a mesh without waiting for long; if not, it is packed
+   * meanwhile.
+   */
+  boolean ready(Mesh mesh) {
+    return mesh.polygons() <= LightingPlanner.HEAVY
+        || meshes.containsKey(RefinedMeshKey.plain(mesh))
+        || packer.ready(mesh);
   }
 
   /** Returns the number of meshes and textures uploaded since the start. */
@@ -107,15 +119,29 @@ final class GpuResourceCache {
     return items;
   }
 
+  /**
+   * Forgets what was packed of other meshes.
+   *
+   * @param waiting a set by identity of the meshes that may still be wanted
+   */
+  void keepPacked(Set<Mesh> waiting) {
+    packer.keepOnly(waiting);
+  }
+
   private Map<Mesh, MeshMetrics> surveys(List<LightingPlanner.Request> requests) {
     Set<Mesh> distinct = Collections.newSetFromMap(new IdentityHashMap<>());
     requests.forEach(request -> distinct.add(request.mesh()));
     Map<Mesh, MeshMetrics> surveys = new IdentityHashMap<>();
     distinct.parallelStream()
-        .map(mesh -> Map.entry(mesh, planner.survey(mesh)))
+        .map(mesh -> Map.entry(mesh, survey(mesh)))
         .toList()
         .forEach(surveyed -> surveys.put(surveyed.getKey(), surveyed.getValue()));
     return surveys;
+  }
+
+  private MeshMetrics survey(Mesh mesh) {
+    BackgroundPacker.Packed packed = packer.of(mesh);
+    return packed == null ? planner.survey(mesh) : packed.survey();
   }
 
   private Map<RefinedMeshKey, Drawn> drawn(
@@ -160,17 +186,26 @@ final class GpuResourceCache {
 
   private void upload(GL3 gl, Map<RefinedMeshKey, Drawn> missing) {
     missing.values().parallelStream()
-        .map(drawn -> new Packed(drawn, MeshPacker.pack(drawn.staged())))
+        .map(this::packed)
         .toList()
         .forEach(
             packed -> {
               RefinedMeshKey form = packed.drawn().form();
-              // The refined triangles cover the same surface as the mesh's own.
-              MeshOccluders occluders = MeshOccluders.of(form.source());
-              SubMesh part = SubMesh.whole(new GpuMesh(gl, packed.mesh(), buffers), occluders);
+              packer.forget(form.source());
+              SubMesh part =
+                  SubMesh.whole(new GpuMesh(gl, packed.mesh(), buffers), packed.occluders());
               meshes.put(form, new Uploaded(part, packed.drawn().survey()));
               uploads++;
             });
+  }
+
+  private Packed packed(Drawn drawn) {
+    RefinedMeshKey form = drawn.form();
+    BackgroundPacker.Packed ahead = form.isPlain() ? packer.of(form.source()) : null;
+    return ahead == null
+        // The refined triangles cover the same surface as the mesh's own.
+        ? new Packed(drawn, MeshPacker.pack(drawn.staged()), MeshOccluders.of(form.source()))
+        : new Packed(drawn, ahead.mesh(), ahead.occluders());
   }
 
   private DrawItem item(BatchPlanner.Candidate shape, Mesh source, SubMesh part) {
@@ -214,6 +249,7 @@ final class GpuResourceCache {
   }
 
   void dispose(GL3 gl) {
+    packer.close();
     keepOnly(gl, List.of());
     looks.dispose(gl);
     buffers.dispose(gl);

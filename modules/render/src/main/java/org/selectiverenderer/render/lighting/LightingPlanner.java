@@ -23,7 +23,7 @@ public final class LightingPlanner {
   private static final double TOLERANCE = 2.5 / 255;
 
   /** Meshes with more triangles are not refined: they are fine enough, or too costly to refine. */
-  private static final int HEAVY = 20_000;
+  public static final int HEAVY = 20_000;
 
   private final boolean byVertex;
 

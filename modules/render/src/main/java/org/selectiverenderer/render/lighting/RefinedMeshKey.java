@@ -12,11 +12,12 @@ import org.selectiverenderer.geometry.mesh.Mesh;
  */
 public record RefinedMeshKey(Mesh source, CurvatureTolerance fineness, @Nullable Object place) {
   /** Returns the key of a mesh that is not refined. */
-  static RefinedMeshKey plain(Mesh source) {
+  public static RefinedMeshKey plain(Mesh source) {
     return new RefinedMeshKey(source, CurvatureTolerance.NONE, null);
   }
 
-  boolean isPlain() {
+  /** Returns whether the mesh is drawn as it is. */
+  public boolean isPlain() {
     return fineness.equals(CurvatureTolerance.NONE) && place == null;
   }
 }

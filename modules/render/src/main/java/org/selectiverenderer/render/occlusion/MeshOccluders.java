@@ -54,7 +54,7 @@ public final class MeshOccluders {
   }
 
   /** Searches for occluders unless that is done; takes time in proportion to the triangles. */
-  void find() {
+  public void find() {
     if (mesh != null) {
       patches = new OccluderFinder(mesh.get()).find();
       mesh = null;

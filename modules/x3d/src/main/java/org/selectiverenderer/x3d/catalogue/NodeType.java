@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.selectiverenderer.x3d.field.FieldType;
 
 /**
  * A node type: a concrete one of the catalogue, one extended by a single node's author-defined
@@ -22,6 +23,7 @@ public final class NodeType {
   private final String containerField;
   private final Set<String> ancestors;
   private final List<FieldDefinition> fields;
+  private final List<FieldDefinition> nodeFields;
   private final int ownFrom;
   private final Map<String, FieldDefinition> fieldsByName;
 
@@ -50,10 +52,16 @@ public final class NodeType {
     this.containerField = containerField;
     this.ancestors = Set.copyOf(ancestors);
     this.fields = List.copyOf(fields);
+    this.nodeFields = this.fields.stream().filter(NodeType::holdsNodes).toList();
     this.fieldsByName = new HashMap<>(fields.size() * 2);
     for (FieldDefinition field : fields) {
       fieldsByName.put(field.name(), field);
     }
+  }
+
+  private static boolean holdsNodes(FieldDefinition field) {
+    return (field.type() == FieldType.SFNode || field.type() == FieldType.MFNode)
+        && !field.name().equals("metadata");
   }
 
   /**
@@ -126,6 +134,11 @@ public final class NodeType {
   /** Returns the fields in the order of the standard. */
   public List<FieldDefinition> fields() {
     return fields;
+  }
+
+  /** Returns the fields that hold nodes, without {@code metadata}, in the order of the standard. */
+  public List<FieldDefinition> nodeFields() {
+    return nodeFields;
   }
 
   /** Returns the field of exactly this name. */

@@ -89,14 +89,17 @@ public final class ParsedNode implements NodeView {
     return values[field] != null;
   }
 
+  /**
+   * Returns the values of all fields by their indices, null where the file gives none, large arrays
+   * possibly as a {@link PackedArray}; the node's own array, not to be changed.
+   */
+  public @Nullable Object[] values() {
+    return values;
+  }
+
   /** Sets the value of a field, as {@link FieldType} represents it. For readers. */
   public void put(int field, Object value) {
     values[field] = value;
-  }
-
-  /** Returns the value of a field as it is kept: possibly a {@link PackedArray}. */
-  public @Nullable Object kept(int field) {
-    return values[field];
   }
 
   /**

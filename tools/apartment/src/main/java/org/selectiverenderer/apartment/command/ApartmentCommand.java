@@ -6,6 +6,7 @@ import java.util.List;
 import org.selectiverenderer.apartment.ApartmentGenerator;
 import org.selectiverenderer.apartment.ApartmentGenerator.Written;
 import org.selectiverenderer.apartment.DifferingFilesException;
+import org.selectiverenderer.apartment.scene.StreetScene;
 import org.selectiverenderer.base.decimal.Pluralizer;
 import org.selectiverenderer.command.CliCommand;
 import org.selectiverenderer.command.output.CommandException;
@@ -25,7 +26,8 @@ import picocli.CommandLine.Parameters;
     },
     footer = {
       "  ./selective-renderer apartment",
-      "  ./selective-renderer apartment /tmp/a --only trashCan"
+      "  ./selective-renderer apartment /tmp/a --only trashCan",
+      "  ./selective-renderer apartment /tmp/a --street 16"
     })
 final class ApartmentCommand extends CliCommand {
   @Parameters(
@@ -42,6 +44,15 @@ final class ApartmentCommand extends CliCommand {
       description = "writes only the files of these objects, no scenes")
   private List<String> only = List.of();
 
+  @Option(
+      names = "--street",
+      split = ",",
+      paramLabel = "N",
+      description =
+          "also writes scenes/street-N.x3d: N times the apartment in rows, to measure programs "
+              + "with (1 to 1024)")
+  private List<Integer> streets = List.of();
+
   @Option(names = "--force", description = "replaces files that differ from what is written")
   private boolean force;
 
@@ -55,6 +66,16 @@ final class ApartmentCommand extends CliCommand {
     for (String name : only) {
       if (!generator.objects().contains(name)) {
         throw CommandException.usage("--only: the apartment has no object named " + name);
+      }
+    }
+    if (!streets.isEmpty() && !only.isEmpty()) {
+      throw CommandException.usage("--only writes no scenes; leave out --street");
+    }
+    for (int apartments : streets) {
+      if (apartments < 1 || apartments > StreetScene.MOST) {
+        throw CommandException.usage(
+            "--street must be a whole number from 1 to %d: %d"
+                .formatted(StreetScene.MOST, apartments));
       }
     }
     Written written = write(generator);
@@ -71,7 +92,7 @@ final class ApartmentCommand extends CliCommand {
   private Written write(ApartmentGenerator generator) throws IOException {
     try {
       return only.isEmpty()
-          ? generator.writeAll(folder, force)
+          ? generator.writeAll(folder, streets, force)
           : generator.writeObjects(folder, only, force);
     } catch (DifferingFilesException e) {
       throw CommandException.environment(e.getMessage() + " (--force replaces them)");

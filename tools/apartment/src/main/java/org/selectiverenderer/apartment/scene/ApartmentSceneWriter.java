@@ -69,6 +69,23 @@ public final class ApartmentSceneWriter {
         "info",
         FieldValueFormatter.strings(
             "Kitchen, lounge and office; objects are drawn by what one expects."));
+    surroundings(xml);
+    for (Room room : Room.values()) {
+      if (shares.containsKey(room)) {
+        unlitRoom(xml, room, placed, shares.get(room));
+      } else {
+        room(xml, room, placed, enriched);
+      }
+    }
+    xml.comment("Thesis Figure 76, digit by digit.");
+    AreaSensor.BOOKCASE.write(xml, enriched);
+    AreaSensor.DESK.write(xml, enriched);
+    AreaSensor.SOFA.write(xml, enriched);
+    return xml.finish();
+  }
+
+  /** Writes how the viewer moves, where one may stand, and what is outside of the windows. */
+  static void surroundings(X3dWriter xml) {
     xml.empty(
         "NavigationInfo",
         "type",
@@ -100,18 +117,6 @@ public final class ApartmentSceneWriter {
         outside(TextureRegistry.SOUTH),
         "leftUrl",
         outside(TextureRegistry.WEST));
-    for (Room room : Room.values()) {
-      if (shares.containsKey(room)) {
-        unlitRoom(xml, room, placed, shares.get(room));
-      } else {
-        room(xml, room, placed, enriched);
-      }
-    }
-    xml.comment("Thesis Figure 76, digit by digit.");
-    AreaSensor.BOOKCASE.write(xml, enriched);
-    AreaSensor.DESK.write(xml, enriched);
-    AreaSensor.SOFA.write(xml, enriched);
-    return xml.finish();
   }
 
   private static void head(X3dWriter xml, String fileName, String state) {

@@ -54,7 +54,7 @@ final class PreviewNodeIndex {
 
   /** Finds the nodes again, after groups have got other children. */
   void collect() {
-    scene = NodeSubgraphCollector.of(world.scene().root());
+    scene = new LinkedHashSet<>(NodeSubgraphCollector.of(world.scene().root()));
     moved.keySet().retainAll(scene);
     timeSensors =
         scene.stream()

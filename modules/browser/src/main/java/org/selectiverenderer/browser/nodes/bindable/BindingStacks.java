@@ -55,7 +55,8 @@ public final class BindingStacks {
 
   private final Node root;
   private final Map<Kind, BindingStack> stacks = new EnumMap<>(Kind.class);
-  private final Map<GroupingNode, NodeObserver> observed = new IdentityHashMap<>();
+  private final NodeObserver observer = this::changed;
+  private Set<GroupingNode> observed = Set.of();
   private Set<BindableNode> present = Set.of();
   private boolean stale = true;
 
@@ -145,26 +146,21 @@ public final class BindingStacks {
   }
 
   private void observe(Set<GroupingNode> groups) {
-    observed
-        .entrySet()
-        .removeIf(
-            entry -> {
-              boolean gone = !groups.contains(entry.getKey());
-              if (gone) {
-                entry.getKey().removeObserver(entry.getValue());
-              }
-              return gone;
-            });
-    for (GroupingNode group : groups) {
-      observed.computeIfAbsent(group, this::observer);
+    for (GroupingNode group : observed) {
+      if (!groups.contains(group)) {
+        group.removeObserver(observer);
+      }
     }
+    for (GroupingNode group : groups) {
+      if (!observed.contains(group)) {
+        group.addObserver(observer);
+      }
+    }
+    observed = groups;
   }
 
-  private NodeObserver observer(GroupingNode group) {
-    NodeObserver observer =
-        (node, field) -> stale |= group.effectOf(field) == GroupingNode.Effect.STRUCTURE;
-    group.addObserver(observer);
-    return observer;
+  private void changed(Node node, int field) {
+    stale |= ((GroupingNode) node).effectOf(field) == GroupingNode.Effect.STRUCTURE;
   }
 
   /** Finds bindable nodes in document order, each once. */
