@@ -400,8 +400,7 @@ final class DrawItemCache implements Culler.Items {
     List<Integer> places = new ArrayList<>();
     List<LightingPlanner.Request> requests = new ArrayList<>();
     for (int i = candidates.nextSetBit(0); i >= 0; i = candidates.nextSetBit(i + 1)) {
-      if (unseen.contains(i)) {
-        unseen.bound(i); // It may have moved.
+      if (unseen.stays(i)) {
         continue;
       }
       if (waiting.get(i)) {

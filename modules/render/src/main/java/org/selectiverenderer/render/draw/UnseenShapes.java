@@ -184,8 +184,21 @@ final class UnseenShapes {
     return gone;
   }
 
-  /** Notes the bounds of a shape, which may have moved. */
-  void bound(int place) {
+  /**
+   * Returns whether a shape that may have changed is unseen still: unless it may be drawn out of
+   * its box now.
+   */
+  boolean stays(int place) {
+    if (unseen.get(place) && !waits(shapes.get(place))) {
+      remove(place);
+    }
+    if (unseen.get(place)) {
+      bound(place);
+    }
+    return unseen.get(place);
+  }
+
+  private void bound(int place) {
     ShapeInstance shape = shapes.get(place);
     shape
         .mesh()
