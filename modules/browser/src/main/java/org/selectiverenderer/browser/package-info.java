@@ -36,7 +36,8 @@
  * and what has changed by a log ({@code instance.ShapeChanges}), so that a frame costs what is in
  * view and what changes, not what there is. Small shapes of one look that stand still share buffers
  * and are drawn by one call. Shapes that are new and hidden are made ready over the next frames,
- * shapes that are shown in their own frame. Light is computed at pixels on a graphics card and at
+ * shapes that are shown in their own frame; those of a large scene when they are seen or near.
+ * Light is computed at pixels on a graphics card and at
  * vertices on a processor, by one text ({@code light.glsl}); {@code render.lighting} decides for
  * each shape and divides surfaces that are too coarse for it.
  *

@@ -25,6 +25,9 @@ public record Benchmark(String mainClass, int runs, Consumer<String> progress) {
   private static final int SWITCHES = 100_000;
   private static final int AFFECTED = 10;
 
+  /** The share of triangles with which objects cost next to nothing. */
+  private static final double BARE = 0.01;
+
   /** The duration of a run in each condition in seconds of the path's time, the whole way round. */
   private static final String SECONDS = "20";
 
@@ -70,6 +73,13 @@ public record Benchmark(String mainClass, int runs, Consumer<String> progress) {
         SECONDS,
         List.of(ConditionComparison.HIGH, ConditionComparison.SELECTIVE),
         report.putObject("versions"));
+    BenchScene bare = VersionsSceneGenerator.write(folder.resolve("bare"), BARE);
+    conditions.measure(
+        bare.scene(),
+        bare.path(),
+        SECONDS,
+        ConditionComparison.HIGH,
+        ((ObjectNode) report.get("versions")).putObject("bare"));
     progress.accept("both eyes");
     ObjectNode stereo = report.putObject("stereo");
     StereoMeasurement.measure(heavy, DisplayProfile.PROVIEW_50, stereo.putObject("heavy"));

@@ -119,6 +119,7 @@ public final class BenchmarkTextReport {
         "The peers were measured on another machine of 4 cores with software OpenGL: compare with care.");
     if (report.has("versions")) {
       versions(text, report.get("versions"));
+      bare(text, report.get("versions"));
     }
     if (report.has("apartment")) {
       apartment(text, report);
@@ -154,6 +155,14 @@ public final class BenchmarkTextReport {
               String.format(Locale.ROOT, format, selective),
               String.format(Locale.ROOT, "%.2f", selective / high)));
     }
+  }
+
+  private static void bare(StringBuilder text, JsonNode versions) {
+    line(
+        text,
+        "with a hundredth of the polygons: %s ms of processor time, of that vertices %s ms",
+        at(versions, "/bare/cpu_ms"),
+        at(versions, "/bare/vertex_ms"));
   }
 
   private static void radiosity(StringBuilder text, JsonNode report) {

@@ -46,31 +46,49 @@ record ConditionComparison(ChildProcessRun child, int runs) {
     Map<String, Runs> figures = new LinkedHashMap<>();
     for (int run = 0; run < runs; run++) {
       for (String condition : conditions) {
-        Runs all = figures.computeIfAbsent(condition, unused -> new Runs());
-        all.usual().add(child.once(scene, path, seconds, "--condition", condition));
-        all.small().add(child.small(scene, path, seconds, "--condition", condition));
+        run(scene, path, seconds, condition, figures);
       }
     }
     put(node, figures);
   }
 
+  /** Adds the figures of one condition alone. */
+  void measure(Path scene, Path path, String seconds, String condition, ObjectNode node)
+      throws IOException, InterruptedException {
+    Map<String, Runs> figures = new LinkedHashMap<>();
+    for (int run = 0; run < runs; run++) {
+      run(scene, path, seconds, condition, figures);
+    }
+    figures.values().forEach(all -> figures(node, all));
+  }
+
+  private void run(
+      Path scene, Path path, String seconds, String condition, Map<String, Runs> figures)
+      throws IOException, InterruptedException {
+    Runs all = figures.computeIfAbsent(condition, unused -> new Runs());
+    all.usual().add(child.once(scene, path, seconds, "--condition", condition));
+    all.small().add(child.small(scene, path, seconds, "--condition", condition));
+  }
+
   static void put(ObjectNode node, Map<String, Runs> figures) {
-    figures.forEach(
-        (condition, all) ->
-            node.putObject(condition)
-                .put("first_frame_ms", ChildProcessRun.median(all.usual(), "/first_frame_ms"))
-                .put("fps", ChildProcessRun.median(all.usual(), "/fps"))
-                .put("frame_p50_ms", ChildProcessRun.median(all.usual(), "/frame_ms/p50"))
-                .put("cpu_ms", ChildProcessRun.median(all.usual(), CPU))
-                .put("vertex_ms", ChildProcessRun.median(all.small(), CPU))
-                .put("polygons_drawn", ChildProcessRun.median(all.usual(), "/polygons_drawn/mean"))
-                .put("polygons", ChildProcessRun.median(all.usual(), "/polygons/mean"))
-                .put("rss_mb", ChildProcessRun.median(all.usual(), "/peak_rss_mb")));
+    figures.forEach((condition, all) -> figures(node.putObject(condition), all));
     Runs selective = figures.get(SELECTIVE);
     Runs high = figures.get(HIGH);
     node.put("selective_to_high", ratio(selective.usual(), high.usual(), "/fps"));
     node.put("cpu_to_high", ratio(selective.usual(), high.usual(), CPU));
     node.put("vertex_to_high", ratio(selective.small(), high.small(), CPU));
+  }
+
+  private static void figures(ObjectNode node, Runs all) {
+    node
+        .put("first_frame_ms", ChildProcessRun.median(all.usual(), "/first_frame_ms"))
+        .put("fps", ChildProcessRun.median(all.usual(), "/fps"))
+        .put("frame_p50_ms", ChildProcessRun.median(all.usual(), "/frame_ms/p50"))
+        .put("cpu_ms", ChildProcessRun.median(all.usual(), CPU))
+        .put("vertex_ms", ChildProcessRun.median(all.small(), CPU))
+        .put("polygons_drawn", ChildProcessRun.median(all.usual(), "/polygons_drawn/mean"))
+        .put("polygons", ChildProcessRun.median(all.usual(), "/polygons/mean"))
+        .put("rss_mb", ChildProcessRun.median(all.usual(), "/peak_rss_mb"));
   }
 
   /** Returns the median ratio of a figure of pairs of runs. */

@@ -25,7 +25,8 @@ class BenchmarkTextReportTest {
            "polygons": 784002},
          "selective": {"fps": 88.2, "frame_p50_ms": 10.1, "cpu_ms": 20, "vertex_ms": 3.5,
 
-           "polygons_drawn": 50123.4, "polygons": 130667}},
+           "polygons_drawn": 50123.4, "polygons": 130667},
+         "bare": {"cpu_ms": 19.1, "vertex_ms": 4.4}},
        "apartment": {"kitchen": {
          "high": {"fps": 30.4, "polygons_drawn": 277224, "first_frame_ms": 800, "rss_mb": 512.6,
            "cpu_ms": 30, "vertex_ms": 8.25},
@@ -60,6 +61,7 @@ class BenchmarkTextReportTest {
       of that, vertices, ms                             20.5         3.5        0.17
       polygons drawn                                 300,000      50,123        0.17
       polygons of the scene                          784,002     130,667        0.17
+      with a hundredth of the polygons: 19.1 ms of processor time, of that vertices 4.4 ms
       """;
 
   private final ObjectMapper json = new ObjectMapper();

@@ -3,17 +3,25 @@ package org.selectiverenderer.browser.loading;
 import java.io.IOException;
 import java.io.InputStream;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Comparator;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.browser.instance.Background;
 import org.selectiverenderer.browser.loading.LoadedFile.Outcome;
 import org.selectiverenderer.browser.movie.MovieDecoderPool;
+import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.read.NodeTraversal;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.PrototypeLibrary;
@@ -122,7 +130,9 @@ final class SceneFileLoader {
           reader.with(libraries, source.base()).read(source.name(), in, source.size(), problems);
       LoadedFile content = new LoadedFile(source.key(), source.base(), file);
       content.problems().addAll(problems.list());
-      follow(content);
+      Runnable last = begin(content);
+      // What has just been read is in the processor's cache, and is smaller once it is a mesh.
+      last.run();
       return new Outcome.Read(content);
     } catch (IOException e) {
       return new Outcome.Failed(source.name() + " " + IoErrorFormatter.clause(e));
@@ -133,8 +143,14 @@ final class SceneFileLoader {
 
   /** Starts tasks that read the files named in a file and make its meshes. */
   void follow(LoadedFile content) {
+    tasks.start(begin(content));
+  }
+
+  /** Starts these tasks but one, a mesh or nothing, which is left to the caller. */
+  private Runnable begin(LoadedFile content) {
     List<InlineFile> inlined = new ArrayList<>();
     List<Runnable> assets = new ArrayList<>();
+    List<Runnable> meshes = new ArrayList<>();
     NodeTraversal.visit(
         content.file().allNodes(),
         node -> {
@@ -142,7 +158,7 @@ final class SceneFileLoader {
           if (node.type().name().equals("Inline") && node.bool("load")) {
             find(node, content, inlined::add);
           } else if (tessellator.handles(node.type())) {
-            assets.add(task(content, problems -> mesh(node, content, problems)));
+            meshes.add(task(content, problems -> mesh(node, content, problems)));
           } else if (node.type().is("X3DScriptNode")) {
             assets.add(task(content, problems -> program(node, content, problems)));
           } else if (node.type().name().equals("Appearance")) {
@@ -177,6 +193,9 @@ final class SceneFileLoader {
     inlined.sort(Comparator.comparingLong((InlineFile found) -> found.content().size()).reversed());
     inlined.forEach(found -> content.inlines().put(found.inline(), file(found.content())));
     assets.forEach(tasks::start);
+    Runnable last = meshes.isEmpty() ? () -> {} : meshes.remove(meshes.size() - 1);
+    meshes.forEach(tasks::start);
+    return last;
   }
 
   private void find(ParsedNode inline, LoadedFile content, Consumer<InlineFile> found) {
@@ -198,7 +217,28 @@ final class SceneFileLoader {
   }
 
   private void mesh(ParsedNode geometry, LoadedFile content, ProblemCollector problems) {
-    content.meshes().put(geometry, tessellator.tessellate(geometry, problems));
+    Optional<Mesh> mesh = tessellator.tessellate(geometry, problems);
+    content.meshes().put(geometry, mesh);
+    mesh.ifPresent(made -> pack(geometry, made));
+  }
+
+  /** Packs what a mesh has been made of, save the arrays that the mesh itself uses. */
+  private static void pack(ParsedNode geometry, Mesh mesh) {
+    Set<Object> used = Collections.newSetFromMap(new IdentityHashMap<>());
+    used.add(mesh.positions());
+    used.add(mesh.indices());
+    Stream.of(mesh.normals(), mesh.colors(), mesh.texCoords())
+        .filter(Objects::nonNull)
+        .forEach(used::add);
+    mesh.moreTexCoords().forEach(more -> used.add(more.values()));
+    geometry.pack(used::contains);
+    for (FieldDefinition field : geometry.type().fields()) {
+      if (field.type() == FieldType.SFNode
+          && geometry.value(field.index()) instanceof ParsedNode property
+          && property.type().is("X3DGeometricPropertyNode")) {
+        property.pack(used::contains);
+      }
+    }
   }
 
   private void program(ParsedNode script, LoadedFile content, ProblemCollector problems) {

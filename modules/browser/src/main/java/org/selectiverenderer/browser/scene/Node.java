@@ -10,6 +10,7 @@ import org.selectiverenderer.x3d.catalogue.AccessType;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.catalogue.NodeView;
+import org.selectiverenderer.x3d.field.PackedArray;
 
 /**
  * A node of a running scene: its field values with their routes, observers and listeners. This base
@@ -113,7 +114,7 @@ public class Node implements NodeView {
   @Override
   public final @Nullable Object value(int field) {
     @Nullable Object[] now = values;
-    Object value = field < now.length ? now[field] : null;
+    Object value = field < now.length ? PackedArray.read(now[field]) : null;
     return value != null ? value : type.fields().get(field).defaultValue();
   }
 
@@ -158,7 +159,12 @@ public class Node implements NodeView {
     return connections;
   }
 
-  /** Sets the initial value of a field before the node is part of a world; no event is sent. */
+  /**
+   * Sets the initial value of a field before the node is part of a world; no event is sent.
+   *
+   * @param value as {@link org.selectiverenderer.x3d.field.FieldType} represents it, or such an
+   *     array packed
+   */
   public final void init(int field, @Nullable Object value) {
     set(field, value);
   }

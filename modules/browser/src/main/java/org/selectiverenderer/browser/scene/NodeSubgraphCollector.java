@@ -31,6 +31,7 @@ public final class NodeSubgraphCollector {
     if (!addNew(node)) {
       return;
     }
+    // The values of other fields stay as they are: to read a packed array would unpack it.
     List<FieldDefinition> fields = node.type().nodeFields();
     for (int i = 0; i < fields.size(); i++) {
       Object value = node.value(fields.get(i).index());

@@ -1,11 +1,14 @@
 package org.selectiverenderer.geometry.bvh;
 
 import java.util.Arrays;
+import java.util.concurrent.ForkJoinPool;
+import java.util.concurrent.ForkJoinTask;
 
 /**
  * Builds a {@link Bvh} top-down. A node is split at the cheapest plane by the surface area
  * heuristic among {@value #BINS} bins along the longest axis of the box centroids (MacDonald and
- * Booth 1990; binned as in Wald 2007), or at the median if there is none.
+ * Booth 1990; binned as in Wald 2007), or at the median if there is none. Large parts are built in
+ * parallel; the tree is the same.
  */
 public final class BvhBuilder {
   private static final int BINS = 12;
@@ -14,7 +17,9 @@ public final class BvhBuilder {
   /** From this depth on nodes are split at the median, which bounds the depth. */
   private static final int HALVING_DEPTH = 48;
 
-  private final Bvh.Boxes items;
+  /** The items of a part above which its halves are built in parallel. */
+  private static final int PARALLEL = 16_384;
+
   private final float[] boxes;
   private final int[] order;
   private final float[] nodeBoxes;
@@ -28,19 +33,27 @@ public final class BvhBuilder {
   private final float[] rightArea = new float[BINS];
 
   private BvhBuilder(int size, Bvh.Boxes items) {
-    this.items = items;
-    boxes = new float[6 * size];
-    order = new int[size];
-    int most = Math.max(1, 2 * size);
-    nodeBoxes = new float[6 * most];
-    first = new int[most];
-    count = new int[most];
+    this(new float[6 * size], new int[size], size);
     float[] box = new float[6];
     for (int item = 0; item < size; item++) {
       items.box(item, box);
       System.arraycopy(box, 0, boxes, 6 * item, 6);
       order[item] = item;
     }
+  }
+
+  /**
+   * Builds a part of a tree.
+   *
+   * @param size the number of items of the part
+   */
+  private BvhBuilder(float[] boxes, int[] order, int size) {
+    this.boxes = boxes;
+    this.order = order;
+    int most = Math.max(1, 2 * size);
+    nodeBoxes = new float[6 * most];
+    first = new int[most];
+    count = new int[most];
   }
 
   /** Builds a tree over the items 0 .. size - 1. */
@@ -65,15 +78,34 @@ public final class BvhBuilder {
       return;
     }
     int axis = longest(centres);
-    int middle = depth < HALVING_DEPTH ? partition(axis, begin, end) : begin;
-    if (middle == begin || middle == end) {
-      middle = halve(axis, begin, end);
-    }
+    int cheapest = depth < HALVING_DEPTH ? partition(axis, begin, end) : begin;
+    int middle = cheapest == begin || cheapest == end ? halve(axis, begin, end) : cheapest;
     int left = nodes;
     nodes += 2;
     first[node] = left;
+    if (end - begin <= PARALLEL) {
+      split(left, begin, middle, depth + 1);
+      split(left + 1, middle, end, depth + 1);
+      return;
+    }
+    BvhBuilder right = new BvhBuilder(boxes, order, end - middle);
+    ForkJoinTask<?> building =
+        ForkJoinPool.commonPool().submit(() -> right.split(0, middle, end, depth + 1));
     split(left, begin, middle, depth + 1);
-    split(left + 1, middle, end, depth + 1);
+    building.join();
+    append(right, left + 1);
+  }
+
+  /** Takes over the nodes of a part whose root is a node of this. */
+  private void append(BvhBuilder part, int root) {
+    int shift = nodes - 1;
+    for (int node = 0; node < part.nodes; node++) {
+      int to = node == 0 ? root : node + shift;
+      System.arraycopy(part.nodeBoxes, 6 * node, nodeBoxes, 6 * to, 6);
+      first[to] = part.count[node] > 0 ? part.first[node] : part.first[node] + shift;
+      count[to] = part.count[node];
+    }
+    nodes += part.nodes - 1;
   }
 
   /** Computes the node's box, and the box of its items' centroids. */

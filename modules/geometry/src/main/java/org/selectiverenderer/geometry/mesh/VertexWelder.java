@@ -99,6 +99,17 @@ public final class VertexWelder {
     }
   }
 
+  /** Replaces vertex indices by those of the first equal vertices, so that no tuple moves. */
+  public void unite(int[] indices) {
+    int[] first = new int[unique];
+    for (int vertex = count - 1; vertex >= 0; vertex--) {
+      first[renamed[vertex]] = vertex;
+    }
+    for (int i = 0; i < indices.length; i++) {
+      indices[i] = first[renamed[indices[i]]];
+    }
+  }
+
   /** Returns the tuples of the distinct vertices. */
   public float[] compact(float[] values, int size) {
     float[] kept = new float[unique * size];

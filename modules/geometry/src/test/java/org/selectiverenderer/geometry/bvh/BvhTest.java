@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.IntSummaryStatistics;
 import java.util.List;
+import java.util.Random;
 import java.util.TreeSet;
 import java.util.stream.IntStream;
 import org.joml.Vector3d;
@@ -59,6 +60,45 @@ class BvhTest {
     assertThat(found).hasSizeLessThan(9);
     tree.overlap(new double[] {-301, -1, -1, -299, 1, 1}, found::add);
     assertThat(found).contains(500);
+  }
+
+  @Test
+  void aLargeTreeThatIsBuiltInParallelHasAllItemsInsideTheBoxesAboveThem() {
+    int size = 100_000;
+    Random random = new Random(3);
+    float[] boxes = new float[6 * size];
+    for (int i = 0; i < boxes.length; i += 6) {
+      for (int axis = 0; axis < 3; axis++) {
+        boxes[i + axis] = 100 * random.nextFloat();
+        boxes[i + axis + 3] = boxes[i + axis] + random.nextFloat();
+      }
+    }
+    Bvh large = BvhBuilder.build(size, (item, out) -> System.arraycopy(boxes, 6 * item, out, 0, 6));
+    int[] seen = new int[size];
+    large.search((of, at, leaf) -> true, item -> seen[item]++);
+    assertThat(seen).containsOnly(1);
+    for (int probe = 0; probe < 200; probe++) {
+      int item = random.nextInt(size);
+      double[] box = new double[6];
+      for (int i = 0; i < 6; i++) {
+        box[i] = boxes[6 * item + i];
+      }
+      boolean[] found = {false};
+      large.overlap(box, other -> found[0] |= other == item);
+      assertThat(found[0]).as("item %d", item).isTrue();
+    }
+    float rightmost =
+        (float) large.greatest((of, at) -> of[at + 3], item -> boxes[6 * item + 3], 0);
+    float expected = 0;
+    for (int i = 3; i < boxes.length; i += 6) {
+      expected = Math.max(expected, boxes[i]);
+    }
+    assertThat(rightmost).isEqualTo(expected);
+    boxes[6] = -50;
+    boxes[9] = 200;
+    large.moved(1); // Refits along the parents of nodes of all parts.
+    assertThat(large.boxes()[0]).isEqualTo(-50);
+    assertThat(large.boxes()[3]).isEqualTo(200);
   }
 
   @Test

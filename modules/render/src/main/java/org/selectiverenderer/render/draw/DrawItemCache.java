@@ -259,7 +259,7 @@ final class DrawItemCache implements Culler.Items {
       return;
     }
     Arrivals arrivals = new Arrivals(portion(AHEAD));
-    int group = unseen.nearest(eye);
+    int group = unseen.near(eye);
     for (int place : unseen.unseen(group).toArray()) {
       if (arrivals.left > 0) {
         arrivals.takeIfReady(place);

@@ -48,6 +48,9 @@ final class UnseenShapes {
   /** The number of unseen shapes of each group. */
   private int[] left = {};
 
+  /** The group that is made ready ahead; -1 for none. */
+  private int chosen = -1;
+
   private double terms;
   private double pixels;
 
@@ -94,6 +97,7 @@ final class UnseenShapes {
     groupOf = new int[0];
     boxes = new double[0][];
     left = new int[0];
+    chosen = -1;
     terms = 0;
     pixels = 0;
   }
@@ -222,8 +226,18 @@ final class UnseenShapes {
         .toArray();
   }
 
-  /** Returns the nearest group with an unseen shape, or -1. */
-  int nearest(Vector3dc eye) {
+  /**
+   * Returns a near group with an unseen shape, or -1: the nearest one when it is chosen, then the
+   * same until it has none.
+   */
+  int near(Vector3dc eye) {
+    if (chosen < 0 || left[chosen] == 0) {
+      chosen = nearest(eye);
+    }
+    return chosen;
+  }
+
+  private int nearest(Vector3dc eye) {
     int best = -1;
     double nearest = Double.POSITIVE_INFINITY;
     for (int group = 0; group < left.length; group++) {

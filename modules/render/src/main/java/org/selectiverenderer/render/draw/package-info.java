@@ -47,6 +47,18 @@
  * view as occluders, then leaves out boxes that are outside of every view or hidden. What no item
  * uses is freed when so much has been made anew that looking at all items is paid for.
  *
+ * <p>Of a scene of more than two million triangles only what is seen or near is on the graphics
+ * card ({@link org.selectiverenderer.render.draw.UnseenShapes}). Its shapes are in groups of
+ * neighbours. When culling finds that a shape without an item may be seen, its group is made ready
+ * in that frame, the nearest groups first, as these hide most of the others; then culling goes on
+ * with what is ready. So a picture never lacks anything, and of a street of apartments only the one
+ * around the viewer is made ready. Near groups follow, a little with each frame, and far ones are
+ * given up. {@link org.selectiverenderer.render.draw.SceneRenderer#prepare} makes all ready.
+ *
+ * <p>A frame spends at most a few milliseconds on what is made ready ahead, as measured in the
+ * frames before. A mesh of more than 20,000 triangles that is not needed at once is packed on a
+ * thread of its own ({@link org.selectiverenderer.render.draw.BackgroundPacker}).
+ *
  * <p>Uses {@code render.gpu}, {@code render.glsl}, {@code render.lighting}, {@code render.mesh},
  * {@code render.occlusion}, {@code render.context}, {@code browser.instance}, {@code
  * browser.nodes.shader}, {@code browser.camera}, {@code geometry.bvh}, {@code geometry.mesh},

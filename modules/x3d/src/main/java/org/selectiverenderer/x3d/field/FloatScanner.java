@@ -43,6 +43,58 @@ final class FloatScanner extends NumberScanner {
   }
 
   @Override
+  int plain(char[] text, int at, int end, int index, int stop) {
+    float[] into = values;
+    float[] tens = FLOAT_TENS;
+    int count = index;
+    int read = at;
+    int i = at;
+    while (count < stop) {
+      char c = 0;
+      while (i < end && ((c = text[i]) <= ' ' || c == ',')) {
+        i++;
+      }
+      if (i == end) {
+        break;
+      }
+      boolean negative = c == '-';
+      if (negative || c == '+') {
+        i++;
+      }
+      int number = 0;
+      int from = i;
+      int digit;
+      while (i < end && (digit = text[i] - '0' & 0xffff) <= 9) {
+        number = 10 * number + digit;
+        i++;
+      }
+      int digits = i - from;
+      int scale = 0;
+      if (i < end && text[i] == '.') {
+        from = ++i;
+        while (i < end && (digit = text[i] - '0' & 0xffff) <= 9) {
+          number = 10 * number + digit;
+          i++;
+        }
+        scale = i - from;
+        digits += scale;
+      }
+      // nine digits never overflow
+      if (digits == 0
+          || digits > 9
+          || number > FLOAT_DIGITS
+          || i < end && !FieldTokenizer.separates(text[i])) {
+        break;
+      }
+      float value = number / tens[scale];
+      into[count++] = negative ? -value : value;
+      read = i;
+    }
+    next = count;
+    return read;
+  }
+
+  @Override
   int number(char[] text, int start, int word, int end, int index, FieldParseErrors flaws) {
     int from = FieldTokenizer.skipSign(text, word);
     int at = from;

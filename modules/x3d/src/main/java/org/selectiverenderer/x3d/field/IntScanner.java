@@ -25,6 +25,42 @@ final class IntScanner extends NumberScanner {
   }
 
   @Override
+  int plain(char[] text, int at, int end, int index, int stop) {
+    int[] into = values;
+    int count = index;
+    int read = at;
+    int i = at;
+    while (count < stop) {
+      char c = 0;
+      while (i < end && ((c = text[i]) <= ' ' || c == ',')) {
+        i++;
+      }
+      if (i == end) {
+        break;
+      }
+      boolean negative = c == '-';
+      if (negative || c == '+') {
+        i++;
+      }
+      int number = 0;
+      int from = i;
+      int digit;
+      while (i < end && (digit = text[i] - '0' & 0xffff) <= 9) {
+        number = 10 * number + digit;
+        i++;
+      }
+      // nine digits never overflow
+      if (i == from || i - from > 9 || i < end && !FieldTokenizer.separates(text[i])) {
+        break;
+      }
+      into[count++] = negative ? -number : number;
+      read = i;
+    }
+    next = count;
+    return read;
+  }
+
+  @Override
   int number(char[] text, int start, int word, int end, int index, FieldParseErrors flaws) {
     int from = FieldTokenizer.skipSign(text, word);
     int at = from;

@@ -3,18 +3,20 @@ package org.selectiverenderer.x3d.read;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
+import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.field.FieldType;
+import org.selectiverenderer.x3d.field.PackedArray;
 import org.selectiverenderer.x3d.url.BaseUrl;
 
 /**
  * A node read from a file. A node with USE is the same object in every place. Fields without a
  * value in the file have the catalogue's defaults. Only readers modify nodes; for all others they
- * are immutable.
+ * are immutable, whether a value is packed or not.
  */
 public final class ParsedNode implements NodeView {
   /**
@@ -68,7 +70,7 @@ public final class ParsedNode implements NodeView {
 
   @Override
   public @Nullable Object value(int field) {
-    Object value = values[field];
+    Object value = PackedArray.read(values[field]);
     return value != null ? value : type.fields().get(field).defaultValue();
   }
 
@@ -88,8 +90,8 @@ public final class ParsedNode implements NodeView {
   }
 
   /**
-   * Returns the values of all fields by their indices, null where the file gives none; the node's
-   * own array, not to be changed.
+   * Returns the values of all fields by their indices, null where the file gives none, large arrays
+   * possibly as a {@link PackedArray}; the node's own array, not to be changed.
    */
   public @Nullable Object[] values() {
     return values;
@@ -98,6 +100,20 @@ public final class ParsedNode implements NodeView {
   /** Sets the value of a field, as {@link FieldType} represents it. For readers. */
   public void put(int field, Object value) {
     values[field] = value;
+  }
+
+  /**
+   * Keeps large arrays in less memory until they are read again, when a mesh has been made of them.
+   *
+   * @param shared whether an array is also kept elsewhere, so that packing it saves nothing
+   */
+  public void pack(Predicate<Object> shared) {
+    for (int i = 0; i < values.length; i++) {
+      Object value = values[i];
+      if (value != null && !shared.test(value)) {
+        values[i] = PackedArray.of(value);
+      }
+    }
   }
 
   /** Adds author-defined fields. For readers, before the node is published. */

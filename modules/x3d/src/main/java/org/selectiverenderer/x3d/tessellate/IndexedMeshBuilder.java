@@ -13,6 +13,12 @@ import org.selectiverenderer.geometry.mesh.VertexWelder;
  * most of them, then by value, for files that repeat the same point or normal many times.
  */
 final class IndexedMeshBuilder {
+  /** Vertices of a mesh whose points are kept as the node has them, a few equal ones included. */
+  private static final int LARGE = 1024;
+
+  /** The share of equal vertices above which it pays to copy the others. */
+  private static final int WORTH_COPYING = 16;
+
   private final float[] points;
   private final int[] corners;
   private final @Nullable VertexAttribute normals;
@@ -73,7 +79,10 @@ final class IndexedMeshBuilder {
     float[] texCoord = gather(texCoords);
     VertexWelder byValue = new VertexWelder(vertexCount, positions, normal, color, texCoord);
     // few meshes have further attributes, and these hardly ever repeat equal tuples
-    if (more.isEmpty() && byValue.weld() < vertexCount) {
+    int distinct = more.isEmpty() ? byValue.weld() : vertexCount;
+    if (distinct < vertexCount && shares(positions, distinct)) {
+      byValue.unite(indices);
+    } else if (distinct < vertexCount) {
       byValue.rename(indices);
       positions = byValue.compact(positions, 3);
       normal = normal == null ? null : byValue.compact(normal, 3);
@@ -90,6 +99,16 @@ final class IndexedMeshBuilder {
       others.add(new Mesh.TexCoords(other.components(), values, other.name()));
     }
     return new Mesh(primitive, positions, normal, color, texCoord, others, indices, solid, bounds);
+  }
+
+  /**
+   * Returns whether the vertices stay where they are, since their positions are the node's own
+   * array and a copy without the few that are equal to others would nearly double the memory.
+   */
+  private boolean shares(float[] positions, int distinct) {
+    return positions == points
+        && vertexCount >= LARGE
+        && vertexCount - distinct < vertexCount / WORTH_COPYING;
   }
 
   private boolean byPoint() {

@@ -196,4 +196,69 @@ class FieldParserTest {
     assertThatThrownBy(() -> parser.parse(FieldType.SFNode, "NULL"))
         .isInstanceOf(IllegalArgumentException.class);
   }
+
+  /** Words in any form and number, so that usual ones and others follow each other at any place. */
+  @Test
+  void numbersOfUsualAndOtherFormsAreReadAlikeWhereverTheyStand() {
+    Random random = new Random(5);
+    String[] odd = {"1e2", "-3.5E-1", "0.12345678901", "123456789012", "+.5", "16777217", "-0"};
+    for (int round = 0; round < 400; round++) {
+      int count = random.nextInt(round % 4 == 0 ? 3000 : 600);
+      int rare = 1 + random.nextInt(300);
+      StringBuilder text = new StringBuilder();
+      float[] expected = new float[count];
+      for (int i = 0; i < count; i++) {
+        boolean usual = random.nextInt(rare) > 0;
+        String word =
+            usual
+                ? String.format(
+                    Locale.ROOT,
+                    "%." + random.nextInt(6) + "f",
+                    (random.nextInt(1 << 1 + random.nextInt(20)) - 900) / 1000.0)
+                : odd[random.nextInt(odd.length)];
+        expected[i] = Float.parseFloat(word);
+        text.append(word).append(" ,\n ".charAt(random.nextInt(4)));
+      }
+      float[] read = (float[]) clean(FieldType.MFFloat, text.toString());
+      assertThat(read).hasSameSizeAs(expected);
+      for (int i = 0; i < count; i++) {
+        assertThat(Float.floatToRawIntBits(read[i])).isEqualTo(Float.floatToRawIntBits(expected[i]));
+      }
+    }
+  }
+
+  @Test
+  void integersOfUsualAndOtherFormsAreReadAlikeWhereverTheyStand() {
+    Random random = new Random(6);
+    for (int round = 0; round < 200; round++) {
+      int count = random.nextInt(2000);
+      int rare = 1 + random.nextInt(300);
+      StringBuilder text = new StringBuilder();
+      int[] expected = new int[count];
+      for (int i = 0; i < count; i++) {
+        boolean usual = random.nextInt(rare) > 0;
+        expected[i] = usual ? random.nextInt(1 << 1 + random.nextInt(29)) - 1 : random.nextInt();
+        boolean hexadecimal = !usual && random.nextBoolean();
+        text.append(
+                hexadecimal
+                    ? "0x" + Integer.toHexString(expected[i])
+                    : Integer.toString(expected[i]))
+            .append(" ,\t ".charAt(random.nextInt(4)));
+      }
+      assertThat((int[]) clean(FieldType.MFInt32, text.toString())).isEqualTo(expected);
+    }
+  }
+
+  @Test
+  void faultBehindManyUsualNumbersIsFoundAtItsPlace() {
+    for (int before : new int[] {0, 1, 255, 256, 257, 1023, 1024, 1025, 4096}) {
+      assertThat(flaw(FieldType.MFFloat, "1.5 ".repeat(before) + "x2 3").offset())
+          .isEqualTo(4 * before);
+      assertThat(flaw(FieldType.MFInt32, "15 ".repeat(before) + "2.5 3").offset())
+          .isEqualTo(3 * before);
+      assertThat((float[]) parser.parse(FieldType.MFFloat, "1 ".repeat(before) + "- 3").value())
+          .hasSize(before + 2)
+          .endsWith(0, 3);
+    }
+  }
 }

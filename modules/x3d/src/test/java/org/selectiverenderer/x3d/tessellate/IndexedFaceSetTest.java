@@ -350,6 +350,55 @@ class IndexedFaceSetTest extends AbstractTessellatorTest {
     assertThat(mesh.normals()).isSameAs(normals);
   }
 
+  @Test
+  void pointsOfALargeMeshAreSharedThoughAFewAreEqual() {
+    float[] points = cylinder(60, 40);
+    float[] normals = points.clone();
+    for (int i = 1; i < normals.length; i += 3) {
+      normals[i] = 0;
+    }
+    Mesh mesh =
+        mesh(
+            "IndexedFaceSet",
+            "coord",
+            coordinate(points),
+            "coordIndex",
+            gridIndices(60, 40),
+            "normal",
+            node("Normal", "vector", normals));
+    assertThat(mesh.positions()).isSameAs(points);
+    // the seam is still closed: its second points are drawn by the first ones
+    for (int index : mesh.indices()) {
+      assertThat(index % 61).isLessThan(60);
+    }
+    assertThat(MeshProperties.euler(mesh)).isZero();
+    MeshProperties.assertNormalsAgreeWithWinding(mesh);
+  }
+
+  /** Points of a tube; the last column repeats the first one. */
+  private static float[] cylinder(int columns, int rows) {
+    float[] points = new float[3 * (columns + 1) * (rows + 1)];
+    for (int row = 0, at = 0; row <= rows; row++) {
+      for (int column = 0; column <= columns; column++) {
+        double angle = 2 * Math.PI * (column % columns) / columns;
+        points[at++] = (float) Math.sin(angle);
+        points[at++] = row / 10f;
+        points[at++] = (float) Math.cos(angle);
+      }
+    }
+    return points;
+  }
+
+  private static int[] gridIndices(int columns, int rows) {
+    return IntStream.range(0, columns * rows)
+        .flatMap(
+            i -> {
+              int a = i / columns * (columns + 1) + i % columns;
+              return IntStream.of(a, a + 1, a + columns + 2, a + columns + 1, -1);
+            })
+        .toArray();
+  }
+
   /** The colour of the triangles of a face of the cube. */
   private static float[] colorOf(Mesh cube, int face) {
     int vertex = cube.indices()[6 * face];
