@@ -56,13 +56,13 @@ final class BenchRoomsWriter {
    *
    * @param name of the area, and of the schema that one activates by entering it
    */
-  static void area(
-      X3dWriter out, boolean enabled, String name, double x, double z, double width) {
+  static void area(X3dWriter out, boolean enabled, String name, double x, double z, double width) {
     out.open("ProximitySensor", "DEF", name + "Prox");
     if (!enabled) {
       out.attribute("enabled", "false");
     }
-    out.attribute("center", DecimalFormatter.fixed(x, 3) + " 1.3 " + DecimalFormatter.rounded(z, 3));
+    out.attribute(
+        "center", DecimalFormatter.fixed(x, 3) + " 1.3 " + DecimalFormatter.rounded(z, 3));
     out.attribute("size", DecimalFormatter.fixed(width, 3) + " 2.6 7");
     out.open("MetadataSet", "containerField", "metadata");
     BenchSwitchWriter.string(out, "enterTimeSchema", name + "Schema");

@@ -36,11 +36,9 @@ public final class VersionsSceneGenerator {
    */
   public static BenchScene write(Path dir, double share) throws IOException {
     double seen = (double) UNEXPECTED / HeavySceneGenerator.OBJECTS;
-    HeavySceneGenerator.Written high =
-        HeavySceneGenerator.objects(dir.resolve(HIGH), share, 0);
+    HeavySceneGenerator.Written high = HeavySceneGenerator.objects(dir.resolve(HIGH), share, 0);
     HeavySceneGenerator.Written low =
-        HeavySceneGenerator.objects(
-            dir.resolve(LOW), share * (SELECTIVE - seen) / (1 - seen), 0);
+        HeavySceneGenerator.objects(dir.resolve(LOW), share * (SELECTIVE - seen) / (1 - seen), 0);
     X3dWriter out = new X3dWriter().file("Immersive", "3.3").open("Scene");
     HeavySceneGenerator.surroundings(out);
     BenchCameraPath.write(out);
@@ -65,7 +63,6 @@ public final class VersionsSceneGenerator {
     long bytes = high.bytes() + low.bytes() + HeavySceneGenerator.write(scene, out.finish());
     Path path = dir.resolve("bench-path.csv");
     HeavySceneGenerator.write(path, BenchCameraPath.csv());
-    return new BenchScene(
-        scene, path, HeavySceneGenerator.OBJECTS, high.triangles(), bytes);
+    return new BenchScene(scene, path, HeavySceneGenerator.OBJECTS, high.triangles(), bytes);
   }
 }

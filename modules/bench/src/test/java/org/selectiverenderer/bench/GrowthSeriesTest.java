@@ -103,8 +103,7 @@ class GrowthSeriesTest {
         .hasSizeGreaterThanOrEqualTo(3);
   }
 
-  private static Walkthrough open(BenchScene scene, List<ControlEvent> events)
-      throws IOException {
+  private static Walkthrough open(BenchScene scene, List<ControlEvent> events) throws IOException {
     return Walkthrough.open(
         scene.scene(),
         SelectiveController.Settings.SELECTIVE,

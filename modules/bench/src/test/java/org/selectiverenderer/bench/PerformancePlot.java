@@ -32,7 +32,11 @@ enum PerformancePlot {
       "apartments",
       "seconds"),
   STREET_MEMORY(
-      Form.CURVES, "Resident memory in a street", "at most, while it is shown", "apartments", "megabytes"),
+      Form.CURVES,
+      "Resident memory in a street",
+      "at most, while it is shown",
+      "apartments",
+      "megabytes"),
   SELECTIVE(
       Form.PARTS,
       "What selective rendering saves",

@@ -37,9 +37,9 @@
  * view and what changes, not what there is. Small shapes of one look that stand still share buffers
  * and are drawn by one call. Shapes that are new and hidden are made ready over the next frames,
  * shapes that are shown in their own frame; those of a large scene when they are seen or near.
- * Light is computed at pixels on a graphics card and at
- * vertices on a processor, by one text ({@code light.glsl}); {@code render.lighting} decides for
- * each shape and divides surfaces that are too coarse for it.
+ * Light is computed at pixels on a graphics card and at vertices on a processor, by one text
+ * ({@code light.glsl}); {@code render.lighting} decides for each shape and divides surfaces that
+ * are too coarse for it.
  *
  * <p>In a headset the OpenXR runtime says when a frame is due, and where head and eyes will be when
  * it is seen; part 2 reads that pose. The thread {@code headset} steps and draws; the mirror on the

@@ -114,7 +114,8 @@ class LargeArraysTest {
   @Test
   void lookingForNodesLeavesArraysPacked() {
     Object packed = PackedArray.of(INDICES);
-    Node surface = new Node(NodeCatalogue.load().get("IndexedFaceSet"), null, SourceLocation.of("test.x3d"));
+    Node surface =
+        new Node(NodeCatalogue.load().get("IndexedFaceSet"), null, SourceLocation.of("test.x3d"));
     surface.init(surface.type().indexOf("coordIndex"), packed);
     assertThat(NodeSubgraphCollector.of(surface)).containsExactly(surface);
     assertThat(packed).hasToString("packed array");

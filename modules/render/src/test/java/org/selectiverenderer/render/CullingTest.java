@@ -94,7 +94,8 @@ class CullingTest {
       Camera behind = new Camera(new Matrix4d().rotateY(Math.PI), all, 0, 0, 64, 64);
       byte[] whole = shoot(scene, List.of(camera, everything, behind));
       assertThat(whole).isEqualTo(culled);
-      spared += studio.renderer.cull(studio.gl(), List.of(camera, everything, behind)).indices() - few;
+      spared +=
+          studio.renderer.cull(studio.gl(), List.of(camera, everything, behind)).indices() - few;
     }
     assertThat(spared).isPositive();
   }
@@ -104,7 +105,8 @@ class CullingTest {
     var target = new org.selectiverenderer.render.context.OffscreenFramebuffer(gl, 64, 64, 0);
     target.bind(gl);
     studio.renderer.prepare(gl, scene.tree());
-    studio.renderer.draw(gl, studio.renderer.cull(studio.gl(), eyes), eyes.get(0), Background.BLACK, false);
+    studio.renderer.draw(
+        gl, studio.renderer.cull(studio.gl(), eyes), eyes.get(0), Background.BLACK, false);
     byte[] rgba = target.read(gl).rgba();
     target.dispose(gl);
     return rgba;
@@ -129,9 +131,11 @@ class CullingTest {
         TestScene.of(
             "<Switch DEF='S' whichChoice='-1'><Shape><Box/></Shape></Switch><Shape><Box/></Shape>");
     studio.renderer.prepare(studio.gl(), scene.tree());
-    assertThat(studio.renderer.cull(studio.gl(), List.of(TestImageRenderer.parallel())).shapes()).isEqualTo(1);
+    assertThat(studio.renderer.cull(studio.gl(), List.of(TestImageRenderer.parallel())).shapes())
+        .isEqualTo(1);
     scene.set("S", "whichChoice", 0);
     studio.renderer.prepare(studio.gl(), scene.tree());
-    assertThat(studio.renderer.cull(studio.gl(), List.of(TestImageRenderer.parallel())).shapes()).isEqualTo(2);
+    assertThat(studio.renderer.cull(studio.gl(), List.of(TestImageRenderer.parallel())).shapes())
+        .isEqualTo(2);
   }
 }

@@ -330,6 +330,9 @@ class DrawBatchTest {
 
   private int calls() {
     Matrix4d all = new Matrix4d().setOrtho(-99, 99, -99, 99, -99, 99);
-    return studio.renderer.cull(studio.gl(), List.of(new Camera(new Matrix4d(), all, 0, 0, 64, 64))).calls();
+    return studio
+        .renderer
+        .cull(studio.gl(), List.of(new Camera(new Matrix4d(), all, 0, 0, 64, 64)))
+        .calls();
   }
 }

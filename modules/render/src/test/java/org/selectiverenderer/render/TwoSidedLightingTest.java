@@ -89,7 +89,8 @@ class TwoSidedLightingTest {
         new OffscreenFramebuffer(gl, TestImageRenderer.SIZE, TestImageRenderer.SIZE, 0);
     target.bind(gl);
     studio.renderer.prepare(gl, scene.tree());
-    studio.renderer.draw(gl, studio.renderer.cull(studio.gl(), eyes), eyes.get(0), Background.BLACK, false);
+    studio.renderer.draw(
+        gl, studio.renderer.cull(studio.gl(), eyes), eyes.get(0), Background.BLACK, false);
     byte[] rgba = target.read(gl).rgba();
     target.dispose(gl);
     return rgba;

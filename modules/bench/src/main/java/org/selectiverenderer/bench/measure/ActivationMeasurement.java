@@ -48,8 +48,7 @@ final class ActivationMeasurement {
    * @param time present time of the walkthrough
    * @param rounds measured, after as many to warm up
    */
-  static void frames(
-      Walkthrough walk, BenchScene scene, double time, int rounds, ObjectNode node) {
+  static void frames(Walkthrough walk, BenchScene scene, double time, int rounds, ObjectNode node) {
     double[] changing = new double[rounds];
     double[] resting = new double[rounds];
     double now = time;

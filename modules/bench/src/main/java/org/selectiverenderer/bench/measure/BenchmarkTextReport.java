@@ -131,7 +131,12 @@ public final class BenchmarkTextReport {
     text.append(System.lineSeparator());
     text.append(
         String.format(
-            Locale.ROOT, APARTMENT, "heavy scene, two versions of each object", "high", "selective", "ratio")
+                Locale.ROOT,
+                APARTMENT,
+                "heavy scene, two versions of each object",
+                "high",
+                "selective",
+                "ratio")
             .stripTrailing());
     text.append(System.lineSeparator());
     String[][] rows = {

@@ -11,9 +11,9 @@ import java.util.Map;
 import org.selectiverenderer.base.decimal.DecimalRounding;
 
 /**
- * Compares the conditions of an enriched scene: frames, the triangles that are drawn, and what these
- * cost alone. The conditions alternate, so that temporary load of the machine affects all of them,
- * and ratios are those of neighbouring runs.
+ * Compares the conditions of an enriched scene: frames, the triangles that are drawn, and what
+ * these cost alone. The conditions alternate, so that temporary load of the machine affects all of
+ * them, and ratios are those of neighbouring runs.
  *
  * <p>{@code cpu_ms} is the processor time of a frame, over all threads: a software renderer's whole
  * work, which other load of the machine does not change. {@code vertex_ms} is that of a frame in a
@@ -80,8 +80,7 @@ record ConditionComparison(ChildProcessRun child, int runs) {
   }
 
   private static void figures(ObjectNode node, Runs all) {
-    node
-        .put("first_frame_ms", ChildProcessRun.median(all.usual(), "/first_frame_ms"))
+    node.put("first_frame_ms", ChildProcessRun.median(all.usual(), "/first_frame_ms"))
         .put("fps", ChildProcessRun.median(all.usual(), "/fps"))
         .put("frame_p50_ms", ChildProcessRun.median(all.usual(), "/frame_ms/p50"))
         .put("cpu_ms", ChildProcessRun.median(all.usual(), CPU))

@@ -99,8 +99,7 @@ public record GrowthBenchmark(
     double slope =
         (last.get("heap_mb").asDouble() - before.get("heap_mb").asDouble())
             / (last.get("size").asInt() - before.get("size").asInt());
-    double needed =
-        last.get("heap_mb").asDouble() + slope * (size - last.get("size").asInt());
+    double needed = last.get("heap_mb").asDouble() + slope * (size - last.get("size").asInt());
     double available = HEAP_SHARE * most / (1 << 20);
     return needed <= available
         ? Optional.empty()

@@ -108,7 +108,9 @@ public final class GrowthTextReport {
 
   private static String formatted(JsonNode row, String key, String format, double unit) {
     JsonNode value = row.at(key);
-    return value.isMissingNode() ? "-" : String.format(Locale.ROOT, format, value.asDouble() / unit);
+    return value.isMissingNode()
+        ? "-"
+        : String.format(Locale.ROOT, format, value.asDouble() / unit);
   }
 
   private static void row(StringBuilder text, String first, Object... cells) {

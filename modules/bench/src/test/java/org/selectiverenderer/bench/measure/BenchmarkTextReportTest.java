@@ -89,6 +89,8 @@ class BenchmarkTextReportTest {
   void withoutTheApartmentThereIsNothingOfIt() throws IOException {
     JsonNode report = json.readTree(REPORT.replaceAll("\"(apartment|versions)\"", "\"other\""));
 
-    assertThat(text(report)).doesNotContain("apartment", "versions of").endsWith("compare with care.\n");
+    assertThat(text(report))
+        .doesNotContain("apartment", "versions of")
+        .endsWith("compare with care.\n");
   }
 }

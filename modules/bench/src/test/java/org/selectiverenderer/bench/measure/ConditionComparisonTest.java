@@ -56,8 +56,7 @@ class ConditionComparisonTest {
 
     ConditionComparison.put(
         room,
-        Map.of(
-            "high", new Runs(usual(10), small(8)), "selective", new Runs(usual(30), small(2))));
+        Map.of("high", new Runs(usual(10), small(8)), "selective", new Runs(usual(30), small(2))));
 
     assertThat(room.at("/high/vertex_ms").asDouble()).isEqualTo(8);
     assertThat(room.at("/selective/vertex_ms").asDouble()).isEqualTo(2);

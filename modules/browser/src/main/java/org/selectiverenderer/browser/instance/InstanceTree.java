@@ -125,7 +125,9 @@ public final class InstanceTree {
     return choiceVersion;
   }
 
-  /** Returns a number that changes when a light may have changed, moved, or been shown or hidden. */
+  /**
+   * Returns a number that changes when a light may have changed, moved, or been shown or hidden.
+   */
   public long lightVersion() {
     return lightVersion;
   }

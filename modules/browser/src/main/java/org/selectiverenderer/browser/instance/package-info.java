@@ -6,10 +6,10 @@
  * paths, and each {@link Instance} is one occurrence of a node. Groups keep the transformation of
  * their content, shapes their mesh and material (shared by all instances of a Shape), lights their
  * scope. Shapes with the same {@link org.selectiverenderer.browser.scene.NodeTemplate}, copies in
- * Inlines of one file, are read once and share the result. The tree is built once, with every version of every object in it, and follows changes
- * through node observers: a Switch costs its old and its new child, a Transform the instances below
- * it. The number of triangles shown is updated at the same time. Drawing, sensors, rays, collisions
- * and counting all read this one tree.
+ * Inlines of one file, are read once and share the result. The tree is built once, with every
+ * version of every object in it, and follows changes through node observers: a Switch costs its old
+ * and its new child, a Transform the instances below it. The number of triangles shown is updated
+ * at the same time. Drawing, sensors, rays, collisions and counting all read this one tree.
  *
  * <p>A LocalFog, ClipPlane or EnvironmentLight is an {@link
  * org.selectiverenderer.browser.instance.ScopedEffectInstance}; the {@link

@@ -19,8 +19,8 @@ import org.selectiverenderer.x3d.shader.ShaderSource;
 
 /**
  * A store of meshes, images and shader sources by node: those made while loading, and those made
- * later for new or changed nodes. The mesh of a node that is like its {@link NodeTemplate} is there.
- * The store holds nodes weakly. Thread-safe.
+ * later for new or changed nodes. The mesh of a node that is like its {@link NodeTemplate} is
+ * there. The store holds nodes weakly. Thread-safe.
  */
 final class AssetStore implements AssetProvider {
   // Nodes are compared by identity; no value refers back to its node, so that the weak keys can be

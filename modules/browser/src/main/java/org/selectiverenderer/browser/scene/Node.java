@@ -106,9 +106,7 @@ public class Node implements NodeView {
 
   @Override
   public final SourceLocation location() {
-    return origin instanceof NodeTemplate template
-        ? template.location()
-        : (SourceLocation) origin;
+    return origin instanceof NodeTemplate template ? template.location() : (SourceLocation) origin;
   }
 
   @Override
@@ -258,8 +256,7 @@ public class Node implements NodeView {
     return true;
   }
 
-  private void sendOn(
-      Connections to, int field, @Nullable Object value, EventCascade cascade) {
+  private void sendOn(Connections to, int field, @Nullable Object value, EventCascade cascade) {
     // Elements added meanwhile lie beyond the count; removing one replaces the array.
     Route[] going = to.routes;
     for (int i = 0, count = to.routeCount; i < count; i++) {

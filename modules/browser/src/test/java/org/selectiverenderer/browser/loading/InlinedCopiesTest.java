@@ -117,7 +117,6 @@ class InlinedCopiesTest extends RunningSceneLoaderTestCase {
     assertThat(copy(1).meta()).isEmpty();
     assertThat(first.find("A")).isEmpty();
     assertThat(first.named().keySet()).containsExactly("S", "M", "F", "C", "T");
-    assertThat(List.copyOf(copy(1).named().keySet()))
-        .containsExactly("S", "A", "M", "F", "C", "T");
+    assertThat(List.copyOf(copy(1).named().keySet())).containsExactly("S", "A", "M", "F", "C", "T");
   }
 }

@@ -233,8 +233,7 @@ public final class Bvh {
       sum += weight.applyAsLong(order[first[node] + i]);
     }
     if (count[node] == 0) {
-      sum =
-          weigh(first[node], weight, weights) + weigh(first[node] + 1, weight, weights);
+      sum = weigh(first[node], weight, weights) + weigh(first[node] + 1, weight, weights);
     }
     weights[node] = sum;
     return sum;

@@ -54,9 +54,7 @@ final class BackgroundPacker {
   boolean ready(Mesh mesh) {
     return jobs.computeIfAbsent(
             mesh,
-            of ->
-                CompletableFuture.supplyAsync(
-                    () -> Packed.of(of, survey.apply(of)), thread))
+            of -> CompletableFuture.supplyAsync(() -> Packed.of(of, survey.apply(of)), thread))
         .isDone();
   }
 

@@ -52,7 +52,8 @@ final class Culler {
     double pixels();
 
     /**
-     * Returns the numbers of shown shapes that have no item yet and are in boxes that a test enters.
+     * Returns the numbers of shown shapes that have no item yet and are in boxes that a test
+     * enters.
      *
      * @param visible receives each one's box; those for which it returns false are left out
      */

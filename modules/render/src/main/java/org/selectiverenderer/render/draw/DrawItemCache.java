@@ -277,9 +277,7 @@ final class DrawItemCache implements Culler.Items {
         return;
       }
       kept.set(group);
-      unseen
-          .giveUp(group)
-          .stream()
+      unseen.giveUp(group).stream()
           .forEach(
               place -> {
                 put(place, null);

@@ -137,8 +137,7 @@ final class UnseenShapes {
 
   private void group(InstanceTree tree, ToLongFunction<ShapeInstance> cost) {
     shapes = tree.shapes();
-    groups =
-        tree.boxes().groups(place -> cost.applyAsLong(shapes.get(place)), limits.group());
+    groups = tree.boxes().groups(place -> cost.applyAsLong(shapes.get(place)), limits.group());
     groupOf = new int[shapes.size()];
     boxes = new double[groups.size()][];
     left = new int[groups.size()];
@@ -204,8 +203,7 @@ final class UnseenShapes {
         .mesh()
         .ifPresent(
             mesh -> {
-              terms =
-                  Math.max(terms, BATCHED * MeshOccluders.of(mesh).terms(shape.world()));
+              terms = Math.max(terms, BATCHED * MeshOccluders.of(mesh).terms(shape.world()));
               pixels = Math.max(pixels, Culler.pixels(shape.stroke(), mesh.primitive()));
             });
   }

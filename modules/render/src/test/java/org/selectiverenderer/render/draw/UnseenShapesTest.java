@@ -71,8 +71,7 @@ class UnseenShapesTest {
 
   /** The view from a place on the X axis along Z, turned by an angle. */
   private static Camera eye(double x, double turned) {
-    return TestImageRenderer.perspective(
-        new Matrix4d().rotateY(turned).translate(-x, 0, -3));
+    return TestImageRenderer.perspective(new Matrix4d().rotateY(turned).translate(-x, 0, -3));
   }
 
   private byte[] shoot(Camera eye) {
@@ -148,8 +147,7 @@ class UnseenShapesTest {
   void whatIsNearIsMadeReadyBeforeItIsSeenAsFarAsThatIsAllowed() {
     renderer.dispose(studio.gl());
     renderer =
-        new SceneRenderer(
-            2, ShadingMode.PIXEL, new UnseenShapes.Limits(0, 240, 20_000, 1 << 20));
+        new SceneRenderer(2, ShadingMode.PIXEL, new UnseenShapes.Limits(0, 240, 20_000, 1 << 20));
     shoot(eye(0, 0));
     int first = renderer.items().size();
     int before;
@@ -168,8 +166,7 @@ class UnseenShapesTest {
   @Test
   void whatIsFarIsGivenUpWhenThereIsTooMuch() {
     renderer.dispose(studio.gl());
-    renderer =
-        new SceneRenderer(2, ShadingMode.PIXEL, new UnseenShapes.Limits(0, 240, 0, 2000));
+    renderer = new SceneRenderer(2, ShadingMode.PIXEL, new UnseenShapes.Limits(0, 240, 0, 2000));
     for (int room = 0; room < ROOMS; room++) {
       shoot(eye(10 * room, 0));
       shoot(eye(10 * room, 0));

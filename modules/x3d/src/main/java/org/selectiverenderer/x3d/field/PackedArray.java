@@ -162,8 +162,7 @@ public final class PackedArray {
     int multiple = Math.round(value * TENS[decimals]);
     boolean exact =
         Math.abs(multiple) <= Short.MAX_VALUE
-            && Float.floatToRawIntBits(multiple / TENS[decimals])
-                == Float.floatToRawIntBits(value);
+            && Float.floatToRawIntBits(multiple / TENS[decimals]) == Float.floatToRawIntBits(value);
     return exact ? multiple : Integer.MIN_VALUE;
   }
 

@@ -222,7 +222,8 @@ class FieldParserTest {
       float[] read = (float[]) clean(FieldType.MFFloat, text.toString());
       assertThat(read).hasSameSizeAs(expected);
       for (int i = 0; i < count; i++) {
-        assertThat(Float.floatToRawIntBits(read[i])).isEqualTo(Float.floatToRawIntBits(expected[i]));
+        assertThat(Float.floatToRawIntBits(read[i]))
+            .isEqualTo(Float.floatToRawIntBits(expected[i]));
       }
     }
   }
