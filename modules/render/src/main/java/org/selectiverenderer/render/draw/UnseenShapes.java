@@ -129,7 +129,7 @@ final class UnseenShapes {
     clear();
     group(tree, cost);
     for (int place = 0; place < shapes.size(); place++) {
-      if (before.contains(shapes.get(place))) {
+      if (before.contains(shapes.get(place)) && waits(shapes.get(place))) {
         add(place);
       }
     }
@@ -184,8 +184,19 @@ final class UnseenShapes {
     return gone;
   }
 
-  /** Notes the bounds of a shape, which may have moved. */
-  void bound(int place) {
+  /**
+   * Follows a change of an unseen shape; if it may be drawn out of its box now, it is no longer
+   * one.
+   */
+  void changed(int place) {
+    if (waits(shapes.get(place))) {
+      bound(place);
+    } else {
+      remove(place);
+    }
+  }
+
+  private void bound(int place) {
     ShapeInstance shape = shapes.get(place);
     shape
         .mesh()
