@@ -80,7 +80,9 @@ final class BackgroundPacker {
 
   /** Forgets all meshes but some. */
   void keepOnly(Set<Mesh> wanted) {
-    List.copyOf(jobs.keySet()).stream().filter(mesh -> !wanted.contains(mesh)).forEach(this::forget);
+    List.copyOf(jobs.keySet()).stream()
+        .filter(mesh -> !wanted.contains(mesh))
+        .forEach(this::forget);
   }
 
   /** Ends the thread once it has finished what it does. */
