@@ -238,4 +238,31 @@ class UnseenShapesTest {
     assertThat(renderer.items().stream().filter(DrawItem::anywhere).count()).isEqualTo(2);
     assertThat(shot).isEqualTo(expected(eye(0, 0)));
   }
+
+  @Test
+  void anUnseenShapeThatMovesIntoViewIsDrawnInThatFrame() {
+    scene =
+        TestScene.of(
+            rooms()
+                + "<Transform DEF='M' translation='230 0 0'><Shape><Appearance><Material"
+                + " emissiveColor='1 0 0'/></Appearance><Box/></Shape></Transform>");
+    shoot(eye(0, 0));
+    scene.set("M", "translation", new float[] {2, 0, 0});
+    assertShoots(eye(0, 0));
+    assertThat(renderer.items()).hasSizeLessThan(4 * SHAPES);
+  }
+
+  @Test
+  void whatOnlyTheSecondEyeSeesIsDrawn() {
+    GL3 gl = studio.gl();
+    List<Camera> eyes = List.of(eye(0, 0), eye(200, 0));
+    OffscreenFramebuffer target =
+        new OffscreenFramebuffer(gl, TestImageRenderer.SIZE, TestImageRenderer.SIZE, 0);
+    target.bind(gl);
+    renderer.follow(gl, scene.tree());
+    renderer.draw(gl, renderer.cull(gl, eyes), eyes.get(1), Background.BLACK, true);
+    byte[] rgba = target.read(gl).rgba();
+    target.dispose(gl);
+    assertThat(rgba).isEqualTo(expected(eyes.get(1)));
+  }
 }
