@@ -3,12 +3,16 @@ package org.selectiverenderer.render;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import com.jogamp.opengl.GL3;
+import java.lang.ref.WeakReference;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.browser.instance.Background;
 import org.selectiverenderer.browser.scene.Node;
+import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.render.context.OffscreenFramebuffer;
 import org.selectiverenderer.testing.RequiresDisplay;
 
@@ -193,5 +197,55 @@ class DeferredUploadTest {
     TestScene scene = arriving();
     shoot(scene);
     assertThat(studio.renderer.items()).hasSize(VERSIONS);
+  }
+
+  /** Moves a point of a shape of 45,000 triangles, so that it has another mesh. */
+  private static void deform(TestScene scene, Node grid, int frame) {
+    float[] heights = ((float[]) grid.value(grid.type().indexOf("height"))).clone();
+    heights[7] = frame % 5 + 1;
+    scene.cascade().send(grid, grid.type().indexOf("set_height"), heights);
+    scene.cascade().run();
+    scene.tree().update();
+  }
+
+  @Test
+  void aMeshTooLargeForAFrameComesThoughItChangesWithEachFrame() {
+    TestScene scene = TestScene.of("<Group DEF='G'>" + hills(0, 150) + "</Group>");
+    List<Node> all = scene.loaded().scene().find("G").orElseThrow().nodes("children");
+    Node grid = all.get(0).nodes("children").get(0).node("geometry");
+    scene.set("G", "children", List.of());
+    shoot(scene);
+    scene.set("G", "children", all);
+    for (int frame = 0; frame < 40 && studio.renderer.items().isEmpty(); frame++) {
+      shoot(scene);
+      deform(scene, grid, frame);
+    }
+    assertThat(studio.renderer.items()).hasSize(1);
+  }
+
+  @Test
+  void ofAHiddenMeshThatChangesWithEachFrameOnlyTheLatestIsPacked() {
+    TestScene scene =
+        TestScene.of("<Switch DEF='S' whichChoice='-1'>" + hills(0, 150) + "</Switch>");
+    Node grid =
+        scene.loaded().scene().find("S").orElseThrow().nodes("children").get(0)
+            .nodes("children").get(0).node("geometry");
+    shoot(scene);
+    List<WeakReference<Mesh>> meshes = new ArrayList<>();
+    for (int frame = 0; frame < 24; frame++) {
+      shoot(scene);
+      meshes.add(new WeakReference<>(scene.tree().shapes().get(0).mesh().orElseThrow()));
+      deform(scene, grid, frame);
+    }
+    shoot(scene);
+    for (int wait = 0; wait < 40 && kept(meshes) > 6; wait++) {
+      LockSupport.parkNanos(250_000_000); // What is being packed is finished meanwhile.
+      System.gc();
+    }
+    assertThat(kept(meshes)).as("meshes of former frames in memory").isLessThanOrEqualTo(6);
+  }
+
+  private static long kept(List<WeakReference<Mesh>> meshes) {
+    return meshes.stream().filter(mesh -> mesh.get() != null).count();
   }
 }

@@ -24,13 +24,13 @@ public final class Scene {
 
   // Each is a LinkedHashMap or LinkedHashSet from the first change on. Until then it is empty or
   // shared by the scenes of the same file, of which there may be tens of thousands.
-  private Map<String, String> meta = Map.of();
-  private Map<String, Node> named = Map.of();
-  private Map<String, Node> imported = Map.of();
-  private Map<String, String> exports = Map.of();
-  private Map<String, SceneImports.ExportedInstance> exportedInstances = Map.of();
-  private Set<Route> routes = Set.of();
-  private Set<Node> loose = Set.of();
+  private Map<String, String> meta = Collections.emptyMap();
+  private Map<String, Node> named = Collections.emptyMap();
+  private Map<String, Node> imported = Collections.emptyMap();
+  private Map<String, String> exports = Collections.emptyMap();
+  private Map<String, SceneImports.ExportedInstance> exportedInstances = Collections.emptyMap();
+  private Set<Route> routes = Collections.emptySet();
+  private Set<Node> loose = Collections.emptySet();
   private @Nullable Set<String> types;
 
   /**

@@ -1,6 +1,7 @@
 package org.selectiverenderer.browser.sai;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatCode;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
@@ -48,6 +49,21 @@ class EmbeddedSceneTest {
 
   private Path write(String name, String text) throws IOException {
     return Files.writeString(dir.resolve(name), text);
+  }
+
+  @Test
+  void aSceneWithoutNamesHasNoneThatIsNull() {
+    X3DScene scene = browser.createScene(browser.getProfile("Immersive"), null);
+    assertThatThrownBy(() -> scene.getNamedNode(null)).isInstanceOf(InvalidNodeException.class);
+    assertThatThrownBy(() -> scene.getImportedNode(null)).isInstanceOf(InvalidNodeException.class);
+    assertThatCode(
+            () -> {
+              scene.removeMetaData(null);
+              scene.removeExportedNode(null);
+              scene.removeImportedNode(null);
+              scene.removeNamedNode(null);
+            })
+        .doesNotThrowAnyException();
   }
 
   @Test

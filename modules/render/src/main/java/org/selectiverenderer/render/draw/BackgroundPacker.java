@@ -1,6 +1,7 @@
 package org.selectiverenderer.render.draw;
 
 import java.util.IdentityHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
@@ -58,20 +59,28 @@ final class BackgroundPacker {
         .isDone();
   }
 
-  /** Returns a mesh that {@link #ready} was asked for, as soon as it is packed; else null. */
+  /**
+   * Returns a mesh that is packed; null if it is not. It does not wait: many others may come before
+   * it.
+   */
   @Nullable Packed of(Mesh mesh) {
     CompletableFuture<Packed> job = jobs.get(mesh);
-    return job == null ? null : job.join();
+    return job == null || !job.isDone() || job.isCompletedExceptionally() ? null : job.join();
   }
 
-  /** Forgets a mesh. */
+  /** Forgets a mesh, which is then not packed unless that has begun. */
   void forget(Mesh mesh) {
-    jobs.remove(mesh);
+    CompletableFuture<Packed> job = jobs.remove(mesh);
+    if (job != null) {
+      job.cancel(false);
+    }
   }
 
   /** Forgets all meshes but some. */
   void keepOnly(Set<Mesh> wanted) {
-    jobs.keySet().retainAll(wanted);
+    List.copyOf(jobs.keySet()).stream()
+        .filter(mesh -> !wanted.contains(mesh))
+        .forEach(this::forget);
   }
 
   /** Ends the thread once it has finished what it does. */

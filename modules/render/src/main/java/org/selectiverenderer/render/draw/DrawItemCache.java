@@ -91,6 +91,10 @@ final class DrawItemCache implements Culler.Items {
   private double perTriangle = DEFERRED / PORTION;
 
   private final Map<ShapeInstance, Integer> moves = new IdentityHashMap<>();
+
+  /** The meshes of waiting shapes that are being packed. */
+  private final Map<ShapeInstance, Mesh> packing = new IdentityHashMap<>();
+
   private @Nullable LightChangeDetector watch;
   private long read;
 
@@ -238,7 +242,7 @@ final class DrawItemCache implements Culler.Items {
       approach(gl);
     }
     update(gl, changed, otherLight, candidates);
-    if (!changed) {
+    if (!changed && !all) {
       giveUp();
     }
     if (changed || replaced > slots.length / FREED_AFTER) {
@@ -277,14 +281,15 @@ final class DrawItemCache implements Culler.Items {
         return;
       }
       kept.set(group);
-      unseen.giveUp(group).stream()
+      BitSet gone = unseen.giveUp(group);
+      gone.stream()
           .forEach(
               place -> {
                 put(place, null);
                 waiting.clear(place);
                 late.clear(place);
               });
-      replaced = slots.length; // The resources are freed now.
+      replaced = gone.isEmpty() ? replaced : slots.length; // The resources are freed now.
     }
   }
 
@@ -339,6 +344,7 @@ final class DrawItemCache implements Culler.Items {
   private void take(GL3 gl, Arrivals arrivals) {
     long start = System.nanoTime();
     fill(arrivals.places, assets.prepare(gl, arrivals.requests, true));
+    arrivals.requests.forEach(request -> assets.forgetPacked(request.mesh()));
     if (arrivals.taken > 0) {
       double now = (System.nanoTime() - start) / (double) arrivals.taken;
       perTriangle += (now - perTriangle) / 4; // One frame that was interrupted tells little.
@@ -360,9 +366,18 @@ final class DrawItemCache implements Culler.Items {
 
     /** Takes a shape, unless its mesh is so large that it is still being packed. */
     void takeIfReady(int place) {
-      Mesh mesh = mesh(shapes.get(place));
+      ShapeInstance shape = shapes.get(place);
+      Mesh mesh = mesh(shape);
       if (portion == Long.MAX_VALUE || mesh == null || assets.ready(mesh)) {
         take(place);
+        return;
+      }
+      Mesh before = packing.put(shape, mesh);
+      if (before != null && before != mesh) {
+        assets.forgetPacked(before);
+        if (shape.shown()) {
+          take(place); // It changes faster than it is packed, and would never come.
+        }
       }
     }
 
@@ -371,6 +386,7 @@ final class DrawItemCache implements Culler.Items {
       waiting.clear(place);
       late.clear(place);
       unseen.remove(place);
+      packing.remove(shape);
       left -= cost(shape);
       taken += cost(shape);
       Mesh mesh = mesh(shape);
@@ -398,10 +414,10 @@ final class DrawItemCache implements Culler.Items {
     List<Integer> places = new ArrayList<>();
     List<LightingPlanner.Request> requests = new ArrayList<>();
     for (int i = candidates.nextSetBit(0); i >= 0; i = candidates.nextSetBit(i + 1)) {
-      if (unseen.stays(i)) {
-        continue;
+      if (unseen.contains(i)) {
+        unseen.changed(i);
       }
-      if (waiting.get(i)) {
+      if (waiting.get(i) || unseen.contains(i)) {
         continue;
       }
       DrawItem slot = slots[i];
@@ -512,5 +528,9 @@ final class DrawItemCache implements Culler.Items {
         .forEach(place -> shapes.get(place).mesh().ifPresent(wanted::add));
     assets.keepPacked(wanted);
     moves.keySet().retainAll(known.keySet());
+    packing
+        .keySet()
+        .removeIf(
+            shape -> shape.index() >= shapes.size() || shapes.get(shape.index()) != shape);
   }
 }

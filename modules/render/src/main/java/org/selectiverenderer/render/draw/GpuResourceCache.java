@@ -128,6 +128,11 @@ final class GpuResourceCache {
     packer.keepOnly(waiting);
   }
 
+  /** Forgets what was packed of a mesh, which is uploaded or no longer wanted. */
+  void forgetPacked(Mesh mesh) {
+    packer.forget(mesh);
+  }
+
   private Map<Mesh, MeshMetrics> surveys(List<LightingPlanner.Request> requests) {
     Set<Mesh> distinct = Collections.newSetFromMap(new IdentityHashMap<>());
     requests.forEach(request -> distinct.add(request.mesh()));

@@ -129,7 +129,7 @@ final class UnseenShapes {
     clear();
     group(tree, cost);
     for (int place = 0; place < shapes.size(); place++) {
-      if (before.contains(shapes.get(place))) {
+      if (before.contains(shapes.get(place)) && waits(shapes.get(place))) {
         add(place);
       }
     }
@@ -184,17 +184,15 @@ final class UnseenShapes {
   }
 
   /**
-   * Returns whether a shape that may have changed is unseen still: unless it may be drawn out of
-   * its box now.
+   * Follows a change of an unseen shape; if it may be drawn out of its box now, it is no longer
+   * one.
    */
-  boolean stays(int place) {
-    if (unseen.get(place) && !waits(shapes.get(place))) {
+  void changed(int place) {
+    if (waits(shapes.get(place))) {
+      bound(place);
+    } else {
       remove(place);
     }
-    if (unseen.get(place)) {
-      bound(place);
-    }
-    return unseen.get(place);
   }
 
   private void bound(int place) {

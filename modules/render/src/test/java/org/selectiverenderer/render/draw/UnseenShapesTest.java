@@ -11,6 +11,7 @@ import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.browser.camera.Camera;
 import org.selectiverenderer.browser.instance.Background;
+import org.selectiverenderer.browser.scene.Node;
 import org.selectiverenderer.render.ShadingMode;
 import org.selectiverenderer.render.TestImageRenderer;
 import org.selectiverenderer.render.TestScene;
@@ -194,5 +195,71 @@ class UnseenShapesTest {
     assertShoots(eye(0, 0));
     assertThat(renderer.items()).hasSizeBetween(SHAPES - 1, 4 * SHAPES);
     assertShoots(eye(30, 0));
+  }
+
+  @Test
+  void preparingMakesAllReadyHoweverMuchItIs() {
+    renderer.dispose(studio.gl());
+    renderer = new SceneRenderer(2, ShadingMode.PIXEL, new UnseenShapes.Limits(0, 240, 0, 2000));
+    shoot(eye(0, 0));
+    renderer.prepare(studio.gl(), scene.tree());
+    assertThat(renderer.items().size()).isEqualTo(ROOMS * SHAPES);
+  }
+
+  /** Its vertices are all in the first room, wherever the shape is. */
+  private static final String MOVING =
+      """
+      <Switch><ComposedShader DEF='P' language='GLSL'>
+      <ShaderPart type='VERTEX'><![CDATA[
+      void main() { gl_Position = vec4(gl_Vertex.xy, 0.0, 1.0); }
+      ]]></ShaderPart>
+      <ShaderPart type='FRAGMENT'><![CDATA[
+      void main() { gl_FragColor = vec4(0.0, 1.0, 0.0, 1.0); }
+      ]]></ShaderPart></ComposedShader></Switch>
+      """;
+
+  @Test
+  void anUnseenShapeThatGetsAProgramIsDrawnWhereverThatMovesIt() {
+    scene =
+        TestScene.of(
+            rooms()
+                + "<Transform translation='230 0 0'><Shape><Appearance DEF='A'/><Box/></Shape></Transform>"
+                + "<Shape><Appearance DEF='B'>"
+                + MOVING.replaceAll("</?Switch>", "")
+                + "</Appearance><Box size='0.001 0.001 0.001'/></Shape>");
+    shoot(eye(0, 0));
+    shoot(eye(0, 0)); // What is hidden in the room follows.
+    Node program = scene.loaded().scene().find("P").orElseThrow();
+    scene.set("A", "shaders", List.of(program));
+    byte[] shot = shoot(eye(0, 0));
+    assertThat(renderer.items().stream().filter(DrawItem::anywhere).count()).isEqualTo(2);
+    assertThat(shot).isEqualTo(expected(eye(0, 0)));
+  }
+
+  @Test
+  void anUnseenShapeThatMovesIntoViewIsDrawnInThatFrame() {
+    scene =
+        TestScene.of(
+            rooms()
+                + "<Transform DEF='M' translation='230 0 0'><Shape><Appearance><Material"
+                + " emissiveColor='1 0 0'/></Appearance><Box/></Shape></Transform>");
+    shoot(eye(0, 0));
+    scene.set("M", "translation", new float[] {2, 0, 0});
+    assertShoots(eye(0, 0));
+    assertThat(renderer.items()).hasSizeLessThan(4 * SHAPES);
+  }
+
+  @Test
+  void whatOnlyTheSecondEyeSeesIsDrawn() {
+    GL3 gl = studio.gl();
+    List<Camera> eyes = List.of(eye(0, 0), eye(200, 0));
+    OffscreenFramebuffer target =
+        new OffscreenFramebuffer(gl, TestImageRenderer.SIZE, TestImageRenderer.SIZE, 0);
+    target.bind(gl);
+    renderer.follow(gl, scene.tree());
+    renderer.draw(gl, renderer.cull(gl, eyes), eyes.get(1), Background.BLACK, true);
+    byte[] rgba = target.read(gl).rgba();
+    target.dispose(gl);
+    assertThat(rgba).isEqualTo(expected(eyes.get(1)));
   }
 }
