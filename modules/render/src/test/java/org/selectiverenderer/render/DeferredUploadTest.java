@@ -228,8 +228,16 @@ class DeferredUploadTest {
     TestScene scene =
         TestScene.of("<Switch DEF='S' whichChoice='-1'>" + hills(0, 150) + "</Switch>");
     Node grid =
-        scene.loaded().scene().find("S").orElseThrow().nodes("children").get(0)
-            .nodes("children").get(0).node("geometry");
+        scene
+            .loaded()
+            .scene()
+            .find("S")
+            .orElseThrow()
+            .nodes("children")
+            .get(0)
+            .nodes("children")
+            .get(0)
+            .node("geometry");
     shoot(scene);
     List<WeakReference<Mesh>> meshes = new ArrayList<>();
     for (int frame = 0; frame < 24; frame++) {

@@ -530,7 +530,6 @@ final class DrawItemCache implements Culler.Items {
     moves.keySet().retainAll(known.keySet());
     packing
         .keySet()
-        .removeIf(
-            shape -> shape.index() >= shapes.size() || shapes.get(shape.index()) != shape);
+        .removeIf(shape -> shape.index() >= shapes.size() || shapes.get(shape.index()) != shape);
   }
 }
