@@ -490,7 +490,7 @@ final class DrawItemCache implements Culler.Items {
       unseen.clear();
     } else if (other) {
       unseen.begin(newTree, DrawItemCache::cost);
-    } else if (unseen.grouped()) {
+    } else {
       unseen.regroup(newTree, DrawItemCache::cost);
     }
     inView.clear();

@@ -110,26 +110,36 @@ final class UnseenShapes {
    */
   boolean begin(InstanceTree tree, ToLongFunction<ShapeInstance> cost) {
     clear();
-    if (tree.shapes().stream().mapToLong(cost).sum() <= limits.large()) {
+    if (!large(tree, cost)) {
       return false;
     }
     group(tree, cost);
     for (int place = 0; place < shapes.size(); place++) {
-      if (waits(shapes.get(place))) {
+      if (canWait(shapes.get(place))) {
         add(place);
       }
     }
     return true;
   }
 
-  /** Groups the shapes anew after the tree's structure has changed; those unseen stay so. */
+  private boolean large(InstanceTree tree, ToLongFunction<ShapeInstance> cost) {
+    return tree.shapes().stream().mapToLong(cost).sum() > limits.large();
+  }
+
+  /**
+   * Groups the shapes anew after the tree's structure has changed; those unseen stay so. A scene
+   * that has grown large is grouped from then on: what is far is given up.
+   */
   void regroup(InstanceTree tree, ToLongFunction<ShapeInstance> cost) {
+    if (!grouped() && !large(tree, cost)) {
+      return;
+    }
     Set<ShapeInstance> before = Collections.newSetFromMap(new IdentityHashMap<>());
     unseen.stream().forEach(place -> before.add(shapes.get(place)));
     clear();
     group(tree, cost);
     for (int place = 0; place < shapes.size(); place++) {
-      if (before.contains(shapes.get(place)) && waits(shapes.get(place))) {
+      if (before.contains(shapes.get(place)) && canWait(shapes.get(place))) {
         add(place);
       }
     }
@@ -157,7 +167,7 @@ final class UnseenShapes {
   }
 
   /** Returns whether a shape can wait until an eye sees its box. */
-  private static boolean waits(ShapeInstance shape) {
+  private static boolean canWait(ShapeInstance shape) {
     return shape.programs().isEmpty() && shape.mesh().isPresent();
   }
 
@@ -175,7 +185,7 @@ final class UnseenShapes {
   BitSet giveUp(int group) {
     BitSet gone = new BitSet();
     for (int place : groups.get(group)) {
-      if (!unseen.get(place) && waits(shapes.get(place))) {
+      if (!unseen.get(place) && canWait(shapes.get(place))) {
         gone.set(place);
         add(place);
       }
@@ -188,7 +198,7 @@ final class UnseenShapes {
    * one.
    */
   void changed(int place) {
-    if (waits(shapes.get(place))) {
+    if (canWait(shapes.get(place))) {
       bound(place);
     } else {
       remove(place);

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.selectiverenderer.browser.camera.Camera;
 import org.selectiverenderer.browser.instance.Background;
 import org.selectiverenderer.browser.scene.Node;
+import org.selectiverenderer.browser.scene.Node;
 import org.selectiverenderer.render.ShadingMode;
 import org.selectiverenderer.render.TestImageRenderer;
 import org.selectiverenderer.render.TestScene;
@@ -41,7 +42,7 @@ class UnseenShapesTest {
   }
 
   private static String rooms() {
-    StringBuilder nodes = new StringBuilder();
+    StringBuilder nodes = new StringBuilder("<Group DEF='ALL'>");
     for (int room = 0; room < ROOMS; room++) {
       nodes.append(
           String.format(
@@ -57,7 +58,7 @@ class UnseenShapesTest {
               thing("Sphere", room),
               thing("Box", room)));
     }
-    return nodes.toString();
+    return nodes.append("</Group>").toString();
   }
 
   private static String wall(String place, String size) {
@@ -174,6 +175,21 @@ class UnseenShapesTest {
     }
     assertThat(renderer.items()).hasSizeLessThan(ROOMS * SHAPES / 2);
     assertShoots(eye(0, 0));
+  }
+
+  @Test
+  void ofASceneThatGrowsWhatIsFarIsGivenUp() {
+    renderer.dispose(studio.gl());
+    renderer = new SceneRenderer(2, ShadingMode.PIXEL, new UnseenShapes.Limits(2000, 240, 0, 2000));
+    Node group = scene.loaded().scene().find("ALL").orElseThrow();
+    List<Node> all = group.nodes("children");
+    scene.set("ALL", "children", all.subList(0, 1));
+    shoot(eye(0, 0));
+    scene.set("ALL", "children", all);
+    shoot(eye(0, 0)); // All come, since a running scene shows what it has got.
+    shoot(eye(0, 0));
+    assertThat(renderer.items()).hasSizeLessThan(ROOMS * SHAPES / 2);
+    assertShoots(eye(10 * (ROOMS - 1), 0));
   }
 
   @Test
