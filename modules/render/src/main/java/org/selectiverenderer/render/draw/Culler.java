@@ -24,6 +24,10 @@ import org.selectiverenderer.render.occlusion.OcclusionCuller;
  * are outside of every frustum, occluded or, when the shape is solid, facing away from all eyes.
  * Conservative. Makes no GL calls.
  *
+ * <p>A frame is {@link #begin}, then for a large scene {@link #missing} and {@code begin} again as
+ * long as something is missing, whose items the caller makes, then {@link #finish}; {@link #cull}
+ * where all items are there.
+ *
  * <p>Visible items are sorted by program and texture, then front to back, which saves the shading
  * of covered pixels; a batch has the place of its nearest item.
  */

@@ -45,7 +45,7 @@ final class UnseenShapes {
   private int[] groupOf = {};
   private double[][] boxes = {};
 
-  /** The number of unseen shapes of each group. */
+  /** The number of unseen shapes that each group still has. */
   private int[] left = {};
 
   /** The group that is made ready ahead; -1 for none. */
