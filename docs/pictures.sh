@@ -61,6 +61,10 @@ performance-growth-objects.svg     plots
 performance-growth-sensors.svg     plots
 performance-growth-switches.svg    plots
 performance-memory.svg             plots
+performance-selective.svg          plots
+performance-street-frame.svg       plots
+performance-street-load.svg        plots
+performance-street-memory.svg      plots
 polygons-kitchen.svg               plots
 polygons-lounge.svg                plots
 polygons-office.svg                plots

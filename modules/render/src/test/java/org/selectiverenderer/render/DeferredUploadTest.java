@@ -7,13 +7,13 @@ import java.lang.ref.WeakReference;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.browser.instance.Background;
 import org.selectiverenderer.browser.scene.Node;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.render.context.OffscreenFramebuffer;
+import org.selectiverenderer.testing.Eventually;
 import org.selectiverenderer.testing.RequiresDisplay;
 
 /**
@@ -246,11 +246,12 @@ class DeferredUploadTest {
       deform(scene, grid, frame);
     }
     shoot(scene);
-    for (int wait = 0; wait < 40 && kept(meshes) > 6; wait++) {
-      LockSupport.parkNanos(250_000_000); // What is being packed is finished meanwhile.
-      System.gc();
-    }
-    assertThat(kept(meshes)).as("meshes of former frames in memory").isLessThanOrEqualTo(6);
+    Eventually.await(
+        () -> "meshes of former frames to go, of which " + kept(meshes) + " are in memory",
+        () -> {
+          System.gc(); // What is being packed is finished meanwhile.
+          return kept(meshes) <= 6;
+        });
   }
 
   private static long kept(List<WeakReference<Mesh>> meshes) {
