@@ -12,7 +12,6 @@ import org.junit.jupiter.api.Test;
 import org.selectiverenderer.browser.camera.Camera;
 import org.selectiverenderer.browser.instance.Background;
 import org.selectiverenderer.browser.scene.Node;
-import org.selectiverenderer.browser.scene.Node;
 import org.selectiverenderer.render.ShadingMode;
 import org.selectiverenderer.render.TestImageRenderer;
 import org.selectiverenderer.render.TestScene;
