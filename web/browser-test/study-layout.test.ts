@@ -126,8 +126,8 @@ function faults(page: Page): Promise<string[]> {
 }
 
 it.each([
-  ['en', 'Begin', 'Continue', 'desk lamp', 'Being there', 'Thank you'],
-  ['el', 'Έναρξη', 'Συνέχεια', 'λάμπα γραφείου', 'Η παρουσία σας εκεί', 'Ευχαριστούμε'],
+  ['en', 'Begin', 'Continue', 'desk lamp', 'Being there', 'Save my answers'],
+  ['el', 'Έναρξη', 'Συνέχεια', 'λάμπα γραφείου', 'Η παρουσία σας εκεί', 'Αποθήκευση των απαντήσεών μου'],
 ])('fits a phone and its fingers (%s)', async (lang, begin, next, list, more, end) => {
   const page = await browser.newPage();
   await page.setViewport({ width: 390, height: 844, deviceScaleFactor: 2, hasTouch: true, isMobile: true });
