@@ -6,7 +6,7 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.formats.json.JsonTree;
 
-/** What is measured, and what is too large for it. */
+/** The series are measured, and sizes that are too large for the heap are left out. */
 class GrowthBenchmarkTest {
   private final ArrayNode rows = JsonTree.object().putArray("street");
 

@@ -55,7 +55,7 @@ public final class InstanceTree {
   private final GroupInstance root;
   private final Map<Node, SharedShapeState> looks = new IdentityHashMap<>();
 
-  /** What the Shapes of the same template share that are added at the same time. */
+  /** The reading that Shapes of the same template share if they are added at the same time. */
   private final Map<NodeTemplate, ShapeReading> readings = new IdentityHashMap<>();
 
   private final InstanceIndex lists = new InstanceIndex();

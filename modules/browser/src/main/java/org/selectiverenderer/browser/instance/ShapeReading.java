@@ -10,8 +10,8 @@ import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.x3d.tessellate.GeoMeshOrigin;
 
 /**
- * What the present fields of a Shape and the nodes in it say. Shapes of the same template, copies
- * of one in an inlined file, may share it.
+ * The mesh, material and drawing properties that the present fields of a Shape and of the nodes in
+ * it stand for. Shapes of the same template, copies of one in an inlined file, may share it.
  *
  * @param anchor the origin of the mesh's coordinates in the Shape's coordinates; null if they are
  *     the same

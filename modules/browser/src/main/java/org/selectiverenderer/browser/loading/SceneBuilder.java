@@ -106,14 +106,14 @@ final class SceneBuilder {
   }
 
   /**
-   * What is found once for all nodes that are made from one parsed node.
+   * The facts that are found once for all nodes that are made from one parsed node.
    *
    * @param template the template of a Shape or geometry node
    * @param attached whether more belongs to the node than its values: a file, an image, a program
    */
   private record Recipe(@Nullable NodeTemplate template, boolean attached) {}
 
-  /** What all scenes of one file have in common besides its nodes' values. */
+  /** The facts that all scenes of one file share, besides the values of its nodes. */
   private final class SharedHead {
     private final LoadedFile content;
 

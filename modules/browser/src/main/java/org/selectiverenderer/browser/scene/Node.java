@@ -80,7 +80,7 @@ public class Node implements NodeView {
 
   private @Nullable Object companion;
 
-  /** What few nodes have; null for the others, of which a scene may have millions. */
+  /** Routes and listeners; null for most nodes, of which a scene may have millions. */
   private @Nullable Connections connections;
 
   public Node(NodeType type, @Nullable String name, SourceLocation location) {

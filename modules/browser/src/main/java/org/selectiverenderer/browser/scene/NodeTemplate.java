@@ -6,9 +6,9 @@ import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.geometry.mesh.Mesh;
 
 /**
- * What all nodes have in common that are made from the same node of a file, one for each Inline of
- * the file. A node has its template until one of its own values changes. Templates are compared by
- * identity.
+ * A template is shared by all nodes that are made from the same node of a file, one for each Inline
+ * of the file. A node has its template until one of its own values changes. Templates are compared
+ * by identity.
  */
 public final class NodeTemplate {
   private final SourceLocation location;

@@ -57,7 +57,7 @@ final class DrawItemCache implements Culler.Items {
   /** The triangles that are uploaded in such a time at first and at most. */
   private static final int PORTION = 20_000;
 
-  /** What one shape counts for at least, in triangles. */
+  /** The least number of triangles that one shape counts for. */
   private static final int LEAST_OF_ONE = 40;
 
   /**
