@@ -2,6 +2,7 @@ package org.selectiverenderer.control;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
@@ -9,6 +10,8 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.sai.InlineSceneAccess;
 import org.selectiverenderer.sai.ProtoBodyAccess;
 import org.selectiverenderer.schema.Condition;
+import org.selectiverenderer.schema.Quality;
+import org.selectiverenderer.schema.QualityRule;
 import org.selectiverenderer.schema.SchemaActivation;
 import org.web3d.x3d.sai.BrowserEvent;
 import org.web3d.x3d.sai.BrowserListener;
@@ -41,9 +44,14 @@ public final class SelectiveController implements AutoCloseable {
    * @param seed the random seed of {@link Condition#RANDOM}
    * @param held the choices of Switches, by name, that neither condition nor areas change
    * @param controls whether choices are set; else the controller only tells what happens
+   * @param qualities what decides the levels of qualities, where the condition does not
    */
   public record Settings(
-      Condition condition, long seed, Map<String, Integer> held, boolean controls) {
+      Condition condition,
+      long seed,
+      Map<String, Integer> held,
+      boolean controls,
+      Map<Quality, QualityRule> qualities) {
     /** Selective rendering as in the thesis. */
     public static final Settings SELECTIVE = new Settings(Condition.SELECTIVE, 0);
 
@@ -51,11 +59,12 @@ public final class SelectiveController implements AutoCloseable {
      * A scene that is left to itself, such as an exported one with a Script of its own: the areas
      * that are entered are told, and the choices that the scene sets.
      */
-    public static final Settings OBSERVING = new Settings(Condition.SELECTIVE, 0, Map.of(), false);
+    public static final Settings OBSERVING = new Settings(Condition.SELECTIVE, 0, Map.of(), false, Map.of());
 
     /** Copies the choices. */
     public Settings {
       held = Map.copyOf(held);
+      qualities = Map.copyOf(qualities);
     }
 
     /** Creates settings in which the condition determines all choices. */
@@ -65,7 +74,24 @@ public final class SelectiveController implements AutoCloseable {
 
     /** Creates settings in which the condition determines the choices that are not held. */
     public Settings(Condition condition, long seed, Map<String, Integer> held) {
-      this(condition, seed, held, true);
+      this(condition, seed, held, true, Map.of());
+    }
+
+    /** Returns the same settings with rules for some qualities apart. */
+    public Settings with(Map<Quality, QualityRule> rules) {
+      return new Settings(condition, seed, held, controls, rules);
+    }
+
+    /** Returns what decides a quality apart from the condition; empty if the condition does. */
+    Optional<QualityRule> rule(Quality quality) {
+      return Optional.ofNullable(qualities.get(quality));
+    }
+
+    /** Returns whether areas change a quality as the viewer walks. */
+    boolean follows(Quality quality) {
+      return rule(quality)
+          .map(QualityRule.SELECTIVE::equals)
+          .orElse(condition.switches());
     }
   }
 

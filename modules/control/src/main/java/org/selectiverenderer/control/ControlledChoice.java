@@ -1,0 +1,26 @@
+package org.selectiverenderer.control;
+
+import java.util.Optional;
+import org.selectiverenderer.schema.SwitchSchemas;
+
+/**
+ * A property of an object that schemas choose, independently of its others: the version that its
+ * Switch shows, or the level of a field.
+ */
+interface ControlledChoice {
+  /** Returns the schemas of the choices; empty if there are none at present. */
+  Optional<SwitchSchemas> schemas();
+
+  /** Returns the choice that was last set, by the controller or others. */
+  int shown();
+
+  /**
+   * Sets a choice, unless it is set already.
+   *
+   * @return the problem if it could not be set
+   */
+  Optional<ControlProblem> show(int choice);
+
+  /** Returns the event that tells of a change. */
+  ControlEvent change(double time, int from, int to, String schema);
+}
