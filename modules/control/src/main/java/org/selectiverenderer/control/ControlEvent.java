@@ -2,6 +2,7 @@ package org.selectiverenderer.control;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /**
  * An event of the controller, in the order in which it happened. Times are the browser's time
@@ -41,7 +42,19 @@ public sealed interface ControlEvent {
    * @param switchName the name of the Switch
    * @param schema the schema that caused the change; empty if the scene itself made it, in a run
    *     that only observes
+   * @param seen what the viewer sees of the change; empty where that is not known
    */
-  record SwitchChange(double time, String switchName, int from, int to, String schema)
-      implements ControlEvent {}
+  record SwitchChange(
+      double time,
+      String switchName,
+      int from,
+      int to,
+      String schema,
+      Optional<SwitchVisibility> seen)
+      implements ControlEvent {
+    /** Creates the event of a change of which it is not known whether it is seen. */
+    public SwitchChange(double time, String switchName, int from, int to, String schema) {
+      this(time, switchName, from, to, schema, Optional.empty());
+    }
+  }
 }

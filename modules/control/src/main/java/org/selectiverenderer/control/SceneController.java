@@ -42,6 +42,7 @@ final class SceneController implements ControlledArea.Listener {
   private final Map<X3DNode, ControlledArea> areas = new LinkedHashMap<>();
   private final Map<X3DNode, VersionedObject> objects = new LinkedHashMap<>();
   private final Map<String, Integer> held;
+  private final ChoiceQueue queue;
   private boolean started;
   private double now;
 
@@ -57,6 +58,7 @@ final class SceneController implements ControlledArea.Listener {
       @Nullable InlineSceneAccess inlined,
       UnaryOperator<X3DNode> bodies,
       Settings settings,
+      SwitchTiming timing,
       Consumer<ControlEvent> events,
       Consumer<ControlProblem> problems) {
     this.turn = turn;
@@ -64,6 +66,7 @@ final class SceneController implements ControlledArea.Listener {
     held = new HashMap<>(settings.held());
     this.events = events;
     this.problems = problems;
+    queue = new ChoiceQueue(timing, events, problems);
     this.inlined = inlined;
     this.walk =
         new SceneGraphWatcher(
@@ -73,7 +76,7 @@ final class SceneController implements ControlledArea.Listener {
   /** Reads the scene, sets the choices of the condition, and reports the start. */
   void start() {
     walk.rescan(now);
-    setOut(objects.values(), settings.seed());
+    setOut(objects.values(), settings.seed(), true);
     started = true;
     problems().forEach(problems);
     UnmatchedSchemaCheck.of(areas.values(), objects.values()).forEach(problems);
@@ -134,6 +137,17 @@ final class SceneController implements ControlledArea.Listener {
     if (choice != null) {
       show(object, choice);
     }
+  }
+
+  /** Shows the choices that wait and may be shown now. */
+  void showDue(double time) {
+    now = Math.max(now, time);
+    queue.showDue(now);
+  }
+
+  /** Returns the choices that wait, by the names of their Switches. */
+  Map<String, Integer> waiting() {
+    return queue.waiting();
   }
 
   List<ControlProblem> problems() {
@@ -205,9 +219,10 @@ final class SceneController implements ControlledArea.Listener {
     object.read();
     reportNew(before, object.problems());
     if (object.schemas().isEmpty()) {
+      queue.forget(object);
       activation.removeSwitch(object);
     } else if (!known || settings.condition().switches()) {
-      setOut(List.of(object), settings.seed() + objects.size());
+      setOut(List.of(object), settings.seed() + objects.size(), !known);
     }
   }
 
@@ -224,6 +239,7 @@ final class SceneController implements ControlledArea.Listener {
       now = time;
       events.accept(new ControlEvent.SwitchChange(time, object.name(), from, object.shown(), ""));
     }
+    queue.forget(object);
     activation.noteShown(object, object.shown());
   }
 
@@ -251,7 +267,7 @@ final class SceneController implements ControlledArea.Listener {
     if (started) {
       foundAreas.forEach(area -> reportNew(List.of(), area.problems()));
       foundObjects.forEach(object -> reportNew(List.of(), object.problems()));
-      setOut(foundObjects, settings.seed() + objects.size());
+      setOut(foundObjects, settings.seed() + objects.size(), true);
       foundAreas.forEach(this::enterIfInside);
     }
   }
@@ -260,6 +276,7 @@ final class SceneController implements ControlledArea.Listener {
     VersionedObject object = objects.remove(node);
     if (object != null) {
       object.close();
+      queue.forget(object);
       activation.removeSwitch(object);
     }
     ControlledArea area = areas.remove(node);
@@ -277,8 +294,12 @@ final class SceneController implements ControlledArea.Listener {
     }
   }
 
-  /** Sets new objects to the choices that the condition requires. */
-  private void setOut(Collection<VersionedObject> candidates, long seed) {
+  /**
+   * Sets objects to the choices that the condition requires.
+   *
+   * @param fresh whether the viewer has not seen them yet, so that no choice has to wait
+   */
+  private void setOut(Collection<VersionedObject> candidates, long seed, boolean fresh) {
     if (!settings.controls()) {
       return;
     }
@@ -289,7 +310,8 @@ final class SceneController implements ControlledArea.Listener {
     if (settings.condition().switches()) {
       enriched.forEach(
           (object, schemas) ->
-              apply(activation.putSwitch(object, schemas, object.shown()).stream().toList()));
+              apply(
+                  activation.putSwitch(object, schemas, object.shown()).stream().toList(), fresh));
     } else {
       settings.condition().initialChoices(enriched, activatedSchemas(), seed).forEach(this::show);
     }
@@ -311,7 +333,9 @@ final class SceneController implements ControlledArea.Listener {
     return activated;
   }
 
+  /** Shows a choice at once and without an event, whatever waits. */
   private void show(VersionedObject object, int choice) {
+    queue.forget(object);
     Optional<ControlProblem> failure = object.show(choice);
     if (started) { // otherwise reported with the others
       failure.ifPresent(problems);
@@ -319,6 +343,10 @@ final class SceneController implements ControlledArea.Listener {
   }
 
   private void apply(List<Change<VersionedObject>> changes) {
+    apply(changes, false);
+  }
+
+  private void apply(List<Change<VersionedObject>> changes, boolean fresh) {
     if (!settings.controls()) {
       return;
     }
@@ -327,10 +355,11 @@ final class SceneController implements ControlledArea.Listener {
       if (held.containsKey(object.name())) {
         continue;
       }
-      show(object, change.to());
-      events.accept(
-          new ControlEvent.SwitchChange(
-              now, object.name(), change.from(), change.to(), change.schema()));
+      if (fresh) {
+        queue.show(object, change.to(), change.schema(), now);
+      } else {
+        queue.want(object, change.to(), change.schema(), now);
+      }
     }
   }
 

@@ -10,6 +10,7 @@ import org.selectiverenderer.sai.InlineSceneAccess;
 import org.selectiverenderer.sai.ProtoBodyAccess;
 import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.schema.SchemaActivation;
+import org.selectiverenderer.schema.SwitchTransition;
 import org.web3d.x3d.sai.BrowserEvent;
 import org.web3d.x3d.sai.BrowserListener;
 import org.web3d.x3d.sai.ExternalBrowser;
@@ -41,9 +42,14 @@ public final class SelectiveController implements AutoCloseable {
    * @param seed the random seed of {@link Condition#RANDOM}
    * @param held the choices of Switches, by name, that neither condition nor areas change
    * @param controls whether choices are set; else the controller only tells what happens
+   * @param transition how versions change; a {@link SwitchTiming} acts on it
    */
   public record Settings(
-      Condition condition, long seed, Map<String, Integer> held, boolean controls) {
+      Condition condition,
+      long seed,
+      Map<String, Integer> held,
+      boolean controls,
+      SwitchTransition transition) {
     /** Selective rendering as in the thesis. */
     public static final Settings SELECTIVE = new Settings(Condition.SELECTIVE, 0);
 
@@ -67,10 +73,21 @@ public final class SelectiveController implements AutoCloseable {
     public Settings(Condition condition, long seed, Map<String, Integer> held) {
       this(condition, seed, held, true);
     }
+
+    /** Creates settings in which versions change at once. */
+    public Settings(Condition condition, long seed, Map<String, Integer> held, boolean controls) {
+      this(condition, seed, held, controls, SwitchTransition.AT_ONCE);
+    }
+
+    /** Returns these settings with another transition. */
+    public Settings with(SwitchTransition changed) {
+      return new Settings(condition, seed, held, controls, changed);
+    }
   }
 
   private final ExternalBrowser browser;
   private final Settings settings;
+  private final SwitchTiming timing;
   private final Consumer<ControlEvent> events;
   private final Consumer<ControlProblem> problems;
   private final BrowserListener onBrowser = this::browserChanged;
@@ -88,8 +105,27 @@ public final class SelectiveController implements AutoCloseable {
       Settings settings,
       Consumer<ControlEvent> events,
       Consumer<ControlProblem> problems) {
+    this(browser, settings, SwitchTiming.AT_ONCE, events, problems);
+  }
+
+  /**
+   * Takes control of the scene that the browser shows, and of every scene that it will show, with
+   * choices that may have to wait.
+   *
+   * @param timing decides when choices are shown; see {@link #showDue}
+   * @param events receives the events, on the browser's thread; for each scene a {@link
+   *     ControlEvent.Start} first
+   * @param problems receives the problems of each scene, at its start and later, on the same thread
+   */
+  public SelectiveController(
+      ExternalBrowser browser,
+      Settings settings,
+      SwitchTiming timing,
+      Consumer<ControlEvent> events,
+      Consumer<ControlProblem> problems) {
     this.browser = browser;
     this.settings = settings;
+    this.timing = timing;
     this.events = events;
     this.problems = problems;
     browser.addBrowserListener(onBrowser);
@@ -128,6 +164,23 @@ public final class SelectiveController implements AutoCloseable {
   }
 
   /**
+   * Shows the choices that wait and may be shown now. To be called in every frame, after the viewer
+   * has moved.
+   *
+   * @param time the browser's time stamp in seconds
+   */
+  public synchronized void showDue(double time) {
+    if (scene != null) {
+      scene.showDue(time);
+    }
+  }
+
+  /** Returns the choices that wait to be shown, by the names of their Switches. */
+  public synchronized Map<String, Integer> waiting() {
+    return scene == null ? Map.of() : scene.waiting();
+  }
+
+  /**
    * Looks for root nodes that were added to or removed from the scene, for which the SAI has no
    * event. With a browser that sends an event of its own for it, as the embedded one does, the
    * controller looks by itself.
@@ -161,7 +214,14 @@ public final class SelectiveController implements AutoCloseable {
     if (context != null) { // no world is shown yet
       scene =
           new SceneController(
-              context, new ListenerLock(this), opener(), bodies(), settings, events, problems);
+              context,
+              new ListenerLock(this),
+              opener(),
+              bodies(),
+              settings,
+              timing,
+              events,
+              problems);
       scene.start();
     }
   }
