@@ -12,8 +12,8 @@ import java.util.function.Consumer;
  * that is wanted as it is shown does not change at all.
  */
 final class ChoiceQueue {
-  /** A choice that is wanted, and the schema that causes it. */
-  private record Wanted(int choice, String schema) {}
+  /** A choice that is wanted, and what causes it. */
+  private record Wanted(int choice, ChoiceCause cause) {}
 
   private final SwitchTiming timing;
   private final Consumer<ControlEvent> events;
@@ -30,18 +30,17 @@ final class ChoiceQueue {
   /**
    * Shows a choice, now or as soon as it may be shown.
    *
-   * @param schema the schema that causes it
    * @param time time stamp in seconds
    */
-  void want(VersionedObject object, int choice, String schema, double time) {
+  void want(VersionedObject object, int choice, ChoiceCause cause, double time) {
     waiting.remove(object);
     if (choice == object.shown()) {
       return;
     }
     if (timing.mayShow(object.node(), choice)) {
-      show(object, choice, schema, time);
+      show(object, choice, cause, time);
     } else {
-      waiting.put(object, new Wanted(choice, schema));
+      waiting.put(object, new Wanted(choice, cause));
     }
   }
 
@@ -60,16 +59,16 @@ final class ChoiceQueue {
         all.remove();
       }
     }
-    due.forEach((object, wanted) -> show(object, wanted.choice(), wanted.schema(), time));
+    due.forEach((object, wanted) -> show(object, wanted.choice(), wanted.cause(), time));
   }
 
   /** Shows a choice whether it may be seen or not. */
-  void show(VersionedObject object, int choice, String schema, double time) {
+  void show(VersionedObject object, int choice, ChoiceCause cause, double time) {
     int from = object.shown();
     Optional<SwitchVisibility> seen = timing.shows(object.node(), choice);
     object.show(choice).ifPresent(problems);
     events.accept(
-        new ControlEvent.SwitchChange(time, object.name(), from, choice, schema, seen));
+        new ControlEvent.SwitchChange(time, object.name(), from, choice, cause, seen));
   }
 
   /** Drops what waits for an object, because others have set its choice or it is gone. */

@@ -43,6 +43,7 @@ final class SceneController implements ControlledArea.Listener {
   private final Map<X3DNode, VersionedObject> objects = new LinkedHashMap<>();
   private final Map<String, Integer> held;
   private final ChoiceQueue queue;
+  private @Nullable List<ChoosableObject> choosable;
   private boolean started;
   private double now;
 
@@ -123,6 +124,7 @@ final class SceneController implements ControlledArea.Listener {
   /** Holds the choices of Switches; returns the names that no Switch has. */
   Set<String> hold(Map<String, Integer> choices) {
     held.putAll(choices);
+    choosable = null;
     Set<String> missing = new LinkedHashSet<>(choices.keySet());
     for (VersionedObject object : objects.values()) {
       if (missing.remove(object.name())) {
@@ -136,6 +138,34 @@ final class SceneController implements ControlledArea.Listener {
     Integer choice = held.get(object.name());
     if (choice != null) {
       show(object, choice);
+    }
+  }
+
+  /** Returns the objects whose versions may be chosen; the same list until others may be. */
+  List<ChoosableObject> choosable() {
+    List<ChoosableObject> known = choosable;
+    if (known == null) {
+      known = new ArrayList<>();
+      for (VersionedObject object : objects.values()) {
+        if (object.schemas().isPresent() && !held.containsKey(object.name())) {
+          known.add(object);
+        }
+      }
+      known = List.copyOf(known);
+      choosable = known;
+    }
+    return known;
+  }
+
+  /** Shows the version of an object that a budget has chosen. */
+  void choose(ChoosableObject chosen, int version, double time) {
+    if (chosen instanceof VersionedObject object && objects.get(object.node()) == object) {
+      now = Math.max(now, time);
+      if (!object.chosenFirst()) {
+        queue.want(object, version, ChoiceCause.BUDGET, now);
+      } else if (version != object.shown()) { // The viewer has not seen it yet.
+        queue.show(object, version, ChoiceCause.BUDGET, now);
+      }
     }
   }
 
@@ -217,6 +247,7 @@ final class SceneController implements ControlledArea.Listener {
     boolean known = object.schemas().isPresent();
     List<ControlProblem> before = object.problems();
     object.read();
+    choosable = null;
     reportNew(before, object.problems());
     if (object.schemas().isEmpty()) {
       queue.forget(object);
@@ -245,6 +276,7 @@ final class SceneController implements ControlledArea.Listener {
 
   private void changed(List<Found> found, List<X3DNode> lost, double time) {
     now = time;
+    choosable = null;
     found.forEach(one -> names.add(one.node(), one.scope()));
     List<ControlledArea> foundAreas = new ArrayList<>();
     List<VersionedObject> foundObjects = new ArrayList<>();
@@ -309,9 +341,12 @@ final class SceneController implements ControlledArea.Listener {
     }
     if (settings.condition().switches()) {
       enriched.forEach(
-          (object, schemas) ->
-              apply(
-                  activation.putSwitch(object, schemas, object.shown()).stream().toList(), fresh));
+          (object, schemas) -> {
+            if (fresh) {
+              object.calledFor(object.shown());
+            }
+            apply(activation.putSwitch(object, schemas, object.shown()).stream().toList(), fresh);
+          });
     } else {
       settings.condition().initialChoices(enriched, activatedSchemas(), seed).forEach(this::show);
     }
@@ -352,13 +387,17 @@ final class SceneController implements ControlledArea.Listener {
     }
     for (Change<VersionedObject> change : changes) {
       VersionedObject object = change.switchKey();
+      object.calledFor(change.to());
+      if (settings.budget().isPresent()) {
+        continue; // The areas tell what is consistent; the budget chooses.
+      }
       if (held.containsKey(object.name())) {
         continue;
       }
       if (fresh) {
-        queue.show(object, change.to(), change.schema(), now);
+        queue.show(object, change.to(), ChoiceCause.of(change.schema()), now);
       } else {
-        queue.want(object, change.to(), change.schema(), now);
+        queue.want(object, change.to(), ChoiceCause.of(change.schema()), now);
       }
     }
   }

@@ -16,7 +16,7 @@ import org.web3d.x3d.sai.grouping.Switch;
 /**
  * An enriched object: a Switch whose children are the object's versions, described by its metadata.
  */
-final class VersionedObject {
+final class VersionedObject implements ChoosableObject {
   /** Receives the choices that somebody else has set. */
   interface ChoiceListener {
     /**
@@ -43,6 +43,9 @@ final class VersionedObject {
   private Optional<SwitchSchemas> schemas = Optional.empty();
   private final int atStart;
   private int shown;
+  private int called;
+  private double consistency;
+  private boolean chosen;
 
   /**
    * Reads an object in its present state.
@@ -99,6 +102,7 @@ final class VersionedObject {
                     ControlProblem.warning(
                         name(), ((SaiMetadata) problem.metadata()).node(), problem.message())));
     schemas = watch.read().flatMap(m -> reader.switchNode(m, node.getNumChildren()));
+    calledFor(called);
   }
 
   String name() {
@@ -121,7 +125,8 @@ final class VersionedObject {
   /**
    * Returns the choice that was last set, by the controller or others; initially that of the scene.
    */
-  int shown() {
+  @Override
+  public int shown() {
     return shown;
   }
 
@@ -160,8 +165,35 @@ final class VersionedObject {
     problems.add(problem);
   }
 
-  Switch node() {
+  @Override
+  public Switch node() {
     return node;
+  }
+
+  @Override
+  public int versions() {
+    return schemas.map(all -> all.choices().size()).orElse(0);
+  }
+
+  @Override
+  public double consistency() {
+    return consistency;
+  }
+
+  /** Notes the version that the areas call for, whose degree is the object's consistency now. */
+  void calledFor(int version) {
+    called = version;
+    consistency =
+        called >= 0 && called < versions()
+            ? schemas.orElseThrow().choices().get(called).consistency()
+            : 0;
+  }
+
+  /** Notes that a budget has chosen for the object, and returns whether it had not before. */
+  boolean chosenFirst() {
+    boolean first = !chosen;
+    chosen = true;
+    return first;
   }
 
   List<ControlProblem> problems() {
