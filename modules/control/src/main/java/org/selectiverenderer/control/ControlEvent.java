@@ -2,6 +2,7 @@ package org.selectiverenderer.control;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.selectiverenderer.schema.Quality;
 
 /**
@@ -49,11 +50,46 @@ public sealed interface ControlEvent {
    * A Switch shows another choice.
    *
    * @param switchName the name of the Switch
-   * @param schema the schema that caused the change; empty if the scene itself made it, in a run
-   *     that only observes
+   * @param cause what caused the change
+   * @param seen what the viewer sees of the change; empty where that is not known
    */
-  record SwitchChange(double time, String switchName, int from, int to, String schema)
-      implements ControlEvent {}
+  record SwitchChange(
+      double time,
+      String switchName,
+      int from,
+      int to,
+      ChoiceCause cause,
+      Optional<SwitchVisibility> seen)
+      implements ControlEvent {
+    /**
+     * Creates the event of a change that a schema caused, of which it is not known whether it is
+     * seen.
+     *
+     * @param schema empty if the scene itself made the change, in a run that only observes
+     */
+    public SwitchChange(double time, String switchName, int from, int to, String schema) {
+      this(time, switchName, from, to, schema, Optional.empty());
+    }
+
+    /** Creates the event of a change that a schema caused. */
+    public SwitchChange(
+        double time,
+        String switchName,
+        int from,
+        int to,
+        String schema,
+        Optional<SwitchVisibility> seen) {
+      this(time, switchName, from, to, ChoiceCause.of(schema), seen);
+    }
+
+    /**
+     * Returns the schema that caused the change; empty if a budget did, or the scene itself, in a
+     * run that only observes.
+     */
+    public String schema() {
+      return cause.schema();
+    }
+  }
 
   /**
    * A quality of an object that is the value of a field has another level.

@@ -15,6 +15,7 @@ import org.web3d.x3d.sai.X3DField;
 import org.web3d.x3d.sai.X3DFieldEventListener;
 import org.web3d.x3d.sai.X3DFieldTypes;
 import org.web3d.x3d.sai.X3DNode;
+import org.web3d.x3d.sai.grouping.Switch;
 
 /** A field whose value is a quality of an object. */
 final class ControlledField implements ControlledChoice {
@@ -184,9 +185,26 @@ final class ControlledField implements ControlledChoice {
   }
 
   @Override
-  public ControlEvent change(double time, int from, int to, String schema) {
+  public Switch node() {
+    return object.node();
+  }
+
+  @Override
+  public int child(int level) {
+    return object.shown();
+  }
+
+  @Override
+  public ControlEvent change(
+      double time, int from, int to, ChoiceCause cause, Optional<SwitchVisibility> seen) {
     return new ControlEvent.FieldChange(
-        time, object.name(), quality.quality(), quality.target().toString(), from, to, schema);
+        time,
+        object.name(),
+        quality.quality(),
+        quality.target().toString(),
+        from,
+        to,
+        cause.schema());
   }
 
   /** Stops listening. */

@@ -44,6 +44,8 @@ final class SceneController implements ControlledArea.Listener {
   private final Map<X3DNode, ControlledArea> areas = new LinkedHashMap<>();
   private final Map<X3DNode, VersionedObject> objects = new LinkedHashMap<>();
   private final Map<String, Integer> held;
+  private final ChoiceQueue queue;
+  private @Nullable List<ChoosableObject> choosable;
   private boolean started;
   private double now;
 
@@ -59,6 +61,7 @@ final class SceneController implements ControlledArea.Listener {
       @Nullable InlineSceneAccess inlined,
       UnaryOperator<X3DNode> bodies,
       Settings settings,
+      SwitchTiming timing,
       Consumer<ControlEvent> events,
       Consumer<ControlProblem> problems) {
     this.turn = turn;
@@ -66,6 +69,7 @@ final class SceneController implements ControlledArea.Listener {
     held = new HashMap<>(settings.held());
     this.events = events;
     this.problems = problems;
+    queue = new ChoiceQueue(timing, events, problems);
     this.inlined = inlined;
     this.walk =
         new SceneGraphWatcher(
@@ -75,7 +79,7 @@ final class SceneController implements ControlledArea.Listener {
   /** Reads the scene, sets the choices of the condition, and reports the start. */
   void start() {
     walk.rescan(now);
-    setOut(choicesOf(objects.values()), settings.seed());
+    setOut(choicesOf(objects.values()), settings.seed(), true);
     objects.values().forEach(this::hold);
     started = true;
     problems().forEach(problems);
@@ -123,6 +127,7 @@ final class SceneController implements ControlledArea.Listener {
   /** Holds the choices of Switches; returns the names that no Switch has. */
   Set<String> hold(Map<String, Integer> choices) {
     held.putAll(choices);
+    choosable = null;
     Set<String> missing = new LinkedHashSet<>(choices.keySet());
     for (VersionedObject object : objects.values()) {
       if (missing.remove(object.name())) {
@@ -137,6 +142,45 @@ final class SceneController implements ControlledArea.Listener {
     if (choice != null) {
       show(object, choice);
     }
+  }
+
+  /** Returns the objects whose versions may be chosen; the same list until others may be. */
+  List<ChoosableObject> choosable() {
+    List<ChoosableObject> known = choosable;
+    if (known == null) {
+      known = new ArrayList<>();
+      for (VersionedObject object : objects.values()) {
+        if (object.schemas().isPresent() && !held.containsKey(object.name())) {
+          known.add(object);
+        }
+      }
+      known = List.copyOf(known);
+      choosable = known;
+    }
+    return known;
+  }
+
+  /** Shows the version of an object that a budget has chosen. */
+  void choose(ChoosableObject chosen, int version, double time) {
+    if (chosen instanceof VersionedObject object && objects.get(object.node()) == object) {
+      now = Math.max(now, time);
+      if (!object.chosenFirst()) {
+        queue.want(object, version, ChoiceCause.BUDGET, now);
+      } else if (version != object.shown()) { // The viewer has not seen it yet.
+        queue.show(object, version, ChoiceCause.BUDGET, now);
+      }
+    }
+  }
+
+  /** Shows the choices that wait and may be shown now. */
+  void showDue(double time) {
+    now = Math.max(now, time);
+    queue.showDue(now);
+  }
+
+  /** Returns the choices that wait, by the names of their Switches. */
+  Map<String, Integer> waiting() {
+    return queue.waiting();
   }
 
   List<ControlProblem> problems() {
@@ -218,16 +262,17 @@ final class SceneController implements ControlledArea.Listener {
     now = time;
     boolean known = object.schemas().isPresent();
     List<ControlProblem> before = object.problems();
-    object.fields().forEach(activation::removeSwitch);
+    object.fields().forEach(this::forget);
     object.read();
+    choosable = null;
     reportNew(before, object.problems());
     List<ControlledChoice> choices = new ArrayList<>(object.fields());
     if (object.schemas().isEmpty()) {
-      activation.removeSwitch(object);
+      forget((ControlledChoice) object);
     } else if (!known || settings.follows(object.schemas().get().quality())) {
       choices.add(0, object);
     }
-    setOut(choices, settings.seed() + objects.size());
+    setOut(choices, settings.seed() + objects.size(), !known);
     hold(object);
   }
 
@@ -244,6 +289,7 @@ final class SceneController implements ControlledArea.Listener {
       now = time;
       events.accept(new ControlEvent.SwitchChange(time, object.name(), from, object.shown(), ""));
     }
+    queue.forget(object);
     activation.noteShown(object, object.shown());
   }
 
@@ -251,13 +297,16 @@ final class SceneController implements ControlledArea.Listener {
   private void levelChanged(ControlledField field, int from, double time) {
     if (!settings.controls()) {
       now = time;
-      events.accept(field.change(time, from, field.shown(), ""));
+      events.accept(
+          field.change(time, from, field.shown(), ChoiceCause.SCENE, Optional.empty()));
     }
+    queue.forget(field);
     activation.noteShown(field, field.shown());
   }
 
   private void changed(List<Found> found, List<X3DNode> lost, double time) {
     now = time;
+    choosable = null;
     found.forEach(one -> names.add(one.node(), one.scope()));
     List<ControlledArea> foundAreas = new ArrayList<>();
     List<VersionedObject> foundObjects = new ArrayList<>();
@@ -286,7 +335,7 @@ final class SceneController implements ControlledArea.Listener {
     if (started) {
       foundAreas.forEach(area -> reportNew(List.of(), area.problems()));
       foundObjects.forEach(object -> reportNew(List.of(), object.problems()));
-      setOut(choicesOf(foundObjects), settings.seed() + objects.size());
+      setOut(choicesOf(foundObjects), settings.seed() + objects.size(), true);
       foundObjects.forEach(this::hold);
       foundAreas.forEach(this::enterIfInside);
     }
@@ -296,8 +345,8 @@ final class SceneController implements ControlledArea.Listener {
     VersionedObject object = objects.remove(node);
     if (object != null) {
       object.close();
-      activation.removeSwitch(object);
-      object.fields().forEach(activation::removeSwitch);
+      forget((ControlledChoice) object);
+      object.fields().forEach(this::forget);
     }
     ControlledArea area = areas.remove(node);
     if (area != null) {
@@ -305,6 +354,11 @@ final class SceneController implements ControlledArea.Listener {
       apply(activation.removeArea(area));
     }
     names.remove(node);
+  }
+
+  private void forget(ControlledChoice choice) {
+    queue.forget(choice);
+    activation.removeSwitch(choice);
   }
 
   /** Enters an area if the viewer is in it already, since its sensor will send no entry event. */
@@ -327,14 +381,17 @@ final class SceneController implements ControlledArea.Listener {
   /**
    * Sets new choices as the condition and the rules of qualities require. Each quality has a random
    * seed of its own, so that another one more does not change which versions are drawn.
+   *
+   * @param fresh whether the viewer has not seen them yet, so that no choice has to wait
    */
-  private void setOut(Collection<? extends ControlledChoice> candidates, long seed) {
+  private void setOut(
+      Collection<? extends ControlledChoice> candidates, long seed, boolean fresh) {
     if (!settings.controls()) {
       return;
     }
     Map<Quality, Map<ControlledChoice, SwitchSchemas>> conditional = new EnumMap<>(Quality.class);
     for (ControlledChoice choice : candidates) {
-      choice.schemas().ifPresent(schemas -> setOut(choice, schemas, conditional));
+      choice.schemas().ifPresent(schemas -> setOut(choice, schemas, conditional, fresh));
     }
     conditional.forEach(
         (quality, choices) ->
@@ -347,10 +404,14 @@ final class SceneController implements ControlledArea.Listener {
   private void setOut(
       ControlledChoice choice,
       SwitchSchemas schemas,
-      Map<Quality, Map<ControlledChoice, SwitchSchemas>> conditional) {
+      Map<Quality, Map<ControlledChoice, SwitchSchemas>> conditional,
+      boolean fresh) {
     Quality quality = schemas.quality();
     if (settings.follows(quality)) {
-      apply(activation.putSwitch(choice, schemas, choice.shown()).stream().toList());
+      if (fresh && choice instanceof VersionedObject object) {
+        object.calledFor(object.shown());
+      }
+      apply(activation.putSwitch(choice, schemas, choice.shown()).stream().toList(), fresh);
     } else if (settings.rule(quality).isPresent()) {
       show(choice, settings.rule(quality).get().choice(schemas));
     } else {
@@ -373,7 +434,9 @@ final class SceneController implements ControlledArea.Listener {
     return activated;
   }
 
+  /** Shows a choice at once and without an event, whatever waits. */
   private void show(ControlledChoice choice, int wanted) {
+    queue.forget(choice);
     Optional<ControlProblem> failure = choice.show(wanted);
     if (started) { // otherwise reported with the others
       failure.ifPresent(problems);
@@ -381,16 +444,26 @@ final class SceneController implements ControlledArea.Listener {
   }
 
   private void apply(List<Change<ControlledChoice>> changes) {
+    apply(changes, false);
+  }
+
+  private void apply(List<Change<ControlledChoice>> changes, boolean fresh) {
     if (!settings.controls()) {
       return;
     }
     for (Change<ControlledChoice> change : changes) {
       ControlledChoice choice = change.switchKey();
-      if (choice instanceof VersionedObject object && held.containsKey(object.name())) {
-        continue;
+      if (choice instanceof VersionedObject object) {
+        object.calledFor(change.to());
+        if (settings.budget().isPresent() || held.containsKey(object.name())) {
+          continue; // With a budget areas only tell what is consistent, and the budget chooses.
+        }
       }
-      show(choice, change.to());
-      events.accept(choice.change(now, change.from(), change.to(), change.schema()));
+      if (fresh) {
+        queue.show(choice, change.to(), ChoiceCause.of(change.schema()), now);
+      } else {
+        queue.want(choice, change.to(), ChoiceCause.of(change.schema()), now);
+      }
     }
   }
 }

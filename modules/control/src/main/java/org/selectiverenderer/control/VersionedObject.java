@@ -18,7 +18,7 @@ import org.web3d.x3d.sai.grouping.Switch;
  * An enriched object: a Switch whose children are the object's versions, described by its metadata,
  * and the fields whose values are further qualities of the object.
  */
-final class VersionedObject implements ControlledChoice {
+final class VersionedObject implements ChoosableObject, ControlledChoice {
   /** Receives the choices that somebody else has set. */
   interface ChoiceListener {
     /**
@@ -49,6 +49,9 @@ final class VersionedObject implements ControlledChoice {
   private List<ControlledField> fields = List.of();
   private final int atStart;
   private int shown;
+  private int called;
+  private double consistency;
+  private boolean chosen;
 
   /**
    * Reads an object in its present state.
@@ -117,6 +120,7 @@ final class VersionedObject implements ControlledChoice {
         metadata.map(reader::fieldQualities).orElse(List.of()).stream()
             .flatMap(quality -> field(quality).stream())
             .toList();
+    calledFor(called);
   }
 
   private Optional<ControlledField> field(FieldQuality quality) {
@@ -190,8 +194,14 @@ final class VersionedObject implements ControlledChoice {
   }
 
   @Override
-  public ControlEvent change(double time, int from, int to, String schema) {
-    return new ControlEvent.SwitchChange(time, name(), from, to, schema);
+  public int child(int choice) {
+    return choice;
+  }
+
+  @Override
+  public ControlEvent change(
+      double time, int from, int to, ChoiceCause cause, Optional<SwitchVisibility> seen) {
+    return new ControlEvent.SwitchChange(time, name(), from, to, cause, seen);
   }
 
   private void add(ControlProblem problem) {
@@ -201,8 +211,35 @@ final class VersionedObject implements ControlledChoice {
     problems.add(problem);
   }
 
-  Switch node() {
+  @Override
+  public Switch node() {
     return node;
+  }
+
+  @Override
+  public int versions() {
+    return schemas.map(all -> all.choices().size()).orElse(0);
+  }
+
+  @Override
+  public double consistency() {
+    return consistency;
+  }
+
+  /** Notes the version that the areas call for, whose degree is the object's consistency now. */
+  void calledFor(int version) {
+    called = version;
+    consistency =
+        called >= 0 && called < versions()
+            ? schemas.orElseThrow().choices().get(called).consistency()
+            : 0;
+  }
+
+  /** Notes that a budget has chosen for the object, and returns whether it had not before. */
+  boolean chosenFirst() {
+    boolean first = !chosen;
+    chosen = true;
+    return first;
   }
 
   List<ControlProblem> problems() {
