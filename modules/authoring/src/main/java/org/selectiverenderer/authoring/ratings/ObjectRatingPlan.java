@@ -26,10 +26,9 @@ final class ObjectRatingPlan {
   }
 
   Row row(String object, Map<String, Mean> means) {
-    int versions = node.choices().size();
     Map<String, Integer> shown = new LinkedHashMap<>();
     means.forEach(
-        (schema, mean) -> shown.put(schema, RatingBandMapping.version(mean.value(), versions)));
+        (schema, mean) -> shown.put(schema, RatingScale.version(mean.value(), node.values())));
     boolean steady = shown.values().stream().distinct().count() == 1;
     boolean ofRoom = means.keySet().stream().anyMatch(schema -> !places.isPart(schema));
     List<ImpliedSchema> implied = new ArrayList<>();
@@ -48,7 +47,7 @@ final class ObjectRatingPlan {
   static Row expected(EnrichedSwitch node, String schema) {
     int last = node.choices().size() - 1;
     List<ChoiceMetadata> choices = new ArrayList<>(node.values());
-    choices.set(last, RatingBandMapping.values(last, last + 1).with(List.of(schema)));
+    choices.set(last, RatingScale.values(last, last + 1).with(List.of(schema)));
     return new Row(node, Optional.empty(), List.of(), choices);
   }
 
@@ -72,30 +71,33 @@ final class ObjectRatingPlan {
       } else if (others && before.type().isPresent()) {
         choices.add(before.with(schemas));
       } else {
-        choices.add(RatingBandMapping.values(i, node.choices().size()).with(schemas));
+        ChoiceMetadata values = RatingScale.values(i, node.choices().size()).with(schemas);
+        boolean scaled = node.choices().size() > 2 && before.degree().isPresent();
+        choices.add(scaled ? values.with(before.degree().get()) : values);
       }
     }
     return choices;
   }
 
   /** Maps a mean rating to a version of an object (thesis 5.1; 7.2 for more than two versions). */
-  private static final class RatingBandMapping {
-    private RatingBandMapping() {}
+  private static final class RatingScale {
+    private static final double LOWEST = 1;
+    private static final double HIGHEST = 6;
+
+    private RatingScale() {}
 
     /**
-     * Returns the version: the first for an unexpected object, the last for an expected one. A
-     * neutral object is shown like an expected one if there are two versions, else by a version
-     * between, a later one for a higher rating.
+     * Returns the version. Of two the bands of the thesis choose: the first for an unexpected
+     * object, the last for an expected one and a neutral one. Of more versions it is the one of the
+     * nearest degree, where the ratings from 1 to 6 are the degrees from 0 to 1.
      */
-    static int version(double mean, int versions) {
-      return switch (RatingBand.of(mean)) {
-        case NON_EXPECTANT -> 0;
-        case EXPECTANT -> versions - 1;
-        case NEUTRAL ->
-            versions == 2
-                ? 1
-                : Math.min(versions - 2, 1 + (int) Math.floor((mean - 3) * (versions - 2)));
-      };
+    static int version(double mean, List<ChoiceMetadata> versions) {
+      if (versions.size() <= 2) {
+        return RatingBand.of(mean) == RatingBand.NON_EXPECTANT ? 0 : versions.size() - 1;
+      }
+      double degree = (mean - LOWEST) / (HIGHEST - LOWEST);
+      return VersionDegreeMapping.version(
+          new ConsistencyDegree(Math.max(0, Math.min(1, degree))), versions);
     }
 
     /** Returns the type and degree of a version that ratings imply. */

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.authoring.enrichment.ChoiceMetadata;
+import org.selectiverenderer.authoring.enrichment.EnrichmentEdits;
 import org.selectiverenderer.authoring.enrichment.EnrichmentScenes;
 import org.selectiverenderer.authoring.ratings.ObjectNameMatcher.How;
 import org.selectiverenderer.authoring.ratings.ObjectNameMatcher.Match;
@@ -97,6 +98,36 @@ class RatingPlanTest {
     assertThat(scene.switchNode("Switch_A").values().get(1).schemas()).containsExactly("Room");
     assertThat(scene.switchNode("Switch_B").values().get(2))
         .isEqualTo(HIGH.with(new ConsistencyDegree(2.0 / 3)).with(List.of("Room")));
+  }
+
+  @Test
+  void ofMoreThanTwoVersionsARatingChoosesThatOfTheNearestDegree() {
+    EnrichmentScenes scene = EnrichmentScenes.with(object("A", 3) + object("B", 3));
+    scene.perform(
+        plan(scene, "a,Hall,1.9\na,Room,2.6\na,Yard,4.7\na,Loft,4.8\nb,Room,2.2\n").edit("Import"));
+    assertThat(scene.switchNode("Switch_A").values())
+        .extracting(ChoiceMetadata::schemas)
+        .containsExactly(List.of("Hall"), List.of("Room", "Yard"), List.of("Loft"));
+    assertThat(scene.switchNode("Switch_B").values().get(0).schemas()).containsExactly("Room");
+  }
+
+  @Test
+  void degreesThatTheAuthorHasWrittenAreTheScale() {
+    EnrichmentScenes scene = EnrichmentScenes.with(object("A", 3));
+    EnrichmentEdits edits = new EnrichmentEdits(scene.enrichment);
+    List<ChoiceMetadata> scale =
+        List.of(
+            LOW.with(List.of("Hall")),
+            HIGH.with(new ConsistencyDegree(0.1)).with(List.of("Hall")),
+            HIGH.with(List.of("Hall")));
+    scene.perform(
+        edits.all(
+            "Scale",
+            List.of(new EnrichmentEdits.SwitchMetadata(scene.switchNode("Switch_A"), scale)),
+            List.of()));
+    scene.perform(plan(scene, "a,Room,2.2\n").edit("Import"));
+    assertThat(scene.switchNode("Switch_A").values().get(1))
+        .isEqualTo(HIGH.with(new ConsistencyDegree(0.1)).with(List.of("Hall", "Room")));
   }
 
   @Test
