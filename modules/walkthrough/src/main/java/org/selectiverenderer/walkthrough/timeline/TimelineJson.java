@@ -56,6 +56,9 @@ public final class TimelineJson {
           .put("from", change.from())
           .put("to", change.to())
           .put("schema", change.schema());
+      if (change.cause().budget()) {
+        node.put("cause", "budget");
+      }
     }
   }
 }

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
+import org.selectiverenderer.control.ChoiceCause;
 import org.selectiverenderer.control.ControlEvent;
 
 /** Writes the time line as text for people. */
@@ -51,7 +52,14 @@ public final class TimelineText {
                 s.switchName(),
                 s.from(),
                 s.to(),
-                s.schema().isEmpty() ? "" : " (" + s.schema() + ")"));
+                cause(s.cause())));
+  }
+
+  private static String cause(ChoiceCause cause) {
+    if (cause.budget()) {
+      return " (budget)";
+    }
+    return cause.schema().isEmpty() ? "" : " (" + cause.schema() + ")";
   }
 
   private static String row(double t, String event, String text) {

@@ -1,0 +1,210 @@
+package org.selectiverenderer.walkthrough.budget;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Function;
+import org.joml.Matrix4d;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.selectiverenderer.browser.instance.GroupInstance;
+import org.selectiverenderer.browser.instance.Instance;
+import org.selectiverenderer.browser.instance.InstanceTree;
+import org.selectiverenderer.browser.instance.SubtreeMeasurement;
+import org.selectiverenderer.browser.scene.Node;
+import org.selectiverenderer.browser.viewer.Viewer;
+import org.selectiverenderer.control.ChoosableObject;
+import org.selectiverenderer.control.budget.VersionChoices;
+import org.selectiverenderer.control.budget.VersionLoss;
+import org.selectiverenderer.geometry.BoundingBox;
+import org.web3d.x3d.sai.X3DNode;
+
+/**
+ * Where the objects of a scene stand, what their versions cost, and how they look from the viewer.
+ * An object that is USEd in several places costs, and is seen, in all of them.
+ *
+ * <p>The numbers stand in arrays, since all of them are needed in every frame.
+ */
+final class ObjectPlaces {
+  private final List<ChoosableObject> objects;
+  private final List<VersionChoices> choices = new ArrayList<>();
+  private final List<List<Instance>> instances = new ArrayList<>();
+
+  /** For each object: the first of its places; one more at the end. */
+  private final int[] first;
+
+  private final List<Instance> places = new ArrayList<>();
+  private final List<Vector3d> localMiddles = new ArrayList<>();
+  private final double[] x;
+  private final double[] y;
+  private final double[] z;
+
+  /** For each place: the radius of a sphere around the object. */
+  private final double[] radius;
+
+  /** For each place: the radius of a disc as large as the object's mean shadow. */
+  private final double[] disc;
+
+  private long placement;
+
+  /**
+   * Measures all versions of objects.
+   *
+   * @param nodes returns the node behind an object of the SAI
+   */
+  ObjectPlaces(
+      List<ChoosableObject> objects, InstanceTree tree, Function<X3DNode, Node> nodes) {
+    this.objects = objects;
+    Set<Node> switches = new HashSet<>();
+    objects.forEach(object -> switches.add(nodes.apply(object.node())));
+    first = new int[objects.size() + 1];
+    List<BoundingBox> bounds = new ArrayList<>();
+    for (int i = 0; i < objects.size(); i++) {
+      List<Instance> found = tree.instances(nodes.apply(objects.get(i).node()));
+      instances.add(found);
+      choices.add(measure(objects.get(i), found, switches, bounds));
+      first[i + 1] = places.size();
+    }
+    int count = places.size();
+    x = new double[count];
+    y = new double[count];
+    z = new double[count];
+    radius = new double[count];
+    disc = new double[count];
+    for (int place = 0; place < count; place++) {
+      size(place, bounds.get(place));
+    }
+    moved(tree);
+  }
+
+  /** Measures the versions of one object and adds its places and their bounds. */
+  private VersionChoices measure(
+      ChoosableObject object, List<Instance> found, Set<Node> switches, List<BoundingBox> bounds) {
+    int versions = object.versions();
+    long[] triangles = new long[versions];
+    for (Instance instance : found) {
+      List<Instance> children = ((GroupInstance) instance).children();
+      BoundingBox all = BoundingBox.EMPTY;
+      for (int version = 0; version < Math.min(versions, children.size()); version++) {
+        // An object inside an object is chosen for itself.
+        SubtreeMeasurement measured =
+            SubtreeMeasurement.of(children.get(version), switches::contains);
+        triangles[version] += measured.triangles();
+        all = all.union(measured.bounds());
+      }
+      if (!all.isEmpty()) {
+        places.add(instance);
+        bounds.add(all);
+      }
+    }
+    List<Long> costs = new ArrayList<>();
+    List<Double> losses = new ArrayList<>();
+    for (long cost : triangles) {
+      costs.add(cost);
+      losses.add(VersionLoss.ofTriangles(found.isEmpty() ? 0 : cost / found.size()));
+    }
+    return new VersionChoices(costs, losses);
+  }
+
+  /** Sets the size of an object by its box: the mean shadow of a convex body is a quarter of its
+   * surface (Cauchy). */
+  private void size(int place, BoundingBox box) {
+    double w = box.width();
+    double h = box.height();
+    double d = box.depth();
+    radius[place] = Math.sqrt(w * w + h * h + d * d) / 2;
+    disc[place] = Math.sqrt((w * h + h * d + d * w) / 2 / Math.PI);
+    Vector3d middle = box.min().add(box.max()).mul(0.5);
+    Matrix4d inverse = places.get(place).world().invert(new Matrix4d());
+    // Under a scale of 0 the object has no extent either, and stays where it is.
+    localMiddles.add(inverse.isFinite() ? inverse.transformPosition(middle) : middle);
+  }
+
+  /** Moves the objects to where their instances are now. */
+  void moved(InstanceTree tree) {
+    placement = tree.placementVersion();
+    Vector3d middle = new Vector3d();
+    for (int place = 0; place < x.length; place++) {
+      places.get(place).world().transformPosition(localMiddles.get(place), middle);
+      x[place] = middle.x;
+      y[place] = middle.y;
+      z[place] = middle.z;
+    }
+  }
+
+  /** Returns whether objects may have moved since they were last placed. */
+  boolean stale(InstanceTree tree) {
+    return placement != tree.placementVersion();
+  }
+
+  List<VersionChoices> choices() {
+    return choices;
+  }
+
+  /** Returns whether an object is shown anywhere, in whatever version. */
+  boolean shown(int object) {
+    for (Instance instance : instances.get(object)) {
+      if (instance.shown()) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Receives the weights of objects. */
+  interface Weights {
+    void weigh(int object, double weight);
+  }
+
+  /**
+   * Weighs all objects as the viewer sees them: by the size in the view, by whether they are in it,
+   * by the gaze, and by their consistency with the active schemas.
+   *
+   * @param gaze where the eyes look, as a unit vector in the viewer's frame; empty if unknown
+   */
+  void weigh(Viewer viewer, Optional<Vector3dc> gaze, Weights to) {
+    Vector3dc eye = viewer.position();
+    Vector3d ahead = viewer.orientation().transform(new Vector3d(0, 0, -1));
+    Vector3d looked =
+        gaze.map(direction -> viewer.orientation().transform(direction, new Vector3d()))
+            .orElse(null);
+    // A cone with the field of view as its half angle holds the picture at usual aspect ratios,
+    // and what is about to come into it.
+    double edge = Math.cos(Math.min(viewer.fieldOfView(), Math.PI / 2));
+    for (int object = 0; object < objects.size(); object++) {
+      double seen = 0;
+      for (int place = first[object]; place < first[object + 1]; place++) {
+        double dx = x[place] - eye.x();
+        double dy = y[place] - eye.y();
+        double dz = z[place] - eye.z();
+        double distance = Math.sqrt(dx * dx + dy * dy + dz * dz);
+        double along = dx * ahead.x + dy * ahead.y + dz * ahead.z;
+        boolean inView = along >= edge * distance - radius[place];
+        double weight =
+            VersionLoss.sizeInView(disc[place], distance) * VersionLoss.weightOfView(inView);
+        if (looked != null) {
+          double toGaze = (dx * looked.x + dy * looked.y + dz * looked.z) / distance;
+          weight *= VersionLoss.weightOfGaze(eccentricity(toGaze, radius[place] / distance));
+        }
+        seen += weight;
+      }
+      to.weigh(object, seen * VersionLoss.weightOfConsistency(objects.get(object).consistency()));
+    }
+  }
+
+  /**
+   * Returns the degrees between the gaze and the nearest of a sphere.
+   *
+   * @param cosine of the angle to its middle; not a number where the eye is there
+   * @param sine of the angle that its radius takes
+   */
+  private static double eccentricity(double cosine, double sine) {
+    if (!(sine < 1)) {
+      return 0; // The eye is inside.
+    }
+    double angle = Math.acos(Math.max(-1, Math.min(1, cosine))) - Math.asin(sine);
+    return Math.max(0, Math.toDegrees(angle));
+  }
+}

@@ -1,0 +1,164 @@
+package org.selectiverenderer.walkthrough.budget;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.function.Supplier;
+import org.joml.Vector3dc;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.browser.World;
+import org.selectiverenderer.browser.instance.InstanceTree;
+import org.selectiverenderer.browser.scene.Node;
+import org.selectiverenderer.control.ChoosableObject;
+import org.selectiverenderer.control.SelectiveController;
+import org.selectiverenderer.control.budget.FrameTimeRegulator;
+import org.selectiverenderer.control.budget.MultipleChoiceKnapsack;
+import org.selectiverenderer.control.budget.RenderingBudget;
+import org.web3d.x3d.sai.X3DNode;
+
+/**
+ * Chooses in every frame the versions of a scene's objects that lose least within a budget. What is
+ * no enriched object, or is held, costs what it costs and is subtracted from the budget.
+ *
+ * <p>Belongs to the thread that steps the world.
+ */
+public final class VersionBudget {
+  /** By what share a version must be worth more than another to take its triangles. */
+  private static final double HYSTERESIS = 0.25;
+
+  private final World world;
+  private final SelectiveController controller;
+  private final Function<X3DNode, Node> nodes;
+  private final RenderingBudget budget;
+  private final FrameTimeRegulator regulator;
+  private Supplier<Optional<Vector3dc>> gaze = Optional::empty;
+
+  private List<ChoosableObject> objects = List.of();
+  private @Nullable InstanceTree tree;
+  private long structure;
+  private long choice;
+  private ObjectPlaces places;
+  private MultipleChoiceKnapsack problem;
+  private long fixed;
+  private long most;
+  private long triangles;
+  private boolean toldTooSmall;
+
+  /**
+   * Keeps a world within a budget from now on: it chooses in every step.
+   *
+   * @param controller through which it shows the versions
+   * @param nodes returns the node behind an object of the SAI
+   */
+  public VersionBudget(
+      World world,
+      SelectiveController controller,
+      Function<X3DNode, Node> nodes,
+      RenderingBudget budget) {
+    this.world = world;
+    this.controller = controller;
+    this.nodes = nodes;
+    this.budget = budget;
+    regulator = new FrameTimeRegulator(budget.amount());
+    problem = new MultipleChoiceKnapsack(List.of(), HYSTERESIS);
+    places = new ObjectPlaces(List.of(), world.instances(), nodes);
+    world.onSettled(this::choose);
+  }
+
+  /**
+   * Lets objects count less that are away from where the eyes look.
+   *
+   * @param direction returns the direction of the gaze as a unit vector in the viewer's frame;
+   *     empty while it is not known
+   */
+  public void gaze(Supplier<Optional<Vector3dc>> direction) {
+    gaze = direction;
+  }
+
+  /**
+   * Hears how long a frame took, for a budget of milliseconds.
+   *
+   * @param ms milliseconds from the frame before to this one
+   */
+  public void frame(double ms) {
+    regulator.frame(ms, world.shownPolygons());
+  }
+
+  /** Returns the triangles that the scene may have now. */
+  public long triangles() {
+    return triangles;
+  }
+
+  private void choose() {
+    InstanceTree now = world.instances();
+    List<ChoosableObject> choosable = controller.choosable();
+    boolean other =
+        choosable != objects || now != tree || structure != now.structureVersion();
+    if (other) {
+      objects = choosable;
+      tree = now;
+      structure = now.structureVersion();
+      places = new ObjectPlaces(objects, now, nodes);
+      problem = new MultipleChoiceKnapsack(places.choices(), HYSTERESIS);
+    } else if (places.stale(now)) {
+      places.moved(now);
+    }
+    if (other || choice != now.choiceVersion()) {
+      choice = now.choiceVersion();
+      count();
+    }
+    places.weigh(world.viewer(), gaze.get(), problem::weigh);
+    triangles = allowed();
+    problem.solve(triangles - fixed);
+    double time = world.cascade().time();
+    if (other) {
+      for (int i = 0; i < objects.size(); i++) {
+        show(i, time);
+      }
+    } else {
+      problem.forEachChanged(i -> show(i, time));
+    }
+  }
+
+  private void show(int object, double time) {
+    controller.choose(objects.get(object), problem.choice(object), time);
+  }
+
+  /** Finds out what is shown, and what of it the budget cannot change. */
+  private void count() {
+    long chosen = 0;
+    most = 0;
+    for (int i = 0; i < objects.size(); i++) {
+      boolean there = places.shown(i);
+      problem.present(i, there);
+      if (there) {
+        List<Long> costs = places.choices().get(i).costs();
+        int shown = objects.get(i).shown();
+        chosen += shown >= 0 && shown < costs.size() ? costs.get(shown) : 0;
+        most += costs.stream().mapToLong(Long::longValue).max().orElse(0);
+      }
+    }
+    fixed = world.shownPolygons() - chosen;
+    most += fixed;
+  }
+
+  private long allowed() {
+    long least = fixed + problem.leastCost();
+    if (budget.unit() == RenderingBudget.Unit.MS) {
+      return regulator.triangles(least, most);
+    }
+    long wanted = (long) budget.amount();
+    if (wanted < least && !toldTooSmall) {
+      toldTooSmall = true;
+      world
+          .problems()
+          .info(
+              SourceLocation.of(world.scene().url()),
+              ("the budget of %d triangles is less than the %d of the scene with the smallest "
+                      + "versions of all objects, which are shown")
+                  .formatted(wanted, least));
+    }
+    return wanted;
+  }
+}
