@@ -29,6 +29,7 @@ import org.selectiverenderer.base.platform.ParentProcessWatcher;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.browser.viewer.CameraPath;
 import org.selectiverenderer.browser.viewer.CameraPathReader;
+import org.selectiverenderer.cli.option.BudgetOption;
 import org.selectiverenderer.cli.option.ConditionOptions;
 import org.selectiverenderer.cli.option.LslOptions;
 import org.selectiverenderer.cli.option.TrackerFilterOptions;
@@ -85,6 +86,8 @@ public final class RunCommand extends CliCommand {
   @Mixin private AccessOptions access = new AccessOptions();
 
   @Mixin private ConditionOptions condition = new ConditionOptions();
+
+  @Mixin private BudgetOption budget = new BudgetOption();
 
   @Option(
       names = "--mouse",
@@ -150,6 +153,7 @@ public final class RunCommand extends CliCommand {
     if (view.listed()) {
       return ViewOptions.list(scene.file(), console());
     }
+    budget.in(condition.settings(), true);
     TrackerSpec tracker = head.tracker(display.worn());
     CommandFileCheck files = check(tracker);
     ProblemCollector pathProblems = new ProblemCollector(console()::problem);
@@ -170,7 +174,7 @@ public final class RunCommand extends CliCommand {
     }
     ContentAccessPolicy allowed = access.access();
     RunSettings settings =
-        new RunSettings(scene.file(), condition.settings())
+        new RunSettings(scene.file(), budget.in(condition.settings(), true))
             .allowing(allowed)
             .muted(mute)
             .with(motion(walked, session))

@@ -164,7 +164,7 @@ final class ObjectPlaces {
    *
    * @param gaze where the eyes look, as a unit vector in the viewer's frame; empty if unknown
    */
-  void weigh(Viewer viewer, Optional<Vector3dc> gaze, Weights to) {
+  void weigh(Viewer viewer, Optional<? extends Vector3dc> gaze, Weights to) {
     Vector3dc eye = viewer.position();
     Vector3d ahead = viewer.orientation().transform(new Vector3d(0, 0, -1));
     Vector3d looked =

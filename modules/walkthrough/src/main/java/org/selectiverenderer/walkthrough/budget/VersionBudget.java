@@ -32,7 +32,7 @@ public final class VersionBudget {
   private final Function<X3DNode, Node> nodes;
   private final RenderingBudget budget;
   private final FrameTimeRegulator regulator;
-  private Supplier<Optional<Vector3dc>> gaze = Optional::empty;
+  private Supplier<? extends Optional<? extends Vector3dc>> gaze = Optional::empty;
 
   private List<ChoosableObject> objects = List.of();
   private @Nullable InstanceTree tree;
@@ -43,6 +43,7 @@ public final class VersionBudget {
   private long fixed;
   private long most;
   private long triangles;
+  private double lastDrawn = Double.NaN;
   private boolean toldTooSmall;
 
   /**
@@ -72,17 +73,26 @@ public final class VersionBudget {
    * @param direction returns the direction of the gaze as a unit vector in the viewer's frame;
    *     empty while it is not known
    */
-  public void gaze(Supplier<Optional<Vector3dc>> direction) {
+  public void gaze(Supplier<? extends Optional<? extends Vector3dc>> direction) {
     gaze = direction;
   }
 
   /**
-   * Hears how long a frame took, for a budget of milliseconds.
+   * Hears that a frame has been drawn. For a budget of milliseconds, what counts is the time from
+   * one frame to the next.
    *
-   * @param ms milliseconds from the frame before to this one
+   * @param seconds time of any clock
    */
-  public void frame(double ms) {
-    regulator.frame(ms, world.shownPolygons());
+  public void drawn(double seconds) {
+    if (!Double.isNaN(lastDrawn)) {
+      regulator.frame((seconds - lastDrawn) * 1000, world.shownPolygons());
+    }
+    lastDrawn = seconds;
+  }
+
+  /** Returns what the budget is. */
+  public RenderingBudget budget() {
+    return budget;
   }
 
   /** Returns the triangles that the scene may have now. */

@@ -272,9 +272,11 @@ class VersionBudgetTest {
   @Test
   void millisecondsAreKeptByFewerTriangles() throws IOException {
     open("ms:10", FLOOR, LEFT, RIGHT);
+    double clock = 0;
     for (int frame = 0; frame < 400; frame++) {
       look(-2, 0, 0);
-      walk.budget().orElseThrow().frame(walk.polygons() * 0.005);
+      clock += walk.polygons() * 0.005e-3;
+      walk.budget().orElseThrow().drawn(clock);
     }
     assertThat(walk.polygons()).isEqualTo(12 + 1200 + 12);
   }
