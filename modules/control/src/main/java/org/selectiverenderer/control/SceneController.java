@@ -44,6 +44,7 @@ final class SceneController implements ControlledArea.Listener {
   private final Map<String, Integer> held;
   private final ChoiceQueue queue;
   private @Nullable List<ChoosableObject> choosable;
+  private long consistencyVersion;
   private boolean started;
   private double now;
 
@@ -157,6 +158,15 @@ final class SceneController implements ControlledArea.Listener {
     return known;
   }
 
+  private void callFor(VersionedObject object, int version) {
+    object.calledFor(version);
+    consistencyVersion++;
+  }
+
+  long consistencyVersion() {
+    return consistencyVersion;
+  }
+
   /** Shows the version of an object that a budget has chosen. */
   void choose(ChoosableObject chosen, int version, double time) {
     if (chosen instanceof VersionedObject object && objects.get(object.node()) == object) {
@@ -248,6 +258,7 @@ final class SceneController implements ControlledArea.Listener {
     List<ControlProblem> before = object.problems();
     object.read();
     choosable = null;
+    consistencyVersion++;
     reportNew(before, object.problems());
     if (object.schemas().isEmpty()) {
       queue.forget(object);
@@ -343,7 +354,7 @@ final class SceneController implements ControlledArea.Listener {
       enriched.forEach(
           (object, schemas) -> {
             if (fresh) {
-              object.calledFor(object.shown());
+              callFor(object, object.shown());
             }
             apply(activation.putSwitch(object, schemas, object.shown()).stream().toList(), fresh);
           });
@@ -387,7 +398,7 @@ final class SceneController implements ControlledArea.Listener {
     }
     for (Change<VersionedObject> change : changes) {
       VersionedObject object = change.switchKey();
-      object.calledFor(change.to());
+      callFor(object, change.to());
       if (settings.budget().isPresent()) {
         continue; // The areas tell what is consistent; the budget chooses.
       }

@@ -1,6 +1,7 @@
 package org.selectiverenderer.walkthrough.budget;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
@@ -30,7 +31,9 @@ import org.web3d.x3d.sai.X3DNode;
 final class ObjectPlaces {
   private final List<ChoosableObject> objects;
   private final List<VersionChoices> choices = new ArrayList<>();
-  private final List<List<Instance>> instances = new ArrayList<>();
+  private final Instance[][] instances;
+  private final long[][] costs;
+  private boolean nested;
 
   /** For each object: the first of its places; one more at the end. */
   private final int[] first;
@@ -47,6 +50,9 @@ final class ObjectPlaces {
   /** For each place: the radius of a disc as large as the object's mean shadow. */
   private final double[] disc;
 
+  /** For each object: how much its losses count for its consistency. */
+  private final double[] unexpected;
+
   private long placement;
 
   /**
@@ -60,11 +66,15 @@ final class ObjectPlaces {
     Set<Node> switches = new HashSet<>();
     objects.forEach(object -> switches.add(nodes.apply(object.node())));
     first = new int[objects.size() + 1];
+    unexpected = new double[objects.size()];
+    instances = new Instance[objects.size()][];
+    costs = new long[objects.size()][];
     List<BoundingBox> bounds = new ArrayList<>();
     for (int i = 0; i < objects.size(); i++) {
       List<Instance> found = tree.instances(nodes.apply(objects.get(i).node()));
-      instances.add(found);
-      choices.add(measure(objects.get(i), found, switches, bounds));
+      instances[i] = found.toArray(Instance[]::new);
+      costs[i] = measure(objects.get(i), found, switches, bounds);
+      choices.add(choices(costs[i], found.size()));
       first[i + 1] = places.size();
     }
     int count = places.size();
@@ -79,8 +89,8 @@ final class ObjectPlaces {
     moved(tree);
   }
 
-  /** Measures the versions of one object and adds its places and their bounds. */
-  private VersionChoices measure(
+  /** Adds an object's places and their bounds; returns the triangles of its versions. */
+  private long[] measure(
       ChoosableObject object, List<Instance> found, Set<Node> switches, List<BoundingBox> bounds) {
     int versions = object.versions();
     long[] triangles = new long[versions];
@@ -90,7 +100,13 @@ final class ObjectPlaces {
       for (int version = 0; version < Math.min(versions, children.size()); version++) {
         // An object inside an object is chosen for itself.
         SubtreeMeasurement measured =
-            SubtreeMeasurement.of(children.get(version), switches::contains);
+            SubtreeMeasurement.of(
+                children.get(version),
+                node -> {
+                  boolean inner = switches.contains(node);
+                  nested |= inner;
+                  return inner;
+                });
         triangles[version] += measured.triangles();
         all = all.union(measured.bounds());
       }
@@ -99,17 +115,21 @@ final class ObjectPlaces {
         bounds.add(all);
       }
     }
-    List<Long> costs = new ArrayList<>();
-    List<Double> losses = new ArrayList<>();
-    for (long cost : triangles) {
-      costs.add(cost);
-      losses.add(VersionLoss.ofTriangles(found.isEmpty() ? 0 : cost / found.size()));
-    }
-    return new VersionChoices(costs, losses);
+    return triangles;
   }
 
-  /** Sets the size of an object by its box: the mean shadow of a convex body is a quarter of its
-   * surface (Cauchy). */
+  private static VersionChoices choices(long[] costs, int places) {
+    return new VersionChoices(
+        Arrays.stream(costs).boxed().toList(),
+        Arrays.stream(costs)
+            .mapToObj(cost -> VersionLoss.ofTriangles(cost / Math.max(1, places)))
+            .toList());
+  }
+
+  /**
+   * Sets the size of an object by its box: the mean shadow of a convex body is a quarter of its
+   * surface (Cauchy).
+   */
   private void size(int place, BoundingBox box) {
     double w = box.width();
     double h = box.height();
@@ -134,6 +154,13 @@ final class ObjectPlaces {
     }
   }
 
+  /** Reads how consistent the objects are now with the active schemas. */
+  void readConsistency() {
+    for (int object = 0; object < unexpected.length; object++) {
+      unexpected[object] = VersionLoss.weightOfConsistency(objects.get(object).consistency());
+    }
+  }
+
   /** Returns whether objects may have moved since they were last placed. */
   boolean stale(InstanceTree tree) {
     return placement != tree.placementVersion();
@@ -143,9 +170,33 @@ final class ObjectPlaces {
     return choices;
   }
 
+  /** Returns the triangles of a version; 0 for none. */
+  long cost(int object, int version) {
+    return version >= 0 && version < costs[object].length ? costs[object][version] : 0;
+  }
+
+  /** Returns the triangles of the version that has most. */
+  long mostCost(int object) {
+    long most = 0;
+    for (long cost : costs[object]) {
+      most = Math.max(most, cost);
+    }
+    return most;
+  }
+
+  /** Returns the number of places of an object. */
+  int count(int object) {
+    return instances[object].length;
+  }
+
+  /** Returns whether a version contains another object, so that a choice shows or hides it. */
+  boolean nested() {
+    return nested;
+  }
+
   /** Returns whether an object is shown anywhere, in whatever version. */
   boolean shown(int object) {
-    for (Instance instance : instances.get(object)) {
+    for (Instance instance : instances[object]) {
       if (instance.shown()) {
         return true;
       }
@@ -165,7 +216,9 @@ final class ObjectPlaces {
    * @param gaze where the eyes look, as a unit vector in the viewer's frame; empty if unknown
    */
   void weigh(Viewer viewer, Optional<? extends Vector3dc> gaze, Weights to) {
-    Vector3dc eye = viewer.position();
+    double eyeX = viewer.position().x();
+    double eyeY = viewer.position().y();
+    double eyeZ = viewer.position().z();
     Vector3d ahead = viewer.orientation().transform(new Vector3d(0, 0, -1));
     Vector3d looked =
         gaze.map(direction -> viewer.orientation().transform(direction, new Vector3d()))
@@ -173,12 +226,12 @@ final class ObjectPlaces {
     // A cone with the field of view as its half angle holds the picture at usual aspect ratios,
     // and what is about to come into it.
     double edge = Math.cos(Math.min(viewer.fieldOfView(), Math.PI / 2));
-    for (int object = 0; object < objects.size(); object++) {
+    for (int object = 0; object < unexpected.length; object++) {
       double seen = 0;
       for (int place = first[object]; place < first[object + 1]; place++) {
-        double dx = x[place] - eye.x();
-        double dy = y[place] - eye.y();
-        double dz = z[place] - eye.z();
+        double dx = x[place] - eyeX;
+        double dy = y[place] - eyeY;
+        double dz = z[place] - eyeZ;
         double distance = Math.sqrt(dx * dx + dy * dy + dz * dz);
         double along = dx * ahead.x + dy * ahead.y + dz * ahead.z;
         boolean inView = along >= edge * distance - radius[place];
@@ -190,7 +243,7 @@ final class ObjectPlaces {
         }
         seen += weight;
       }
-      to.weigh(object, seen * VersionLoss.weightOfConsistency(objects.get(object).consistency()));
+      to.weigh(object, seen * unexpected[object]);
     }
   }
 

@@ -37,11 +37,13 @@ public final class VersionBudget {
   private List<ChoosableObject> objects = List.of();
   private @Nullable InstanceTree tree;
   private long structure;
-  private long choice;
+  private long choices;
+  private long consistency;
   private ObjectPlaces places;
   private MultipleChoiceKnapsack problem;
+  private long chosenCost;
+  private long mostCost;
   private long fixed;
-  private long most;
   private long triangles;
   private double lastDrawn = Double.NaN;
   private boolean toldTooSmall;
@@ -114,9 +116,14 @@ public final class VersionBudget {
     } else if (places.stale(now)) {
       places.moved(now);
     }
-    if (other || choice != now.choiceVersion()) {
-      choice = now.choiceVersion();
+    if (other || places.nested() || choices != now.choiceVersion()) {
+      choices = now.choiceVersion(); // Others have changed Switches too.
       count();
+    }
+    fixed = world.shownPolygons() - chosenCost;
+    if (other || consistency != controller.consistencyVersion()) {
+      consistency = controller.consistencyVersion();
+      places.readConsistency();
     }
     places.weigh(world.viewer(), gaze.get(), problem::weigh);
     triangles = allowed();
@@ -132,31 +139,33 @@ public final class VersionBudget {
   }
 
   private void show(int object, double time) {
-    controller.choose(objects.get(object), problem.choice(object), time);
+    ChoosableObject chosen = objects.get(object);
+    int before = chosen.shown();
+    controller.choose(chosen, problem.choice(object), time);
+    if (chosen.shown() != before) {
+      chosenCost += places.cost(object, chosen.shown()) - places.cost(object, before);
+      choices += places.count(object); // In each of its places a group has another choice.
+    }
   }
 
-  /** Finds out what is shown, and what of it the budget cannot change. */
+  /** Finds out which objects are shown, and what they cost. */
   private void count() {
-    long chosen = 0;
-    most = 0;
+    chosenCost = 0;
+    mostCost = 0;
     for (int i = 0; i < objects.size(); i++) {
       boolean there = places.shown(i);
       problem.present(i, there);
       if (there) {
-        List<Long> costs = places.choices().get(i).costs();
-        int shown = objects.get(i).shown();
-        chosen += shown >= 0 && shown < costs.size() ? costs.get(shown) : 0;
-        most += costs.stream().mapToLong(Long::longValue).max().orElse(0);
+        chosenCost += places.cost(i, objects.get(i).shown());
+        mostCost += places.mostCost(i);
       }
     }
-    fixed = world.shownPolygons() - chosen;
-    most += fixed;
   }
 
   private long allowed() {
     long least = fixed + problem.leastCost();
     if (budget.unit() == RenderingBudget.Unit.MS) {
-      return regulator.triangles(least, most);
+      return regulator.triangles(least, fixed + mostCost);
     }
     long wanted = (long) budget.amount();
     if (wanted < least && !toldTooSmall) {
