@@ -25,6 +25,7 @@ import org.selectiverenderer.study.session.Session;
 import org.selectiverenderer.study.session.SessionOptions;
 import org.selectiverenderer.study.session.SessionStep;
 import org.selectiverenderer.study.session.SimulatedParticipant;
+import org.selectiverenderer.study.session.StudyChecksums;
 
 /**
  * Runs the sessions of the thesis's study with simulated participants, without a display. They
@@ -42,15 +43,17 @@ final class ReplicatedSessions {
   private final LoadedStudy material;
   private final long seed;
   private final String software;
+  private final Map<String, String> checksums;
   private final Map<ListPart, List<StimulusItem>> lists = new LinkedHashMap<>();
   private final Map<Cell, RecognitionObserver> observers = new HashMap<>();
   private final List<String> held = new ArrayList<>();
 
   /** Calibrates observers for each list of the study and each condition. */
-  ReplicatedSessions(LoadedStudy material, long seed, String software) {
+  ReplicatedSessions(LoadedStudy material, long seed, String software) throws IOException {
     this.material = material;
     this.seed = seed;
     this.software = software;
+    checksums = StudyChecksums.of(material);
     for (SessionStep step : material.steps()) {
       if (step instanceof SessionStep.Questions questions) {
         for (Question question : material.questionnaire(questions, "001").questions()) {
@@ -97,7 +100,7 @@ final class ReplicatedSessions {
     String participant = String.format(Locale.ROOT, "%03d", number);
     SessionOptions options =
         new SessionOptions(Optional.empty(), OptionalDouble.empty(), true, software);
-    try (Session session = Session.begin(material, participant, 1, options, problems)) {
+    try (Session session = Session.begin(material, participant, 1, options, checksums, problems)) {
       Map<String, Answer> remembered = new HashMap<>();
       while (!session.remaining().isEmpty()) {
         SessionStep step = session.remaining().get(0);

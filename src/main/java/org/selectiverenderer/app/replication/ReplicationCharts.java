@@ -12,9 +12,9 @@ import org.selectiverenderer.geometry.font.FontStyle;
 
 /** Draws what is printed beside what comes out: bars of polygons, means with standard errors. */
 final class ReplicationCharts {
-  private static final int BARS_WIDTH = 760;
+  private static final int BARS_WIDTH = 800;
   private static final int BAR = 26;
-  private static final int LABELS = 250;
+  private static final int LABELS = 280;
   private static final int FIGURES = 90;
   private static final int WIDTH = 360;
   private static final int HEIGHT = 250;
@@ -100,7 +100,8 @@ final class ReplicationCharts {
       boolean zero = Math.abs(value) < step / 2;
       canvas.rectangle(
           LEFT, Math.rint(y), WIDTH - LEFT - RIGHT, 1, zero ? ChartColour.GREY : ChartColour.GRID);
-      String number = String.format(Locale.ROOT, "%.1f", zero ? 0 : value).replace('-', '\u2212');
+      String number = String.format(Locale.ROOT, step < 0.1 ? "%.2f" : "%.1f", zero ? 0 : value)
+              .replace('-', '\u2212');
       canvas.text(number, LEFT - 7 - plain.width(number), y + 4, plain, ChartColour.FAINT_INK);
     }
     double slot = (double) (WIDTH - LEFT - RIGHT) / conditions.size();

@@ -201,7 +201,7 @@ record ReplicationFindings(
     return TailProbabilities.f(printed.f(), printed.df1(), printed.df2());
   }
 
-  private static List<TotalRow> misprintedTotals() {
+  static List<TotalRow> misprintedTotals() {
     List<TotalRow> all = new ArrayList<>();
     List<ThesisTables.ScoreRow> rows = ThesisTables.scores();
     for (ThesisTables.ScoreRow total : rows) {

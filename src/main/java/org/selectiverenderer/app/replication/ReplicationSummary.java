@@ -43,7 +43,7 @@ final class ReplicationSummary {
             String.format(
                 Locale.ROOT,
                 "%d of %d means are within 2 standard errors of print (%.0f %%; chance alone"
-                    + " leaves 5 %% outside)",
+                    + " leaves one in twenty outside)",
                 near,
                 means.size(),
                 100.0 * near / Math.max(1, means.size()))));
