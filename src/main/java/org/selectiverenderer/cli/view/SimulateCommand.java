@@ -17,6 +17,7 @@ import org.selectiverenderer.browser.viewer.CameraPathReader;
 import org.selectiverenderer.cli.batch.BatchOutputFormat;
 import org.selectiverenderer.cli.batch.BatchRunner;
 import org.selectiverenderer.cli.option.ConditionOptions;
+import org.selectiverenderer.cli.option.QualityOptions;
 import org.selectiverenderer.cli.option.FileArguments;
 import org.selectiverenderer.cli.option.FormatOption;
 import org.selectiverenderer.cli.option.ScenesArgument;
@@ -74,6 +75,8 @@ public final class SimulateCommand extends CliCommand {
 
   @Mixin private ConditionOptions condition = new ConditionOptions();
 
+  @Mixin private QualityOptions qualities = new QualityOptions();
+
   @Mixin private FormatOption format = new FormatOption();
 
   private ContentAccessPolicy allowed = ContentAccessPolicy.none();
@@ -129,7 +132,7 @@ public final class SimulateCommand extends CliCommand {
       throws IOException, InterruptedException {
     Function<TimelineEvent, String> text = format.json() ? json::line : new TimelineText()::line;
     RunSettings settings =
-        new RunSettings(scene, condition.settings())
+        new RunSettings(scene, qualities.with(condition.settings()))
             .allowing(allowed)
             .with(
                 MotionSettings.following(PathPlaybackSettings.at(rate, walked)).from(viewpoint()));

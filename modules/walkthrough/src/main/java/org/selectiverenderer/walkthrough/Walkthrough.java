@@ -199,6 +199,7 @@ public final class Walkthrough implements AutoCloseable {
       early.clear();
     }
     world.step(time, motion);
+    controller.showDue(World.EPOCH + time);
     if (frames == 0) {
       startPolygons = polygons();
     }
