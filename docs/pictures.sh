@@ -74,6 +74,7 @@ radiosity-lounge.jpg               run
 radiosity-office.jpg               run
 rehearsal-plan.svg                 rehearsal
 rehearsal-preview.jpg              rehearsal
+replication.png                    page
 sculptures.jpg                     run
 session-bipolar.png                session
 session-consent.png                session
@@ -90,6 +91,7 @@ story-room.jpg                     run
 study-plan.png                     study
 study-session.png                  study
 threshold-trial.png                window
+tour-polygons.svg                  run
 trashcan-versions.png              run
 web-study-list.png                 web
 web-study-phone.png                web
@@ -111,6 +113,7 @@ explain() {
     monado) echo 'by .ci/openxr with Monado; needs root, and the system that .ci/openxr setup makes' ;;
     rehearsal) echo 'by experiment check, and a window of a session of experiment preview' ;;
     report) echo 'a figure of experiment analyse, of simulated participants' ;;
+    page) echo 'a page that experiment replicate writes, in Chromium' ;;
   esac
 }
 
@@ -375,6 +378,13 @@ storyKitchen() { # OUT: a figure of the report in docs/story-researcher.md
   cp "$tmp/figures/kitchen-d_prime-all.svg" "$1"
 }
 
+replicationPage() { # OUT: the top of the page of docs/replication.md; needs Chromium
+  "$program" experiment replicate "$tmp/replication" --date 2026-01-15 >/dev/null
+  chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size=1200,1340 \
+    --screenshot="$tmp/replication.png" "file://$tmp/replication/index.html" 2>/dev/null
+  small "$tmp/replication.png" "$1" -resize 900x +dither -colors 128
+}
+
 webPage() { # OUT: the page of the apartment; needs Chromium, and what npm ci brings
   (cd web && PICTURE=$tmp/web.png npx vitest run --dir browser-test export-picture)
   small "$tmp/web.png" "$1" -resize 900x -colors 200
@@ -416,6 +426,10 @@ take() { # NAME HOW
     hmd-check.png) stereo "$to" 1280x480 --hmd-check ;;
     dual.jpg) dual "$to" ;;
     head-log.svg) headlog "$to" ;;
+    replication.png) replicationPage "$to" ;;
+    tour-polygons.svg)
+      "$program" simulate scenes/apartment.x3d --path scenes/paths/apartment-tour.csv --chart "$to" >/dev/null
+      ;;
     overlay.png) overlay "$to" ;;
     operator.jpg) operator "$to" ;;
     rehearsal-plan.svg) rehearsalPlan "$to" ;;

@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.authoring.headless.HeadlessEnrichment;
+import org.selectiverenderer.authoring.ratings.RatingScale;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.cli.option.DryRunOption;
 import org.selectiverenderer.command.CliCommand;
@@ -66,6 +67,27 @@ public final class EnrichCommand extends CliCommand {
               + "columns object,schema,rating")
   private @Nullable Path ratings;
 
+  /** How ratings choose among versions, as the option spells it. */
+  private enum Scale {
+    bands(RatingScale.BANDS),
+    linear(RatingScale.LINEAR);
+
+    private final RatingScale scale;
+
+    Scale(RatingScale scale) {
+      this.scale = scale;
+    }
+  }
+
+  @Option(
+      names = "--rating-scale",
+      paramLabel = "KIND",
+      description =
+          "how ratings choose among the versions of an object: bands (the thesis's: up to 3 the"
+              + " first, from 4 the last) or linear (1 to 6 evenly over the degrees 0 to 1 of all"
+              + " versions) (default: bands)")
+  private @Nullable Scale scale;
+
   @Option(
       names = "--output",
       paramLabel = "OUT.x3d",
@@ -89,6 +111,9 @@ public final class EnrichCommand extends CliCommand {
       }
       return window.open(Optional.ofNullable(scene), access.access());
     }
+    if (scale != null && ratings == null) {
+      throw CommandException.usage("--rating-scale needs --ratings");
+    }
     if (scene == null) {
       throw CommandException.usage("--apply and --ratings need a SCENE");
     }
@@ -99,7 +124,12 @@ public final class EnrichCommand extends CliCommand {
     ProblemCollector problems = new ProblemCollector(console()::problem);
     Optional<HeadlessEnrichment> enriched =
         HeadlessEnrichment.of(
-            new HeadlessEnrichment.Request(scene, ratings, metadata, target),
+            new HeadlessEnrichment.Request(
+                scene,
+                ratings,
+                scale == null ? RatingScale.BANDS : scale.scale,
+                metadata,
+                target),
             NodeCatalogue.load(),
             problems);
     if (enriched.isEmpty()) {

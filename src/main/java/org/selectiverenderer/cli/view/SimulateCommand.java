@@ -2,6 +2,7 @@ package org.selectiverenderer.cli.view;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
@@ -45,7 +46,9 @@ import picocli.CommandLine.Option;
       "  ./selective-renderer simulate scenes/trashcan.x3d \\",
       "      --path scenes/paths/desk-visit.csv",
       "  ./selective-renderer simulate scenes/ --path scenes/paths/desk-visit.csv \\",
-      "      --format json"
+      "      --format json",
+      "  ./selective-renderer simulate scenes/apartment.x3d \\",
+      "      --path scenes/paths/apartment-tour.csv --chart polygons.svg"
     })
 public final class SimulateCommand extends CliCommand {
   @Mixin private ScenesArgument scenes = new ScenesArgument();
@@ -80,6 +83,8 @@ public final class SimulateCommand extends CliCommand {
 
   @Mixin private BudgetOption budget = new BudgetOption();
 
+  @Mixin private PolygonCurveOptions curve = new PolygonCurveOptions();
+
   @Mixin private FormatOption format = new FormatOption();
 
   private ContentAccessPolicy allowed = ContentAccessPolicy.none();
@@ -101,7 +106,11 @@ public final class SimulateCommand extends CliCommand {
     }
     FrameCountCheck.check(walked.get(), rate);
     allowed = access.access();
-    ExitStatus status = simulate(scenes.files(), walked.get());
+    FileArguments files = scenes.files();
+    List<Path> all = files.one() ? List.of(files.file()) : files.files(FileFinder.SCENES);
+    curve.check(all, path);
+    ExitStatus status = simulate(files, all, walked.get());
+    curve.write(all, path);
     return pathProblems.any() ? ExitStatus.PROBLEMS : status;
   }
 
@@ -109,12 +118,13 @@ public final class SimulateCommand extends CliCommand {
     return Optional.ofNullable(viewpoint);
   }
 
-  private ExitStatus simulate(FileArguments files, CameraPath walked) throws IOException {
+  private ExitStatus simulate(FileArguments files, List<Path> all, CameraPath walked)
+      throws IOException {
     if (!files.one()) {
       return new BatchRunner(
               console(), format.json() ? BatchOutputFormat.LINES : BatchOutputFormat.TEXTS)
           .run(
-              files.files(FileFinder.SCENES),
+              all,
               (scene, own) -> {
                 if (!format.json()) {
                   own.line(scene.toString());
@@ -142,7 +152,13 @@ public final class SimulateCommand extends CliCommand {
                 MotionSettings.following(PathPlaybackSettings.at(rate, walked)).from(viewpoint()));
     RunResult result =
         SceneRunner.simulated(
-            settings, new ConsoleRunListener(to, event -> to.line(text.apply(event))));
+            settings,
+            new ConsoleRunListener(
+                to,
+                event -> to.line(text.apply(event)),
+                Optional.empty(),
+                () -> {},
+                (t, polygons) -> curve.stepped(scene, t, polygons)));
     return result.problems() ? ExitStatus.PROBLEMS : ExitStatus.DONE;
   }
 }

@@ -21,6 +21,7 @@ import org.selectiverenderer.authoring.file.XmlConversion;
 import org.selectiverenderer.authoring.ratings.ObjectNameMatcher;
 import org.selectiverenderer.authoring.ratings.ObjectNameMatcher.Match;
 import org.selectiverenderer.authoring.ratings.RatingPlan;
+import org.selectiverenderer.authoring.ratings.RatingScale;
 import org.selectiverenderer.authoring.ratings.Ratings;
 import org.selectiverenderer.base.files.InputFileReader;
 import org.selectiverenderer.base.problem.ProblemCollector;
@@ -50,10 +51,22 @@ public final class HeadlessEnrichment {
    * The input and output files of an enrichment.
    *
    * @param ratings RATINGS.csv, or null
+   * @param scale how its ratings choose among versions
    * @param metadata METADATA.csv, or null
    * @param output the file to be written: the scene itself, or another
    */
-  public record Request(Path scene, @Nullable Path ratings, @Nullable Path metadata, Path output) {}
+  public record Request(
+      Path scene,
+      @Nullable Path ratings,
+      RatingScale scale,
+      @Nullable Path metadata,
+      Path output) {
+    /** Makes a request in which ratings count by the thesis's bands. */
+    public Request(
+        Path scene, @Nullable Path ratings, @Nullable Path metadata, Path output) {
+      this(scene, ratings, RatingScale.BANDS, metadata, output);
+    }
+  }
 
   /**
    * Enriches a scene in memory.
@@ -77,19 +90,19 @@ public final class HeadlessEnrichment {
       return Optional.empty();
     }
     boolean done =
-        (request.ratings() == null || run.ratings(request.ratings()))
+        (request.ratings() == null || run.ratings(request.ratings(), request.scale()))
             && (request.metadata() == null || run.metadata(request.metadata()));
     return done ? Optional.of(run) : Optional.empty();
   }
 
-  private boolean ratings(Path table) throws IOException {
+  private boolean ratings(Path table, RatingScale scale) throws IOException {
     Optional<Ratings> ratings = Ratings.read(table.toString(), read(table), problems);
     if (ratings.isEmpty()) {
       return false;
     }
     ObjectNameMatcher matching =
         new ObjectNameMatcher(ratings.get().means().keySet(), enrichment.switches());
-    RatingPlan plan = RatingPlan.of(enrichment, ratings.get(), matching, true);
+    RatingPlan plan = RatingPlan.of(enrichment, ratings.get(), matching, true, scale);
     plan.unused().forEach(match -> unused(table, match));
     String following =
         plan.rows().stream()

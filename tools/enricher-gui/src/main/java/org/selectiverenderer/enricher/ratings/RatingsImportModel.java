@@ -12,6 +12,7 @@ import org.selectiverenderer.authoring.enrichment.EnrichedSwitch;
 import org.selectiverenderer.authoring.ratings.ObjectNameMatcher;
 import org.selectiverenderer.authoring.ratings.ObjectNameMatcher.Match;
 import org.selectiverenderer.authoring.ratings.RatingPlan;
+import org.selectiverenderer.authoring.ratings.RatingScale;
 import org.selectiverenderer.authoring.ratings.Ratings;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.base.problem.Problem;
@@ -34,6 +35,7 @@ final class RatingsImportModel {
   private @Nullable ObjectNameMatcher matching;
   private @Nullable RatingPlan plan;
   private boolean unratedFollow = true;
+  private RatingScale scale = RatingScale.BANDS;
 
   RatingsImportModel(DocumentEnrichment enrichment) {
     this.enrichment = enrichment;
@@ -67,6 +69,12 @@ final class RatingsImportModel {
     work();
   }
 
+  /** Sets how ratings choose among versions. */
+  void scale(RatingScale chosen) {
+    scale = chosen;
+    work();
+  }
+
   /** Assigns a Switch to an object of the table; empty for none. */
   void match(String object, Optional<String> switchName) {
     ObjectNameMatcher current = matching;
@@ -93,7 +101,7 @@ final class RatingsImportModel {
     plan =
         ratings == null || matching == null
             ? null
-            : RatingPlan.of(enrichment, ratings, matching, unratedFollow);
+            : RatingPlan.of(enrichment, ratings, matching, unratedFollow, scale);
     listeners.forEach(Runnable::run);
   }
 
