@@ -103,6 +103,11 @@ public final class EmbeddedBrowser implements ExternalBrowser, InlineSceneAccess
     return binding.peek(node).location();
   }
 
+  /** Returns the node of the world behind a node of the SAI; of a prototype instance, its body. */
+  public Node nodeOf(X3DNode node) {
+    return binding.body(node);
+  }
+
   @Override
   public Optional<X3DScene> inlinedScene(X3DNode inline) {
     return inlineOf(inline).shown().map(this::shown);

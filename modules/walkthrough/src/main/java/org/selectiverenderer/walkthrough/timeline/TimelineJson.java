@@ -36,6 +36,10 @@ public final class TimelineJson {
           .put("start", end.polygons().start())
           .put("end", end.polygons().end())
           .put("max", end.polygons().max());
+      if (!end.waiting().isEmpty()) {
+        ObjectNode waiting = node.putObject("waiting");
+        end.waiting().forEach(waiting::put);
+      }
     }
     return node.toString();
   }
@@ -56,6 +60,13 @@ public final class TimelineJson {
           .put("from", change.from())
           .put("to", change.to())
           .put("schema", change.schema());
+      change
+          .seen()
+          .ifPresent(
+              seen ->
+                  node.put("visible", seen.visible())
+                      .put("pixels", Math.round(seen.pixels()))
+                      .put("turning", DecimalRounding.to(1, seen.turning())));
     }
   }
 }
