@@ -28,6 +28,7 @@ import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.browser.viewer.CameraPath;
 import org.selectiverenderer.browser.viewer.CameraPathReader;
 import org.selectiverenderer.cli.option.ConditionOptions;
+import org.selectiverenderer.cli.option.QualityOptions;
 import org.selectiverenderer.cli.option.LslOptions;
 import org.selectiverenderer.cli.option.SwitchOption;
 import org.selectiverenderer.cli.option.TrackerFilterOptions;
@@ -85,6 +86,8 @@ public final class RunCommand extends CliCommand {
   @Mixin private ConditionOptions condition = new ConditionOptions();
 
   @Mixin private SwitchOption change = new SwitchOption();
+
+  @Mixin private QualityOptions qualities = new QualityOptions();
 
   @Option(
       names = "--mouse",
@@ -170,7 +173,8 @@ public final class RunCommand extends CliCommand {
     }
     ContentAccessPolicy allowed = access.access();
     RunSettings settings =
-        new RunSettings(scene.file(), condition.settings().with(change.transition()))
+        new RunSettings(
+                scene.file(), qualities.with(condition.settings()).with(change.transition()))
             .allowing(allowed)
             .muted(mute)
             .with(motion(walked, session))

@@ -18,6 +18,7 @@ import org.selectiverenderer.browser.viewer.CameraPathReader;
 import org.selectiverenderer.cli.batch.BatchOutputFormat;
 import org.selectiverenderer.cli.batch.BatchRunner;
 import org.selectiverenderer.cli.option.ConditionOptions;
+import org.selectiverenderer.cli.option.QualityOptions;
 import org.selectiverenderer.cli.option.FileArguments;
 import org.selectiverenderer.cli.option.FormatOption;
 import org.selectiverenderer.cli.option.ScenesArgument;
@@ -87,6 +88,8 @@ public final class SimulateCommand extends CliCommand {
           "size of the picture in which what the viewer would see is counted (default: 1024x768)")
   private @Nullable PixelSize size;
 
+  @Mixin private QualityOptions qualities = new QualityOptions();
+
   @Mixin private FormatOption format = new FormatOption();
 
   private ContentAccessPolicy allowed = ContentAccessPolicy.none();
@@ -152,7 +155,8 @@ public final class SimulateCommand extends CliCommand {
       throws IOException, InterruptedException {
     Function<TimelineEvent, String> text = format.json() ? json::line : text()::line;
     RunSettings settings =
-        new RunSettings(scene, condition.settings().with(change.transition()))
+        new RunSettings(
+                scene, qualities.with(condition.settings()).with(change.transition()))
             .allowing(allowed)
             .with(
                 MotionSettings.following(PathPlaybackSettings.at(rate, walked)).from(viewpoint()))

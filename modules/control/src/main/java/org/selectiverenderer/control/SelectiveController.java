@@ -2,13 +2,17 @@ package org.selectiverenderer.control;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.control.budget.RenderingBudget;
 import org.selectiverenderer.sai.InlineSceneAccess;
 import org.selectiverenderer.sai.ProtoBodyAccess;
 import org.selectiverenderer.schema.Condition;
+import org.selectiverenderer.schema.Quality;
+import org.selectiverenderer.schema.QualityRule;
 import org.selectiverenderer.schema.SchemaActivation;
 import org.selectiverenderer.schema.SwitchTransition;
 import org.web3d.x3d.sai.BrowserEvent;
@@ -43,13 +47,18 @@ public final class SelectiveController implements AutoCloseable {
    * @param held the choices of Switches, by name, that neither condition nor areas change
    * @param controls whether choices are set; else the controller only tells what happens
    * @param transition how versions change; a {@link SwitchTiming} acts on it
+   * @param budget what a frame may cost: then areas change no Switch, they only tell how consistent
+   *     objects are, and whoever keeps the budget chooses by {@link #choose}
+   * @param qualities what decides the levels of qualities, where the condition does not
    */
   public record Settings(
       Condition condition,
       long seed,
       Map<String, Integer> held,
       boolean controls,
-      SwitchTransition transition) {
+      SwitchTransition transition,
+      Optional<RenderingBudget> budget,
+      Map<Quality, QualityRule> qualities) {
     /** Selective rendering as in the thesis. */
     public static final Settings SELECTIVE = new Settings(Condition.SELECTIVE, 0);
 
@@ -62,6 +71,10 @@ public final class SelectiveController implements AutoCloseable {
     /** Copies the choices. */
     public Settings {
       held = Map.copyOf(held);
+      qualities = Map.copyOf(qualities);
+      if (budget.isPresent() && !(controls && condition.switches())) {
+        throw new IllegalArgumentException("a budget chooses in the selective condition only");
+      }
     }
 
     /** Creates settings in which the condition determines all choices. */
@@ -74,14 +87,41 @@ public final class SelectiveController implements AutoCloseable {
       this(condition, seed, held, true);
     }
 
+    /** Returns the same settings with rules for some qualities apart. */
+    public Settings with(Map<Quality, QualityRule> rules) {
+      return new Settings(condition, seed, held, controls, transition, budget, rules);
+    }
+
+    /** Returns what decides a quality apart from the condition; empty if the condition does. */
+    Optional<QualityRule> rule(Quality quality) {
+      return Optional.ofNullable(qualities.get(quality));
+    }
+
+    /** Returns whether areas change a quality as the viewer walks. */
+    boolean follows(Quality quality) {
+      return rule(quality)
+          .map(QualityRule.SELECTIVE::equals)
+          .orElse(condition.switches());
+    }
+
     /** Creates settings in which versions change at once. */
     public Settings(Condition condition, long seed, Map<String, Integer> held, boolean controls) {
-      this(condition, seed, held, controls, SwitchTransition.AT_ONCE);
+      this(condition, seed, held, controls, SwitchTransition.AT_ONCE, Optional.empty(), Map.of());
     }
 
     /** Returns these settings with another transition. */
     public Settings with(SwitchTransition changed) {
-      return new Settings(condition, seed, held, controls, changed);
+      return new Settings(condition, seed, held, controls, changed, budget, qualities);
+    }
+
+    /**
+     * Returns these settings with a budget.
+     *
+     * @throws IllegalArgumentException if the condition is another than the selective one
+     */
+    public Settings within(RenderingBudget limit) {
+      return new Settings(
+          condition, seed, held, controls, transition, Optional.of(limit), qualities);
     }
   }
 
@@ -161,6 +201,27 @@ public final class SelectiveController implements AutoCloseable {
    */
   public synchronized Set<String> hold(Map<String, Integer> choices) {
     return scene == null ? Set.copyOf(choices.keySet()) : scene.hold(choices);
+  }
+
+  /**
+   * Returns the enriched objects that are not held, in the order of the scene: those whose versions
+   * a budget chooses. It is the same list until it has other objects or their metadata change.
+   */
+  public synchronized List<ChoosableObject> choosable() {
+    return scene == null ? List.of() : scene.choosable();
+  }
+
+  /**
+   * Shows a version that a budget has chosen, as soon as it may be shown.
+   *
+   * @param object of the scene that is shown; one of another scene is passed over
+   * @param version from 0 to below {@link ChoosableObject#versions}
+   * @param time the browser's time stamp in seconds
+   */
+  public synchronized void choose(ChoosableObject object, int version, double time) {
+    if (scene != null) {
+      scene.choose(object, version, time);
+    }
   }
 
   /**

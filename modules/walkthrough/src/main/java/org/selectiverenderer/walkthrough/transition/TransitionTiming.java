@@ -21,12 +21,18 @@ import org.web3d.x3d.sai.X3DNode;
 public final class TransitionTiming implements SwitchTiming {
   private static final SwitchVisibility UNSEEN = new SwitchVisibility(false, 0, 0);
 
+  private record Question(Node node, int shown, int choice) {}
+
   private final World world;
   private final SwitchTransition transition;
   private final Function<X3DNode, Node> nodes;
   private final VisibilityEstimator estimator;
   private final Quaterniond before = new Quaterniond();
-  private final Set<Node> asked = new HashSet<>();
+  private final Set<Question> asked = new HashSet<>();
+
+  /** The questions of this frame that were answered with yes. */
+  private final Set<Question> granted = new HashSet<>();
+
   private boolean observing;
   private boolean unfinished;
   private double time = Double.NaN;
@@ -57,6 +63,7 @@ public final class TransitionTiming implements SwitchTiming {
   public void begin(double now) {
     world.instances().fades().at(now);
     estimator.begin();
+    granted.clear();
     if (!unfinished) {
       asked.clear();
     }
@@ -89,16 +96,19 @@ public final class TransitionTiming implements SwitchTiming {
       return true;
     }
     Node node = nodes.apply(switchNode);
-    if (!asked.add(node)) {
-      return false; // Its turn comes again when the others have had theirs.
+    Question question = new Question(node, shown(node), choice);
+    if (!asked.add(question)) {
+      // Otherwise its turn comes again when the others have had theirs.
+      return granted.contains(question);
     }
     Optional<VisibilityEstimator.Estimate> seen =
-        estimator.of(node, shown(node), choice, false);
+        estimator.of(node, question.shown(), choice, false);
     if (seen.isEmpty()) {
-      asked.remove(node);
+      asked.remove(question);
       unfinished = true;
+      return false;
     }
-    return seen.isPresent() && !seen.get().visible();
+    return !seen.get().visible() && granted.add(question);
   }
 
   @Override
@@ -112,7 +122,9 @@ public final class TransitionTiming implements SwitchTiming {
                 : estimator
                     .of(node, shown(node), choice, true)
                     .map(of -> new SwitchVisibility(of.visible(), of.pixels(), turning()));
-    if (transition instanceof SwitchTransition.Fade fade && !nothingSeen()) {
+    if (transition instanceof SwitchTransition.Fade fade
+        && !nothingSeen()
+        && shown(node) != choice) {
       world.instances().fades().begin(node, shown(node), choice, fade.milliseconds() / 1000);
     }
     return seen;
