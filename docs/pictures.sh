@@ -90,6 +90,7 @@ story-kitchen.svg                  report
 story-room.jpg                     run
 study-plan.png                     study
 study-session.png                  study
+switch-fade.png                    run
 threshold-trial.png                window
 tour-polygons.svg                  run
 trashcan-versions.png              run
@@ -217,6 +218,24 @@ qualities() { # OUT
   labelled "$tmp/flat.png" 'shading: flat'
   convert "$tmp/full.png" "$tmp/quarter.png" "$tmp/flat.png" +append "$tmp/three.png"
   small "$tmp/three.png" "$1"
+}
+
+switching() { # OUT: at the begin, in the middle and at the end of a cross-fade, pixel by pixel
+  local pictures=() n=0 steps
+  for steps in '0.05,4.16,-0.246,-0.945' '0.3,4.17,-0.246,-0.92' '0.55,4.17,-0.246,-0.92'; do
+    {
+      printf 't,x,y,z,yaw,pitch,roll\n0,4.15,-0.246,-0.97,-158,-26,0\n'
+      [ $n -eq 0 ] || printf '0.1,4.17,-0.246,-0.92,-158,-26,0\n'
+      printf '%s,-158,-26,0\n' "$steps"
+    } >"$tmp/fade.csv"
+    screen 1280x1024 "$program" run scenes/trashcan.x3d --path "$tmp/fade.csv" --switch fade:500 \
+      --offscreen --mute --samples 0 --size 1024x768 --screenshot "$tmp/fade-$n.png" >/dev/null
+    convert "$tmp/fade-$n.png" -crop 120x140+505+357 +repage -filter point -resize 300% \
+      -bordercolor white -border 6 "$tmp/fade-$n.png"
+    pictures+=("$tmp/fade-$n.png")
+    n=$((n + 1))
+  done
+  convert "${pictures[@]}" +append -depth 8 "$1"
 }
 
 labelled() { # FILE WORDS: words below a picture
@@ -410,6 +429,7 @@ take() { # NAME HOW
       ;;
     radiosity-*) radiosity "${stem#*-}" "$to" ;;
     qualities.jpg) qualities "$to" ;;
+    switch-fade.png) switching "$to" ;;
     trashcan-versions.png) trashcan "$to" ;;
     sculptures.jpg)
       shot "$tmp/sculptures.png" 1400x654 docs/examples/sculptures.x3dv

@@ -30,6 +30,7 @@ final class BackgroundSceneLoader implements AutoCloseable {
             listener::happened,
             listener::printed);
     try {
+      walk.observeSwitches();
       listener.opened();
       return walk;
     } catch (IOException | RuntimeException | Error e) {

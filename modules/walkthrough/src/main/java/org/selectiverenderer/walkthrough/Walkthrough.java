@@ -22,6 +22,7 @@ import org.selectiverenderer.control.ControlProblem;
 import org.selectiverenderer.control.SelectiveController;
 import org.selectiverenderer.walkthrough.budget.VersionBudget;
 import org.selectiverenderer.walkthrough.timeline.TimelineEvent;
+import org.selectiverenderer.walkthrough.transition.TransitionTiming;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.ReadLimits;
 import org.selectiverenderer.x3d.url.ContentAccessPolicy;
@@ -45,6 +46,7 @@ public final class Walkthrough implements AutoCloseable {
   private final World world;
   private final SceneLoader loader;
   private final EmbeddedBrowser browser;
+  private final TransitionTiming timing;
   private final SelectiveController controller;
   private final ProblemCollector problems;
   private final Consumer<TimelineEvent> timeline;
@@ -67,7 +69,8 @@ public final class Walkthrough implements AutoCloseable {
     this.problems = problems;
     this.timeline = timeline;
     browser = new EmbeddedBrowser(world, loader, console, Map.of());
-    controller = new SelectiveController(browser, settings, this::heard, this::report);
+    timing = new TransitionTiming(world, settings.transition(), browser::nodeOf);
+    controller = new SelectiveController(browser, settings, timing, this::heard, this::report);
     budget =
         settings
             .budget()
@@ -161,6 +164,11 @@ public final class Walkthrough implements AutoCloseable {
     return budget;
   }
 
+  /** Tells from now on what the viewer sees of each change, as far as rays can tell. */
+  public void observeSwitches() {
+    timing.observe();
+  }
+
   /**
    * Listens to the events that the scene marks: each value that {@link #MARKER} gets is passed on.
    */
@@ -209,8 +217,10 @@ public final class Walkthrough implements AutoCloseable {
       early.forEach(this::tell);
       early.clear();
     }
+    timing.begin(time);
     world.step(time, motion);
     controller.showDue(World.EPOCH + time);
+    timing.end();
     if (frames == 0) {
       startPolygons = polygons();
     }
@@ -225,7 +235,8 @@ public final class Walkthrough implements AutoCloseable {
           new TimelineEvent.End(
               world.time(),
               frames,
-              new TimelineEvent.PolygonSpan(startPolygons, polygons(), maxPolygons)));
+              new TimelineEvent.PolygonSpan(startPolygons, polygons(), maxPolygons),
+              controller.waiting()));
     }
   }
 

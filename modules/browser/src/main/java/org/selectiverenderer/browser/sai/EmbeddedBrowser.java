@@ -103,9 +103,9 @@ public final class EmbeddedBrowser implements ExternalBrowser, InlineSceneAccess
     return binding.peek(node).location();
   }
 
-  /** Returns the scene's node behind an object of the SAI, which instances and fields refer to. */
+  /** Returns the node of the world behind a node of the SAI; of a prototype instance, its body. */
   public Node nodeOf(X3DNode node) {
-    return binding.peek(node);
+    return binding.body(node);
   }
 
   @Override
