@@ -37,6 +37,7 @@ final class EnrichedNodeReader {
     SchemaReader reader = new SchemaReader(problem -> findings.add(finding(problem)));
     Optional<SwitchSchemas> schemas =
         metadata.flatMap(source -> reader.switchNode(source, children.size()));
+    metadata.ifPresent(reader::fieldQualities); // for its problems
     List<VersionMetadata> described = schemas.map(SwitchSchemas::choices).orElse(List.of());
     List<ChoiceNode> choices = new ArrayList<>();
     for (int i = 0; i < children.size(); i++) {
@@ -52,6 +53,7 @@ final class EnrichedNodeReader {
         choices,
         whichChoice(element),
         schemas,
+        metadata.map(EnrichedFieldReader::read).orElse(List.of()),
         findings);
   }
 
