@@ -131,7 +131,8 @@ public final class ScenePolygonCounter {
                     fixed,
                     scope.objects().stream()
                         .map(object -> share(object, state, counter, places.of(object).size()))
-                        .toList()));
+                        .toList(),
+                    state.cost()));
           }
         });
     return shares;

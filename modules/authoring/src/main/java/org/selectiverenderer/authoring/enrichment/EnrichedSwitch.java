@@ -3,6 +3,7 @@ package org.selectiverenderer.authoring.enrichment;
 import java.util.List;
 import java.util.Optional;
 import org.selectiverenderer.authoring.ElementFinding;
+import org.selectiverenderer.schema.FieldQuality;
 import org.selectiverenderer.schema.Quality;
 import org.selectiverenderer.schema.SwitchSchemas;
 import org.selectiverenderer.x3d.source.DocumentElement;
@@ -15,7 +16,8 @@ import org.selectiverenderer.x3d.source.DocumentElement;
  * @param choices its children in order
  * @param whichChoice index of the initially shown choice; -1 for none
  * @param schemas its schema metadata; empty where it has none
- * @param fields its further qualities, which are values of fields
+ * @param fields its further qualities, which are values of fields, as they are written
+ * @param qualities the same with the schemas that activate their levels
  * @param findings the findings about its metadata
  */
 public record EnrichedSwitch(
@@ -26,10 +28,12 @@ public record EnrichedSwitch(
     int whichChoice,
     Optional<SwitchSchemas> schemas,
     List<EnrichedField> fields,
+    List<FieldQuality> qualities,
     List<ElementFinding> findings) {
   public EnrichedSwitch {
     choices = List.copyOf(choices);
     fields = List.copyOf(fields);
+    qualities = List.copyOf(qualities);
     findings = List.copyOf(findings);
   }
 

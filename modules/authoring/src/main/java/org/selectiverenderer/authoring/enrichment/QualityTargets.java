@@ -108,6 +108,9 @@ public final class QualityTargets {
 
   /** Returns a sentence about what is wrong with a reference; empty if nothing is. */
   public Optional<String> wrong(DocumentElement object, FieldReference target) {
+    if (imported(target.node())) {
+      return Optional.empty(); // its type is in another file
+    }
     if (node(object, target).isEmpty()) {
       return Optional.of("No node of this file has the name " + target.node() + ".");
     }
@@ -116,6 +119,25 @@ public final class QualityTargets {
         : Optional.of(
             "%s has no field %s whose value can be chosen."
                 .formatted(target.node(), target.field()));
+  }
+
+  private boolean imported(String name) {
+    boolean[] found = {false};
+    document
+        .tree()
+        .ifPresent(
+            tree ->
+                tree.root()
+                    .visit(
+                        element ->
+                            found[0] |=
+                                element.name().equals("IMPORT")
+                                    && element
+                                        .text("AS")
+                                        .or(() -> element.text("importedDEF"))
+                                        .filter(name::equals)
+                                        .isPresent()));
+    return found[0];
   }
 
   /** Returns a sentence about what is wrong with a value; empty if nothing is. */

@@ -21,6 +21,7 @@ import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Mnemonics;
 import org.selectiverenderer.enricher.text.Remarks;
 import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.enricher.versions.QualityLevelsMaker;
 import org.selectiverenderer.schema.FieldLevel;
 import org.selectiverenderer.schema.FieldQuality;
 import org.selectiverenderer.schema.FieldReference;
@@ -67,6 +68,12 @@ final class QualitiesForm {
     add.addActionListener(event -> add());
     complaint.putClientProperty("FlatLaf.styleClass", "small");
     complaint.setVisible(false);
+    JButton make = new JButton(Texts.of("quality.make"));
+    make.setName("Make levels");
+    make.setToolTipText(Texts.of("quality.make.tip"));
+    make.setEnabled(writable && element.def().isPresent());
+    make.addActionListener(
+        event -> new QualityLevelsMaker(session).ask(panel, element.def().orElse("")));
     JLabel title = LabelFactory.of(Texts.of("quality.title"), versions);
     title.putClientProperty("FlatLaf.styleClass", "h4");
     JLabel versionsComplaint = LabelFactory.complaint();
@@ -79,6 +86,7 @@ final class QualitiesForm {
     panel.add(LabelFactory.of(Texts.of("quality.target"), target, "field"));
     panel.add(target, "wmin 0");
     panel.add(add);
+    panel.add(make, "skip 1, spanx 2, growx 0");
     panel.add(complaint, "skip 1, spanx 2, wmin 0");
     ofVersions =
         FieldBinding.of(

@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
 import javax.swing.table.AbstractTableModel;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.EditRejectedException;
@@ -217,8 +218,36 @@ final class OverviewTableModel extends AbstractTableModel {
     return ConsistencySymbol.of(overview.cell(rows.node(row), schema(column)));
   }
 
+  /** Whether a shown or hidden object has qualities beside its versions. */
+  boolean severalQualities() {
+    return overview.objects().stream().anyMatch(node -> !node.qualities().isEmpty());
+  }
+
+  /**
+   * What a cell says beside the degree of the versions: of column 0 the names of the object's other
+   * qualities, else their degrees; empty for none.
+   */
+  String others(int row, int column) {
+    EnrichedSwitch node = rows.node(row);
+    if (column == 0) {
+      return node.qualities().stream()
+          .map(quality -> quality.quality().spelling())
+          .distinct()
+          .collect(Collectors.joining(", "));
+    }
+    return overview.levels(node, schema(column)).entrySet().stream()
+        .map(level -> level.getKey().spelling() + " " + level.getValue().spelling())
+        .collect(Collectors.joining(", "));
+  }
+
   /** The tooltip of a cell. */
   String explanation(int row, int column) {
+    String others = others(row, column);
+    String own = explanationOfVersions(row, column);
+    return others.isEmpty() ? own : own + Texts.of("overview.others", others);
+  }
+
+  private String explanationOfVersions(int row, int column) {
     EnrichedSwitch node = rows.node(row);
     if (column == 0) {
       return Texts.of(

@@ -30,6 +30,9 @@ import org.selectiverenderer.x3d.source.DocumentElement;
 final class SchemaTable extends ShortcutTable {
   private static final long serialVersionUID = 1L;
 
+  /** The longest usual text of a cell of an object with another quality. */
+  private static final String OTHERS = "mm high \u00b7 textures high";
+
   private final OverviewTableModel model;
   private final JTable names;
 
@@ -121,10 +124,14 @@ final class SchemaTable extends ShortcutTable {
     columns.setSelectionModel(getColumnModel().getSelectionModel());
     columns.getSelectionModel().clearSelection();
     columns.setColumnSelectionAllowed(getColumnModel().getColumnSelectionAllowed());
+    String wide = model.severalQualities() ? OTHERS : "";
     for (int i = 1; i < model.getColumnCount(); i++) {
       TableColumn column = new TableColumn(i);
       column.setHeaderValue(model.getColumnName(i));
-      int width = getFontMetrics(getFont()).stringWidth(model.getColumnName(i) + "mm");
+      int width =
+          Math.max(
+              getFontMetrics(getFont()).stringWidth(model.getColumnName(i) + "mm"),
+              getFontMetrics(getFont()).stringWidth(wide));
       column.setPreferredWidth(Math.max(width, getFontMetrics(getFont()).stringWidth("m") * 7));
       columns.addColumn(column);
     }
@@ -285,10 +292,14 @@ final class SchemaTable extends ShortcutTable {
       super.getTableCellRendererComponent(table, value, selected, focused, row, column);
       ConsistencySymbol sign = model.sign(row, table.convertColumnIndexToModel(column));
       setIcon(sign.icon());
+      String others = model.others(row, table.convertColumnIndexToModel(column));
+      if (!others.isEmpty()) {
+        setText(String.valueOf(value).isEmpty() ? others : value + " \u00b7 " + others);
+      }
       if (!selected) {
         setBackground(sign.ground(table.getBackground()));
       }
-      getAccessibleContext().setAccessibleName((value + " " + sign.words()).strip());
+      getAccessibleContext().setAccessibleName((getText() + " " + sign.words()).strip());
       return this;
     }
   }

@@ -3,7 +3,6 @@ package org.selectiverenderer.enricher.form;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Component;
-import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -68,7 +67,7 @@ class QualitiesFormTest {
 
   private static void reveal(Component control) {
     EventThread.edt(
-        () -> ((JComponent) control).scrollRectToVisible(new Rectangle(control.getSize())));
+        () -> ((JComponent) control.getParent()).scrollRectToVisible(control.getBounds()));
   }
 
   private static String undo(FormWindowDriver window) {
@@ -119,7 +118,6 @@ class QualitiesFormTest {
       assertThat(text(target)).isEqualTo("Wallpaper.");
       window.screenshot("qualities-proposals", 1);
       window.type("url");
-      window.press(KeyEvent.VK_ENTER);
       Eventually.await("the list to close", () -> !EventThread.get(() -> target.proposing()));
       assertThat(text(target)).isEqualTo("Wallpaper.url");
       EventThread.edt(((AbstractButton) window.named("Add quality"))::doClick);
