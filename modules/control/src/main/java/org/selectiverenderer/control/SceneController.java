@@ -46,6 +46,7 @@ final class SceneController implements ControlledArea.Listener {
   private final Map<String, Integer> held;
   private final ChoiceQueue queue;
   private @Nullable List<ChoosableObject> choosable;
+  private long consistencyVersion;
   private boolean started;
   private double now;
 
@@ -160,6 +161,15 @@ final class SceneController implements ControlledArea.Listener {
     return known;
   }
 
+  private void callFor(VersionedObject object, int version) {
+    object.calledFor(version);
+    consistencyVersion++;
+  }
+
+  long consistencyVersion() {
+    return consistencyVersion;
+  }
+
   /** Shows the version of an object that a budget has chosen. */
   void choose(ChoosableObject chosen, int version, double time) {
     if (chosen instanceof VersionedObject object && objects.get(object.node()) == object) {
@@ -265,6 +275,7 @@ final class SceneController implements ControlledArea.Listener {
     object.fields().forEach(this::forget);
     object.read();
     choosable = null;
+    consistencyVersion++;
     reportNew(before, object.problems());
     List<ControlledChoice> choices = new ArrayList<>(object.fields());
     if (object.schemas().isEmpty()) {
@@ -409,7 +420,7 @@ final class SceneController implements ControlledArea.Listener {
     Quality quality = schemas.quality();
     if (settings.follows(quality)) {
       if (fresh && choice instanceof VersionedObject object) {
-        object.calledFor(object.shown());
+        callFor(object, object.shown());
       }
       apply(activation.putSwitch(choice, schemas, choice.shown()).stream().toList(), fresh);
     } else if (settings.rule(quality).isPresent()) {
@@ -454,7 +465,7 @@ final class SceneController implements ControlledArea.Listener {
     for (Change<ControlledChoice> change : changes) {
       ControlledChoice choice = change.switchKey();
       if (choice instanceof VersionedObject object) {
-        object.calledFor(change.to());
+        callFor(object, change.to());
         if (settings.budget().isPresent() || held.containsKey(object.name())) {
           continue; // With a budget areas only tell what is consistent, and the budget chooses.
         }

@@ -211,6 +211,11 @@ public final class SelectiveController implements AutoCloseable {
     return scene == null ? List.of() : scene.choosable();
   }
 
+  /** Returns a number that changes when the consistency of one of these objects may have. */
+  public synchronized long consistencyVersion() {
+    return scene == null ? 0 : scene.consistencyVersion();
+  }
+
   /**
    * Shows a version that a budget has chosen, as soon as it may be shown.
    *

@@ -62,6 +62,9 @@ public final class TimelineJson {
           .put("from", change.from())
           .put("to", change.to())
           .put("schema", change.schema());
+      if (change.cause().budget()) {
+        node.put("cause", "budget");
+      }
     } else if (event instanceof ControlEvent.FieldChange change) {
       node.put("event", "field")
           .put("object", change.object())

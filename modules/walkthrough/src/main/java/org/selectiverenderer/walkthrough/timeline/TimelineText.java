@@ -5,6 +5,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
 import org.selectiverenderer.base.decimal.Pluralizer;
+import org.selectiverenderer.control.ChoiceCause;
 import org.selectiverenderer.control.ControlEvent;
 
 /** Writes the time line as text for people. */
@@ -60,7 +61,11 @@ public final class TimelineText {
                 s.switchName(),
                 s.from(),
                 s.to(),
-                by(s.schema())));
+                by(s.cause())));
+  }
+
+  private static String by(ChoiceCause cause) {
+    return cause.budget() ? " (budget)" : by(cause.schema());
   }
 
   private static String by(String schema) {
