@@ -83,11 +83,11 @@ final class QualitiesForm {
     panel.add(versions, "spanx 2, wmin 0");
     panel.add(versionsComplaint, "spanx 3, wmin 0");
     panel.add(list, "spanx 3, growx, wmin 0");
-    panel.add(LabelFactory.of(Texts.of("quality.target"), target, "field"));
-    panel.add(target, "wmin 0");
+    panel.add(LabelFactory.of(Texts.of("quality.target"), target, "field"), "spanx 3, gaptop 8");
+    panel.add(target, "spanx 2, growx, wmin 0");
     panel.add(add);
-    panel.add(make, "skip 1, spanx 2, growx 0");
-    panel.add(complaint, "skip 1, spanx 2, wmin 0");
+    panel.add(complaint, "spanx 3, wmin 0");
+    panel.add(make, "spanx 3, growx 0");
     ofVersions =
         FieldBinding.of(
             versions,

@@ -2,6 +2,7 @@ package org.selectiverenderer.enricher.overview;
 
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.Comparator;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -218,9 +219,17 @@ final class OverviewTableModel extends AbstractTableModel {
     return ConsistencySymbol.of(overview.cell(rows.node(row), schema(column)));
   }
 
-  /** Whether a shown or hidden object has qualities beside its versions. */
-  boolean severalQualities() {
-    return overview.objects().stream().anyMatch(node -> !node.qualities().isEmpty());
+  /** The longest usual text of a cell about qualities beside versions; empty for no such object. */
+  String longestOthers() {
+    return overview.objects().stream()
+        .map(
+            node ->
+                node.qualities().stream()
+                    .map(quality -> quality.quality().spelling() + " high")
+                    .distinct()
+                    .collect(Collectors.joining(", ")))
+        .max(Comparator.comparingInt(String::length))
+        .orElse("");
   }
 
   /**

@@ -30,9 +30,6 @@ import org.selectiverenderer.x3d.source.DocumentElement;
 final class SchemaTable extends ShortcutTable {
   private static final long serialVersionUID = 1L;
 
-  /** The longest usual text of a cell of an object with another quality. */
-  private static final String OTHERS = "mm high \u00b7 textures high";
-
   private final OverviewTableModel model;
   private final JTable names;
 
@@ -124,7 +121,8 @@ final class SchemaTable extends ShortcutTable {
     columns.setSelectionModel(getColumnModel().getSelectionModel());
     columns.getSelectionModel().clearSelection();
     columns.setColumnSelectionAllowed(getColumnModel().getColumnSelectionAllowed());
-    String wide = model.severalQualities() ? OTHERS : "";
+    String others = model.longestOthers();
+    String wide = others.isEmpty() ? "" : "mm high \u00b7 " + others + "m";
     for (int i = 1; i < model.getColumnCount(); i++) {
       TableColumn column = new TableColumn(i);
       column.setHeaderValue(model.getColumnName(i));

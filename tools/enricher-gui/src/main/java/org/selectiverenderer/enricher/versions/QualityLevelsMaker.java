@@ -56,8 +56,10 @@ public final class QualityLevelsMaker {
     panel.add(label);
     panel.add(percents);
     panel.add(new JLabel(Texts.of("versions.levels.shading")));
-    panel.add(vertex, "split 2, growx 0");
-    panel.add(flat, "growx 0");
+    JPanel boxes = new JPanel(new MigLayout("insets 0"));
+    boxes.add(vertex);
+    boxes.add(flat);
+    panel.add(boxes);
     panel.add(new JLabel(Texts.of("versions.levels.note")), "span");
     boolean wanted =
         new InputDialog(over, Texts.of("versions.levels"), panel, percents)

@@ -183,12 +183,12 @@ class OverviewTableModelTest {
             """);
     OverviewTableModel table =
         new OverviewTableModel(jug.enrichment, making -> jug.perform(making.get()));
-    assertThat(table.severalQualities()).isTrue();
+    assertThat(table.longestOthers()).isEqualTo("textures high");
     assertThat(table.others(0, 0)).isEqualTo("textures");
     assertThat(table.schemas()).containsExactlyInAnyOrder("Hall", "Cellar");
     assertThat(table.others(0, 1 + table.schemas().indexOf("Hall"))).isEqualTo("textures low");
     assertThat(table.others(0, 1 + table.schemas().indexOf("Cellar"))).isEqualTo("textures 0.75");
     assertThat(table.explanation(0, 0)).endsWith("other qualities: textures");
-    assertThat(model.severalQualities()).isFalse();
+    assertThat(model.longestOthers()).isEmpty();
   }
 }
