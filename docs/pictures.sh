@@ -40,6 +40,7 @@ enricher-help.png                  enricher
 enricher-overview.png              dialogs
 enricher-plan.png                  enricher
 enricher-preview.png               enricher
+enricher-qualities.png             enricher
 enricher-ratings.png               dialogs
 enricher-schemas.png               enricher
 enricher-source.png                enricher
@@ -473,7 +474,7 @@ take() { # NAME HOW
     enricher-cost.png) driven "$stem" "$to" 900x ;;
     enricher-compare.png) driven "$stem" "$to" 800x ;;
     enricher-handles.png) driven "$stem" "$to" 680x ;;
-    enricher-switch.png) driven "$stem" "$to" 438x ;;
+    enricher-qualities.png | enricher-switch.png) driven "$stem" "$to" 438x ;;
     enricher-*)
       if [ "$how" = dialogs ]; then
         fromTest org.selectiverenderer.enricher.robot.PicturesTest "${stem#*-}-light-200" "$to" 1100x
