@@ -68,6 +68,7 @@ performance-street-memory.svg      plots
 polygons-kitchen.svg               plots
 polygons-lounge.svg                plots
 polygons-office.svg                plots
+qualities.jpg                      run
 radiosity-kitchen.jpg              run
 radiosity-lounge.jpg               run
 radiosity-office.jpg               run
@@ -201,6 +202,18 @@ trashcan() { # OUT
   labelled "$tmp/office.png" 'in the office: 93 polygons'
   labelled "$tmp/desk.png" 'at the desk: 1064 polygons'
   beside "$tmp/office.png" "$tmp/desk.png" "$1" 0
+}
+
+qualities() { # OUT
+  local jug=docs/examples/qualities/jug.x3d high='--viewpoint Cellar --condition high'
+  shot "$tmp/full.png" 300x340 "$jug" $high
+  shot "$tmp/quarter.png" 300x340 "$jug" $high --quality textures=low
+  shot "$tmp/flat.png" 300x340 "$jug" $high --quality shading=low
+  labelled "$tmp/full.png" 'as it is'
+  labelled "$tmp/quarter.png" 'texture: 25 percent'
+  labelled "$tmp/flat.png" 'shading: flat'
+  convert "$tmp/full.png" "$tmp/quarter.png" "$tmp/flat.png" +append "$tmp/three.png"
+  small "$tmp/three.png" "$1"
 }
 
 labelled() { # FILE WORDS: words below a picture
@@ -386,6 +399,7 @@ take() { # NAME HOW
       compared "$to" scenes/apartment-unlit.x3d --viewpoint KitchenView --size 150x100 --rays 1024
       ;;
     radiosity-*) radiosity "${stem#*-}" "$to" ;;
+    qualities.jpg) qualities "$to" ;;
     trashcan-versions.png) trashcan "$to" ;;
     sculptures.jpg)
       shot "$tmp/sculptures.png" 1400x654 docs/examples/sculptures.x3dv

@@ -29,7 +29,9 @@ import org.selectiverenderer.base.platform.ParentProcessWatcher;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.browser.viewer.CameraPath;
 import org.selectiverenderer.browser.viewer.CameraPathReader;
+import org.selectiverenderer.cli.option.BudgetOption;
 import org.selectiverenderer.cli.option.ConditionOptions;
+import org.selectiverenderer.cli.option.QualityOptions;
 import org.selectiverenderer.cli.option.LslOptions;
 import org.selectiverenderer.cli.option.TrackerFilterOptions;
 import org.selectiverenderer.command.CliCommand;
@@ -85,6 +87,10 @@ public final class RunCommand extends CliCommand {
   @Mixin private AccessOptions access = new AccessOptions();
 
   @Mixin private ConditionOptions condition = new ConditionOptions();
+
+  @Mixin private QualityOptions qualities = new QualityOptions();
+
+  @Mixin private BudgetOption budget = new BudgetOption();
 
   @Option(
       names = "--mouse",
@@ -150,6 +156,7 @@ public final class RunCommand extends CliCommand {
     if (view.listed()) {
       return ViewOptions.list(scene.file(), console());
     }
+    budget.in(condition.settings(), true);
     TrackerSpec tracker = head.tracker(display.worn());
     CommandFileCheck files = check(tracker);
     ProblemCollector pathProblems = new ProblemCollector(console()::problem);
@@ -170,7 +177,7 @@ public final class RunCommand extends CliCommand {
     }
     ContentAccessPolicy allowed = access.access();
     RunSettings settings =
-        new RunSettings(scene.file(), condition.settings())
+        new RunSettings(scene.file(), budget.in(qualities.with(condition.settings()), true))
             .allowing(allowed)
             .muted(mute)
             .with(motion(walked, session))

@@ -16,7 +16,9 @@ import org.selectiverenderer.browser.viewer.CameraPath;
 import org.selectiverenderer.browser.viewer.CameraPathReader;
 import org.selectiverenderer.cli.batch.BatchOutputFormat;
 import org.selectiverenderer.cli.batch.BatchRunner;
+import org.selectiverenderer.cli.option.BudgetOption;
 import org.selectiverenderer.cli.option.ConditionOptions;
+import org.selectiverenderer.cli.option.QualityOptions;
 import org.selectiverenderer.cli.option.FileArguments;
 import org.selectiverenderer.cli.option.FormatOption;
 import org.selectiverenderer.cli.option.ScenesArgument;
@@ -74,6 +76,10 @@ public final class SimulateCommand extends CliCommand {
 
   @Mixin private ConditionOptions condition = new ConditionOptions();
 
+  @Mixin private QualityOptions qualities = new QualityOptions();
+
+  @Mixin private BudgetOption budget = new BudgetOption();
+
   @Mixin private FormatOption format = new FormatOption();
 
   private ContentAccessPolicy allowed = ContentAccessPolicy.none();
@@ -87,6 +93,7 @@ public final class SimulateCommand extends CliCommand {
     if (!(rate > 0) || Double.isInfinite(rate)) {
       throw CommandException.usage("--rate must be a number of frames per second above 0");
     }
+    budget.in(condition.settings(), false);
     ProblemCollector pathProblems = new ProblemCollector(console()::problem);
     Optional<CameraPath> walked = CameraPathReader.read(path, pathProblems);
     if (walked.isEmpty()) {
@@ -129,7 +136,7 @@ public final class SimulateCommand extends CliCommand {
       throws IOException, InterruptedException {
     Function<TimelineEvent, String> text = format.json() ? json::line : new TimelineText()::line;
     RunSettings settings =
-        new RunSettings(scene, condition.settings())
+        new RunSettings(scene, budget.in(qualities.with(condition.settings()), false))
             .allowing(allowed)
             .with(
                 MotionSettings.following(PathPlaybackSettings.at(rate, walked)).from(viewpoint()));

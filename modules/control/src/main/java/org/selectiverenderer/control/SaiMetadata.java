@@ -82,6 +82,11 @@ record SaiMetadata(X3DNode node) implements MetadataNode {
   }
 
   @Override
+  public Optional<SaiMetadata> metadata() {
+    return of(node);
+  }
+
+  @Override
   public List<SaiMetadata> children() {
     if (!(node instanceof MetadataSet set)) {
       return List.of();

@@ -2,6 +2,7 @@ package org.selectiverenderer.control;
 
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.EnumMap;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -17,12 +18,10 @@ import org.selectiverenderer.control.ControlProblem.Severity;
 import org.selectiverenderer.control.SceneGraphWatcher.Found;
 import org.selectiverenderer.control.SelectiveController.Settings;
 import org.selectiverenderer.sai.InlineSceneAccess;
+import org.selectiverenderer.schema.Quality;
 import org.selectiverenderer.schema.SchemaActivation;
 import org.selectiverenderer.schema.SchemaActivation.Change;
-import org.selectiverenderer.schema.SchemaUsage;
-import org.selectiverenderer.schema.SchemaUsage.Unmatched;
 import org.selectiverenderer.schema.SwitchSchemas;
-import org.selectiverenderer.schema.VersionMetadata;
 import org.web3d.x3d.sai.X3DExecutionContext;
 import org.web3d.x3d.sai.X3DNode;
 import org.web3d.x3d.sai.environmentalsensor.ProximitySensor;
@@ -30,6 +29,9 @@ import org.web3d.x3d.sai.grouping.Switch;
 
 /** Controls one scene, from the start of its control to the end. */
 final class SceneController implements ControlledArea.Listener {
+  /** Tells the random seeds of qualities apart. */
+  private static final long SPREAD = 1_000_003;
+
   private final ListenerLock turn;
   private final Settings settings;
   private final Consumer<ControlEvent> events;
@@ -37,11 +39,14 @@ final class SceneController implements ControlledArea.Listener {
   private final NodeNameRegistry names = new NodeNameRegistry();
   private final @Nullable InlineSceneAccess inlined;
   private final SceneGraphWatcher walk;
-  private final SchemaActivation<ControlledArea, VersionedObject> activation =
+  private final SchemaActivation<ControlledArea, ControlledChoice> activation =
       new SchemaActivation<>();
   private final Map<X3DNode, ControlledArea> areas = new LinkedHashMap<>();
   private final Map<X3DNode, VersionedObject> objects = new LinkedHashMap<>();
   private final Map<String, Integer> held;
+  private final ChoiceQueue queue;
+  private @Nullable List<ChoosableObject> choosable;
+  private long consistencyVersion;
   private boolean started;
   private double now;
 
@@ -57,6 +62,7 @@ final class SceneController implements ControlledArea.Listener {
       @Nullable InlineSceneAccess inlined,
       UnaryOperator<X3DNode> bodies,
       Settings settings,
+      SwitchTiming timing,
       Consumer<ControlEvent> events,
       Consumer<ControlProblem> problems) {
     this.turn = turn;
@@ -64,6 +70,7 @@ final class SceneController implements ControlledArea.Listener {
     held = new HashMap<>(settings.held());
     this.events = events;
     this.problems = problems;
+    queue = new ChoiceQueue(timing, events, problems);
     this.inlined = inlined;
     this.walk =
         new SceneGraphWatcher(
@@ -73,14 +80,15 @@ final class SceneController implements ControlledArea.Listener {
   /** Reads the scene, sets the choices of the condition, and reports the start. */
   void start() {
     walk.rescan(now);
-    setOut(objects.values(), settings.seed());
+    setOut(choicesOf(objects.values()), settings.seed(), true);
+    objects.values().forEach(this::hold);
     started = true;
     problems().forEach(problems);
     UnmatchedSchemaCheck.of(areas.values(), objects.values()).forEach(problems);
     if (inlined == null) {
       closedInlines().ifPresent(problems);
     }
-    events.accept(new ControlEvent.Start(now, choices()));
+    events.accept(new ControlEvent.Start(now, choices(), levels()));
     areas.values().forEach(this::enterIfInside);
   }
 
@@ -120,6 +128,7 @@ final class SceneController implements ControlledArea.Listener {
   /** Holds the choices of Switches; returns the names that no Switch has. */
   Set<String> hold(Map<String, Integer> choices) {
     held.putAll(choices);
+    choosable = null;
     Set<String> missing = new LinkedHashSet<>(choices.keySet());
     for (VersionedObject object : objects.values()) {
       if (missing.remove(object.name())) {
@@ -130,10 +139,58 @@ final class SceneController implements ControlledArea.Listener {
   }
 
   private void hold(VersionedObject object) {
-    Integer choice = held.get(object.name());
+    Integer choice = held.isEmpty() ? null : held.get(object.name());
     if (choice != null) {
       show(object, choice);
     }
+  }
+
+  /** Returns the objects whose versions may be chosen; the same list until others may be. */
+  List<ChoosableObject> choosable() {
+    List<ChoosableObject> known = choosable;
+    if (known == null) {
+      known = new ArrayList<>();
+      for (VersionedObject object : objects.values()) {
+        if (object.schemas().isPresent() && !held.containsKey(object.name())) {
+          known.add(object);
+        }
+      }
+      known = List.copyOf(known);
+      choosable = known;
+    }
+    return known;
+  }
+
+  private void callFor(VersionedObject object, int version) {
+    object.calledFor(version);
+    consistencyVersion++;
+  }
+
+  long consistencyVersion() {
+    return consistencyVersion;
+  }
+
+  /** Shows the version of an object that a budget has chosen. */
+  void choose(ChoosableObject chosen, int version, double time) {
+    if (chosen instanceof VersionedObject object && objects.get(object.node()) == object) {
+      now = Math.max(now, time);
+      if (!object.chosenFirst()) {
+        queue.want(object, version, ChoiceCause.BUDGET, now);
+      } else if (version != object.shown()) { // The viewer has not seen it yet.
+        queue.show(object, version, ChoiceCause.BUDGET, now);
+      }
+    }
+  }
+
+  /** Shows the choices that wait and may be shown now. */
+  void showDue(double time) {
+    now = Math.max(now, time);
+    queue.showDue(now);
+  }
+
+  /** Returns the choices that wait, by the names of their Switches. */
+  Map<String, Integer> waiting() {
+    return queue.waiting();
   }
 
   List<ControlProblem> problems() {
@@ -159,6 +216,19 @@ final class SceneController implements ControlledArea.Listener {
       }
     }
     return choices;
+  }
+
+  /** Returns the levels of the objects' fields, by the names of objects and fields. */
+  private Map<String, Map<String, Integer>> levels() {
+    Map<String, Map<String, Integer>> levels = new LinkedHashMap<>();
+    for (VersionedObject object : objects.values()) {
+      for (ControlledField field : object.fields()) {
+        levels
+            .computeIfAbsent(object.name(), name -> new LinkedHashMap<>())
+            .put(field.target().toString(), field.shown());
+      }
+    }
+    return levels;
   }
 
   @Override
@@ -202,13 +272,19 @@ final class SceneController implements ControlledArea.Listener {
     now = time;
     boolean known = object.schemas().isPresent();
     List<ControlProblem> before = object.problems();
+    object.fields().forEach(this::forget);
     object.read();
+    choosable = null;
+    consistencyVersion++;
     reportNew(before, object.problems());
+    List<ControlledChoice> choices = new ArrayList<>(object.fields());
     if (object.schemas().isEmpty()) {
-      activation.removeSwitch(object);
-    } else if (!known || settings.condition().switches()) {
-      setOut(List.of(object), settings.seed() + objects.size());
+      forget((ControlledChoice) object);
+    } else if (!known || settings.follows(object.schemas().get().quality())) {
+      choices.add(0, object);
     }
+    setOut(choices, settings.seed() + objects.size(), !known);
+    hold(object);
   }
 
   private void reportNew(List<ControlProblem> before, List<ControlProblem> now) {
@@ -224,11 +300,24 @@ final class SceneController implements ControlledArea.Listener {
       now = time;
       events.accept(new ControlEvent.SwitchChange(time, object.name(), from, object.shown(), ""));
     }
+    queue.forget(object);
     activation.noteShown(object, object.shown());
+  }
+
+  /** Records the value of a field that others have set; it stays until the next activation. */
+  private void levelChanged(ControlledField field, int from, double time) {
+    if (!settings.controls()) {
+      now = time;
+      events.accept(
+          field.change(time, from, field.shown(), ChoiceCause.SCENE, Optional.empty()));
+    }
+    queue.forget(field);
+    activation.noteShown(field, field.shown());
   }
 
   private void changed(List<Found> found, List<X3DNode> lost, double time) {
     now = time;
+    choosable = null;
     found.forEach(one -> names.add(one.node(), one.scope()));
     List<ControlledArea> foundAreas = new ArrayList<>();
     List<VersionedObject> foundObjects = new ArrayList<>();
@@ -242,7 +331,13 @@ final class SceneController implements ControlledArea.Listener {
       } else if (node instanceof Switch versions) {
         VersionedObject object =
             new VersionedObject(
-                versions, () -> names.of(node), turn, this::objectChanged, this::choiceChanged);
+                versions,
+                one.scope(),
+                () -> names.of(node),
+                turn,
+                this::objectChanged,
+                this::choiceChanged,
+                this::levelChanged);
         objects.put(node, object);
         foundObjects.add(object);
       }
@@ -251,7 +346,8 @@ final class SceneController implements ControlledArea.Listener {
     if (started) {
       foundAreas.forEach(area -> reportNew(List.of(), area.problems()));
       foundObjects.forEach(object -> reportNew(List.of(), object.problems()));
-      setOut(foundObjects, settings.seed() + objects.size());
+      setOut(choicesOf(foundObjects), settings.seed() + objects.size(), true);
+      foundObjects.forEach(this::hold);
       foundAreas.forEach(this::enterIfInside);
     }
   }
@@ -260,7 +356,8 @@ final class SceneController implements ControlledArea.Listener {
     VersionedObject object = objects.remove(node);
     if (object != null) {
       object.close();
-      activation.removeSwitch(object);
+      forget((ControlledChoice) object);
+      object.fields().forEach(this::forget);
     }
     ControlledArea area = areas.remove(node);
     if (area != null) {
@@ -270,6 +367,11 @@ final class SceneController implements ControlledArea.Listener {
     names.remove(node);
   }
 
+  private void forget(ControlledChoice choice) {
+    queue.forget(choice);
+    activation.removeSwitch(choice);
+  }
+
   /** Enters an area if the viewer is in it already, since its sensor will send no entry event. */
   private void enterIfInside(ControlledArea area) {
     if (area.active()) {
@@ -277,24 +379,56 @@ final class SceneController implements ControlledArea.Listener {
     }
   }
 
-  /** Sets new objects to the choices that the condition requires. */
-  private void setOut(Collection<VersionedObject> candidates, long seed) {
+  /** Returns the objects, each followed by its fields. */
+  private static List<ControlledChoice> choicesOf(Collection<VersionedObject> objects) {
+    List<ControlledChoice> choices = new ArrayList<>();
+    for (VersionedObject object : objects) {
+      choices.add(object);
+      choices.addAll(object.fields());
+    }
+    return choices;
+  }
+
+  /**
+   * Sets new choices as the condition and the rules of qualities require. Each quality has a random
+   * seed of its own, so that another one more does not change which versions are drawn.
+   *
+   * @param fresh whether the viewer has not seen them yet, so that no choice has to wait
+   */
+  private void setOut(
+      Collection<? extends ControlledChoice> candidates, long seed, boolean fresh) {
     if (!settings.controls()) {
       return;
     }
-    Map<VersionedObject, SwitchSchemas> enriched = new LinkedHashMap<>();
-    for (VersionedObject object : candidates) {
-      object.schemas().ifPresent(schemas -> enriched.put(object, schemas));
+    Map<Quality, Map<ControlledChoice, SwitchSchemas>> conditional = new EnumMap<>(Quality.class);
+    for (ControlledChoice choice : candidates) {
+      choice.schemas().ifPresent(schemas -> setOut(choice, schemas, conditional, fresh));
     }
-    if (settings.condition().switches()) {
-      enriched.forEach(
-          (object, schemas) ->
-              apply(activation.putSwitch(object, schemas, object.shown()).stream().toList()));
+    conditional.forEach(
+        (quality, choices) ->
+            settings
+                .condition()
+                .initialChoices(choices, activatedSchemas(), seed + SPREAD * quality.ordinal())
+                .forEach(this::show));
+  }
+
+  private void setOut(
+      ControlledChoice choice,
+      SwitchSchemas schemas,
+      Map<Quality, Map<ControlledChoice, SwitchSchemas>> conditional,
+      boolean fresh) {
+    Quality quality = schemas.quality();
+    if (settings.follows(quality)) {
+      if (fresh && choice instanceof VersionedObject object) {
+        callFor(object, object.shown());
+      }
+      apply(activation.putSwitch(choice, schemas, choice.shown()).stream().toList(), fresh);
+    } else if (settings.rule(quality).isPresent()) {
+      show(choice, settings.rule(quality).get().choice(schemas));
     } else {
-      settings.condition().initialChoices(enriched, activatedSchemas(), seed).forEach(this::show);
-    }
-    if (!held.isEmpty()) {
-      candidates.forEach(this::hold);
+      conditional
+          .computeIfAbsent(quality, key -> new LinkedHashMap<>())
+          .put(choice, schemas);
     }
   }
 
@@ -311,63 +445,36 @@ final class SceneController implements ControlledArea.Listener {
     return activated;
   }
 
-  private void show(VersionedObject object, int choice) {
-    Optional<ControlProblem> failure = object.show(choice);
+  /** Shows a choice at once and without an event, whatever waits. */
+  private void show(ControlledChoice choice, int wanted) {
+    queue.forget(choice);
+    Optional<ControlProblem> failure = choice.show(wanted);
     if (started) { // otherwise reported with the others
       failure.ifPresent(problems);
     }
   }
 
-  private void apply(List<Change<VersionedObject>> changes) {
+  private void apply(List<Change<ControlledChoice>> changes) {
+    apply(changes, false);
+  }
+
+  private void apply(List<Change<ControlledChoice>> changes, boolean fresh) {
     if (!settings.controls()) {
       return;
     }
-    for (Change<VersionedObject> change : changes) {
-      VersionedObject object = change.switchKey();
-      if (held.containsKey(object.name())) {
-        continue;
+    for (Change<ControlledChoice> change : changes) {
+      ControlledChoice choice = change.switchKey();
+      if (choice instanceof VersionedObject object) {
+        callFor(object, change.to());
+        if (settings.budget().isPresent() || held.containsKey(object.name())) {
+          continue; // With a budget areas only tell what is consistent, and the budget chooses.
+        }
       }
-      show(object, change.to());
-      events.accept(
-          new ControlEvent.SwitchChange(
-              now, object.name(), change.from(), change.to(), change.schema()));
-    }
-  }
-
-  /**
-   * Finds schemas without effect: those that only areas or only objects name. They may be intended,
-   * so they are reported as remarks, or as warnings if the other side has a nearly equal name.
-   */
-  private static final class UnmatchedSchemaCheck {
-    private record Namer(String name, X3DNode node) {}
-
-    private UnmatchedSchemaCheck() {}
-
-    /** Returns one problem for each such schema, at the first node that names it. */
-    static List<ControlProblem> of(
-        Collection<ControlledArea> areas, Collection<VersionedObject> objects) {
-      SchemaUsage<Namer> use = new SchemaUsage<>();
-      for (ControlledArea area : areas) {
-        Namer namer = new Namer(area.name(), area.sensor());
-        area.schemas().ifPresent(schemas -> use.area(namer, schemas));
+      if (fresh) {
+        queue.show(choice, change.to(), ChoiceCause.of(change.schema()), now);
+      } else {
+        queue.want(choice, change.to(), ChoiceCause.of(change.schema()), now);
       }
-      for (VersionedObject object : objects) {
-        Namer namer = new Namer(object.name(), object.node());
-        List<List<String>> schemas =
-            object.schemas().stream()
-                .flatMap(all -> all.choices().stream())
-                .map(VersionMetadata::schemas)
-                .toList();
-        use.object(namer, schemas, object.atStart());
-      }
-      return use.unmatched().stream().map(UnmatchedSchemaCheck::problem).toList();
-    }
-
-    private static ControlProblem problem(Unmatched<Namer> unmatched) {
-      Namer namer = unmatched.node();
-      return unmatched.meant().isPresent()
-          ? ControlProblem.warning(namer.name(), namer.node(), unmatched.message())
-          : new ControlProblem(namer.name(), namer.node(), Severity.INFO, unmatched.message());
     }
   }
 }

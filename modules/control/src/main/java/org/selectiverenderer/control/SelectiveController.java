@@ -2,14 +2,19 @@ package org.selectiverenderer.control;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.control.budget.RenderingBudget;
 import org.selectiverenderer.sai.InlineSceneAccess;
 import org.selectiverenderer.sai.ProtoBodyAccess;
 import org.selectiverenderer.schema.Condition;
+import org.selectiverenderer.schema.Quality;
+import org.selectiverenderer.schema.QualityRule;
 import org.selectiverenderer.schema.SchemaActivation;
+import org.selectiverenderer.schema.SwitchTransition;
 import org.web3d.x3d.sai.BrowserEvent;
 import org.web3d.x3d.sai.BrowserListener;
 import org.web3d.x3d.sai.ExternalBrowser;
@@ -41,9 +46,19 @@ public final class SelectiveController implements AutoCloseable {
    * @param seed the random seed of {@link Condition#RANDOM}
    * @param held the choices of Switches, by name, that neither condition nor areas change
    * @param controls whether choices are set; else the controller only tells what happens
+   * @param transition how versions change; a {@link SwitchTiming} acts on it
+   * @param budget what a frame may cost: then areas change no Switch, they only tell how consistent
+   *     objects are, and whoever keeps the budget chooses by {@link #choose}
+   * @param qualities what decides the levels of qualities, where the condition does not
    */
   public record Settings(
-      Condition condition, long seed, Map<String, Integer> held, boolean controls) {
+      Condition condition,
+      long seed,
+      Map<String, Integer> held,
+      boolean controls,
+      SwitchTransition transition,
+      Optional<RenderingBudget> budget,
+      Map<Quality, QualityRule> qualities) {
     /** Selective rendering as in the thesis. */
     public static final Settings SELECTIVE = new Settings(Condition.SELECTIVE, 0);
 
@@ -56,6 +71,10 @@ public final class SelectiveController implements AutoCloseable {
     /** Copies the choices. */
     public Settings {
       held = Map.copyOf(held);
+      qualities = Map.copyOf(qualities);
+      if (budget.isPresent() && !(controls && condition.switches())) {
+        throw new IllegalArgumentException("a budget chooses in the selective condition only");
+      }
     }
 
     /** Creates settings in which the condition determines all choices. */
@@ -67,10 +86,48 @@ public final class SelectiveController implements AutoCloseable {
     public Settings(Condition condition, long seed, Map<String, Integer> held) {
       this(condition, seed, held, true);
     }
+
+    /** Returns the same settings with rules for some qualities apart. */
+    public Settings with(Map<Quality, QualityRule> rules) {
+      return new Settings(condition, seed, held, controls, transition, budget, rules);
+    }
+
+    /** Returns what decides a quality apart from the condition; empty if the condition does. */
+    Optional<QualityRule> rule(Quality quality) {
+      return Optional.ofNullable(qualities.get(quality));
+    }
+
+    /** Returns whether areas change a quality as the viewer walks. */
+    boolean follows(Quality quality) {
+      return rule(quality)
+          .map(QualityRule.SELECTIVE::equals)
+          .orElse(condition.switches());
+    }
+
+    /** Creates settings in which versions change at once. */
+    public Settings(Condition condition, long seed, Map<String, Integer> held, boolean controls) {
+      this(condition, seed, held, controls, SwitchTransition.AT_ONCE, Optional.empty(), Map.of());
+    }
+
+    /** Returns these settings with another transition. */
+    public Settings with(SwitchTransition changed) {
+      return new Settings(condition, seed, held, controls, changed, budget, qualities);
+    }
+
+    /**
+     * Returns these settings with a budget.
+     *
+     * @throws IllegalArgumentException if the condition is another than the selective one
+     */
+    public Settings within(RenderingBudget limit) {
+      return new Settings(
+          condition, seed, held, controls, transition, Optional.of(limit), qualities);
+    }
   }
 
   private final ExternalBrowser browser;
   private final Settings settings;
+  private final SwitchTiming timing;
   private final Consumer<ControlEvent> events;
   private final Consumer<ControlProblem> problems;
   private final BrowserListener onBrowser = this::browserChanged;
@@ -88,8 +145,27 @@ public final class SelectiveController implements AutoCloseable {
       Settings settings,
       Consumer<ControlEvent> events,
       Consumer<ControlProblem> problems) {
+    this(browser, settings, SwitchTiming.AT_ONCE, events, problems);
+  }
+
+  /**
+   * Takes control of the scene that the browser shows, and of every scene that it will show, with
+   * choices that may have to wait.
+   *
+   * @param timing decides when choices are shown; see {@link #showDue}
+   * @param events receives the events, on the browser's thread; for each scene a {@link
+   *     ControlEvent.Start} first
+   * @param problems receives the problems of each scene, at its start and later, on the same thread
+   */
+  public SelectiveController(
+      ExternalBrowser browser,
+      Settings settings,
+      SwitchTiming timing,
+      Consumer<ControlEvent> events,
+      Consumer<ControlProblem> problems) {
     this.browser = browser;
     this.settings = settings;
+    this.timing = timing;
     this.events = events;
     this.problems = problems;
     browser.addBrowserListener(onBrowser);
@@ -128,6 +204,49 @@ public final class SelectiveController implements AutoCloseable {
   }
 
   /**
+   * Returns the enriched objects that are not held, in the order of the scene: those whose versions
+   * a budget chooses. It is the same list until it has other objects or their metadata change.
+   */
+  public synchronized List<ChoosableObject> choosable() {
+    return scene == null ? List.of() : scene.choosable();
+  }
+
+  /** Returns a number that changes when the consistency of one of these objects may have. */
+  public synchronized long consistencyVersion() {
+    return scene == null ? 0 : scene.consistencyVersion();
+  }
+
+  /**
+   * Shows a version that a budget has chosen, as soon as it may be shown.
+   *
+   * @param object of the scene that is shown; one of another scene is passed over
+   * @param version from 0 to below {@link ChoosableObject#versions}
+   * @param time the browser's time stamp in seconds
+   */
+  public synchronized void choose(ChoosableObject object, int version, double time) {
+    if (scene != null) {
+      scene.choose(object, version, time);
+    }
+  }
+
+  /**
+   * Shows the choices that wait and may be shown now. To be called in every frame, after the viewer
+   * has moved.
+   *
+   * @param time the browser's time stamp in seconds
+   */
+  public synchronized void showDue(double time) {
+    if (scene != null) {
+      scene.showDue(time);
+    }
+  }
+
+  /** Returns the choices that wait to be shown, by the names of their Switches. */
+  public synchronized Map<String, Integer> waiting() {
+    return scene == null ? Map.of() : scene.waiting();
+  }
+
+  /**
    * Looks for root nodes that were added to or removed from the scene, for which the SAI has no
    * event. With a browser that sends an event of its own for it, as the embedded one does, the
    * controller looks by itself.
@@ -161,7 +280,14 @@ public final class SelectiveController implements AutoCloseable {
     if (context != null) { // no world is shown yet
       scene =
           new SceneController(
-              context, new ListenerLock(this), opener(), bodies(), settings, events, problems);
+              context,
+              new ListenerLock(this),
+              opener(),
+              bodies(),
+              settings,
+              timing,
+              events,
+              problems);
       scene.start();
     }
   }

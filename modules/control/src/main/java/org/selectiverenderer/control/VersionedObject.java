@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.function.ObjDoubleConsumer;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
+import org.selectiverenderer.schema.FieldQuality;
 import org.selectiverenderer.schema.SchemaReader;
 import org.selectiverenderer.schema.SwitchSchemas;
 import org.web3d.x3d.sai.X3DException;
@@ -14,9 +15,10 @@ import org.web3d.x3d.sai.X3DFieldEventListener;
 import org.web3d.x3d.sai.grouping.Switch;
 
 /**
- * An enriched object: a Switch whose children are the object's versions, described by its metadata.
+ * An enriched object: a Switch whose children are the object's versions, described by its metadata,
+ * and the fields whose values are further qualities of the object.
  */
-final class VersionedObject {
+final class VersionedObject implements ChoosableObject, ControlledChoice {
   /** Receives the choices that somebody else has set. */
   interface ChoiceListener {
     /**
@@ -29,6 +31,9 @@ final class VersionedObject {
   }
 
   private final Switch node;
+  private final SceneScope scope;
+  private final ListenerLock turn;
+  private final ControlledField.LevelListener onForeignLevel;
   private final Supplier<String> name;
   private final X3DField children;
   private final X3DFieldEventListener onChildren;
@@ -41,21 +46,31 @@ final class VersionedObject {
 
   private List<ControlProblem> problems = List.of();
   private Optional<SwitchSchemas> schemas = Optional.empty();
+  private List<ControlledField> fields = List.of();
   private final int atStart;
   private int shown;
+  private int called;
+  private double consistency;
+  private boolean chosen;
 
   /**
    * Reads an object in its present state.
    *
+   * @param scope the file of the Switch, whose nodes the field qualities name
    * @param onChange called when the metadata or the number of versions has changed
    */
   VersionedObject(
       Switch node,
+      SceneScope scope,
       Supplier<String> name,
       ListenerLock turn,
       ObjDoubleConsumer<VersionedObject> onChange,
-      ChoiceListener onForeignChoice) {
+      ChoiceListener onForeignChoice,
+      ControlledField.LevelListener onForeignLevel) {
     this.node = node;
+    this.scope = scope;
+    this.turn = turn;
+    this.onForeignLevel = onForeignLevel;
     this.name = name;
     this.atStart = node.getWhichChoice();
     this.shown = atStart;
@@ -98,7 +113,29 @@ final class VersionedObject {
                 add(
                     ControlProblem.warning(
                         name(), ((SaiMetadata) problem.metadata()).node(), problem.message())));
-    schemas = watch.read().flatMap(m -> reader.switchNode(m, node.getNumChildren()));
+    Optional<SaiMetadata> metadata = watch.read();
+    schemas = metadata.flatMap(m -> reader.switchNode(m, node.getNumChildren()));
+    fields.forEach(ControlledField::close);
+    fields =
+        metadata.map(reader::fieldQualities).orElse(List.of()).stream()
+            .flatMap(quality -> field(quality).stream())
+            .toList();
+    calledFor(called);
+  }
+
+  private Optional<ControlledField> field(FieldQuality quality) {
+    return ControlledField.find(
+        this,
+        scope,
+        quality,
+        turn,
+        onForeignLevel,
+        message -> add(ControlProblem.warning(name(), node, message)));
+  }
+
+  /** Returns the fields whose values are qualities of the object. */
+  List<ControlledField> fields() {
+    return fields;
   }
 
   String name() {
@@ -109,7 +146,8 @@ final class VersionedObject {
    * Returns the schemas of the versions; empty if the metadata does not use the vocabulary, so that
    * the Switch is no enriched object.
    */
-  Optional<SwitchSchemas> schemas() {
+  @Override
+  public Optional<SwitchSchemas> schemas() {
     return schemas;
   }
 
@@ -121,7 +159,8 @@ final class VersionedObject {
   /**
    * Returns the choice that was last set, by the controller or others; initially that of the scene.
    */
-  int shown() {
+  @Override
+  public int shown() {
     return shown;
   }
 
@@ -130,7 +169,8 @@ final class VersionedObject {
    *
    * @return the problem if it could not be set
    */
-  Optional<ControlProblem> show(int choice) {
+  @Override
+  public Optional<ControlProblem> show(int choice) {
     if (choice == shown) {
       return Optional.empty();
     }
@@ -153,6 +193,17 @@ final class VersionedObject {
     }
   }
 
+  @Override
+  public int child(int choice) {
+    return choice;
+  }
+
+  @Override
+  public ControlEvent change(
+      double time, int from, int to, ChoiceCause cause, Optional<SwitchVisibility> seen) {
+    return new ControlEvent.SwitchChange(time, name(), from, to, cause, seen);
+  }
+
   private void add(ControlProblem problem) {
     if (problems.isEmpty()) {
       problems = new ArrayList<>(); // few objects have problems
@@ -160,8 +211,35 @@ final class VersionedObject {
     problems.add(problem);
   }
 
-  Switch node() {
+  @Override
+  public Switch node() {
     return node;
+  }
+
+  @Override
+  public int versions() {
+    return schemas.map(all -> all.choices().size()).orElse(0);
+  }
+
+  @Override
+  public double consistency() {
+    return consistency;
+  }
+
+  /** Notes the version that the areas call for, whose degree is the object's consistency now. */
+  void calledFor(int version) {
+    called = version;
+    consistency =
+        called >= 0 && called < versions()
+            ? schemas.orElseThrow().choices().get(called).consistency()
+            : 0;
+  }
+
+  /** Notes that a budget has chosen for the object, and returns whether it had not before. */
+  boolean chosenFirst() {
+    boolean first = !chosen;
+    chosen = true;
+    return first;
   }
 
   List<ControlProblem> problems() {
@@ -172,6 +250,7 @@ final class VersionedObject {
   void close() {
     FieldListeners.remove(children, onChildren);
     FieldListeners.remove(whichChoice, onChoice);
+    fields.forEach(ControlledField::close);
     watch.close();
   }
 }

@@ -64,6 +64,10 @@ final class ControlledSceneFixture implements AutoCloseable {
     controller = new SelectiveController(browser, settings, events::add, problems::add);
   }
 
+  void control(Settings settings, SwitchTiming timing) {
+    controller = new SelectiveController(browser, settings, timing, events::add, problems::add);
+  }
+
   Set<String> hold(Map<String, Integer> choices) {
     return controller.hold(choices);
   }

@@ -20,6 +20,7 @@ import org.selectiverenderer.browser.viewer.ViewerMotion;
 import org.selectiverenderer.control.ControlEvent;
 import org.selectiverenderer.control.ControlProblem;
 import org.selectiverenderer.control.SelectiveController;
+import org.selectiverenderer.walkthrough.budget.VersionBudget;
 import org.selectiverenderer.walkthrough.timeline.TimelineEvent;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.ReadLimits;
@@ -47,6 +48,7 @@ public final class Walkthrough implements AutoCloseable {
   private final SelectiveController controller;
   private final ProblemCollector problems;
   private final Consumer<TimelineEvent> timeline;
+  private final Optional<VersionBudget> budget;
   private final List<ControlEvent> early = new ArrayList<>();
   private double firstTime = Double.NaN;
   private long frames;
@@ -66,6 +68,10 @@ public final class Walkthrough implements AutoCloseable {
     this.timeline = timeline;
     browser = new EmbeddedBrowser(world, loader, console, Map.of());
     controller = new SelectiveController(browser, settings, this::heard, this::report);
+    budget =
+        settings
+            .budget()
+            .map(limit -> new VersionBudget(world, controller, browser::nodeOf, limit));
     world.instances().update();
   }
 
@@ -150,6 +156,11 @@ public final class Walkthrough implements AutoCloseable {
     return controller.hold(choices);
   }
 
+  /** Returns what keeps the walkthrough within a budget; empty without one. */
+  public Optional<VersionBudget> budget() {
+    return budget;
+  }
+
   /**
    * Listens to the events that the scene marks: each value that {@link #MARKER} gets is passed on.
    */
@@ -199,6 +210,7 @@ public final class Walkthrough implements AutoCloseable {
       early.clear();
     }
     world.step(time, motion);
+    controller.showDue(World.EPOCH + time);
     if (frames == 0) {
       startPolygons = polygons();
     }

@@ -103,6 +103,11 @@ public final class EmbeddedBrowser implements ExternalBrowser, InlineSceneAccess
     return binding.peek(node).location();
   }
 
+  /** Returns the scene's node behind an object of the SAI, which instances and fields refer to. */
+  public Node nodeOf(X3DNode node) {
+    return binding.peek(node);
+  }
+
   @Override
   public Optional<X3DScene> inlinedScene(X3DNode inline) {
     return inlineOf(inline).shown().map(this::shown);

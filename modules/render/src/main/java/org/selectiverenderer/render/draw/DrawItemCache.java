@@ -19,6 +19,7 @@ import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.browser.instance.InstanceTree;
 import org.selectiverenderer.browser.instance.ShapeInstance;
+import org.selectiverenderer.browser.instance.VersionFades;
 import org.selectiverenderer.geometry.bvh.Bvh;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.render.lighting.LightChangeDetector;
@@ -116,6 +117,16 @@ final class DrawItemCache implements Culler.Items {
   /** Returns whether there is a generated cube map on any shape. */
   boolean reflects() {
     return reflects;
+  }
+
+  /** Returns the versions of the tree that are being faded. */
+  List<VersionFades.FadingVersion> fades() {
+    return tree == null ? List.of() : tree.fades().versions();
+  }
+
+  /** Returns the item of a shape of the tree; null where it has none. */
+  @Nullable DrawItem of(ShapeInstance shape) {
+    return shape.index() < slots.length ? slots[shape.index()] : null;
   }
 
   @Override

@@ -15,6 +15,7 @@ import org.selectiverenderer.browser.instance.ExtendedMaterial;
 import org.selectiverenderer.browser.instance.LightInstance;
 import org.selectiverenderer.browser.instance.ShapeInstance;
 import org.selectiverenderer.browser.instance.SurfaceMaterial;
+import org.selectiverenderer.browser.instance.SurfaceShading;
 import org.selectiverenderer.browser.instance.Texture;
 import org.selectiverenderer.browser.instance.TextureSource;
 import org.selectiverenderer.browser.instance.TextureUnit;
@@ -243,6 +244,7 @@ final class DrawStateCache {
         surface.lit() && mesh.normals() != null,
         shiny,
         false,
+        surface.shading() == SurfaceShading.FLAT,
         mesh.colors() != null,
         texture != null,
         surface.tints(),

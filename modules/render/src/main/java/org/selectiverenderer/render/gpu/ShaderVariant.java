@@ -10,6 +10,7 @@ import java.util.List;
  * @param lit whether it is lit
  * @param specular whether the material has a highlight
  * @param byVertex whether lighting is per vertex, else per pixel
+ * @param flat whether the normal is that of the face, not the interpolated one
  * @param colors whether vertices have colours
  * @param texture whether there is a texture
  * @param tint whether the texture multiplies the colour, else replaces it
@@ -26,6 +27,7 @@ public record ShaderVariant(
     boolean lit,
     boolean specular,
     boolean byVertex,
+    boolean flat,
     boolean colors,
     boolean texture,
     boolean tint,
@@ -45,7 +47,8 @@ public record ShaderVariant(
     boolean atVertices = lit && byVertex && !apart;
     add(defines, lit, "LIT");
     add(defines, lit && specular, "SPECULAR");
-    add(defines, lit && (specular || lights.positional()), "EYE_POSITION");
+    add(defines, lit && (specular || flat || lights.positional()), "EYE_POSITION");
+    add(defines, lit && flat, "FLAT");
     add(defines, lit && byVertex, "LIT_BY_VERTEX");
     add(defines, atVertices, "WHOLE_BY_VERTEX");
     add(defines, atVertices && tinted, "TINTED");
@@ -67,7 +70,8 @@ public record ShaderVariant(
     return new ShaderVariant(
         lit,
         specular,
-        atVertices && lit && detail.isEmpty(),
+        atVertices && lit && !flat && detail.isEmpty(),
+        flat,
         colors,
         texture,
         tint,
@@ -89,6 +93,7 @@ public record ShaderVariant(
         lit,
         specular,
         byVertex,
+        flat,
         colors,
         texture,
         tint,
@@ -104,7 +109,7 @@ public record ShaderVariant(
   /** Returns the same variant for batches with a diffuse colour per vertex. */
   ShaderVariant tints() {
     return new ShaderVariant(
-        lit, specular, byVertex, colors, texture, tint, glow, alphaTest, twoSided, points, blended,
+        lit, specular, byVertex, flat, colors, texture, tint, glow, alphaTest, twoSided, points, blended,
         true, detail);
   }
 

@@ -139,6 +139,19 @@ public final class RunEventsTable {
                   "object", what.path("switch").asText(),
                   "version_from", what.path("from").asInt(),
                   "version_to", what.path("to").asInt()));
+      case "field" ->
+          add(
+              line,
+              t,
+              t,
+              "field",
+              cells(
+                  "schemas", what.path("schema").asText(),
+                  "object", what.path("object").asText(),
+                  "version_from", what.path("from").asInt(),
+                  "version_to", what.path("to").asInt(),
+                  "text",
+                      what.path("quality").asText() + " of " + what.path("field").asText()));
       default -> {
         // The row of the exposure has begin and end.
       }
@@ -263,6 +276,7 @@ public final class RunEventsTable {
     types.put("enter", "the participant enters an area, and stays for the duration");
     types.put("exit", "the participant leaves an area");
     types.put("switch", "an object gets another version");
+    types.put("field", "an object gets another level of a quality that is the value of a field");
     types.put("pause", "the experimenter pauses; the time of the head log stands still");
     types.put("heading-reset", "straight ahead is set anew");
     types.put("note", "the experimenter's note");

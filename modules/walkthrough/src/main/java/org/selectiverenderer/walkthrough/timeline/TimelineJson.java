@@ -44,6 +44,12 @@ public final class TimelineJson {
     if (event instanceof ControlEvent.Start start) {
       ObjectNode switches = node.put("event", "start").putObject("switches");
       start.switches().forEach(switches::put);
+      if (!start.fields().isEmpty()) {
+        ObjectNode objects = node.putObject("fields");
+        start
+            .fields()
+            .forEach((object, fields) -> fields.forEach(objects.putObject(object)::put));
+      }
     } else if (event instanceof ControlEvent.Enter enter) {
       node.put("event", "enter").put("sensor", enter.sensor());
       enter.schemas().forEach(node.putArray("schemas")::add);
@@ -53,6 +59,17 @@ public final class TimelineJson {
     } else if (event instanceof ControlEvent.SwitchChange change) {
       node.put("event", "switch")
           .put("switch", change.switchName())
+          .put("from", change.from())
+          .put("to", change.to())
+          .put("schema", change.schema());
+      if (change.cause().budget()) {
+        node.put("cause", "budget");
+      }
+    } else if (event instanceof ControlEvent.FieldChange change) {
+      node.put("event", "field")
+          .put("object", change.object())
+          .put("quality", change.quality().spelling())
+          .put("field", change.field())
           .put("from", change.from())
           .put("to", change.to())
           .put("schema", change.schema());

@@ -4,6 +4,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
+import org.selectiverenderer.base.decimal.Pluralizer;
+import org.selectiverenderer.control.ChoiceCause;
 import org.selectiverenderer.control.ControlEvent;
 
 /** Writes the time line as text for people. */
@@ -34,13 +36,21 @@ public final class TimelineText {
 
   private static String line(double t, ControlEvent event) {
     if (event instanceof ControlEvent.Start start) {
-      return row(t, "start", switches(start.switches()));
+      return row(t, "start", start(start));
     }
     if (event instanceof ControlEvent.Enter enter) {
       return row(t, "enter", area(enter.sensor(), enter.schemas()));
     }
     if (event instanceof ControlEvent.Exit exit) {
       return row(t, "exit", area(exit.sensor(), exit.schemas()));
+    }
+    if (event instanceof ControlEvent.FieldChange f) {
+      return row(
+          t,
+          "field",
+          "%s: %s of %s level %s -> %s%s"
+              .formatted(
+                  f.object(), f.quality().spelling(), f.field(), f.from(), f.to(), by(f.schema())));
     }
     ControlEvent.SwitchChange s = (ControlEvent.SwitchChange) event;
     return row(
@@ -51,7 +61,15 @@ public final class TimelineText {
                 s.switchName(),
                 s.from(),
                 s.to(),
-                s.schema().isEmpty() ? "" : " (" + s.schema() + ")"));
+                by(s.cause())));
+  }
+
+  private static String by(ChoiceCause cause) {
+    return cause.budget() ? " (budget)" : by(cause.schema());
+  }
+
+  private static String by(String schema) {
+    return schema.isEmpty() ? "" : " (" + schema + ")";
   }
 
   private static String row(double t, String event, String text) {
@@ -62,6 +80,15 @@ public final class TimelineText {
     return schemas.isEmpty()
         ? sensor + " (activates no schema)"
         : sensor + " activates " + String.join(", ", schemas);
+  }
+
+  private static String start(ControlEvent.Start start) {
+    if (start.fields().isEmpty()) {
+      return switches(start.switches());
+    }
+    int fields = start.fields().values().stream().mapToInt(Map::size).sum();
+    String what = Pluralizer.of(fields, "field") + " with levels";
+    return start.switches().isEmpty() ? what : switches(start.switches()) + "; " + what;
   }
 
   private static String switches(Map<String, Integer> switches) {
