@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.UnaryOperator;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.study.headlog.HeadLog;
@@ -110,6 +111,24 @@ public final class ViewingData {
             });
     conditions.add(log.description().condition());
     return Optional.empty();
+  }
+
+  /** Returns this data with other areas; what was seen in areas that become one is added up. */
+  public ViewingData named(UnaryOperator<GazeArea> area) {
+    ViewingData other = new ViewingData();
+    other.conditions.addAll(conditions);
+    seen.forEach(
+        (participant, areas) -> {
+          Map<GazeArea, Map<String, ObjectAttention>> all = new LinkedHashMap<>();
+          areas.forEach(
+              (before, objects) -> {
+                Map<String, ObjectAttention> own =
+                    all.computeIfAbsent(area.apply(before), key -> new LinkedHashMap<>());
+                objects.forEach((name, one) -> own.merge(name, one, ObjectAttention::plus));
+              });
+          other.seen.put(participant, all);
+        });
+    return other;
   }
 
   /** Returns the number of participants. */
