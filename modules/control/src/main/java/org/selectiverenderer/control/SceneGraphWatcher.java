@@ -12,6 +12,7 @@ import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.sai.InlineSceneAccess;
+import org.selectiverenderer.sai.NodeNameAccess;
 import org.web3d.x3d.sai.MFNode;
 import org.web3d.x3d.sai.SFNode;
 import org.web3d.x3d.sai.X3DAppearanceChildNode;
@@ -74,15 +75,17 @@ final class SceneGraphWatcher {
    * @param inlined gives access to the scenes of Inlines; null where the browser does not
    * @param bodies maps prototype instances to the first nodes of their bodies, and other nodes to
    *     themselves
+   * @param names tells the names of nodes; null where the browser does not
    */
   SceneGraphWatcher(
       X3DExecutionContext scene,
       @Nullable InlineSceneAccess inlined,
       UnaryOperator<X3DNode> bodies,
+      @Nullable NodeNameAccess names,
       Set<String> wanted,
       ListenerLock turn,
       Listener listener) {
-    this.main = new SceneScope(scene, bodies);
+    this.main = new SceneScope(scene, bodies, names);
     this.inlined = inlined;
     this.wanted = wanted;
     this.turn = turn;

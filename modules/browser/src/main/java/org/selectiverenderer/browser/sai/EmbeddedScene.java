@@ -1,15 +1,18 @@
 package org.selectiverenderer.browser.sai;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.browser.nodes.group.InlineNode;
 import org.selectiverenderer.browser.scene.Node;
+import org.selectiverenderer.browser.scene.PrototypeInstance;
 import org.selectiverenderer.browser.scene.Route;
 import org.selectiverenderer.browser.scene.Scene;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
@@ -174,6 +177,23 @@ final class EmbeddedScene extends PrototypelessSceneAdapter {
                     .or(() -> Optional.ofNullable(scene.imported().get(name)))
                     .orElseThrow(
                         () -> new InvalidNodeException("no node has the DEF name " + name))));
+  }
+
+  /** Returns the DEF names in this scene of those of some nodes that have one. */
+  Map<X3DNode, String> namesOf(Set<X3DNode> nodes) {
+    return read(
+        () -> {
+          Map<X3DNode, String> names = new HashMap<>();
+          scene
+              .named()
+              .forEach(
+                  (name, node) ->
+                      binding
+                          .known(PrototypeInstance.body(PrototypeInstance.seen(node, null)))
+                          .filter(nodes::contains)
+                          .ifPresent(known -> names.put(known, name)));
+          return names;
+        });
   }
 
   @Override
