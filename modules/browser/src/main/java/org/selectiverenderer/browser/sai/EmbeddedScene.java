@@ -35,7 +35,6 @@ final class EmbeddedScene extends PrototypelessSceneAdapter {
   private final SceneFactory maker;
   private final Scene scene;
   private final @Nullable String worldUrl;
-  private final int children;
   private volatile boolean shown;
   private volatile boolean disposed;
 
@@ -48,7 +47,6 @@ final class EmbeddedScene extends PrototypelessSceneAdapter {
     this.maker = maker;
     this.scene = scene;
     this.worldUrl = worldUrl;
-    children = scene.root().type().indexOf("children");
   }
 
   SaiContext binding() {
@@ -328,11 +326,15 @@ final class EmbeddedScene extends PrototypelessSceneAdapter {
             return;
           }
           if (shown) {
-            binding.sendNow(scene.root(), children, List.copyOf(roots));
+            binding.sendNow(scene.root(), children(), List.copyOf(roots));
           } else {
-            scene.root().init(children, List.copyOf(roots));
+            scene.root().init(children(), List.copyOf(roots));
           }
         });
+  }
+
+  private int children() {
+    return scene.root().type().indexOf("children");
   }
 
   @Override
