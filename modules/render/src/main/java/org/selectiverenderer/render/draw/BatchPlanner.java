@@ -106,7 +106,7 @@ final class BatchPlanner {
   }
 
   private static boolean mergeable(Candidate candidate, int uses) {
-    int indices = candidate.mesh().indices().length;
+    int indices = candidate.mesh().indexCount();
     double determinant = candidate.shape().world().determinant3x3();
     // Blended shapes are drawn one by one, back to front; a moving shape may change between
     // per-vertex and per-pixel lighting.

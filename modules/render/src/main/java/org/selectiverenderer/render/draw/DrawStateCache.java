@@ -83,7 +83,7 @@ final class DrawStateCache {
     Texture image = surface.glow() == null ? surface.texture() : surface.glow();
     GpuTexture texture =
         image == null
-                || drawn.texCoords() == null
+                || !drawn.hasTexCoords()
                 || drawn.primitive() == Mesh.Primitive.LINES // Lengths along the line.
             ? null
             : texture(gl, image);

@@ -30,7 +30,7 @@ public record VertexLayout(int stride, int normal, int color, int texCoord, List
       color = stride;
       stride += 4;
     }
-    if (mesh.texCoords() != null) {
+    if (mesh.hasTexCoords()) {
       texCoord = stride;
       stride += 8;
     }
