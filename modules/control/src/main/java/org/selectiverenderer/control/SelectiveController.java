@@ -7,6 +7,7 @@ import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.sai.InlineSceneAccess;
+import org.selectiverenderer.sai.NodeNameAccess;
 import org.selectiverenderer.sai.ProtoBodyAccess;
 import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.schema.SchemaActivation;
@@ -161,7 +162,14 @@ public final class SelectiveController implements AutoCloseable {
     if (context != null) { // no world is shown yet
       scene =
           new SceneController(
-              context, new ListenerLock(this), opener(), bodies(), settings, events, problems);
+              context,
+              new ListenerLock(this),
+              opener(),
+              bodies(),
+              browser instanceof NodeNameAccess names ? names : null,
+              settings,
+              events,
+              problems);
       scene.start();
     }
   }

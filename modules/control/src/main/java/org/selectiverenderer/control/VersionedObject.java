@@ -6,7 +6,6 @@ import java.util.Optional;
 import java.util.function.ObjDoubleConsumer;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
-import org.selectiverenderer.schema.SchemaReader;
 import org.selectiverenderer.schema.SwitchSchemas;
 import org.web3d.x3d.sai.X3DException;
 import org.web3d.x3d.sai.X3DField;
@@ -35,6 +34,7 @@ final class VersionedObject {
   private final X3DField whichChoice;
   private final X3DFieldEventListener onChoice;
   private final MetadataWatcher watch;
+  private final SchemaCache cache;
 
   /** The controller's own writes whose events have not come yet, oldest first. */
   private List<Integer> pending = List.of();
@@ -47,16 +47,19 @@ final class VersionedObject {
   /**
    * Reads an object in its present state.
    *
+   * @param cache reads the metadata
    * @param onChange called when the metadata or the number of versions has changed
    */
   VersionedObject(
       Switch node,
       Supplier<String> name,
       ListenerLock turn,
+      SchemaCache cache,
       ObjDoubleConsumer<VersionedObject> onChange,
       ChoiceListener onForeignChoice) {
     this.node = node;
     this.name = name;
+    this.cache = cache;
     this.atStart = node.getWhichChoice();
     this.shown = atStart;
     this.children = node.getField("children");
@@ -92,13 +95,20 @@ final class VersionedObject {
   /** Reads the metadata anew. */
   void read() {
     problems = List.of();
-    SchemaReader reader =
-        new SchemaReader(
-            problem ->
-                add(
-                    ControlProblem.warning(
-                        name(), ((SaiMetadata) problem.metadata()).node(), problem.message())));
-    schemas = watch.read().flatMap(m -> reader.switchNode(m, node.getNumChildren()));
+    schemas =
+        watch
+            .read()
+            .flatMap(
+                metadata ->
+                    cache.object(
+                        metadata,
+                        node.getNumChildren(),
+                        problem ->
+                            add(
+                                ControlProblem.warning(
+                                    name(),
+                                    ((SaiMetadata) problem.metadata()).node(),
+                                    problem.message()))));
   }
 
   String name() {
