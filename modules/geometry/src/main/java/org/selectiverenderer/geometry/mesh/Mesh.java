@@ -9,9 +9,9 @@ import org.jspecify.annotations.Nullable;
  * right-handed local coordinates and the scene's unit of length. It is immutable: the arrays must
  * not be modified.
  *
- * <p>A mesh that is kept for long, of which a scene has many, may be {@link #compact}: what it
- * can derive then takes no memory while nobody reads it. Two meshes are equal only if they are the
- * same object.
+ * <p>A mesh that is kept for long, of which a scene has many, should be {@link #compact}. What it
+ * can derive, that is the wide form of two-byte indices and default texture coordinates, takes
+ * memory only while somebody has it. Two meshes are equal only if they are the same object.
  */
 public final class Mesh {
   private final Primitive primitive;
