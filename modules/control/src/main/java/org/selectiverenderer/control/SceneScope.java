@@ -85,12 +85,17 @@ final class SceneScope {
     }
     Map<X3DNode, String> names = new HashMap<>();
     for (String name : scene.getNamedNodes()) {
-      X3DNode node = bodies.apply(scene.getNamedNode(name));
+      X3DNode node = named(name);
       if (nodes.contains(node)) {
         names.put(node, name);
       }
     }
     return names;
+  }
+
+  /** Returns the node of a DEF name. */
+  X3DNode named(String name) {
+    return bodies.apply(scene.getNamedNode(name));
   }
 
   /** Returns whether this is the main scene, not one in an Inline. */
