@@ -7,8 +7,8 @@
  * is the default. The build puts the SAI's interfaces into a jar of their own, so that another
  * browser's copy can replace them on the class path.
  *
- * <p>In: a browser. Out: {@code whichChoice} of Switch nodes, and {@link
- * org.selectiverenderer.control.ControlEvent}s. Of {@code schema} it uses the vocabulary of the
+ * <p>In: a browser. Out: {@code whichChoice} of Switch nodes, fields that are
+ * qualities of objects, and {@link org.selectiverenderer.control.ControlEvent}s. Of {@code schema} it uses the vocabulary of the
  * metadata and {@link org.selectiverenderer.schema.SchemaActivation}, the algorithm without a
  * browser: an index from schemas to Switches, so that activation costs what it changes. Uses {@code
  * schema}, {@code org.web3d.x3d.sai}, and {@code sai} for what a browser may offer beyond it; loads
