@@ -26,6 +26,7 @@ final class BackgroundSceneLoader implements AutoCloseable {
             scene.file(),
             scene.rendering(),
             scene.access(),
+            world -> world.instances().boxes().begin(),
             listener::problem,
             listener::happened,
             listener::printed);

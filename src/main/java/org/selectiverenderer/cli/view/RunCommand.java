@@ -27,6 +27,7 @@ import org.selectiverenderer.base.platform.ParentProcessWatcher;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.browser.viewer.CameraPath;
 import org.selectiverenderer.browser.viewer.CameraPathReader;
+import org.selectiverenderer.cli.option.BudgetOption;
 import org.selectiverenderer.cli.option.ConditionOptions;
 import org.selectiverenderer.cli.option.QualityOptions;
 import org.selectiverenderer.cli.option.LslOptions;
@@ -88,6 +89,8 @@ public final class RunCommand extends CliCommand {
   @Mixin private SwitchOption change = new SwitchOption();
 
   @Mixin private QualityOptions qualities = new QualityOptions();
+
+  @Mixin private BudgetOption budget = new BudgetOption();
 
   @Option(
       names = "--mouse",
@@ -153,6 +156,7 @@ public final class RunCommand extends CliCommand {
     if (view.listed()) {
       return ViewOptions.list(scene.file(), console());
     }
+    budget.in(condition.settings(), true);
     TrackerSpec tracker = head.tracker(display.worn());
     CommandFileCheck files = check(tracker);
     ProblemCollector pathProblems = new ProblemCollector(console()::problem);
@@ -174,7 +178,9 @@ public final class RunCommand extends CliCommand {
     ContentAccessPolicy allowed = access.access();
     RunSettings settings =
         new RunSettings(
-                scene.file(), qualities.with(condition.settings()).with(change.transition()))
+                scene.file(),
+                budget.in(
+                    qualities.with(condition.settings()).with(change.transition()), true))
             .allowing(allowed)
             .muted(mute)
             .with(motion(walked, session))

@@ -2,6 +2,7 @@ package org.selectiverenderer.cli.view;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
@@ -17,6 +18,7 @@ import org.selectiverenderer.browser.viewer.CameraPath;
 import org.selectiverenderer.browser.viewer.CameraPathReader;
 import org.selectiverenderer.cli.batch.BatchOutputFormat;
 import org.selectiverenderer.cli.batch.BatchRunner;
+import org.selectiverenderer.cli.option.BudgetOption;
 import org.selectiverenderer.cli.option.ConditionOptions;
 import org.selectiverenderer.cli.option.QualityOptions;
 import org.selectiverenderer.cli.option.FileArguments;
@@ -47,7 +49,9 @@ import picocli.CommandLine.Option;
       "  ./selective-renderer simulate scenes/trashcan.x3d \\",
       "      --path scenes/paths/desk-visit.csv",
       "  ./selective-renderer simulate scenes/ --path scenes/paths/desk-visit.csv \\",
-      "      --format json"
+      "      --format json",
+      "  ./selective-renderer simulate scenes/apartment.x3d \\",
+      "      --path scenes/paths/apartment-tour.csv --chart polygons.svg"
     })
 public final class SimulateCommand extends CliCommand {
   @Mixin private ScenesArgument scenes = new ScenesArgument();
@@ -90,6 +94,10 @@ public final class SimulateCommand extends CliCommand {
 
   @Mixin private QualityOptions qualities = new QualityOptions();
 
+  @Mixin private BudgetOption budget = new BudgetOption();
+
+  @Mixin private PolygonCurveOptions curve = new PolygonCurveOptions();
+
   @Mixin private FormatOption format = new FormatOption();
 
   private ContentAccessPolicy allowed = ContentAccessPolicy.none();
@@ -103,6 +111,7 @@ public final class SimulateCommand extends CliCommand {
     if (!(rate > 0) || Double.isInfinite(rate)) {
       throw CommandException.usage("--rate must be a number of frames per second above 0");
     }
+    budget.in(condition.settings(), false);
     ProblemCollector pathProblems = new ProblemCollector(console()::problem);
     Optional<CameraPath> walked = CameraPathReader.read(path, pathProblems);
     if (walked.isEmpty()) {
@@ -110,7 +119,11 @@ public final class SimulateCommand extends CliCommand {
     }
     FrameCountCheck.check(walked.get(), rate);
     allowed = access.access();
-    ExitStatus status = simulate(scenes.files(), walked.get());
+    FileArguments files = scenes.files();
+    List<Path> all = files.one() ? List.of(files.file()) : files.files(FileFinder.SCENES);
+    curve.check(all, path);
+    ExitStatus status = simulate(files, all, walked.get());
+    curve.write(all, path);
     return pathProblems.any() ? ExitStatus.PROBLEMS : status;
   }
 
@@ -128,12 +141,13 @@ public final class SimulateCommand extends CliCommand {
     return new TimelineText(!change.transition().equals(SwitchTransition.AT_ONCE));
   }
 
-  private ExitStatus simulate(FileArguments files, CameraPath walked) throws IOException {
+  private ExitStatus simulate(FileArguments files, List<Path> all, CameraPath walked)
+      throws IOException {
     if (!files.one()) {
       return new BatchRunner(
               console(), format.json() ? BatchOutputFormat.LINES : BatchOutputFormat.TEXTS)
           .run(
-              files.files(FileFinder.SCENES),
+              all,
               (scene, own) -> {
                 if (!format.json()) {
                   own.line(scene.toString());
@@ -156,14 +170,22 @@ public final class SimulateCommand extends CliCommand {
     Function<TimelineEvent, String> text = format.json() ? json::line : text()::line;
     RunSettings settings =
         new RunSettings(
-                scene, qualities.with(condition.settings()).with(change.transition()))
+                scene,
+                budget.in(
+                    qualities.with(condition.settings()).with(change.transition()), false))
             .allowing(allowed)
             .with(
                 MotionSettings.following(PathPlaybackSettings.at(rate, walked)).from(viewpoint()))
             .with(display());
     RunResult result =
         SceneRunner.simulated(
-            settings, new ConsoleRunListener(to, event -> to.line(text.apply(event))));
+            settings,
+            new ConsoleRunListener(
+                to,
+                event -> to.line(text.apply(event)),
+                Optional.empty(),
+                () -> {},
+                (t, polygons) -> curve.stepped(scene, t, polygons)));
     return result.problems() ? ExitStatus.PROBLEMS : ExitStatus.DONE;
   }
 }

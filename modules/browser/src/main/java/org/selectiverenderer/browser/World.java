@@ -54,6 +54,7 @@ public final class World {
   private final ConcurrentLinkedQueue<PointingDeviceState> pointed = new ConcurrentLinkedQueue<>();
 
   private final List<Runnable> stepListeners = new ArrayList<>();
+  private final List<Runnable> decisions = new ArrayList<>();
   private double time = Double.NaN;
   private double epoch = EPOCH;
   private volatile boolean running = true;
@@ -302,6 +303,15 @@ public final class World {
     stepListeners.add(listener);
   }
 
+  /**
+   * Adds a decision that is made in every step when the viewer has moved and all events have
+   * arrived; what it changes in the scene takes effect in the same step. Called on the stepping
+   * thread.
+   */
+  public void onSettled(Runnable decision) {
+    decisions.add(decision);
+  }
+
   public void running(boolean run) {
     running = run;
   }
@@ -343,6 +353,10 @@ public final class World {
     shown.scripts.prepare(epoch + now, viewer.position());
     layers.sense(epoch + now, cascade);
     shown.settle();
+    if (!decisions.isEmpty()) {
+      decisions.forEach(Runnable::run);
+      shown.settle();
+    }
   }
 
   private static <T> List<T> drain(Queue<T> queue) {

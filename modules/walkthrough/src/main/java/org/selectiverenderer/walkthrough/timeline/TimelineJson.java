@@ -67,6 +67,9 @@ public final class TimelineJson {
           .put("from", change.from())
           .put("to", change.to())
           .put("schema", change.schema());
+      if (change.cause().budget()) {
+        node.put("cause", "budget");
+      }
       change.seen().ifPresent(seen -> put(node, seen));
     } else if (event instanceof ControlEvent.FieldChange change) {
       node.put("event", "field")

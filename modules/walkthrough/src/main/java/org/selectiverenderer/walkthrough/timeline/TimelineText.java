@@ -5,6 +5,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
 import org.selectiverenderer.base.decimal.Pluralizer;
+import org.selectiverenderer.control.ChoiceCause;
 import org.selectiverenderer.control.ControlEvent;
 import org.selectiverenderer.control.SwitchVisibility;
 
@@ -78,7 +79,7 @@ public final class TimelineText {
                 s.switchName(),
                 s.from(),
                 s.to(),
-                by(s.schema()),
+                by(s.cause()),
                 sights ? s.seen().map(TimelineText::sight).orElse("") : ""));
   }
 
@@ -93,6 +94,10 @@ public final class TimelineText {
     return choices.isEmpty()
         ? ""
         : "; not shown, as it would have been seen: " + listed(choices);
+  }
+
+  private static String by(ChoiceCause cause) {
+    return cause.budget() ? " (budget)" : by(cause.schema());
   }
 
   private static String by(String schema) {
