@@ -12,6 +12,7 @@ import org.joml.Vector4d;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.browser.World;
 import org.selectiverenderer.browser.camera.Camera;
+import org.selectiverenderer.browser.camera.EyeCameras;
 import org.selectiverenderer.browser.collision.RayCaster;
 import org.selectiverenderer.browser.instance.ExtendedMaterial;
 import org.selectiverenderer.browser.instance.GroupInstance;
@@ -86,7 +87,7 @@ final class VisibilityEstimator {
    */
   Optional<Estimate> of(Node switchNode, int shown, int other, boolean exactly) {
     Estimate all = Estimate.NOTHING;
-    List<Camera> eyes = world.eyes();
+    List<Camera> eyes = EyeCameras.of(world);
     for (Instance instance : tree().instances(switchNode)) {
       if (!(instance instanceof GroupInstance group) || !group.shown()) {
         continue;

@@ -16,6 +16,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.browser.camera.Camera;
+import org.selectiverenderer.browser.camera.EyeCameras;
 import org.selectiverenderer.browser.viewer.Viewer;
 import org.selectiverenderer.control.ControlEvent.SwitchChange;
 import org.selectiverenderer.control.SelectiveController.Settings;
@@ -264,12 +265,12 @@ class TransitionTimingTest {
     Matrix4d narrow = new Matrix4d().setPerspective(Math.toRadians(20), 1, 0.1, 100);
     Matrix4d view = walk.world().viewer().view();
     Matrix4d turned = new Matrix4d().rotateY(Math.toRadians(50)).mul(view);
+    List<Camera> eyes =
+        List.of(
+            new Camera(view, narrow, 0, 0, 100, 100),
+            new Camera(turned, narrow, 100, 0, 100, 100));
     walk.world()
-        .seenBy(
-            List.of(
-                new Camera(view, narrow, 0, 0, 100, 100),
-                new Camera(turned, narrow, 100, 0, 100, 100)),
-            1);
+        .seenBy(EyeCameras.frames(eyes, 1, walk.world().viewer()), eyes.get(0).angle());
     frame(0, 50);
     assertThat(choices()).as("the second eye squints at it").isEmpty();
     frame(0, 90);
