@@ -159,6 +159,10 @@ public final class HeadTrackingSession implements AutoCloseable {
   public ViewerMotion begin(
       Walkthrough walk, ViewerMotion walking, @Nullable HeadTrackedCollision body)
       throws IOException {
+    Supplier<Optional<Vector3d>> gaze = eyes;
+    if (gaze != null) {
+      walk.budget().ifPresent(budget -> budget.gaze(gaze));
+    }
     if (files != null || listener != null) {
       double cone = settings.log().map(HeadLogSettings::coneDegrees).orElse(HeadLogSettings.CONE);
       recorder = HeadLogRecorder.open(files, listener, cone, eyes != null, settings, walk, problem);

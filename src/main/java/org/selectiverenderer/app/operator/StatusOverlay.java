@@ -51,6 +51,11 @@ public final class StatusOverlay {
     }
     lines.add(text("%.0f frames/s  (%.1f ms)", interval == 0 ? 0 : 1 / interval, interval * 1000));
     lines.add(text("%,d polygons in the scene, %,d drawn", walk.polygons(), drawn.triangles()));
+    walk.budget()
+        .ifPresent(
+            budget ->
+                lines.add(
+                    text("budget %s: %,d polygons", budget.budget(), budget.triangles())));
     Viewer viewer = walk.world().viewer();
     Vector3dc eye = viewer.position();
     Vector3d ahead = viewer.orientation().transform(new Vector3d(0, 0, -1));

@@ -270,6 +270,7 @@ final class SceneRun implements WorldController, AutoCloseable {
     }
     text.frame(drawn);
     keeper.frame(walk().polygons(), drawn);
+    walk().budget().ifPresent(budget -> budget.drawn(System.nanoTime() * 1e-9));
   }
 
   @Override

@@ -8,6 +8,7 @@ import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.run.RunResult;
 import org.selectiverenderer.app.run.SceneRunner;
+import org.selectiverenderer.app.settings.DisplaySettings;
 import org.selectiverenderer.app.settings.MotionSettings;
 import org.selectiverenderer.app.settings.PathPlaybackSettings;
 import org.selectiverenderer.app.settings.RunSettings;
@@ -17,16 +18,19 @@ import org.selectiverenderer.browser.viewer.CameraPath;
 import org.selectiverenderer.browser.viewer.CameraPathReader;
 import org.selectiverenderer.cli.batch.BatchOutputFormat;
 import org.selectiverenderer.cli.batch.BatchRunner;
+import org.selectiverenderer.cli.option.BudgetOption;
 import org.selectiverenderer.cli.option.ConditionOptions;
 import org.selectiverenderer.cli.option.QualityOptions;
 import org.selectiverenderer.cli.option.FileArguments;
 import org.selectiverenderer.cli.option.FormatOption;
 import org.selectiverenderer.cli.option.ScenesArgument;
+import org.selectiverenderer.cli.option.SwitchOption;
 import org.selectiverenderer.command.CliCommand;
 import org.selectiverenderer.command.option.AccessOptions;
 import org.selectiverenderer.command.output.CommandException;
 import org.selectiverenderer.command.output.Console;
 import org.selectiverenderer.command.output.ExitStatus;
+import org.selectiverenderer.schema.SwitchTransition;
 import org.selectiverenderer.walkthrough.timeline.TimelineEvent;
 import org.selectiverenderer.walkthrough.timeline.TimelineJson;
 import org.selectiverenderer.walkthrough.timeline.TimelineText;
@@ -78,7 +82,19 @@ public final class SimulateCommand extends CliCommand {
 
   @Mixin private ConditionOptions condition = new ConditionOptions();
 
+  @Mixin private SwitchOption change = new SwitchOption();
+
+  @Option(
+      names = "--size",
+      converter = PixelSize.Converter.class,
+      paramLabel = "WxH",
+      description =
+          "size of the picture in which what the viewer would see is counted (default: 1024x768)")
+  private @Nullable PixelSize size;
+
   @Mixin private QualityOptions qualities = new QualityOptions();
+
+  @Mixin private BudgetOption budget = new BudgetOption();
 
   @Mixin private PolygonCurveOptions curve = new PolygonCurveOptions();
 
@@ -95,6 +111,7 @@ public final class SimulateCommand extends CliCommand {
     if (!(rate > 0) || Double.isInfinite(rate)) {
       throw CommandException.usage("--rate must be a number of frames per second above 0");
     }
+    budget.in(condition.settings(), false);
     ProblemCollector pathProblems = new ProblemCollector(console()::problem);
     Optional<CameraPath> walked = CameraPathReader.read(path, pathProblems);
     if (walked.isEmpty()) {
@@ -112,6 +129,16 @@ public final class SimulateCommand extends CliCommand {
 
   private Optional<String> viewpoint() {
     return Optional.ofNullable(viewpoint);
+  }
+
+  private DisplaySettings display() {
+    return size == null
+        ? DisplaySettings.WINDOW
+        : DisplaySettings.WINDOW.sized(size.width(), size.height());
+  }
+
+  private TimelineText text() {
+    return new TimelineText(!change.transition().equals(SwitchTransition.AT_ONCE));
   }
 
   private ExitStatus simulate(FileArguments files, List<Path> all, CameraPath walked)
@@ -140,12 +167,16 @@ public final class SimulateCommand extends CliCommand {
 
   private ExitStatus simulate(Path scene, CameraPath walked, TimelineJson json, Console to)
       throws IOException, InterruptedException {
-    Function<TimelineEvent, String> text = format.json() ? json::line : new TimelineText()::line;
+    Function<TimelineEvent, String> text = format.json() ? json::line : text()::line;
     RunSettings settings =
-        new RunSettings(scene, qualities.with(condition.settings()))
+        new RunSettings(
+                scene,
+                budget.in(
+                    qualities.with(condition.settings()).with(change.transition()), false))
             .allowing(allowed)
             .with(
-                MotionSettings.following(PathPlaybackSettings.at(rate, walked)).from(viewpoint()));
+                MotionSettings.following(PathPlaybackSettings.at(rate, walked)).from(viewpoint()))
+            .with(display());
     RunResult result =
         SceneRunner.simulated(
             settings,

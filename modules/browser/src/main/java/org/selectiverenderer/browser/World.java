@@ -7,6 +7,7 @@ import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.browser.camera.Camera;
 import org.selectiverenderer.browser.collision.MeshBvhCache;
 import org.selectiverenderer.browser.instance.AssetProvider;
 import org.selectiverenderer.browser.instance.Background;
@@ -53,10 +54,12 @@ public final class World {
   private final ConcurrentLinkedQueue<PointingDeviceState> pointed = new ConcurrentLinkedQueue<>();
 
   private final List<Runnable> stepListeners = new ArrayList<>();
+  private final List<Runnable> decisions = new ArrayList<>();
   private double time = Double.NaN;
   private double epoch = EPOCH;
   private volatile boolean running = true;
   private DisplayMetrics picture = DisplayMetrics.DEFAULT;
+  private final EyeCameras eyes = new EyeCameras();
   private RunningScene shown;
 
   public World(LoadedScene loaded, ProblemCollector problems) {
@@ -171,7 +174,28 @@ public final class World {
    */
   public void seenIn(double width, double height, Optional<OrthographicExtent> frustum) {
     picture = new DisplayMetrics(width, height, frustum);
+    eyes.forget();
     shown.layers.see(picture);
+  }
+
+  /**
+   * Announces likewise that pictures of several eyes are about to be drawn.
+   *
+   * @param cameras the cameras of the eyes, of which the first determines the layout
+   * @param scale pixels of these cameras per desktop pixel
+   */
+  public void seenBy(List<Camera> cameras, double scale) {
+    Camera first = cameras.get(0);
+    seenIn(first.width() / scale, first.height() / scale, first.angle());
+    eyes.see(cameras, scale, viewer);
+  }
+
+  /**
+   * Returns the cameras of the viewer's eyes at its present pose, in desktop pixels: as {@link
+   * #seenBy} announced them last, or a single one. Their near and far planes have no meaning.
+   */
+  public List<Camera> eyes() {
+    return eyes.of(viewer, picture);
   }
 
   /** Returns the time that scripts may take, of this scene and of those that replace it. */
@@ -273,6 +297,15 @@ public final class World {
     stepListeners.add(listener);
   }
 
+  /**
+   * Adds a decision that is made in every step when the viewer has moved and all events have
+   * arrived; what it changes in the scene takes effect in the same step. Called on the stepping
+   * thread.
+   */
+  public void onSettled(Runnable decision) {
+    decisions.add(decision);
+  }
+
   public void running(boolean run) {
     running = run;
   }
@@ -314,6 +347,10 @@ public final class World {
     shown.scripts.prepare(epoch + now, viewer.position());
     layers.sense(epoch + now, cascade);
     shown.settle();
+    if (!decisions.isEmpty()) {
+      decisions.forEach(Runnable::run);
+      shown.settle();
+    }
   }
 
   private static <T> List<T> drain(Queue<T> queue) {

@@ -9,6 +9,7 @@ import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.control.budget.RenderingBudget;
 import org.selectiverenderer.sai.InlineSceneAccess;
+import org.selectiverenderer.sai.NodeNameAccess;
 import org.selectiverenderer.sai.ProtoBodyAccess;
 import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.schema.Quality;
@@ -211,6 +212,11 @@ public final class SelectiveController implements AutoCloseable {
     return scene == null ? List.of() : scene.choosable();
   }
 
+  /** Returns a number that changes when the consistency of one of these objects may have. */
+  public synchronized long consistencyVersion() {
+    return scene == null ? 0 : scene.consistencyVersion();
+  }
+
   /**
    * Shows a version that a budget has chosen, as soon as it may be shown.
    *
@@ -279,6 +285,7 @@ public final class SelectiveController implements AutoCloseable {
               new ListenerLock(this),
               opener(),
               bodies(),
+              browser instanceof NodeNameAccess names ? names : null,
               settings,
               timing,
               events,

@@ -13,6 +13,10 @@
  * browser: an index from schemas to Switches, so that activation costs what it changes. Uses {@code
  * schema}, {@code org.web3d.x3d.sai}, and {@code sai} for what a browser may offer beyond it; loads
  * no AWT and no GL.
+ *
+ * <p>A street of copies of one file has tens of thousands of objects. So metadata are read once by
+ * each object, what identical metadata say is found once ({@code SchemaCache}), and a browser that
+ * tells the names of nodes is asked for those of areas and objects alone.
  */
 @NullMarked
 package org.selectiverenderer.control;

@@ -28,20 +28,25 @@ final class FieldQualityReader {
   List<FieldQuality> read(MetadataNode ofSwitch) {
     List<FieldQuality> qualities = new ArrayList<>();
     Set<FieldReference> taken = new HashSet<>();
+    List<VersionMetadata> versions =
+        new SchemaReader(unheard -> {})
+            .switchNode(ofSwitch, Integer.MAX_VALUE)
+            .map(SwitchSchemas::choices)
+            .orElse(List.of());
     for (MetadataNode set : sets(ofSwitch)) {
       Optional<FieldReference> target = target(set);
-      if (target.isPresent() && !taken.add(target.get())) {
+      Optional<Quality> quality = quality(set);
+      if (target.isEmpty() || quality.isEmpty()) {
+        continue; // reported
+      }
+      if (!taken.add(target.get())) {
         report(
             Kind.FIELD_TWICE,
             set,
             "several qualities set " + target.get() + "; only the first one does");
         continue;
       }
-      Optional<Quality> quality = quality(set);
-      if (target.isEmpty() || quality.isEmpty()) {
-        continue; // reported
-      }
-      List<FieldLevel> levels = levels(set);
+      List<FieldLevel> levels = levels(set, versions);
       if (!levels.isEmpty()) {
         qualities.add(new FieldQuality(quality.get(), target.get(), levels));
       }
@@ -101,9 +106,12 @@ final class FieldQualityReader {
     return named(set);
   }
 
-  private List<FieldLevel> levels(MetadataNode set) {
+  private List<FieldLevel> levels(MetadataNode set, List<VersionMetadata> versions) {
     List<FieldLevel> levels = new ArrayList<>();
-    VersionMetadataReader reader = new VersionMetadataReader(problems);
+    List<SchemaProblem> silent = new ArrayList<>();
+    VersionMetadataReader reader =
+        new VersionMetadataReader(
+            problem -> hold(problem, silent));
     for (MetadataNode level : set.children()) {
       if (level.isSet()) {
         string(level, VALUE)
@@ -120,8 +128,27 @@ final class FieldQualityReader {
     }
     if (levels.isEmpty()) {
       report(Kind.NO_VALUE, set, "this field quality has no levels; it is ignored");
+      return levels;
     }
-    return levels;
+    LevelSchemas schemas = new LevelSchemas(levels);
+    if (schemas.own()) {
+      silent.forEach(problems);
+    } else if (!schemas.follow(versions)) {
+      report(
+          Kind.NO_SCHEMA,
+          set,
+          "neither the levels of this field quality nor the versions of the Switch name a schema;"
+              + " nothing activates a level");
+    }
+    return schemas.levels();
+  }
+
+  private void hold(SchemaProblem problem, List<SchemaProblem> silent) {
+    if (problem.kind() == Kind.NO_SCHEMA) {
+      silent.add(problem);
+    } else {
+      problems.accept(problem);
+    }
   }
 
   private static Optional<? extends MetadataNode> string(MetadataNode set, String name) {

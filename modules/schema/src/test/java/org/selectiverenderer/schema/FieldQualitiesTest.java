@@ -103,6 +103,44 @@ class FieldQualitiesTest {
   }
 
   @Test
+  void levelsWithoutSchemasFollowTheVersionsByTheNearestDegree() {
+    TestMetadataNode three =
+        set(
+            string("quality", "textures"),
+            string("field", "T.url"),
+            set(string("value", "a")),
+            set(string("value", "b")),
+            set(string("value", "c")));
+    TestMetadataNode sofa =
+        set(
+                choice("consistent", "high", "kitchen"),
+                choice("inconsistent", "low", "hall"),
+                choice("consistent", "0.6", "bath"))
+            .with(named("fieldQualities", three));
+    assertThat(reader.fieldQualities(sofa).get(0).schemas().choiceBySchema())
+        .isEqualTo(Map.of("kitchen", 2, "hall", 0, "bath", 1));
+    assertThat(problems).isEmpty();
+  }
+
+  @Test
+  void levelsThatNothingActivatesAreReportedOnce() {
+    TestMetadataNode sofa =
+        set()
+            .with(
+                named(
+                    "fieldQualities",
+                    set(
+                        string("quality", "textures"),
+                        string("field", "T.url"),
+                        set(string("value", "a")),
+                        set(string("value", "b")))));
+    SwitchSchemas levels = reader.fieldQualities(sofa).get(0).schemas();
+    assertThat(levels.mostDetailed()).isZero();
+    assertThat(levels.leastDetailed()).isEqualTo(1);
+    assertThat(kinds()).containsExactly(Kind.NO_SCHEMA);
+  }
+
+  @Test
   void anEmptyListIsAValue() {
     TestMetadataNode sofa =
         object(

@@ -2,7 +2,7 @@ package org.selectiverenderer.browser.instance;
 
 import java.util.Arrays;
 import java.util.Locale;
-import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.browser.scene.NamedMetadata;
 import org.selectiverenderer.browser.scene.Node;
 
 /**
@@ -24,33 +24,17 @@ public enum SurfaceShading {
 
   /** Reads the metadata of an Appearance: the MetadataString itself, or one in a MetadataSet. */
   static SurfaceShading of(Node appearance) {
-    Node metadata = appearance.node("metadata");
-    if (metadata == null) {
-      return UNSPECIFIED;
-    }
-    if (!metadata.type().name().equals("MetadataSet")) {
-      return word(metadata);
-    }
-    return metadata.nodes("value").stream()
-        .map(SurfaceShading::word)
-        .filter(shading -> shading != UNSPECIFIED)
-        .findFirst()
+    return NamedMetadata.find(appearance, "MetadataString", NAME)
+        .map(metadata -> metadata.strings("value"))
+        .filter(words -> words.length > 0)
+        .map(words -> of(words[0]))
         .orElse(UNSPECIFIED);
   }
 
-  private static SurfaceShading word(Node metadata) {
-    if (!metadata.type().name().equals("MetadataString")
-        || !metadata.string("name").strip().equals(NAME)) {
-      return UNSPECIFIED;
-    }
-    String[] values = (String[]) metadata.value(metadata.type().indexOf("value"));
-    return values.length == 0 ? UNSPECIFIED : of(values[0]);
-  }
-
-  private static SurfaceShading of(@Nullable String word) {
+  private static SurfaceShading of(String word) {
     return Arrays.stream(values())
         .filter(shading -> shading != UNSPECIFIED)
-        .filter(shading -> shading.name().equals(String.valueOf(word).strip().toUpperCase(Locale.ROOT)))
+        .filter(shading -> shading.name().toLowerCase(Locale.ROOT).equals(word.strip()))
         .findFirst()
         .orElse(UNSPECIFIED);
   }

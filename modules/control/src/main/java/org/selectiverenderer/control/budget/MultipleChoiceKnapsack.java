@@ -14,18 +14,19 @@ import java.util.function.IntConsumer;
  * triangle, until the next does not fit. What the whole problem's best solution could save beyond
  * that is less than this one step saves. Pisinger ("A minimal algorithm for the multiple-choice
  * knapsack problem", European Journal of Operational Research 83, 1995) calls it the greedy
- * solution; Funkhouser and Sequin (SIGGRAPH 1993) choose levels of detail by the same order.
+ * solution; Funkhouser and Sequin (SIGGRAPH 1993) choose levels of detail by the same order. Here,
+ * smaller steps that come later still get what is left.
  *
  * <p>From frame to frame only the weights of objects change. So the steps are not sorted: each is
  * in a bucket of steps whose saving per triangle is the same within a sixteenth of an octave (4 %),
  * and an object whose weight has left its class moves its steps to other buckets, in a time that
- * does not depend on the number of objects. A solution goes through the buckets, of which there
- * are 2048, and through the steps that it takes or drops.
+ * does not depend on the number of objects. A solution goes through the buckets, of which there are
+ * 2048, and through the steps that it takes, drops, or finds not to fit.
  *
  * <p>A step that is taken counts as more worth by the hysteresis, so that two objects of nearly
  * equal worth at the border do not take turns: another step takes its place only if that saves so
- * much more per triangle. While a budget grows and the weights stay, no object gets a lesser
- * version, and the same weights and the same budget again change nothing.
+ * much more per triangle. The same weights and the same budget again change nothing, and a larger
+ * budget never loses more.
  *
  * <p>Not thread-safe.
  */
@@ -44,6 +45,9 @@ public final class MultipleChoiceKnapsack {
    * more than a half, so that a weight at the border of two classes stays in one.
    */
   private static final double STAY = 0.75;
+
+  /** Steps that do not fit before the search for smaller ones ends. */
+  private static final int MISFITS = 1024;
 
   private final int hysteresis;
 
@@ -73,6 +77,8 @@ public final class MultipleChoiceKnapsack {
   /** For each bucket two lists: of steps not taken at an even index, of taken ones at the odd. */
   private final StepLists lists;
 
+  private final int[] dropped;
+  private int drops;
   private final int[] changed;
   private final boolean[] isChanged;
   private int changes;
@@ -109,6 +115,7 @@ public final class MultipleChoiceKnapsack {
     weightTo = new double[count];
     isChanged = new boolean[count];
     changed = new int[count];
+    dropped = new int[count];
     int steps = firstStep[count];
     version = new int[steps];
     stepCost = new long[steps];
@@ -202,68 +209,67 @@ public final class MultipleChoiceKnapsack {
       isChanged[changed[i]] = false;
     }
     changes = 0;
-    if (fill(budget)) {
+    fill(budget);
+    if (drops > 0) {
+      for (int i = 0; i < drops; i++) {
+        unlist(dropped[i]);
+        enlist(dropped[i]);
+      }
       // What was dropped counted as more worth than others that are now the next to take.
       fill(budget);
     }
   }
 
-  /** Goes through the steps until one does not fit; returns whether one was dropped. */
-  private boolean fill(long budget) {
+  /** Goes through the steps in the order of their worth, and takes, keeps or drops each. */
+  private void fill(long budget) {
+    drops = 0;
     long left = budget - leastCost;
-    boolean full = left < 0;
-    boolean dropped = false;
+    int misfits = 0;
     for (int at = 2 * BUCKETS - 1; at >= 0; at--) {
       long listed = lists.cost(at);
       if (listed == 0) {
         continue; // There is none, since every step costs something.
       }
-      boolean holdsTaken = (at & 1) == 1;
-      if (full) {
-        if (holdsTaken) {
-          drop(at, 0);
-          dropped = true;
-        }
+      if ((at & 1) == 1) {
+        left -= drops == 0 && listed <= left ? listed : keep(at, left);
         continue;
       }
-      full = listed > left;
-      if (!holdsTaken) {
-        left -= take(at, left);
-      } else {
-        dropped |= full;
-        left -= full ? drop(at, left) : listed;
+      for (int step = lists.first(at); step != StepLists.NONE && misfits < MISFITS; ) {
+        int following = lists.next(step);
+        int of = item[step];
+        if (stepCost[step] <= left && step == firstStep[of] + taken[of]) {
+          left -= stepCost[step];
+          lists.remove(step);
+          lists.append(step, at + 2 * hysteresis + 1);
+          taken[of]++;
+          note(of);
+        } else {
+          misfits++;
+        }
+        step = following;
       }
     }
     cost = budget < leastCost ? leastCost : budget - left;
-    return dropped;
   }
 
-  /** Takes the steps of a list, in its order, until one does not fit; returns what they cost. */
-  private long take(int from, long left) {
+  /**
+   * Keeps the steps of a list that fit and whose item has kept the steps before, and drops the
+   * others; returns what it keeps cost.
+   */
+  private long keep(int list, long left) {
     long sum = 0;
-    for (int step = lists.first(from);
-        step != StepLists.NONE && sum + stepCost[step] <= left;
-        step = lists.first(from)) {
-      sum += stepCost[step];
-      lists.remove(step);
-      lists.append(step, from + 2 * hysteresis + 1);
-      taken[item[step]]++;
-      note(item[step]);
+    for (int step = lists.first(list); step != StepLists.NONE; step = lists.next(step)) {
+      int of = item[step];
+      int number = step - firstStep[of];
+      if (number < taken[of] && sum + stepCost[step] <= left) {
+        sum += stepCost[step];
+      } else if (number < taken[of]) {
+        taken[of] = number; // The lists follow when all have been gone through.
+        note(of);
+        dropped[drops++] = of;
+      }
     }
     return sum;
-  }
-
-  /** Drops the last steps of a list until the others fit; returns what these cost. */
-  private long drop(int from, long left) {
-    while (lists.cost(from) > left) {
-      int step = lists.last(from);
-      lists.remove(step);
-      // Before the item's later steps, which have been dropped before it.
-      lists.prepend(step, from - 2 * hysteresis - 1);
-      taken[item[step]]--;
-      note(item[step]);
-    }
-    return lists.cost(from);
   }
 
   private void note(int of) {

@@ -37,9 +37,9 @@ final class StepLists {
     return head[of];
   }
 
-  /** Returns the last step of a list, or {@link #NONE}. */
-  int last(int of) {
-    return tail[of];
+  /** Returns the step after another one in its list, or {@link #NONE}. */
+  int next(int step) {
+    return next[step];
   }
 
   /** Returns what the steps of a list cost together. */
@@ -58,19 +58,6 @@ final class StepLists {
       next[tail[to]] = step;
     }
     tail[to] = step;
-  }
-
-  void prepend(int step, int to) {
-    list[step] = to;
-    sum[to] += costs[step];
-    next[step] = head[to];
-    previous[step] = NONE;
-    if (head[to] == NONE) {
-      tail[to] = step;
-    } else {
-      previous[head[to]] = step;
-    }
-    head[to] = step;
   }
 
   /** Removes a step from its list. */

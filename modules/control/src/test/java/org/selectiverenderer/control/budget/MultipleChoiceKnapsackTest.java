@@ -132,26 +132,39 @@ class MultipleChoiceKnapsackTest {
   }
 
   @Test
-  void aGrowingBudgetNeverGivesALesserVersion() {
+  void aGrowingBudgetNeverLosesMore() {
     Random random = new Random(7);
     List<VersionChoices> items = randomItems(random, 40);
+    double[] weights = random.doubles(40).toArray();
     for (double hysteresis : new double[] {0, 0.25, 1}) {
       MultipleChoiceKnapsack problem = new MultipleChoiceKnapsack(items, hysteresis);
       for (int i = 0; i < 40; i++) {
-        problem.weigh(i, random.nextDouble());
+        problem.weigh(i, weights[i]);
       }
-      long[] before = new long[40];
-      for (long budget = 0; budget < 60_000; budget += 113) {
+      double none = loss(items, weights, i -> items.get(i).hull()[0]);
+      double before = 0;
+      for (long budget = problem.leastCost(); budget < 40_000; budget += 31) {
         problem.solve(budget);
-        for (int i = 0; i < 40; i++) {
-          long now = items.get(i).costs().get(problem.choice(i));
-          assertThat(now).isGreaterThanOrEqualTo(before[i]);
-          before[i] = now;
-        }
+        assertThat(problem.cost()).isLessThanOrEqualTo(budget);
+        double saved = none - loss(items, weights, problem::choice);
+        assertThat(saved).isGreaterThanOrEqualTo(before * (1 - CLASS / 10));
+        before = saved;
       }
       assertThat(problem.cost())
           .isEqualTo(items.stream().mapToLong(MultipleChoiceKnapsackTest::dearest).sum());
     }
+  }
+
+  @Test
+  void smallerStepsGetWhatALargeOneLeaves() {
+    VersionChoices statue = choices(new long[] {10, 100_010}, 100, 0);
+    VersionChoices cup = choices(new long[] {10, 110, 210}, 0.05, 0.01, 0);
+    MultipleChoiceKnapsack problem = problem(statue, cup, cup);
+
+    assertThat(chosen(problem, 50_000)).containsExactly(0, 2, 2);
+    assertThat(chosen(problem, 250)).containsExactly(0, 1, 1);
+    assertThat(chosen(problem, 100_030)).containsExactly(1, 0, 0);
+    assertThat(chosen(problem, 100_130)).containsExactly(1, 1, 0);
   }
 
   @Test

@@ -51,7 +51,11 @@ final class LayerRenderer {
    */
   void begin(GL3 gl, World world, List<Camera> whole, boolean mono, double scale) {
     Camera eye = whole.get(0);
-    world.seenIn(eye.width() / scale, eye.height() / scale, mono ? Optional.empty() : eye.angle());
+    if (mono) {
+      world.seenIn(eye.width() / scale, eye.height() / scale, Optional.empty());
+    } else {
+      world.seenBy(whole, scale);
+    }
     List<LayerView> layers = world.layers();
     forget(gl, layers);
     drawings.clear();

@@ -1,0 +1,183 @@
+package org.selectiverenderer.walkthrough.budget;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.function.Supplier;
+import org.joml.Vector3dc;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.browser.World;
+import org.selectiverenderer.browser.instance.InstanceTree;
+import org.selectiverenderer.browser.scene.Node;
+import org.selectiverenderer.control.ChoosableObject;
+import org.selectiverenderer.control.SelectiveController;
+import org.selectiverenderer.control.budget.FrameTimeRegulator;
+import org.selectiverenderer.control.budget.MultipleChoiceKnapsack;
+import org.selectiverenderer.control.budget.RenderingBudget;
+import org.web3d.x3d.sai.X3DNode;
+
+/**
+ * Chooses in every frame the versions of a scene's objects that lose least within a budget. What is
+ * no enriched object, or is held, costs what it costs and is subtracted from the budget.
+ *
+ * <p>Belongs to the thread that steps the world.
+ */
+public final class VersionBudget {
+  /** A version takes the triangles of another if it is worth twice as much: so much more, as a share. */
+  private static final double HYSTERESIS = 1;
+
+  private final World world;
+  private final SelectiveController controller;
+  private final Function<X3DNode, Node> nodes;
+  private final RenderingBudget budget;
+  private final FrameTimeRegulator regulator;
+  private Supplier<? extends Optional<? extends Vector3dc>> gaze = Optional::empty;
+
+  private List<ChoosableObject> objects = List.of();
+  private @Nullable InstanceTree tree;
+  private long structure;
+  private long choices;
+  private long consistency;
+  private ObjectPlaces places;
+  private MultipleChoiceKnapsack problem;
+  private long chosenCost;
+  private long mostCost;
+  private long fixed;
+  private long triangles;
+  private double lastDrawn = Double.NaN;
+  private boolean toldTooSmall;
+
+  /**
+   * Keeps a world within a budget from now on: it chooses in every step.
+   *
+   * @param controller through which it shows the versions
+   * @param nodes returns the node behind an object of the SAI
+   */
+  public VersionBudget(
+      World world,
+      SelectiveController controller,
+      Function<X3DNode, Node> nodes,
+      RenderingBudget budget) {
+    this.world = world;
+    this.controller = controller;
+    this.nodes = nodes;
+    this.budget = budget;
+    regulator = new FrameTimeRegulator(budget.amount());
+    problem = new MultipleChoiceKnapsack(List.of(), HYSTERESIS);
+    places = new ObjectPlaces(List.of(), world.instances(), nodes);
+    world.onSettled(this::choose);
+  }
+
+  /**
+   * Lets objects count less that are away from where the eyes look.
+   *
+   * @param direction returns the direction of the gaze as a unit vector in the viewer's frame;
+   *     empty while it is not known
+   */
+  public void gaze(Supplier<? extends Optional<? extends Vector3dc>> direction) {
+    gaze = direction;
+  }
+
+  /**
+   * Hears that a frame has been drawn. For a budget of milliseconds, what counts is the time from
+   * one frame to the next.
+   *
+   * @param seconds time of any clock
+   */
+  public void drawn(double seconds) {
+    if (!Double.isNaN(lastDrawn)) {
+      regulator.frame((seconds - lastDrawn) * 1000, world.shownPolygons());
+    }
+    lastDrawn = seconds;
+  }
+
+  /** Returns what the budget is. */
+  public RenderingBudget budget() {
+    return budget;
+  }
+
+  /** Returns the triangles that the scene may have now. */
+  public long triangles() {
+    return triangles;
+  }
+
+  private void choose() {
+    InstanceTree now = world.instances();
+    List<ChoosableObject> choosable = controller.choosable();
+    boolean other =
+        choosable != objects || now != tree || structure != now.structureVersion();
+    if (other) {
+      objects = choosable;
+      tree = now;
+      structure = now.structureVersion();
+      places = new ObjectPlaces(objects, now, nodes);
+      problem = new MultipleChoiceKnapsack(places.choices(), HYSTERESIS);
+    } else if (places.stale(now)) {
+      places.moved(now);
+    }
+    if (other || places.nested() || choices != now.choiceVersion()) {
+      choices = now.choiceVersion(); // Others have changed Switches too.
+      count();
+    }
+    fixed = world.shownPolygons() - chosenCost;
+    if (other || consistency != controller.consistencyVersion()) {
+      consistency = controller.consistencyVersion();
+      places.readConsistency();
+    }
+    places.weigh(world.viewer(), gaze.get(), problem::weigh);
+    triangles = allowed();
+    problem.solve(triangles - fixed);
+    double time = world.cascade().time();
+    if (other) {
+      for (int i = 0; i < objects.size(); i++) {
+        show(i, time);
+      }
+    } else {
+      problem.forEachChanged(i -> show(i, time));
+    }
+  }
+
+  private void show(int object, double time) {
+    ChoosableObject chosen = objects.get(object);
+    int before = chosen.shown();
+    controller.choose(chosen, problem.choice(object), time);
+    if (chosen.shown() != before) {
+      chosenCost += places.cost(object, chosen.shown()) - places.cost(object, before);
+      choices += places.count(object); // In each of its places a group has another choice.
+    }
+  }
+
+  /** Finds out which objects are shown, and what they cost. */
+  private void count() {
+    chosenCost = 0;
+    mostCost = 0;
+    for (int i = 0; i < objects.size(); i++) {
+      boolean there = places.shown(i);
+      problem.present(i, there);
+      if (there) {
+        chosenCost += places.cost(i, objects.get(i).shown());
+        mostCost += places.mostCost(i);
+      }
+    }
+  }
+
+  private long allowed() {
+    long least = fixed + problem.leastCost();
+    if (budget.unit() == RenderingBudget.Unit.MS) {
+      return regulator.triangles(least, fixed + mostCost);
+    }
+    long wanted = (long) budget.amount();
+    if (wanted < least && !toldTooSmall) {
+      toldTooSmall = true;
+      world
+          .problems()
+          .info(
+              SourceLocation.of(world.scene().url()),
+              ("the budget of %d triangles is less than the %d of the scene with the smallest "
+                      + "versions of all objects, which are shown")
+                  .formatted(wanted, least));
+    }
+    return wanted;
+  }
+}
