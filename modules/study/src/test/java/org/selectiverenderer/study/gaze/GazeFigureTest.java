@@ -137,7 +137,7 @@ class GazeFigureTest {
   }
 
   private static String plot(List<String> figures) {
-    String[] names = {"dwell alone", "size taken out", "and ratings"};
+    String[] names = {"dwell alone", "from gaze", "and from ratings"};
     List<Curve> curves = new ArrayList<>();
     for (int column = 1; column <= names.length; column++) {
       List<Point> points = new ArrayList<>();

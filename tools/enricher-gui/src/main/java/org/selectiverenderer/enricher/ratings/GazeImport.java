@@ -57,6 +57,12 @@ final class GazeImport {
     }
   }
 
+  /** Whether what follows for an object and a schema comes from an accepted proposal. */
+  boolean told(String object, String schema) {
+    return chosen().stream()
+        .anyMatch(each -> each.object().equals(object) && each.schema().equals(schema));
+  }
+
   /** The accepted proposals. */
   List<GazeProposal> chosen() {
     return proposals.stream().filter(this::accepted).toList();
