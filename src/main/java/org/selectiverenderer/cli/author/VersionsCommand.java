@@ -24,6 +24,7 @@ import org.selectiverenderer.cli.option.DryRunOption;
 import org.selectiverenderer.command.CliCommand;
 import org.selectiverenderer.command.option.AccessOptions;
 import org.selectiverenderer.command.option.SceneArgument;
+import org.selectiverenderer.command.output.CommandException;
 import org.selectiverenderer.command.output.CommandFileCheck;
 import org.selectiverenderer.command.output.Console;
 import org.selectiverenderer.command.output.ExitStatus;
@@ -42,11 +43,15 @@ import picocli.CommandLine.Option;
       "Makes versions of an object, or of all, and puts Switches in their place.",
       "The original becomes version 1; each number asked for makes one more. The "
           + "rest of the scene stays as it is, byte for byte. A second run makes new "
-          + "versions from version 1."
+          + "versions from version 1.",
+      "--texture-percent and --shading make no further version, but levels of fields that "
+          + "the controller sets in the object as it is (docs/qualities.md)."
     },
     footer = {
       "  ./selective-renderer versions docs/examples/music-room.x3d --object Vase \\",
       "      --vert-percent 10 --dry-run",
+      "  ./selective-renderer versions docs/examples/qualities/jug.x3d --object Jug \\",
+      "      --texture-percent 25 --shading flat --dry-run",
       "  ./selective-renderer versions docs/examples/music-room.x3d --all \\",
       "      --max-error 0.02 --dry-run"
     })
@@ -123,8 +128,10 @@ public final class VersionsCommand extends CliCommand {
           "with --all: only objects with at least so many polygons (default: ${DEFAULT-VALUE})")
   private int above = VersionCandidateFinder.FEW;
 
-  @ArgGroup(exclusive = true, multiplicity = "1")
+  @ArgGroup(exclusive = true, multiplicity = "0..1")
   private GoalOptions options = new GoalOptions();
+
+  @Mixin private QualityLevelOptions qualities = new QualityLevelOptions();
 
   @Option(
       names = "--output",
@@ -152,6 +159,14 @@ public final class VersionsCommand extends CliCommand {
   public ExitStatus run() throws IOException {
     List<SimplificationTarget> goals = options.goals();
     ProblemCollector problems = new ProblemCollector(console()::problem);
+    if (goals.isEmpty() == qualities.isEmpty()) {
+      throw CommandException.usage(
+          goals.isEmpty()
+              ? "say what the versions differ in: --vert-percent, --polygons, --max-error,"
+                  + " --texture-percent or --shading"
+              : "--texture-percent and --shading are a run of their own; make the versions by"
+                  + " polygons first, then the levels in their files");
+    }
     OutputFile.check("--output", output, ".x3d", ".x3dz");
     VersionsEdit.Request request =
         new VersionsEdit.Request(
@@ -167,6 +182,14 @@ public final class VersionsCommand extends CliCommand {
             scene.file(), request.output(), "versions are written", catalogue, problems);
     if (file.isEmpty()) {
       return ExitStatus.PROBLEMS;
+    }
+    if (!qualities.isEmpty()) {
+      if (objects.all) {
+        throw CommandException.usage("--texture-percent and --shading take an --object, not --all");
+      }
+      return new QualityLevelWriter(console(), dryRun.asked(), scene.file(), request.output())
+          .write(
+              file.get(), qualities.request(objects.object), access.access(), catalogue, problems);
     }
     DocumentSnapshot document = file.get().document().snapshot();
     if (objects.all) {
@@ -307,7 +330,7 @@ public final class VersionsCommand extends CliCommand {
   }
 
   /** Shortens long texts to their first and last lines, because geometry may take megabytes. */
-  private static List<String> shortened(List<String> lines) {
+  static List<String> shortened(List<String> lines) {
     List<String> kept = new ArrayList<>();
     for (int i = 0; i < lines.size(); i++) {
       if (i < HEAD || i >= lines.size() - TAIL) {

@@ -66,7 +66,8 @@ public final class ExperimentCommand extends CliCommand {
         new ExperimentViewCommand(console()),
         new ExperimentAnalyseCommand(console()),
         new ExperimentAnovaCommand(console()),
-        new ExperimentSimulateCommand(console()));
+        new ExperimentSimulateCommand(console()),
+        new ExperimentReplicateCommand(console()));
   }
 
   @Override

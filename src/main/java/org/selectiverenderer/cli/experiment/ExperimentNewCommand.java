@@ -3,25 +3,17 @@ package org.selectiverenderer.cli.experiment;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.examples.ExampleFinder;
 import org.selectiverenderer.base.files.SettingsFolder;
-import org.selectiverenderer.base.problem.ProblemCollector;
-import org.selectiverenderer.base.trust.PermissionRequests;
-import org.selectiverenderer.base.trust.TrustStore;
 import org.selectiverenderer.command.CliCommand;
 import org.selectiverenderer.command.output.CommandException;
 import org.selectiverenderer.command.output.Console;
 import org.selectiverenderer.command.output.ExitStatus;
-import org.selectiverenderer.study.definition.StudyPermissions;
-import org.selectiverenderer.study.definition.StudyReader;
 import org.selectiverenderer.study.definition.StudyTemplate;
-import org.selectiverenderer.study.threshold.ThresholdStudy;
-import org.selectiverenderer.study.threshold.ThresholdStudyReader;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Option;
@@ -47,7 +39,7 @@ final class ExperimentNewCommand extends CliCommand {
   /** The scene that stands in for it where the examples are those that the program brings. */
   private static final String UNLIT_SCENE = "scenes/apartment.x3d";
 
-  private static final String GET_EXAMPLES =
+  static final String GET_EXAMPLES =
       "get the examples with selective-renderer examples DIR, or type this in their folder";
 
   @Parameters(paramLabel = "DIR", description = "folder of the study; created if it does not exist")
@@ -154,42 +146,13 @@ final class ExperimentNewCommand extends CliCommand {
   }
 
   private ExitStatus written(Path study) throws IOException {
-    trust(study);
+    NewStudyTrust.remember(study, console());
     console().message("study: " + study);
     return ExitStatus.DONE;
   }
 
-  /**
-   * Remembers that the user agrees to what the new study, its pilot and the threshold pilot ask
-   * for: the scene that the user has named, and the tracker of the template.
-   */
-  private void trust(Path study) throws IOException {
-    TrustStore store = new TrustStore(SettingsFolder.ofUser());
-    ProblemCollector problems = new ProblemCollector();
-    List<PermissionRequests> asked = new ArrayList<>();
-    Path pilot = study.resolveSibling("pilot");
-    StudyReader.read(study, problems).map(StudyPermissions::of).ifPresent(asked::add);
-    if (design == null) {
-      StudyReader.read(pilot.resolve(StudyTemplate.STUDY), problems)
-          .map(StudyPermissions::of)
-          .ifPresent(asked::add);
-      ThresholdStudyReader.read(pilot.resolve("threshold.json"), problems)
-          .map(ThresholdStudy::permissions)
-          .ifPresent(asked::add);
-    }
-    try {
-      for (PermissionRequests each : asked) {
-        if (!each.isEmpty()) {
-          store.remember(each);
-        }
-      }
-    } catch (IOException e) {
-      console().message("sessions will ask about the study's scene: " + e.getMessage());
-    }
-  }
-
   /** Returns the default scene; the best one that there is. */
-  private static Path usual() {
+  static Path usual() {
     return examples().find(List.of(DEFAULT_SCENE, UNLIT_SCENE)).orElse(Path.of(DEFAULT_SCENE));
   }
 

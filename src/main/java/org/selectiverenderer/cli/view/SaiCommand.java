@@ -16,6 +16,7 @@ import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.browser.viewer.CameraPath;
 import org.selectiverenderer.browser.viewer.CameraPathReader;
 import org.selectiverenderer.cli.option.ConditionOptions;
+import org.selectiverenderer.cli.option.QualityOptions;
 import org.selectiverenderer.command.CliCommand;
 import org.selectiverenderer.command.LibraryProperties;
 import org.selectiverenderer.command.output.CommandException;
@@ -49,6 +50,8 @@ public final class SaiCommand extends CliCommand {
   private Path scene = Path.of("");
 
   @Mixin private ConditionOptions condition = new ConditionOptions();
+
+  @Mixin private QualityOptions qualities = new QualityOptions();
 
   @Option(
       names = "--path",
@@ -140,7 +143,7 @@ public final class SaiCommand extends CliCommand {
   }
 
   private SelectiveController.Settings settings() {
-    SelectiveController.Settings settings = condition.settings();
+    SelectiveController.Settings settings = qualities.with(condition.settings());
     if (!observe) {
       return settings;
     }

@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 
 /**
- * The one way in which an object gets another choice during a walk. A choice that may not be shown
+ * The one way in which a version or a level is chosen during a walk. A choice that may not be shown
  * yet waits; the latest one wanted counts, and takes the place of the one that waited. An object
  * that is wanted as it is shown does not change at all.
  */
@@ -18,7 +18,7 @@ final class ChoiceQueue {
   private final SwitchTiming timing;
   private final Consumer<ControlEvent> events;
   private final Consumer<ControlProblem> problems;
-  private final Map<VersionedObject, Wanted> waiting = new LinkedHashMap<>();
+  private final Map<ControlledChoice, Wanted> waiting = new LinkedHashMap<>();
 
   ChoiceQueue(
       SwitchTiming timing, Consumer<ControlEvent> events, Consumer<ControlProblem> problems) {
@@ -32,15 +32,15 @@ final class ChoiceQueue {
    *
    * @param time time stamp in seconds
    */
-  void want(VersionedObject object, int choice, ChoiceCause cause, double time) {
-    waiting.remove(object);
-    if (choice == object.shown()) {
+  void want(ControlledChoice one, int choice, ChoiceCause cause, double time) {
+    waiting.remove(one);
+    if (choice == one.shown()) {
       return;
     }
-    if (timing.mayShow(object.node(), choice)) {
-      show(object, choice, cause, time);
+    if (timing.mayShow(one.node(), one.child(choice))) {
+      show(one, choice, cause, time);
     } else {
-      waiting.put(object, new Wanted(choice, cause));
+      waiting.put(one, new Wanted(choice, cause));
     }
   }
 
@@ -50,36 +50,41 @@ final class ChoiceQueue {
    * @param time time stamp in seconds
    */
   void showDue(double time) {
-    Iterator<Map.Entry<VersionedObject, Wanted>> all = waiting.entrySet().iterator();
-    Map<VersionedObject, Wanted> due = new LinkedHashMap<>();
+    Iterator<Map.Entry<ControlledChoice, Wanted>> all = waiting.entrySet().iterator();
+    Map<ControlledChoice, Wanted> due = new LinkedHashMap<>();
     while (all.hasNext()) {
-      Map.Entry<VersionedObject, Wanted> one = all.next();
-      if (timing.mayShow(one.getKey().node(), one.getValue().choice())) {
-        due.put(one.getKey(), one.getValue());
+      Map.Entry<ControlledChoice, Wanted> next = all.next();
+      ControlledChoice one = next.getKey();
+      if (timing.mayShow(one.node(), one.child(next.getValue().choice()))) {
+        due.put(one, next.getValue());
         all.remove();
       }
     }
-    due.forEach((object, wanted) -> show(object, wanted.choice(), wanted.cause(), time));
+    due.forEach((one, wanted) -> show(one, wanted.choice(), wanted.cause(), time));
   }
 
   /** Shows a choice whether it may be seen or not. */
-  void show(VersionedObject object, int choice, ChoiceCause cause, double time) {
-    int from = object.shown();
-    Optional<SwitchVisibility> seen = timing.shows(object.node(), choice);
-    object.show(choice).ifPresent(problems);
-    events.accept(
-        new ControlEvent.SwitchChange(time, object.name(), from, choice, cause, seen));
+  void show(ControlledChoice one, int choice, ChoiceCause cause, double time) {
+    int from = one.shown();
+    Optional<SwitchVisibility> seen = timing.shows(one.node(), one.child(choice));
+    one.show(choice).ifPresent(problems);
+    events.accept(one.change(time, from, choice, cause, seen));
   }
 
   /** Drops what waits for an object, because others have set its choice or it is gone. */
-  void forget(VersionedObject object) {
-    waiting.remove(object);
+  void forget(ControlledChoice one) {
+    waiting.remove(one);
   }
 
   /** Returns the choices that wait, by the names of their objects, in the order they came. */
   Map<String, Integer> waiting() {
     Map<String, Integer> choices = new LinkedHashMap<>();
-    waiting.forEach((object, wanted) -> choices.put(object.name(), wanted.choice()));
+    waiting.forEach(
+        (one, wanted) -> {
+          if (one instanceof VersionedObject object) {
+            choices.put(object.name(), wanted.choice());
+          }
+        });
     return choices;
   }
 }

@@ -12,7 +12,7 @@ import org.web3d.x3d.sai.X3DNode;
 
 /**
  * Listens for changes of a node's metadata at every depth: another metadata node, other members of
- * a set, other names or values. Field objects are kept, because a browser may know a listener only
+ * a set, other names or values; and of the metadata of that metadata, where field qualities stand. Field objects are kept, because a browser may know a listener only
  * by the very field object that it was added to.
  */
 final class MetadataWatcher {
@@ -36,7 +36,13 @@ final class MetadataWatcher {
     List<X3DField> fields = new ArrayList<>();
     watch(owner, "metadata", fields);
     Optional<SaiMetadata> metadata = SaiMetadata.of(owner);
-    metadata.ifPresent(source -> watch(source, new HashSet<>(), fields));
+    metadata.ifPresent(
+        source -> {
+          Set<X3DNode> seen = new HashSet<>();
+          watch(source, false, seen, fields);
+          watch(source.node(), "metadata", fields);
+          source.metadata().ifPresent(inner -> watch(inner, true, seen, fields));
+        });
     watched = List.copyOf(fields); // compact: a scene may have very many
     return metadata;
   }
@@ -47,13 +53,14 @@ final class MetadataWatcher {
     watched = List.of();
   }
 
-  private void watch(SaiMetadata source, Set<X3DNode> seen, List<X3DField> fields) {
+  private void watch(
+      SaiMetadata source, boolean inner, Set<X3DNode> seen, List<X3DField> fields) {
     if (seen.add(source.node())) {
       watch(source.node(), "value", fields);
-      if (!source.isSet()) { // the name of a set has no meaning
+      if (!source.isSet() || inner) { // the name of a set of choices has no meaning
         watch(source.node(), "name", fields);
       }
-      source.children().forEach(child -> watch(child, seen, fields));
+      source.children().forEach(child -> watch(child, inner, seen, fields));
     }
   }
 

@@ -2,6 +2,7 @@ package org.selectiverenderer.control;
 
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.EnumMap;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -17,12 +18,11 @@ import org.selectiverenderer.control.ControlProblem.Severity;
 import org.selectiverenderer.control.SceneGraphWatcher.Found;
 import org.selectiverenderer.control.SelectiveController.Settings;
 import org.selectiverenderer.sai.InlineSceneAccess;
+import org.selectiverenderer.sai.NodeNameAccess;
+import org.selectiverenderer.schema.Quality;
 import org.selectiverenderer.schema.SchemaActivation;
 import org.selectiverenderer.schema.SchemaActivation.Change;
-import org.selectiverenderer.schema.SchemaUsage;
-import org.selectiverenderer.schema.SchemaUsage.Unmatched;
 import org.selectiverenderer.schema.SwitchSchemas;
-import org.selectiverenderer.schema.VersionMetadata;
 import org.web3d.x3d.sai.X3DExecutionContext;
 import org.web3d.x3d.sai.X3DNode;
 import org.web3d.x3d.sai.environmentalsensor.ProximitySensor;
@@ -30,14 +30,18 @@ import org.web3d.x3d.sai.grouping.Switch;
 
 /** Controls one scene, from the start of its control to the end. */
 final class SceneController implements ControlledArea.Listener {
+  /** Tells the random seeds of qualities apart. */
+  private static final long SPREAD = 1_000_003;
+
   private final ListenerLock turn;
   private final Settings settings;
   private final Consumer<ControlEvent> events;
   private final Consumer<ControlProblem> problems;
   private final NodeNameRegistry names = new NodeNameRegistry();
+  private final SchemaCache cache = new SchemaCache();
   private final @Nullable InlineSceneAccess inlined;
   private final SceneGraphWatcher walk;
-  private final SchemaActivation<ControlledArea, VersionedObject> activation =
+  private final SchemaActivation<ControlledArea, ControlledChoice> activation =
       new SchemaActivation<>();
   private final Map<X3DNode, ControlledArea> areas = new LinkedHashMap<>();
   private final Map<X3DNode, VersionedObject> objects = new LinkedHashMap<>();
@@ -53,12 +57,14 @@ final class SceneController implements ControlledArea.Listener {
    * @param inlined gives access to the scenes of Inlines; null where the browser does not
    * @param bodies maps prototype instances to the first nodes of their bodies, and other nodes to
    *     themselves
+   * @param namesAccess tells the names of nodes; null where the browser does not
    */
   SceneController(
       X3DExecutionContext scene,
       ListenerLock turn,
       @Nullable InlineSceneAccess inlined,
       UnaryOperator<X3DNode> bodies,
+      @Nullable NodeNameAccess namesAccess,
       Settings settings,
       SwitchTiming timing,
       Consumer<ControlEvent> events,
@@ -72,20 +78,27 @@ final class SceneController implements ControlledArea.Listener {
     this.inlined = inlined;
     this.walk =
         new SceneGraphWatcher(
-            scene, inlined, bodies, Set.of("Switch", "ProximitySensor"), turn, this::changed);
+            scene,
+            inlined,
+            bodies,
+            namesAccess,
+            Set.of("Switch", "ProximitySensor"),
+            turn,
+            this::changed);
   }
 
   /** Reads the scene, sets the choices of the condition, and reports the start. */
   void start() {
     walk.rescan(now);
-    setOut(objects.values(), settings.seed(), true);
+    setOut(choicesOf(objects.values()), settings.seed(), true);
+    objects.values().forEach(this::hold);
     started = true;
     problems().forEach(problems);
     UnmatchedSchemaCheck.of(areas.values(), objects.values()).forEach(problems);
     if (inlined == null) {
       closedInlines().ifPresent(problems);
     }
-    events.accept(new ControlEvent.Start(now, choices()));
+    events.accept(new ControlEvent.Start(now, choices(), levels()));
     areas.values().forEach(this::enterIfInside);
   }
 
@@ -136,7 +149,7 @@ final class SceneController implements ControlledArea.Listener {
   }
 
   private void hold(VersionedObject object) {
-    Integer choice = held.get(object.name());
+    Integer choice = held.isEmpty() ? null : held.get(object.name());
     if (choice != null) {
       show(object, choice);
     }
@@ -215,6 +228,19 @@ final class SceneController implements ControlledArea.Listener {
     return choices;
   }
 
+  /** Returns the levels of the objects' fields, by the names of objects and fields. */
+  private Map<String, Map<String, Integer>> levels() {
+    Map<String, Map<String, Integer>> levels = new LinkedHashMap<>();
+    for (VersionedObject object : objects.values()) {
+      for (ControlledField field : object.fields()) {
+        levels
+            .computeIfAbsent(object.name(), name -> new LinkedHashMap<>())
+            .put(field.target().toString(), field.shown());
+      }
+    }
+    return levels;
+  }
+
   @Override
   public void entered(ControlledArea area, double time) {
     now = time;
@@ -256,16 +282,19 @@ final class SceneController implements ControlledArea.Listener {
     now = time;
     boolean known = object.schemas().isPresent();
     List<ControlProblem> before = object.problems();
+    object.fields().forEach(this::forget);
     object.read();
     choosable = null;
     consistencyVersion++;
     reportNew(before, object.problems());
+    List<ControlledChoice> choices = new ArrayList<>(object.fields());
     if (object.schemas().isEmpty()) {
-      queue.forget(object);
-      activation.removeSwitch(object);
-    } else if (!known || settings.condition().switches()) {
-      setOut(List.of(object), settings.seed() + objects.size(), !known);
+      forget((ControlledChoice) object);
+    } else if (!known || settings.follows(object.schemas().get().quality())) {
+      choices.add(0, object);
     }
+    setOut(choices, settings.seed() + objects.size(), !known);
+    hold(object);
   }
 
   private void reportNew(List<ControlProblem> before, List<ControlProblem> now) {
@@ -285,6 +314,17 @@ final class SceneController implements ControlledArea.Listener {
     activation.noteShown(object, object.shown());
   }
 
+  /** Records the value of a field that others have set; it stays until the next activation. */
+  private void levelChanged(ControlledField field, int from, double time) {
+    if (!settings.controls()) {
+      now = time;
+      events.accept(
+          field.change(time, from, field.shown(), ChoiceCause.SCENE, Optional.empty()));
+    }
+    queue.forget(field);
+    activation.noteShown(field, field.shown());
+  }
+
   private void changed(List<Found> found, List<X3DNode> lost, double time) {
     now = time;
     choosable = null;
@@ -294,14 +334,21 @@ final class SceneController implements ControlledArea.Listener {
     for (Found one : found) {
       X3DNode node = one.node();
       if (node instanceof ProximitySensor sensor) {
-        ControlledArea area = new ControlledArea(sensor, () -> names.of(node), turn, this);
+        ControlledArea area = new ControlledArea(sensor, () -> names.of(node), turn, cache, this);
         areas.put(node, area);
         area.schemas().ifPresent(schemas -> activation.putArea(area, schemas));
         foundAreas.add(area);
       } else if (node instanceof Switch versions) {
         VersionedObject object =
             new VersionedObject(
-                versions, () -> names.of(node), turn, this::objectChanged, this::choiceChanged);
+                versions,
+                one.scope(),
+                () -> names.of(node),
+                turn,
+                cache,
+                this::objectChanged,
+                this::choiceChanged,
+                this::levelChanged);
         objects.put(node, object);
         foundObjects.add(object);
       }
@@ -310,7 +357,8 @@ final class SceneController implements ControlledArea.Listener {
     if (started) {
       foundAreas.forEach(area -> reportNew(List.of(), area.problems()));
       foundObjects.forEach(object -> reportNew(List.of(), object.problems()));
-      setOut(foundObjects, settings.seed() + objects.size(), true);
+      setOut(choicesOf(foundObjects), settings.seed() + objects.size(), true);
+      foundObjects.forEach(this::hold);
       foundAreas.forEach(this::enterIfInside);
     }
   }
@@ -319,8 +367,8 @@ final class SceneController implements ControlledArea.Listener {
     VersionedObject object = objects.remove(node);
     if (object != null) {
       object.close();
-      queue.forget(object);
-      activation.removeSwitch(object);
+      forget((ControlledChoice) object);
+      object.fields().forEach(this::forget);
     }
     ControlledArea area = areas.remove(node);
     if (area != null) {
@@ -330,6 +378,11 @@ final class SceneController implements ControlledArea.Listener {
     names.remove(node);
   }
 
+  private void forget(ControlledChoice choice) {
+    queue.forget(choice);
+    activation.removeSwitch(choice);
+  }
+
   /** Enters an area if the viewer is in it already, since its sensor will send no entry event. */
   private void enterIfInside(ControlledArea area) {
     if (area.active()) {
@@ -337,32 +390,56 @@ final class SceneController implements ControlledArea.Listener {
     }
   }
 
+  /** Returns the objects, each followed by its fields. */
+  private static List<ControlledChoice> choicesOf(Collection<VersionedObject> objects) {
+    List<ControlledChoice> choices = new ArrayList<>();
+    for (VersionedObject object : objects) {
+      choices.add(object);
+      choices.addAll(object.fields());
+    }
+    return choices;
+  }
+
   /**
-   * Sets objects to the choices that the condition requires.
+   * Sets new choices as the condition and the rules of qualities require. Each quality has a random
+   * seed of its own, so that another one more does not change which versions are drawn.
    *
    * @param fresh whether the viewer has not seen them yet, so that no choice has to wait
    */
-  private void setOut(Collection<VersionedObject> candidates, long seed, boolean fresh) {
+  private void setOut(
+      Collection<? extends ControlledChoice> candidates, long seed, boolean fresh) {
     if (!settings.controls()) {
       return;
     }
-    Map<VersionedObject, SwitchSchemas> enriched = new LinkedHashMap<>();
-    for (VersionedObject object : candidates) {
-      object.schemas().ifPresent(schemas -> enriched.put(object, schemas));
+    Map<Quality, Map<ControlledChoice, SwitchSchemas>> conditional = new EnumMap<>(Quality.class);
+    for (ControlledChoice choice : candidates) {
+      choice.schemas().ifPresent(schemas -> setOut(choice, schemas, conditional, fresh));
     }
-    if (settings.condition().switches()) {
-      enriched.forEach(
-          (object, schemas) -> {
-            if (fresh) {
-              callFor(object, object.shown());
-            }
-            apply(activation.putSwitch(object, schemas, object.shown()).stream().toList(), fresh);
-          });
+    conditional.forEach(
+        (quality, choices) ->
+            settings
+                .condition()
+                .initialChoices(choices, activatedSchemas(), seed + SPREAD * quality.ordinal())
+                .forEach(this::show));
+  }
+
+  private void setOut(
+      ControlledChoice choice,
+      SwitchSchemas schemas,
+      Map<Quality, Map<ControlledChoice, SwitchSchemas>> conditional,
+      boolean fresh) {
+    Quality quality = schemas.quality();
+    if (settings.follows(quality)) {
+      if (fresh && choice instanceof VersionedObject object) {
+        callFor(object, object.shown());
+      }
+      apply(activation.putSwitch(choice, schemas, choice.shown()).stream().toList(), fresh);
+    } else if (settings.rule(quality).isPresent()) {
+      show(choice, settings.rule(quality).get().choice(schemas));
     } else {
-      settings.condition().initialChoices(enriched, activatedSchemas(), seed).forEach(this::show);
-    }
-    if (!held.isEmpty()) {
-      candidates.forEach(this::hold);
+      conditional
+          .computeIfAbsent(quality, key -> new LinkedHashMap<>())
+          .put(choice, schemas);
     }
   }
 
@@ -380,73 +457,35 @@ final class SceneController implements ControlledArea.Listener {
   }
 
   /** Shows a choice at once and without an event, whatever waits. */
-  private void show(VersionedObject object, int choice) {
-    queue.forget(object);
-    Optional<ControlProblem> failure = object.show(choice);
+  private void show(ControlledChoice choice, int wanted) {
+    queue.forget(choice);
+    Optional<ControlProblem> failure = choice.show(wanted);
     if (started) { // otherwise reported with the others
       failure.ifPresent(problems);
     }
   }
 
-  private void apply(List<Change<VersionedObject>> changes) {
+  private void apply(List<Change<ControlledChoice>> changes) {
     apply(changes, false);
   }
 
-  private void apply(List<Change<VersionedObject>> changes, boolean fresh) {
+  private void apply(List<Change<ControlledChoice>> changes, boolean fresh) {
     if (!settings.controls()) {
       return;
     }
-    for (Change<VersionedObject> change : changes) {
-      VersionedObject object = change.switchKey();
-      callFor(object, change.to());
-      if (settings.budget().isPresent()) {
-        continue; // The areas tell what is consistent; the budget chooses.
-      }
-      if (held.containsKey(object.name())) {
-        continue;
+    for (Change<ControlledChoice> change : changes) {
+      ControlledChoice choice = change.switchKey();
+      if (choice instanceof VersionedObject object) {
+        callFor(object, change.to());
+        if (settings.budget().isPresent() || held.containsKey(object.name())) {
+          continue; // With a budget areas only tell what is consistent, and the budget chooses.
+        }
       }
       if (fresh) {
-        queue.show(object, change.to(), ChoiceCause.of(change.schema()), now);
+        queue.show(choice, change.to(), ChoiceCause.of(change.schema()), now);
       } else {
-        queue.want(object, change.to(), ChoiceCause.of(change.schema()), now);
+        queue.want(choice, change.to(), ChoiceCause.of(change.schema()), now);
       }
-    }
-  }
-
-  /**
-   * Finds schemas without effect: those that only areas or only objects name. They may be intended,
-   * so they are reported as remarks, or as warnings if the other side has a nearly equal name.
-   */
-  private static final class UnmatchedSchemaCheck {
-    private record Namer(String name, X3DNode node) {}
-
-    private UnmatchedSchemaCheck() {}
-
-    /** Returns one problem for each such schema, at the first node that names it. */
-    static List<ControlProblem> of(
-        Collection<ControlledArea> areas, Collection<VersionedObject> objects) {
-      SchemaUsage<Namer> use = new SchemaUsage<>();
-      for (ControlledArea area : areas) {
-        Namer namer = new Namer(area.name(), area.sensor());
-        area.schemas().ifPresent(schemas -> use.area(namer, schemas));
-      }
-      for (VersionedObject object : objects) {
-        Namer namer = new Namer(object.name(), object.node());
-        List<List<String>> schemas =
-            object.schemas().stream()
-                .flatMap(all -> all.choices().stream())
-                .map(VersionMetadata::schemas)
-                .toList();
-        use.object(namer, schemas, object.atStart());
-      }
-      return use.unmatched().stream().map(UnmatchedSchemaCheck::problem).toList();
-    }
-
-    private static ControlProblem problem(Unmatched<Namer> unmatched) {
-      Namer namer = unmatched.node();
-      return unmatched.meant().isPresent()
-          ? ControlProblem.warning(namer.name(), namer.node(), unmatched.message())
-          : new ControlProblem(namer.name(), namer.node(), Severity.INFO, unmatched.message());
     }
   }
 }

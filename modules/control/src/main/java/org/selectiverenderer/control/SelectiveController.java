@@ -9,8 +9,11 @@ import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.control.budget.RenderingBudget;
 import org.selectiverenderer.sai.InlineSceneAccess;
+import org.selectiverenderer.sai.NodeNameAccess;
 import org.selectiverenderer.sai.ProtoBodyAccess;
 import org.selectiverenderer.schema.Condition;
+import org.selectiverenderer.schema.Quality;
+import org.selectiverenderer.schema.QualityRule;
 import org.selectiverenderer.schema.SchemaActivation;
 import org.selectiverenderer.schema.SwitchTransition;
 import org.web3d.x3d.sai.BrowserEvent;
@@ -47,6 +50,7 @@ public final class SelectiveController implements AutoCloseable {
    * @param transition how versions change; a {@link SwitchTiming} acts on it
    * @param budget what a frame may cost: then areas change no Switch, they only tell how consistent
    *     objects are, and whoever keeps the budget chooses by {@link #choose}
+   * @param qualities what decides the levels of qualities, where the condition does not
    */
   public record Settings(
       Condition condition,
@@ -54,7 +58,8 @@ public final class SelectiveController implements AutoCloseable {
       Map<String, Integer> held,
       boolean controls,
       SwitchTransition transition,
-      Optional<RenderingBudget> budget) {
+      Optional<RenderingBudget> budget,
+      Map<Quality, QualityRule> qualities) {
     /** Selective rendering as in the thesis. */
     public static final Settings SELECTIVE = new Settings(Condition.SELECTIVE, 0);
 
@@ -67,6 +72,7 @@ public final class SelectiveController implements AutoCloseable {
     /** Copies the choices. */
     public Settings {
       held = Map.copyOf(held);
+      qualities = Map.copyOf(qualities);
       if (budget.isPresent() && !(controls && condition.switches())) {
         throw new IllegalArgumentException("a budget chooses in the selective condition only");
       }
@@ -82,14 +88,31 @@ public final class SelectiveController implements AutoCloseable {
       this(condition, seed, held, true);
     }
 
+    /** Returns the same settings with rules for some qualities apart. */
+    public Settings with(Map<Quality, QualityRule> rules) {
+      return new Settings(condition, seed, held, controls, transition, budget, rules);
+    }
+
+    /** Returns what decides a quality apart from the condition; empty if the condition does. */
+    Optional<QualityRule> rule(Quality quality) {
+      return Optional.ofNullable(qualities.get(quality));
+    }
+
+    /** Returns whether areas change a quality as the viewer walks. */
+    boolean follows(Quality quality) {
+      return rule(quality)
+          .map(QualityRule.SELECTIVE::equals)
+          .orElse(condition.switches());
+    }
+
     /** Creates settings in which versions change at once. */
     public Settings(Condition condition, long seed, Map<String, Integer> held, boolean controls) {
-      this(condition, seed, held, controls, SwitchTransition.AT_ONCE, Optional.empty());
+      this(condition, seed, held, controls, SwitchTransition.AT_ONCE, Optional.empty(), Map.of());
     }
 
     /** Returns these settings with another transition. */
     public Settings with(SwitchTransition changed) {
-      return new Settings(condition, seed, held, controls, changed, budget);
+      return new Settings(condition, seed, held, controls, changed, budget, qualities);
     }
 
     /**
@@ -98,7 +121,8 @@ public final class SelectiveController implements AutoCloseable {
      * @throws IllegalArgumentException if the condition is another than the selective one
      */
     public Settings within(RenderingBudget limit) {
-      return new Settings(condition, seed, held, controls, transition, Optional.of(limit));
+      return new Settings(
+          condition, seed, held, controls, transition, Optional.of(limit), qualities);
     }
   }
 
@@ -261,6 +285,7 @@ public final class SelectiveController implements AutoCloseable {
               new ListenerLock(this),
               opener(),
               bodies(),
+              browser instanceof NodeNameAccess names ? names : null,
               settings,
               timing,
               events,

@@ -3,9 +3,12 @@ package org.selectiverenderer.control;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.ObjDoubleConsumer;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
+import org.selectiverenderer.schema.FieldQuality;
+import org.selectiverenderer.schema.SchemaProblem;
 import org.selectiverenderer.schema.SchemaReader;
 import org.selectiverenderer.schema.SwitchSchemas;
 import org.web3d.x3d.sai.X3DException;
@@ -14,9 +17,10 @@ import org.web3d.x3d.sai.X3DFieldEventListener;
 import org.web3d.x3d.sai.grouping.Switch;
 
 /**
- * An enriched object: a Switch whose children are the object's versions, described by its metadata.
+ * An enriched object: a Switch whose children are the object's versions, described by its metadata,
+ * and the fields whose values are further qualities of the object.
  */
-final class VersionedObject implements ChoosableObject {
+final class VersionedObject implements ChoosableObject, ControlledChoice {
   /** Receives the choices that somebody else has set. */
   interface ChoiceListener {
     /**
@@ -29,18 +33,23 @@ final class VersionedObject implements ChoosableObject {
   }
 
   private final Switch node;
+  private final SceneScope scope;
+  private final ListenerLock turn;
+  private final ControlledField.LevelListener onForeignLevel;
   private final Supplier<String> name;
   private final X3DField children;
   private final X3DFieldEventListener onChildren;
   private final X3DField whichChoice;
   private final X3DFieldEventListener onChoice;
   private final MetadataWatcher watch;
+  private final SchemaCache cache;
 
   /** The controller's own writes whose events have not come yet, oldest first. */
   private List<Integer> pending = List.of();
 
   private List<ControlProblem> problems = List.of();
   private Optional<SwitchSchemas> schemas = Optional.empty();
+  private List<ControlledField> fields = List.of();
   private final int atStart;
   private int shown;
   private int called;
@@ -50,16 +59,25 @@ final class VersionedObject implements ChoosableObject {
   /**
    * Reads an object in its present state.
    *
+   * @param scope the file of the Switch, whose nodes the field qualities name
+   * @param cache reads the metadata
    * @param onChange called when the metadata or the number of versions has changed
    */
   VersionedObject(
       Switch node,
+      SceneScope scope,
       Supplier<String> name,
       ListenerLock turn,
+      SchemaCache cache,
       ObjDoubleConsumer<VersionedObject> onChange,
-      ChoiceListener onForeignChoice) {
+      ChoiceListener onForeignChoice,
+      ControlledField.LevelListener onForeignLevel) {
     this.node = node;
+    this.scope = scope;
+    this.turn = turn;
+    this.onForeignLevel = onForeignLevel;
     this.name = name;
+    this.cache = cache;
     this.atStart = node.getWhichChoice();
     this.shown = atStart;
     this.children = node.getField("children");
@@ -95,14 +113,34 @@ final class VersionedObject implements ChoosableObject {
   /** Reads the metadata anew. */
   void read() {
     problems = List.of();
-    SchemaReader reader =
-        new SchemaReader(
-            problem ->
-                add(
-                    ControlProblem.warning(
-                        name(), ((SaiMetadata) problem.metadata()).node(), problem.message())));
-    schemas = watch.read().flatMap(m -> reader.switchNode(m, node.getNumChildren()));
+    Consumer<SchemaProblem> warning =
+        problem ->
+            add(
+                ControlProblem.warning(
+                    name(), ((SaiMetadata) problem.metadata()).node(), problem.message()));
+    Optional<SaiMetadata> metadata = watch.read();
+    schemas = metadata.flatMap(m -> cache.object(m, node.getNumChildren(), warning));
+    fields.forEach(ControlledField::close);
+    fields =
+        metadata.map(new SchemaReader(warning)::fieldQualities).orElse(List.of()).stream()
+            .flatMap(quality -> field(quality).stream())
+            .toList();
     calledFor(called);
+  }
+
+  private Optional<ControlledField> field(FieldQuality quality) {
+    return ControlledField.find(
+        this,
+        scope,
+        quality,
+        turn,
+        onForeignLevel,
+        message -> add(ControlProblem.warning(name(), node, message)));
+  }
+
+  /** Returns the fields whose values are qualities of the object. */
+  List<ControlledField> fields() {
+    return fields;
   }
 
   String name() {
@@ -113,7 +151,8 @@ final class VersionedObject implements ChoosableObject {
    * Returns the schemas of the versions; empty if the metadata does not use the vocabulary, so that
    * the Switch is no enriched object.
    */
-  Optional<SwitchSchemas> schemas() {
+  @Override
+  public Optional<SwitchSchemas> schemas() {
     return schemas;
   }
 
@@ -135,7 +174,8 @@ final class VersionedObject implements ChoosableObject {
    *
    * @return the problem if it could not be set
    */
-  Optional<ControlProblem> show(int choice) {
+  @Override
+  public Optional<ControlProblem> show(int choice) {
     if (choice == shown) {
       return Optional.empty();
     }
@@ -156,6 +196,17 @@ final class VersionedObject implements ChoosableObject {
       add(problem);
       return Optional.of(problem);
     }
+  }
+
+  @Override
+  public int child(int choice) {
+    return choice;
+  }
+
+  @Override
+  public ControlEvent change(
+      double time, int from, int to, ChoiceCause cause, Optional<SwitchVisibility> seen) {
+    return new ControlEvent.SwitchChange(time, name(), from, to, cause, seen);
   }
 
   private void add(ControlProblem problem) {
@@ -204,6 +255,7 @@ final class VersionedObject implements ChoosableObject {
   void close() {
     FieldListeners.remove(children, onChildren);
     FieldListeners.remove(whichChoice, onChoice);
+    fields.forEach(ControlledField::close);
     watch.close();
   }
 }

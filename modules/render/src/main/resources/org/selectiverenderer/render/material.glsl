@@ -132,11 +132,15 @@ vec4 detailed() {
 #endif
 
 #ifdef LIT
+#ifdef FLAT
+  vec3 n = normalize(cross(dFdx(seenAt), dFdy(seenAt)));  // Towards the eye.
+#else
   vec3 n = normalize(seenNormal);
 #ifdef TWO_SIDED
   n = gl_FrontFacing ? n : -n;
 #endif
-#ifdef NORMAL_TEXEL
+#endif
+#if defined(NORMAL_TEXEL) && !defined(FLAT)
   n = bumped(n, NORMAL_TEXEL.rgb, NORMAL_PLACE.st);
 #endif
 #ifdef PHYSICAL

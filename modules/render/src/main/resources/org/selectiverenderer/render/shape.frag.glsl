@@ -66,8 +66,12 @@ Light seenLight() {
 #endif
   return light;
 #else
+#ifdef FLAT
+  vec3 n = normalize(cross(dFdx(eyePosition), dFdy(eyePosition)));  // Towards the eye.
+#else
   vec3 n = normalize(eyeNormal);
-#ifdef TWO_SIDED
+#endif
+#if defined(TWO_SIDED) && !defined(FLAT)
   n = gl_FrontFacing ? n : -n;
 #endif
 #ifdef EYE_POSITION

@@ -1,6 +1,7 @@
 package org.selectiverenderer.schema;
 
 import java.util.List;
+import java.util.Optional;
 
 /**
  * A metadata node of a file, of a running scene, or of a document being edited. Two sources are
@@ -18,4 +19,7 @@ public interface MetadataNode {
 
   /** Returns the metadata nodes in a set, in order; none if the node is not a set. */
   List<? extends MetadataNode> children();
+
+  /** Returns the metadata of this metadata node, if it has any. */
+  Optional<? extends MetadataNode> metadata();
 }

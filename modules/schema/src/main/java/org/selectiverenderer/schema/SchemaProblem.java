@@ -22,6 +22,16 @@ public record SchemaProblem(Kind kind, String message, MetadataNode metadata) {
     /** A choice of the Switch without a MetadataSet. */
     FEWER_SETS_THAN_CHOICES,
     /** A schema field on a node that it does not apply to. */
-    MISPLACED
+    MISPLACED,
+    /** A quality that is none of the known words. */
+    UNKNOWN_QUALITY,
+    /** Choices of one Switch that name different qualities. */
+    SEVERAL_QUALITIES,
+    /** A field quality that does not say which field it sets. */
+    UNKNOWN_FIELD,
+    /** A second field quality of the same field. */
+    FIELD_TWICE,
+    /** A level without a value, or a field quality without levels. */
+    NO_VALUE
   }
 }

@@ -67,7 +67,39 @@ public final class SchemaReader {
     for (int i = 0; i < Math.min(sets.size(), children); i++) {
       choices.add(reader.read(i, sets.get(i)));
     }
-    return choices.isEmpty() ? Optional.empty() : Optional.of(new SwitchSchemas(choices));
+    return choices.isEmpty()
+        ? Optional.empty()
+        : Optional.of(new SwitchSchemas(choices, quality(sets)));
+  }
+
+  /**
+   * Reads the qualities of an object that are values of fields: the MetadataSet {@value
+   * FieldQuality#SET} in the field {@code metadata} of the metadata of its Switch. Members of the
+   * metadata's {@code value} would be taken for choices by the loops of the thesis.
+   *
+   * @param metadata the metadata of a Switch
+   */
+  public List<FieldQuality> fieldQualities(MetadataNode metadata) {
+    return new FieldQualityReader(problems).read(metadata);
+  }
+
+  /** Returns what the versions differ in: what the first set that names a quality says. */
+  private Quality quality(List<? extends MetadataNode> sets) {
+    FieldQualityReader reader = new FieldQualityReader(problems);
+    Optional<Quality> first = Optional.empty();
+    for (MetadataNode set : sets) {
+      Optional<Quality> named = reader.named(set);
+      if (named.isPresent() && first.isPresent() && !named.equals(first)) {
+        problems.accept(
+            new SchemaProblem(
+                Kind.SEVERAL_QUALITIES,
+                "the versions of a Switch differ in one quality, here %s; %s is ignored"
+                    .formatted(first.get().spelling(), named.get().spelling()),
+                set));
+      }
+      first = first.or(() -> named);
+    }
+    return first.orElse(Quality.POLYGONS);
   }
 
   private List<String> schemas(SchemaMetadata words, SchemaField field) {

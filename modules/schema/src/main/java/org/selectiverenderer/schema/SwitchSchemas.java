@@ -11,8 +11,15 @@ import java.util.Map;
  *
  * @param choices one for each MetadataSet, in order; at least one, at most as many as the Switch
  *     has children
+ * @param quality what the versions differ in
  */
-public record SwitchSchemas(List<VersionMetadata> choices) {
+public record SwitchSchemas(List<VersionMetadata> choices, Quality quality) {
+  /** Makes the schemas of versions that differ in their polygons, as the thesis's do. */
+  public SwitchSchemas(List<VersionMetadata> choices) {
+    this(choices, Quality.POLYGONS);
+  }
+
+
   /** Checks that each choice is at the position of its index. */
   public SwitchSchemas {
     choices = List.copyOf(choices);
@@ -35,6 +42,11 @@ public record SwitchSchemas(List<VersionMetadata> choices) {
       }
     }
     return map;
+  }
+
+  /** Returns the schemas of each choice, in order. */
+  public List<List<String>> byChoice() {
+    return choices.stream().map(VersionMetadata::schemas).toList();
   }
 
   /** Returns the most detailed child: the least consistent one, the first of equals. */

@@ -238,6 +238,11 @@ class SchemaReaderTest {
       MetadataNode loop =
           new MetadataNode() {
             @Override
+            public Optional<MetadataNode> metadata() {
+              return Optional.empty();
+            }
+
+            @Override
             public boolean isSet() {
               return true;
             }

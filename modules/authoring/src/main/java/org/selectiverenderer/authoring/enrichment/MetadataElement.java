@@ -42,6 +42,11 @@ final class MetadataElement implements MetadataNode {
         .map(element -> new MetadataElement(document, element));
   }
 
+  /** Returns the view of an element that is metadata. */
+  static MetadataElement at(SceneDocument document, DocumentElement element) {
+    return new MetadataElement(document, element);
+  }
+
   static boolean isMetadata(DocumentElement element) {
     return switch (element.name()) {
       case SET,
@@ -100,24 +105,34 @@ final class MetadataElement implements MetadataNode {
 
   @Override
   public List<MetadataElement> children() {
-    if (!isSet()) {
-      return List.of();
-    }
+    return isSet() ? members("value") : List.of();
+  }
+
+  @Override
+  public Optional<MetadataElement> metadata() {
+    // Without a containerField the child of a set is a member; that of another node describes it.
+    return (isSet() ? members("metadata") : childElements()).stream().findFirst();
+  }
+
+  private List<MetadataElement> members(String wanted) {
+    return childElements().stream().filter(child -> child.field().equals(wanted)).toList();
+  }
+
+  private List<MetadataElement> childElements() {
     List<MetadataElement> children = new ArrayList<>();
     for (DocumentElement child : meant.children()) {
-      // The field "metadata" of a set describes the set itself.
       if (isMetadata(child)) {
-        MetadataElement metadata = new MetadataElement(document, child);
-        Optional<String> field =
-            metadata.shared()
-                ? document.attribute(child, "containerField")
-                : metadata.attribute("containerField");
-        if (!field.orElse("value").equals("metadata")) {
-          children.add(metadata);
-        }
+        children.add(new MetadataElement(document, child));
       }
     }
     return children;
+  }
+
+  /** Returns the field of a set that this element is written in: {@code value} or metadata. */
+  private String field() {
+    Optional<String> field =
+        shared() ? document.attribute(written, "containerField") : attribute("containerField");
+    return field.orElse("value").equals("metadata") ? "metadata" : "value";
   }
 
   @Override

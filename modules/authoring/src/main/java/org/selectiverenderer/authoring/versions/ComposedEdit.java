@@ -8,7 +8,7 @@ import org.selectiverenderer.x3d.source.TextEdit;
  * Composes edits that are made one after the other, each of the text that the last one left, into
  * changes of the first text. Not thread-safe.
  */
-final class ComposedEdit {
+public final class ComposedEdit {
   private final String original;
   private List<Piece> pieces;
 
@@ -23,13 +23,14 @@ final class ComposedEdit {
     }
   }
 
-  ComposedEdit(String original) {
+  /** Makes the edit of a text that changes nothing yet. */
+  public ComposedEdit(String original) {
     this.original = original;
     this.pieces = List.of(new Piece(0, original));
   }
 
   /** Returns the present text. */
-  String text() {
+  public String text() {
     StringBuilder text = new StringBuilder();
     pieces.forEach(piece -> text.append(piece.text()));
     return text.toString();
@@ -40,7 +41,7 @@ final class ComposedEdit {
    *
    * @param changes its changes in ascending order, which do not overlap
    */
-  void add(List<TextEdit> changes) {
+  public void add(List<TextEdit> changes) {
     List<Piece> result = new ArrayList<>();
     int at = 0;
     for (TextEdit change : changes) {
@@ -68,7 +69,7 @@ final class ComposedEdit {
   }
 
   /** Returns the changes of the original that give the present text. */
-  List<TextEdit> changes() {
+  public List<TextEdit> changes() {
     List<TextEdit> changes = new ArrayList<>();
     StringBuilder inserted = new StringBuilder();
     int at = 0;

@@ -20,7 +20,8 @@ final class AppearanceReader {
     Node material = appearance.node("material");
     TextureUnits units = TextureUnits.of(appearance, geometry, assets);
     SurfaceMaterial plain = material(material, units, colorsHaveOpacity(geometry));
-    return plain.with(ExtendedMaterialReader.read(appearance, material, units));
+    return plain.with(
+        ExtendedMaterialReader.read(appearance, material, units), SurfaceShading.of(appearance));
   }
 
   /** The opacity of a ColorRGBA replaces the material's (X3D 4.0, 11.4.3). */
@@ -111,7 +112,8 @@ final class AppearanceReader {
           units.plainTints(),
           units.plainGlow(),
           units.plainTransform(),
-          null);
+          null,
+          SurfaceShading.UNSPECIFIED);
     }
   }
 }

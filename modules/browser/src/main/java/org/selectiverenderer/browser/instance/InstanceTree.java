@@ -63,6 +63,7 @@ public final class InstanceTree {
   private final List<SharedShapeState> pendingLooks = new ArrayList<>();
   private final ShapeChanges changes = new ShapeChanges();
   private final ShapeTree boxes = new ShapeTree(this);
+  private final VersionFades fades = new VersionFades(this);
   private final Set<ShaderNode> judged = new LinkedHashSet<>();
   private final Matrix4d inverse = new Matrix4d();
   private final Vector3d localEye = new Vector3d();
@@ -108,6 +109,11 @@ public final class InstanceTree {
   /** Returns the hierarchy of the boxes of all shapes. */
   public ShapeTree boxes() {
     return boxes;
+  }
+
+  /** Returns the cross-fades of Switches, which begin by request only. */
+  public VersionFades fades() {
+    return fades;
   }
 
   /** Returns a number that changes when a shape or a light is added or removed. */

@@ -187,6 +187,17 @@ public final class ShapeInstance extends Instance {
     wanted = show;
   }
 
+  /** Whether a {@link VersionFades} has the shape. */
+  boolean fading;
+
+  /**
+   * Returns whether the shape is part of a version that is being cross-faded, so that it is drawn
+   * in some of its pixels only, shown or not.
+   */
+  public boolean fading() {
+    return fading;
+  }
+
   /** Whether the groups above show the shape, whatever its own {@code visible} says. */
   boolean wanted;
 

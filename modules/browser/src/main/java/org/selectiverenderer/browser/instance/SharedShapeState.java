@@ -174,6 +174,12 @@ final class SharedShapeState implements NodeObserver {
     Node appearance = shape.node("appearance");
     if (appearance != null) {
       inAppearance = observed(appearance);
+      Node metadata = appearance.node("metadata");
+      if (metadata != null) { // may say how it is shaded
+        List<Node> all = new ArrayList<>(inAppearance);
+        all.addAll(observed(metadata));
+        inAppearance = List.copyOf(all);
+      }
     }
   }
 

@@ -18,6 +18,7 @@ import org.jspecify.annotations.Nullable;
  * @param textureTransform the texture coordinates' 3x3 matrix, column by column, or null for none
  * @param detail the properties beyond these, or null; if present, {@code texture} is also one of
  *     its units, for users that need only one texture
+ * @param shading where its light is computed
  */
 public record SurfaceMaterial(
     boolean lit,
@@ -31,7 +32,8 @@ public record SurfaceMaterial(
     boolean tints,
     @Nullable Texture glow,
     float @Nullable [] textureTransform,
-    @Nullable ExtendedMaterial detail) {
+    @Nullable ExtendedMaterial detail,
+    SurfaceShading shading) {
 
   /** The material of a shape without an Appearance: unlit white (X3D 4.0, 12.4.5). */
   public static final SurfaceMaterial UNLIT_WHITE =
@@ -47,10 +49,11 @@ public record SurfaceMaterial(
           false,
           null,
           null,
-          null);
+          null,
+          SurfaceShading.UNSPECIFIED);
 
   /** Returns the same material with further properties. */
-  SurfaceMaterial with(@Nullable ExtendedMaterial more) {
+  SurfaceMaterial with(@Nullable ExtendedMaterial more, SurfaceShading wanted) {
     return new SurfaceMaterial(
         lit,
         diffuse,
@@ -63,6 +66,7 @@ public record SurfaceMaterial(
         tints,
         glow,
         textureTransform,
-        more);
+        more,
+        wanted);
   }
 }

@@ -44,6 +44,11 @@ public record NodeViewMetadata(NodeView node) implements MetadataNode {
   }
 
   @Override
+  public Optional<NodeViewMetadata> metadata() {
+    return of(node);
+  }
+
+  @Override
   public List<NodeViewMetadata> children() {
     List<NodeViewMetadata> children = new ArrayList<>();
     if (isSet()) {

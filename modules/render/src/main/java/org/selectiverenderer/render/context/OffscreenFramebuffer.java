@@ -6,8 +6,8 @@ import com.jogamp.opengl.GL3;
 import com.jogamp.opengl.GLException;
 
 /**
- * An offscreen framebuffer with eight bits per colour channel, 24 bits of depth, and optionally
- * several samples per pixel.
+ * An offscreen framebuffer with eight bits per colour channel, 24 bits of depth, eight bits of
+ * stencil, and optionally several samples per pixel.
  */
 public final class OffscreenFramebuffer {
   private final int width;
@@ -40,7 +40,7 @@ public final class OffscreenFramebuffer {
     gl.glGenRenderbuffers(2, render, 0);
     gl.glBindFramebuffer(GL.GL_FRAMEBUFFER, frame[0]);
     attach(gl, render[0], sampleCount, GL.GL_RGBA8, GL.GL_COLOR_ATTACHMENT0);
-    attach(gl, render[1], sampleCount, GL.GL_DEPTH_COMPONENT24, GL.GL_DEPTH_ATTACHMENT);
+    attach(gl, render[1], sampleCount, GL.GL_DEPTH24_STENCIL8, GL3.GL_DEPTH_STENCIL_ATTACHMENT);
     int status = gl.glCheckFramebufferStatus(GL.GL_FRAMEBUFFER);
     if (status != GL.GL_FRAMEBUFFER_COMPLETE) {
       throw new GLException(

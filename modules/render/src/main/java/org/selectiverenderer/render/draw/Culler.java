@@ -129,6 +129,7 @@ final class Culler {
   private Vector3dc[] worldEyes = {};
   private Vector3d[] localEyes = {};
   private final double[] box = new double[6];
+  private boolean apart;
   private long[] order = new long[16];
   private int inView;
   private int[] next = new int[16];
@@ -200,6 +201,7 @@ final class Culler {
         i -> {
           DrawItem item = items.get(i);
           if (item.shape().shown()
+              && !(apart && item.shape().fading())
               && (side(item.shape().bounds()) != Frustum.Side.OUTSIDE || item.anywhere())) {
             order[inView++] = i;
           }
@@ -382,6 +384,27 @@ final class Culler {
         out.range(first[c], first[c + 1] - first[c], indexBytes);
       }
     }
+  }
+
+  /**
+   * Leaves out shapes that are being faded from now on, which are then neither found nor hide
+   * anything.
+   */
+  void withoutFading() {
+    apart = true;
+  }
+
+  /** Adds the whole of an item to another set, if it may be in view of the eyes of the frame. */
+  void addWhole(DrawItem item, VisibleSet to) {
+    if (side(item.shape().bounds()) == Frustum.Side.OUTSIDE && !item.anywhere()) {
+      return;
+    }
+    TriangleClusters clusters = stages.of(item);
+    to.begin(item, clusters.indexCount());
+    if (!item.mesh().solid()) {
+      to.backs();
+    }
+    to.range(clusters.firstIndex()[0], clusters.indexCount(), item.mesh().indexBytes());
   }
 
   /** Returns whether all clusters face every eye with their front sides. */

@@ -7,8 +7,10 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.browser.camera.Camera;
 import org.selectiverenderer.browser.camera.HiddenAreaMesh;
@@ -16,6 +18,7 @@ import org.selectiverenderer.browser.instance.Background;
 import org.selectiverenderer.browser.instance.CubeTexture;
 import org.selectiverenderer.browser.instance.Fog;
 import org.selectiverenderer.browser.instance.InstanceTree;
+import org.selectiverenderer.browser.instance.VersionFades;
 import org.selectiverenderer.render.ShadingMode;
 import org.selectiverenderer.render.context.GlInfo;
 import org.selectiverenderer.render.gpu.GpuTexture;
@@ -37,9 +40,11 @@ public final class SceneRenderer {
   private FrameFlusher portions = new FrameFlusher(false);
   private @Nullable DrawItemCache list;
   private final BackgroundRenderer backdropPainter = new BackgroundRenderer();
+  private final CrossFadeRenderer crossFade = new CrossFadeRenderer();
   private final HiddenAreaMeshRenderer hiddenPainter = new HiddenAreaMeshRenderer();
   private final VisibleSet visible = new VisibleSet();
   private final Culler culler = new Culler(visible);
+  private final Culler cubeCuller = new Culler(visible);
   private final OcclusionCuller occlusion = new OcclusionCuller();
   private final EnvironmentMapCache mirrored = new EnvironmentMapCache();
   private final GeneratedCubeMapRenderer cubes = new GeneratedCubeMapRenderer();
@@ -135,6 +140,7 @@ public final class SceneRenderer {
       culler.cull(Culler.Items.of(List.of()), eyes, hiding);
       return visible;
     }
+    culler.withoutFading();
     culler.begin(list, eyes, hiding);
     for (int groups = 1; !list.complete(); groups *= 2) {
       BitSet missing = culler.missing(list);
@@ -145,8 +151,21 @@ public final class SceneRenderer {
       culler.begin(list, eyes, hiding);
     }
     culler.finish(list);
+    fade(list);
     list.seen(visible, eyes.get(0).eye());
     return visible;
+  }
+
+  /** Adds the versions that are being faded to the visible set. */
+  private void fade(DrawItemCache items) {
+    for (VersionFades.FadingVersion version : items.fades()) {
+      VisibleSet seen = new VisibleSet();
+      List<DrawItem> all =
+          version.shapes().stream().map(items::of).filter(Objects::nonNull).toList();
+      all.stream().filter(item -> !item.blended()).forEach(item -> culler.addWhole(item, seen));
+      all.stream().filter(DrawItem::blended).forEach(item -> culler.addWhole(item, seen));
+      visible.fading.add(new VisibleSet.Fading(seen, version));
+    }
   }
 
   /**
@@ -174,7 +193,7 @@ public final class SceneRenderer {
         eyes,
         near,
         (items, camera) -> {
-          culler.cull(Culler.Items.of(items), List.of(camera), null);
+          cubeCuller.cull(Culler.Items.of(items), List.of(camera), null);
           PixelRectangle all = PixelRectangle.of(camera);
           draw(gl, visible, camera, eyes.get(0), around, HiddenAreaMesh.NONE, all);
         });
@@ -237,30 +256,32 @@ public final class SceneRenderer {
     gl.glEnable(GL.GL_DEPTH_TEST);
     gl.glDepthFunc(GL.GL_LESS);
     gl.glEnable(GL3.GL_PROGRAM_POINT_SIZE);
-    DrawItemRenderer painter =
-        new DrawItemRenderer(
-            gl,
-            seen,
-            camera,
-            new EyeSpaceLights(camera, setting.headlight() ? bearer : null),
-            new EyeSpaceEffects(camera, setting.fog(), pointSize, image -> mirrored.of(gl, image)),
-            pointSize,
-            portions);
+    EyeSpaceLights lights = new EyeSpaceLights(camera, setting.headlight() ? bearer : null);
+    EyeSpaceEffects effects =
+        new EyeSpaceEffects(camera, setting.fog(), pointSize, image -> mirrored.of(gl, image));
+    Function<VisibleSet, DrawItemRenderer> painters =
+        items -> new DrawItemRenderer(gl, items, camera, lights, effects, pointSize, portions);
+    DrawItemRenderer painter = painters.apply(seen);
     portions.begin(seen.count(0, seen.ranges));
     edgesOnly(gl, wireframe);
     painter.paint(0, seen.opaque);
     painter.end();
     edgesOnly(gl, false);
+    crossFade.begin(gl, seen, camera);
+    edgesOnly(gl, wireframe);
+    crossFade.paint(gl, seen, false, painters);
+    edgesOnly(gl, false);
     if (opaque) {
       backdropPainter.paint(gl, setting.backdrop().orElse(Background.BLACK), camera);
     }
-    if (seen.opaque < seen.calls.size()) {
+    if (seen.blends()) {
       gl.glEnable(GL.GL_BLEND);
       gl.glBlendFuncSeparate(GL.GL_SRC_ALPHA, GL.GL_ONE_MINUS_SRC_ALPHA, GL.GL_ZERO, GL.GL_ONE);
       gl.glDepthMask(false);
       edgesOnly(gl, wireframe);
       painter.blend(seen.opaque, seen.calls.size());
       painter.end();
+      crossFade.paint(gl, seen, true, painters);
       edgesOnly(gl, false);
       gl.glDepthMask(true);
       gl.glDisable(GL.GL_BLEND);
@@ -294,6 +315,7 @@ public final class SceneRenderer {
     }
     backdropPainter.dispose(gl);
     hiddenPainter.dispose(gl);
+    crossFade.dispose(gl);
   }
 
   /**

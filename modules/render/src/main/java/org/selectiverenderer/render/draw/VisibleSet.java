@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.browser.instance.VersionFades;
 
 /**
  * The visible set of a frame: the shapes that at least one eye sees, in drawing order, each with
@@ -16,9 +17,19 @@ import org.jspecify.annotations.Nullable;
  */
 public final class VisibleSet {
   /**
+   * The visible items of a version that is being faded.
+   *
+   * @param version tells in which pixels they are drawn
+   */
+  record Fading(VisibleSet items, VersionFades.FadingVersion version) {}
+
+  /**
    * The first item of each draw call; the others of its batch differ only in their index ranges.
    */
   final List<DrawItem> calls = new ArrayList<>();
+
+  /** The versions that are being faded; their items are in no call of this set. */
+  final List<Fading> fading = new ArrayList<>();
 
   /** The number of opaque calls, which come first. */
   int opaque;
@@ -44,6 +55,7 @@ public final class VisibleSet {
 
   void clear() {
     calls.clear();
+    fading.clear();
     opaque = 0;
     ranges = 0;
     shapes = 0;
@@ -59,7 +71,7 @@ public final class VisibleSet {
    */
   void begin(DrawItem item, int all) {
     shapes++;
-    indices = indices();
+    indices = own();
     indicesOfBegun = 0;
     begun = item;
     allOfBegun = all;
@@ -142,9 +154,14 @@ public final class VisibleSet {
     return sum;
   }
 
+  /** Returns whether something of it is blended. */
+  boolean blends() {
+    return opaque < calls.size() || fading.stream().anyMatch(version -> version.items().blends());
+  }
+
   /** Returns the number of visible shapes. */
   public int shapes() {
-    return shapes;
+    return shapes + fading.stream().mapToInt(version -> version.items().shapes()).sum();
   }
 
   /** Returns the number of draw calls. */
@@ -157,6 +174,10 @@ public final class VisibleSet {
    * count with the triangles of the original mesh.
    */
   public long indices() {
+    return own() + fading.stream().mapToLong(version -> version.items().own()).sum();
+  }
+
+  private long own() {
     return begun == null ? indices : indices + begun.own(indicesOfBegun, allOfBegun);
   }
 }

@@ -1,7 +1,9 @@
 package org.selectiverenderer.render.gpu;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The features that a shape needs of its shader. Each variant is a program of its own without
@@ -10,6 +12,7 @@ import java.util.List;
  * @param lit whether it is lit
  * @param specular whether the material has a highlight
  * @param byVertex whether lighting is per vertex, else per pixel
+ * @param flat whether the normal is that of the face, not the interpolated one
  * @param colors whether vertices have colours
  * @param texture whether there is a texture
  * @param tint whether the texture multiplies the colour, else replaces it
@@ -26,6 +29,7 @@ public record ShaderVariant(
     boolean lit,
     boolean specular,
     boolean byVertex,
+    boolean flat,
     boolean colors,
     boolean texture,
     boolean tint,
@@ -45,7 +49,8 @@ public record ShaderVariant(
     boolean atVertices = lit && byVertex && !apart;
     add(defines, lit, "LIT");
     add(defines, lit && specular, "SPECULAR");
-    add(defines, lit && (specular || lights.positional()), "EYE_POSITION");
+    add(defines, lit && (specular || flat || lights.positional()), "EYE_POSITION");
+    add(defines, lit && flat, "FLAT");
     add(defines, lit && byVertex, "LIT_BY_VERTEX");
     add(defines, atVertices, "WHOLE_BY_VERTEX");
     add(defines, atVertices && tinted, "TINTED");
@@ -67,7 +72,8 @@ public record ShaderVariant(
     return new ShaderVariant(
         lit,
         specular,
-        atVertices && lit && detail.isEmpty(),
+        atVertices && lit && !flat && detail.isEmpty(),
+        flat,
         colors,
         texture,
         tint,
@@ -89,6 +95,7 @@ public record ShaderVariant(
         lit,
         specular,
         byVertex,
+        flat,
         colors,
         texture,
         tint,
@@ -104,7 +111,7 @@ public record ShaderVariant(
   /** Returns the same variant for batches with a diffuse colour per vertex. */
   ShaderVariant tints() {
     return new ShaderVariant(
-        lit, specular, byVertex, colors, texture, tint, glow, alphaTest, twoSided, points, blended,
+        lit, specular, byVertex, flat, colors, texture, tint, glow, alphaTest, twoSided, points, blended,
         true, detail);
   }
 
@@ -112,5 +119,33 @@ public record ShaderVariant(
     if (wanted) {
       defines.add(name);
     }
+  }
+
+  // Written out, as records link theirs when first called: the first frame would wait for it.
+  @Override
+  public boolean equals(@Nullable Object other) {
+    return other instanceof ShaderVariant one && parts().equals(one.parts());
+  }
+
+  @Override
+  public int hashCode() {
+    return parts().hashCode();
+  }
+
+  private List<@Nullable Object> parts() {
+    return Arrays.asList(
+        lit,
+        specular,
+        byVertex,
+        colors,
+        texture,
+        tint,
+        glow,
+        alphaTest,
+        twoSided,
+        points,
+        blended,
+        tinted,
+        detail);
   }
 }

@@ -6,12 +6,13 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.browser.instance.LightInstance;
 import org.selectiverenderer.browser.instance.ShapeInstance;
 import org.selectiverenderer.browser.instance.SurfaceMaterial;
+import org.selectiverenderer.browser.instance.SurfaceShading;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.render.mesh.RefinedMesh;
 
 /**
  * Decides for each shape between per-vertex and per-pixel lighting, and refines meshes where
- * needed. Refinement for a mesh's curvature and highlights is done once for all shapes that use it;
+ * needed; a shape whose author has decided is drawn so, on its own mesh. Refinement for a mesh's curvature and highlights is done once for all shapes that use it;
  * refinement for a near point or spot light is done for the one shape in its place. Stateless; safe
  * for use by several threads.
  */
@@ -98,7 +99,14 @@ public final class LightingPlanner {
     float[] normals = mesh.normals();
     // Normal maps and the like need per-pixel lighting; fog depths cannot be refined.
     boolean detailed = shape.surface().detail() != null || mesh.fogDepth() >= 0;
-    if (!byVertex || detailed || normals == null || mesh.primitive() != Mesh.Primitive.TRIANGLES) {
+    if (detailed || normals == null || mesh.primitive() != Mesh.Primitive.TRIANGLES) {
+      return new Plan(request, plain, null, false, reaching);
+    }
+    SurfaceShading wished = shape.surface().shading();
+    if (wished != SurfaceShading.UNSPECIFIED) {
+      return new Plan(request, plain, null, wished == SurfaceShading.VERTEX, reaching);
+    }
+    if (!byVertex) {
       return new Plan(request, plain, null, false, reaching);
     }
     double scale = CurvatureTolerance.scale(shape.world());
@@ -163,6 +171,9 @@ public final class LightingPlanner {
 
   /** Returns the tolerance of a surface: a darker one shows less of an error. */
   private static double tolerance(SurfaceMaterial surface, Mesh mesh) {
+    if (surface.shading() == SurfaceShading.VERTEX) {
+      return Double.POSITIVE_INFINITY; // The author wants what is seen of it.
+    }
     float[] d = surface.diffuse();
     boolean replaced = mesh.colors() != null || surface.texture() != null;
     double brightest = replaced ? 1 : Math.max(d[0], Math.max(d[1], d[2]));

@@ -22,6 +22,7 @@ final class NewtWindowFactory {
   static GLCapabilities capabilities(WindowOptions options) {
     GLCapabilities wanted = new GLCapabilities(GlProfiles.core());
     wanted.setDepthBits(24);
+    wanted.setStencilBits(8); // for the pattern of cross-fades
     wanted.setStereo(options.quadBuffered());
     if (options.samples() > 1) {
       wanted.setSampleBuffers(true);

@@ -6,6 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -58,8 +59,30 @@ public final class StudyTemplate {
     return write(folder, scene, FileOperations.REAL);
   }
 
+  /** Writes the folder, as {@link #write(Path, Path)}, with a number of participants and a seed. */
+  public static Path write(Path folder, Path scene, int participants, long seed)
+      throws IOException {
+    return write(
+        folder,
+        scene,
+        FileOperations.REAL,
+        Map.of(
+            "\"participants\": 54,",
+            "\"participants\": %d,".formatted(participants),
+            "\"seed\": 2009,",
+            "\"seed\": %d,".formatted(seed),
+            "all groups together: three groups of 18.",
+            "all groups together (the thesis: three groups of 18)."));
+  }
+
   /** Writes the folder with other file actions, for tests. */
   static Path write(Path folder, Path scene, FileOperations actions) throws IOException {
+    return write(folder, scene, actions, Map.of());
+  }
+
+  private static Path write(
+      Path folder, Path scene, FileOperations actions, Map<String, String> changes)
+      throws IOException {
     Files.createDirectories(folder.resolve("pilot"));
     for (String name : FILES) {
       if (Files.exists(folder.resolve(name))) {
@@ -68,7 +91,9 @@ public final class StudyTemplate {
     }
     FileTransaction writing = new FileTransaction(actions);
     for (String name : FILES) {
-      writing.addNew(folder.resolve(name), content(name, folder, scene));
+      byte[] content = content(name, folder, scene);
+      writing.addNew(
+          folder.resolve(name), name.equals(STUDY) ? changed(content, changes) : content);
     }
     writing.commit();
     return folder.resolve(STUDY);
@@ -112,6 +137,17 @@ public final class StudyTemplate {
     }
     writing.commit();
     return folder.resolve(STUDY);
+  }
+
+  private static byte[] changed(byte[] content, Map<String, String> changes) {
+    String text = new String(content, StandardCharsets.UTF_8);
+    for (Map.Entry<String, String> change : changes.entrySet()) {
+      if (!text.contains(change.getKey())) {
+        throw new IllegalStateException("the template has no " + change.getKey());
+      }
+      text = text.replace(change.getKey(), change.getValue());
+    }
+    return text.getBytes(StandardCharsets.UTF_8);
   }
 
   private static byte[] content(String name, Path folder, Path scene) throws IOException {

@@ -9,7 +9,7 @@ package org.selectiverenderer.study.headlog;
  *     without versions
  * @param seconds time on the object from start to end; short looks at others in between left out
  */
-record Dwell(String object, double start, double end, int version, double seconds) {
+public record Dwell(String object, double start, double end, int version, double seconds) {
   /** Returns the duration in seconds, short gaps included. */
   public double duration() {
     return end - start;

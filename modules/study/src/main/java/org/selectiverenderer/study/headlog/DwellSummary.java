@@ -41,7 +41,7 @@ public record DwellSummary(
       String object, double seconds, int looks, double first, double longest) {}
 
   /** Returns the dwells on objects in the middle of the view. */
-  static DwellSummary ofHead(HeadLog log) {
+  public static DwellSummary ofHead(HeadLog log) {
     return of(log, HeadSample::object, HeadSample::version);
   }
 

@@ -12,7 +12,7 @@ import java.util.Optional;
  */
 public record EyeTrackingAnalysis(double tracked, DwellSummary looks, List<Fixation> fixations) {
   /** Analyses a log; empty for a log without gaze data. */
-  static Optional<EyeTrackingAnalysis> of(HeadLog log) {
+  public static Optional<EyeTrackingAnalysis> of(HeadLog log) {
     if (log.samples().stream().allMatch(sample -> sample.eyes() == null)) {
       return Optional.empty();
     }

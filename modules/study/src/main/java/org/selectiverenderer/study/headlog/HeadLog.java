@@ -1,6 +1,8 @@
 package org.selectiverenderer.study.headlog;
 
+import java.util.ArrayList;
 import java.util.List;
+import java.util.function.IntPredicate;
 
 /**
  * The contents of a head log.
@@ -32,8 +34,22 @@ public record HeadLog(
     return new HeadLog(description, samples, begin, end);
   }
 
+  /**
+   * Returns this log with only some of its frames in view, as those in which the viewer was in an
+   * area; the others count like frames without a picture.
+   *
+   * @param counts takes the index of a sample
+   */
+  public HeadLog where(IntPredicate counts) {
+    List<HeadSample> some = new ArrayList<>(samples.size());
+    for (int i = 0; i < samples.size(); i++) {
+      some.add(counts.test(i) ? samples.get(i) : samples.get(i).unseen());
+    }
+    return new HeadLog(description, some, from, to);
+  }
+
   /** Returns whether a sample's frame was in view, if only for a part of its time. */
-  boolean inView(int sample) {
+  public boolean inView(int sample) {
     return samples.get(sample).visible()
         && end(sample) >= from
         && samples.get(sample).t() <= to
@@ -41,7 +57,7 @@ public record HeadLog(
   }
 
   /** Returns when a sample's frame came into view. */
-  double start(int sample) {
+  public double start(int sample) {
     return Math.max(from, samples.get(sample).t());
   }
 
@@ -76,7 +92,7 @@ public record HeadLog(
    * Returns how long the frame of a sample was shown in the time between {@link #from} and {@link
    * #to}, in seconds: until the next one; the last frame counts as long as the one before.
    */
-  double shown(int sample) {
+  public double shown(int sample) {
     return Math.max(0, Math.min(to, end(sample)) - start(sample));
   }
 

@@ -68,6 +68,27 @@ public record HeadSample(
     schemas = List.copyOf(schemas);
   }
 
+  /** Returns this sample as one whose frame the participant did not see. */
+  HeadSample unseen() {
+    return new HeadSample(
+        t,
+        x,
+        y,
+        z,
+        yaw,
+        pitch,
+        roll,
+        moved,
+        object,
+        distance,
+        version,
+        cone,
+        schemas,
+        frameMs,
+        new Moment(false, moment.wall(), moment.mono()),
+        eyes);
+  }
+
   /** Returns this sample with another gaze. */
   public HeadSample looking(@Nullable EyeSample looked) {
     return new HeadSample(

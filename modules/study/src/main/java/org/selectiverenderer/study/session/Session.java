@@ -79,7 +79,26 @@ public final class Session implements AutoCloseable {
       SessionOptions options,
       ProblemCollector problems)
       throws IOException {
-    return SessionStarter.begin(material, participant, number, options, problems);
+    return SessionStarter.begin(
+        material, participant, number, options, Optional.empty(), problems);
+  }
+
+  /**
+   * Begins one of many sessions that follow each other at once, as {@link #begin(LoadedStudy,
+   * String, int, SessionOptions, ProblemCollector)}.
+   *
+   * @param checksums those of {@link StudyChecksums#of}, which take longest
+   */
+  public static Session begin(
+      LoadedStudy material,
+      String participant,
+      int number,
+      SessionOptions options,
+      Map<String, String> checksums,
+      ProblemCollector problems)
+      throws IOException {
+    return SessionStarter.begin(
+        material, participant, number, options, Optional.of(checksums), problems);
   }
 
   /**

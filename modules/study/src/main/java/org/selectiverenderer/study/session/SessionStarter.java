@@ -28,10 +28,17 @@ final class SessionStarter {
   private final SessionOptions options;
   private final SessionJournal journal;
   private final Session session;
+  private final Optional<Map<String, String>> checksums;
   private final ProblemCollector problems;
 
   private SessionStarter(Session session, ProblemCollector problems) {
+    this(session, Optional.empty(), problems);
+  }
+
+  private SessionStarter(
+      Session session, Optional<Map<String, String>> checksums, ProblemCollector problems) {
     this.session = session;
+    this.checksums = checksums;
     this.problems = problems;
     material = session.material();
     folder = session.folder();
@@ -45,6 +52,7 @@ final class SessionStarter {
       String participant,
       int number,
       SessionOptions options,
+      Optional<Map<String, String>> checksums,
       ProblemCollector problems)
       throws IOException {
     SessionFolder folder = new SessionFolder(material.study().folder(), participant, number);
@@ -57,7 +65,7 @@ final class SessionStarter {
       Session session =
           new Session(material, folder, options, lock, SessionJournal.begin(folder.journal()));
       try {
-        new SessionStarter(session, problems).tellBegun();
+        new SessionStarter(session, checksums, problems).tellBegun();
         return session;
       } catch (IOException e) {
         try {
@@ -228,7 +236,7 @@ final class SessionStarter {
   }
 
   private SessionSettings settings() {
-    return new SessionSettings(material, folder, options);
+    return new SessionSettings(material, folder, options, checksums);
   }
 
   /**
@@ -236,7 +244,10 @@ final class SessionStarter {
    * scenes and questionnaires.
    */
   private record SessionSettings(
-      LoadedStudy material, SessionFolder folder, SessionOptions options) {
+      LoadedStudy material,
+      SessionFolder folder,
+      SessionOptions options,
+      Optional<Map<String, String>> checksums) {
     static final String FILE = "settings.json";
 
     /** Writes the settings into the session's folder. */
@@ -244,7 +255,8 @@ final class SessionStarter {
       folder.writeOnce("study.json", InputFileReader.text(material.study().file()));
       Map<String, Object> settings = new LinkedHashMap<>(options.recorded());
       settings.put("language", material.study().language());
-      settings.put("sha256", StudyChecksums.of(material));
+      settings.put(
+          "sha256", checksums.isPresent() ? checksums.get() : StudyChecksums.of(material));
       folder.writeOnce(FILE, JsonWriter.of(JsonTree.of(settings)));
     }
 

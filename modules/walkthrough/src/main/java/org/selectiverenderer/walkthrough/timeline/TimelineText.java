@@ -4,13 +4,31 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
+import org.selectiverenderer.base.decimal.Pluralizer;
 import org.selectiverenderer.control.ChoiceCause;
 import org.selectiverenderer.control.ControlEvent;
+import org.selectiverenderer.control.SwitchVisibility;
 
 /** Writes the time line as text for people. */
 public final class TimelineText {
   /** The largest number of switches that are listed one by one at the start. */
   private static final int LISTED = 20;
+
+  private final boolean sights;
+
+  /** Creates a writer that leaves out what the viewer sees of changes. */
+  public TimelineText() {
+    this(false);
+  }
+
+  /**
+   * Creates a writer.
+   *
+   * @param sights whether it tells what the viewer sees of changes, where that is known
+   */
+  public TimelineText(boolean sights) {
+    this.sights = sights;
+  }
 
   /** Returns the line of an event, without a line feed. */
   public String line(TimelineEvent event) {
@@ -25,17 +43,18 @@ public final class TimelineText {
         end.t(),
         "end",
         String.format(
-            Locale.ROOT,
-            "%d frames; %d polygons at the start, %d at the end, %d at most",
-            end.frames(),
-            end.polygons().start(),
-            end.polygons().end(),
-            end.polygons().max()));
+                Locale.ROOT,
+                "%d frames; %d polygons at the start, %d at the end, %d at most",
+                end.frames(),
+                end.polygons().start(),
+                end.polygons().end(),
+                end.polygons().max())
+            + waiting(end.waiting()));
   }
 
-  private static String line(double t, ControlEvent event) {
+  private String line(double t, ControlEvent event) {
     if (event instanceof ControlEvent.Start start) {
-      return row(t, "start", switches(start.switches()));
+      return row(t, "start", start(start));
     }
     if (event instanceof ControlEvent.Enter enter) {
       return row(t, "enter", area(enter.sensor(), enter.schemas()));
@@ -43,23 +62,46 @@ public final class TimelineText {
     if (event instanceof ControlEvent.Exit exit) {
       return row(t, "exit", area(exit.sensor(), exit.schemas()));
     }
+    if (event instanceof ControlEvent.FieldChange f) {
+      return row(
+          t,
+          "field",
+          "%s: %s of %s level %s -> %s%s"
+              .formatted(
+                  f.object(), f.quality().spelling(), f.field(), f.from(), f.to(), by(f.schema())));
+    }
     ControlEvent.SwitchChange s = (ControlEvent.SwitchChange) event;
     return row(
         t,
         "switch",
-        "%s: choice %s -> %s%s"
+        "%s: choice %s -> %s%s%s"
             .formatted(
                 s.switchName(),
                 s.from(),
                 s.to(),
-                cause(s.cause())));
+                by(s.cause()),
+                sights ? s.seen().map(TimelineText::sight).orElse("") : ""));
   }
 
-  private static String cause(ChoiceCause cause) {
-    if (cause.budget()) {
-      return " (budget)";
-    }
-    return cause.schema().isEmpty() ? "" : " (" + cause.schema() + ")";
+  private static String sight(SwitchVisibility seen) {
+    return seen.visible()
+        ? String.format(
+            Locale.ROOT, ", %.0f pixels seen, %.0f degrees/s", seen.pixels(), seen.turning())
+        : ", not seen";
+  }
+
+  private static String waiting(Map<String, Integer> choices) {
+    return choices.isEmpty()
+        ? ""
+        : "; not shown, as it would have been seen: " + listed(choices);
+  }
+
+  private static String by(ChoiceCause cause) {
+    return cause.budget() ? " (budget)" : by(cause.schema());
+  }
+
+  private static String by(String schema) {
+    return schema.isEmpty() ? "" : " (" + schema + ")";
   }
 
   private static String row(double t, String event, String text) {
@@ -72,6 +114,15 @@ public final class TimelineText {
         : sensor + " activates " + String.join(", ", schemas);
   }
 
+  private static String start(ControlEvent.Start start) {
+    if (start.fields().isEmpty()) {
+      return switches(start.switches());
+    }
+    int fields = start.fields().values().stream().mapToInt(Map::size).sum();
+    String what = Pluralizer.of(fields, "field") + " with levels";
+    return start.switches().isEmpty() ? what : switches(start.switches()) + "; " + what;
+  }
+
   private static String switches(Map<String, Integer> switches) {
     if (switches.isEmpty()) {
       return "no Switch of the scene has schema metadata, so nothing will change";
@@ -79,7 +130,11 @@ public final class TimelineText {
     if (switches.size() > LISTED) {
       return switches.size() + " enriched switches";
     }
-    return switches.entrySet().stream()
+    return listed(switches);
+  }
+
+  private static String listed(Map<String, Integer> choices) {
+    return choices.entrySet().stream()
         .map(entry -> entry.getKey() + ": choice " + entry.getValue())
         .collect(Collectors.joining(", "));
   }

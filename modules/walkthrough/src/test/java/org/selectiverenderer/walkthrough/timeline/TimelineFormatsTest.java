@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.control.ControlEvent;
+import org.selectiverenderer.schema.Quality;
 
 class TimelineFormatsTest {
   private final TimelineText text = new TimelineText();
@@ -48,6 +49,26 @@ class TimelineFormatsTest {
             "   0.000 s  start   no Switch of the scene has schema metadata, so "
                 + "nothing will change");
     assertThat(json.line(start)).isEqualTo("{\"t\":0.0,\"event\":\"start\",\"switches\":{}}");
+  }
+
+  @Test
+  void fieldsThatAreQualities() {
+    TimelineEvent start =
+        told(0, new ControlEvent.Start(0, switches(1), Map.of("Sofa", Map.of("T.url", -1))));
+    TimelineEvent changed =
+        told(2, new ControlEvent.FieldChange(0, "Sofa", Quality.TEXTURES, "T.url", -1, 1, "A"));
+    assertThat(text.line(start))
+        .isEqualTo("   0.000 s  start   S0: choice 0; 1 field with levels");
+    assertThat(json.line(start))
+        .isEqualTo(
+            "{\"t\":0.0,\"event\":\"start\",\"switches\":{\"S0\":0},"
+                + "\"fields\":{\"Sofa\":{\"T.url\":-1}}}");
+    assertThat(text.line(changed))
+        .isEqualTo("   2.000 s  field   Sofa: textures of T.url level -1 -> 1 (A)");
+    assertThat(json.line(changed))
+        .isEqualTo(
+            "{\"t\":2.0,\"event\":\"field\",\"object\":\"Sofa\",\"quality\":\"textures\","
+                + "\"field\":\"T.url\",\"from\":-1,\"to\":1,\"schema\":\"A\"}");
   }
 
   @Test

@@ -39,6 +39,40 @@ class TimeSensorTest {
   }
 
   @Test
+  void anAnimationRateLetsAClockSendSoManyFractionsASecond() {
+    Node rate = nodes.node("MetadataDouble", "name", "animationRate", "value", new double[] {2});
+    TimeSensorNode clock =
+        clock("loop", true, "startTime", 10.0, "cycleInterval", 4.0, "metadata", rate);
+    at(clock, 10);
+    assertThat(nodes.sent()).contains("fraction_changed=0.0");
+    at(clock, 10.25);
+    assertThat(nodes.sent()).containsExactly("elapsedTime=0.25", "time=10.25");
+    at(clock, 10.5);
+    assertThat(nodes.sent()).contains("fraction_changed=0.125");
+    at(clock, 10.75);
+    assertThat(nodes.sent()).doesNotContain("fraction_changed=0.1875");
+    nodes.send(rate, "value", new double[] {0});
+    nodes.sent();
+    at(clock, 11);
+    assertThat(nodes.sent()).as("stands still").containsExactly("elapsedTime=1.0", "time=11.0");
+    nodes.send(rate, "value", new double[] {100});
+    nodes.sent();
+    at(clock, 11.5);
+    assertThat(nodes.sent()).contains("fraction_changed=0.375");
+  }
+
+  @Test
+  void aClockWithARateSendsTheEndOfItsOnlyCycle() {
+    Node rate = nodes.node("MetadataDouble", "name", "animationRate", "value", new double[] {0.1});
+    TimeSensorNode clock = clock("startTime", 10.0, "cycleInterval", 4.0, "metadata", rate);
+    at(clock, 11);
+    at(clock, 12);
+    nodes.sent();
+    at(clock, 15);
+    assertThat(nodes.sent()).contains("fraction_changed=1.0");
+  }
+
+  @Test
   void theDefaultsDoNotRunWhenTheWorldBeginsLater() {
     TimeSensorNode clock = clock();
     at(clock, 1_700_000_000);
