@@ -5,10 +5,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.cli.CommandTestCase;
+import org.selectiverenderer.study.gaze.GazeSimulator;
 
 class EnrichCommandTest {
   private static final Pattern HEAD = Pattern.compile("(?s)<head>.*?</head>");
@@ -175,5 +177,84 @@ class EnrichCommandTest {
       assertThat(err)
           .isEqualTo("selective-renderer enrich: " + folder + ": is a folder, not a file\n");
     }
+  }
+
+  /** A room of objects in two versions, and a study with participants who looked at them. */
+  private Path roomWithLogs(int participants) throws IOException {
+    double[] attention = {1, -1, 0, 1, -1, 0, 1, -1, 0, 1, -1, 0, 1, -1, 0, 0};
+    GazeSimulator room =
+        new GazeSimulator(
+            "room.x3d", List.of("OfficeSchema"), GazeSimulator.along(attention, 1));
+    for (int p = 1; p <= participants; p++) {
+      GazeSimulator.write(
+          room.log(60, p), folder.resolve("study/sub-%02d/ses-01/head/room_run-01.csv".formatted(p)));
+    }
+    StringBuilder scene = new StringBuilder("<X3D><Scene>\n");
+    for (int i = 1; i <= attention.length; i++) {
+      scene.append("  <Switch DEF='Switch_Object%d'><Shape/><Shape/></Switch>\n".formatted(i));
+    }
+    return Files.writeString(folder.resolve("room.x3d"), scene + "</Scene></X3D>\n");
+  }
+
+  @Test
+  void whatParticipantsLookedAtIsProposedAndWhatIsClearIsWritten() throws IOException {
+    Path scene = roomWithLogs(12);
+    String before = Files.readString(scene);
+    String logs = folder.resolve("study").toString();
+    assertThat(run("enrich", scene.toString(), "--from-logs", logs)).as(err).isZero();
+    assertThat(out)
+        .containsPattern("Switch_Object1 +OfficeSchema +- +0\\.[0-3].* 12 .* inconsistent\n")
+        .containsPattern("Switch_Object5 +OfficeSchema +- +0\\.[6-9].* 12 .* consistent\n")
+        .containsPattern("Switch_Object9 .*undecided\n");
+    assertThat(err).contains("of 16 proposals are clear").contains("room.x3d: enriched");
+    assertThat(Files.readString(scene)).contains("OfficeSchema").contains("'inconsistent'");
+    assertThat(folder.resolve("room.x3d.bak")).hasContent(before);
+    assertThat(Files.readString(scene).replaceAll("(?m)^\\s*</?Metadata.*\n", ""))
+        .contains("<Switch DEF='Switch_Object9'><Shape/><Shape/></Switch>\n");
+  }
+
+  @Test
+  void aDryRunOfLogsPrintsTheDifferenceAlone() throws IOException {
+    Path scene = roomWithLogs(6);
+    String before = Files.readString(scene);
+    String logs = folder.resolve("study").toString();
+    assertThat(run("enrich", scene.toString(), "--from-logs", logs, "--dry-run")).as(err).isZero();
+    assertThat(out).startsWith("--- ").doesNotContain("undecided");
+    assertThat(err).contains("Switch_Object1");
+    assertThat(scene).hasContent(before);
+  }
+
+  @Test
+  void ratingsAreWhatProposalsAreShrunkTowards() throws IOException {
+    Path scene = roomWithLogs(2);
+    Path ratings =
+        Files.writeString(
+            folder.resolve("r.csv"),
+            "object,schema,rating\nObject1,OfficeSchema,1\nNobody,OfficeSchema,3\n");
+    String logs = folder.resolve("study").toString();
+    run("enrich", scene.toString(), "--from-logs", logs, "--ratings", ratings.toString());
+    assertThat(out).containsPattern("Switch_Object1 +OfficeSchema +1\\.00 ");
+    assertThat(err).contains("no Switch of the scene has the name 'Nobody'");
+  }
+
+  @Test
+  void onePersonsLogsProposeNothing() throws IOException {
+    Path scene = roomWithLogs(1);
+    String before = Files.readString(scene);
+    assertThat(run("enrich", scene.toString(), "--from-logs", folder.resolve("study").toString()))
+        .isZero();
+    assertThat(err).contains("one participant only").contains("0 of 16 proposals");
+    assertThat(scene).hasContent(before);
+  }
+
+  @Test
+  void logsThatAreNoneAreSaidInASentence() throws IOException {
+    Path scene = scene();
+    assertThat(run("enrich", scene.toString(), "--from-logs", scene.toString())).isEqualTo(1);
+    assertThat(err).contains("cup.x3d:1:");
+    assertThat(run("enrich", scene.toString(), "--from-logs", folder + "/none.csv")).isNotZero();
+    assertThat(err).contains("none.csv").contains("does not exist").doesNotContain("Exception");
+    assertThat(run("enrich", "--from-logs", "a.csv")).isNotZero();
+    assertThat(err).contains("need a SCENE");
   }
 }

@@ -5,7 +5,9 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.authoring.Edit;
@@ -18,10 +20,13 @@ import org.selectiverenderer.authoring.file.BrokenRelativeUrls;
 import org.selectiverenderer.authoring.file.DocumentFile;
 import org.selectiverenderer.authoring.file.UnifiedDiff;
 import org.selectiverenderer.authoring.file.XmlConversion;
+import org.selectiverenderer.authoring.ratings.GazeProposal;
 import org.selectiverenderer.authoring.ratings.ObjectNameMatcher;
 import org.selectiverenderer.authoring.ratings.ObjectNameMatcher.Match;
 import org.selectiverenderer.authoring.ratings.RatingPlan;
+import org.selectiverenderer.authoring.ratings.RatingScale;
 import org.selectiverenderer.authoring.ratings.Ratings;
+import org.selectiverenderer.authoring.ratings.ViewedObjects;
 import org.selectiverenderer.base.files.InputFileReader;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
@@ -29,14 +34,15 @@ import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.DocumentError;
 
 /**
- * Enriches a scene from tables, without a window: first from expectancy ratings, then from a table
- * of metadata.
+ * Enriches a scene from tables, without a window: first from expectancy ratings, or from what
+ * participants looked at, then from a table of metadata.
  */
 public final class HeadlessEnrichment {
   private final DocumentFile file;
   private final String before;
   private final DocumentEnrichment enrichment;
   private final ProblemCollector problems;
+  private List<GazeProposal> proposals = List.of();
 
   private HeadlessEnrichment(
       DocumentFile file, NodeCatalogue catalogue, ProblemCollector problems) {
@@ -50,10 +56,35 @@ public final class HeadlessEnrichment {
    * The input and output files of an enrichment.
    *
    * @param ratings RATINGS.csv, or null
+   * @param scale how its ratings choose among versions
    * @param metadata METADATA.csv, or null
+   * @param gaze proposals from head logs, or null; with them, ratings are not written themselves
+   *     but are what the proposals are shrunk towards
    * @param output the file to be written: the scene itself, or another
    */
-  public record Request(Path scene, @Nullable Path ratings, @Nullable Path metadata, Path output) {}
+  public record Request(
+      Path scene,
+      @Nullable Path ratings,
+      RatingScale scale,
+      @Nullable Path metadata,
+      @Nullable GazeProposalSource gaze,
+      Path output) {
+    /** Makes a request without head logs, in which ratings count by the thesis's bands. */
+    public Request(Path scene, @Nullable Path ratings, @Nullable Path metadata, Path output) {
+      this(scene, ratings, RatingScale.BANDS, metadata, null, output);
+    }
+  }
+
+  /** Makes proposals from head logs. */
+  @FunctionalInterface
+  public interface GazeProposalSource {
+    /**
+     * @param objects finds what the logs name in the scene
+     * @param problems receives what is wrong with the logs
+     * @throws IOException if a log cannot be read, with a one-line message that names it
+     */
+    List<GazeProposal> of(ViewedObjects objects, ProblemCollector problems) throws IOException;
+  }
 
   /**
    * Enriches a scene in memory.
@@ -77,19 +108,21 @@ public final class HeadlessEnrichment {
       return Optional.empty();
     }
     boolean done =
-        (request.ratings() == null || run.ratings(request.ratings()))
+        (request.gaze() != null
+                ? run.gaze(request.gaze(), request.ratings(), request.scale())
+                : request.ratings() == null || run.ratings(request.ratings(), request.scale()))
             && (request.metadata() == null || run.metadata(request.metadata()));
     return done ? Optional.of(run) : Optional.empty();
   }
 
-  private boolean ratings(Path table) throws IOException {
+  private boolean ratings(Path table, RatingScale scale) throws IOException {
     Optional<Ratings> ratings = Ratings.read(table.toString(), read(table), problems);
     if (ratings.isEmpty()) {
       return false;
     }
     ObjectNameMatcher matching =
         new ObjectNameMatcher(ratings.get().means().keySet(), enrichment.switches());
-    RatingPlan plan = RatingPlan.of(enrichment, ratings.get(), matching, true);
+    RatingPlan plan = RatingPlan.of(enrichment, ratings.get(), matching, true, scale);
     plan.unused().forEach(match -> unused(table, match));
     String following =
         plan.rows().stream()
@@ -109,6 +142,40 @@ public final class HeadlessEnrichment {
           "objects without ratings, which get no metadata: " + silent);
     }
     return perform(plan.edit("Import ratings"));
+  }
+
+  private boolean gaze(GazeProposalSource source, @Nullable Path table, RatingScale scale)
+      throws IOException {
+    Ratings prior = new Ratings(Map.of());
+    if (table != null) {
+      Optional<Ratings> read = Ratings.read(table.toString(), read(table), problems);
+      if (read.isEmpty()) {
+        return false;
+      }
+      prior = read.get();
+    }
+    ObjectNameMatcher matching =
+        new ObjectNameMatcher(prior.means().keySet(), enrichment.switches());
+    if (table != null) {
+      matching.matches().stream()
+          .filter(match -> !match.counts())
+          .forEach(match -> unused(table, match));
+    }
+    ViewedObjects objects = new ViewedObjects(enrichment, prior, matching);
+    proposals = List.copyOf(source.of(objects, problems));
+    Ratings accepted = ViewedObjects.of(enrichment).with(new Ratings(Map.of()), proposals);
+    Set<String> names = accepted.means().keySet();
+    ObjectNameMatcher switches = new ObjectNameMatcher(names, enrichment.switches());
+    names.forEach(name -> switches.choose(name, name));
+    return names.isEmpty()
+        || perform(
+            RatingPlan.of(enrichment, accepted, switches, false, scale)
+                .edit("Consistency from gaze"));
+  }
+
+  /** Returns the proposals from head logs, those that were not clear enough to write included. */
+  public List<GazeProposal> proposals() {
+    return proposals;
   }
 
   private void unused(Path table, Match match) {

@@ -35,9 +35,9 @@ final class RoomPartSchemaResolver {
     for (EnrichedSensor sensor : sensors) {
       parts.addAll(sensor.schemas().enter());
       if (!sensor.enriched()) {
-        String place = SENSOR_WORDS.matcher(sensor.name()).replaceAll("").toLowerCase(Locale.ROOT);
+        String place = placeOfSensor(sensor.name());
         schemas.stream()
-            .filter(schema -> !place.isEmpty() && place.equals(placeOf(schema)))
+            .filter(schema -> !place.isEmpty() && place.equals(placeOfSchema(schema)))
             .findFirst()
             .ifPresent(
                 schema -> {
@@ -48,7 +48,21 @@ final class RoomPartSchemaResolver {
     }
   }
 
-  private static String placeOf(String schema) {
+  /** Returns the place that a sensor's name tells: {@code desk} of {@code DeskProx}. */
+  static String placeOfSensor(String sensor) {
+    return SENSOR_WORDS.matcher(sensor).replaceAll("").toLowerCase(Locale.ROOT);
+  }
+
+  /** Returns a name for the schema of a sensor's place: {@code DeskSchema} for {@code DeskProx}. */
+  static String schemaOfSensor(String sensor) {
+    String place = SENSOR_WORDS.matcher(sensor).replaceAll("");
+    return place.isEmpty()
+        ? "SceneSchema"
+        : place.substring(0, 1).toUpperCase(Locale.ROOT) + place.substring(1) + "Schema";
+  }
+
+  /** Returns the place that a schema's name tells: {@code desk} of {@code DeskSchema}. */
+  static String placeOfSchema(String schema) {
     return SCHEMA_WORDS.matcher(schema).replaceAll("").toLowerCase(Locale.ROOT);
   }
 

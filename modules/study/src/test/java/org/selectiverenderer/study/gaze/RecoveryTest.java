@@ -19,7 +19,7 @@ class RecoveryTest {
   private static final RatingLookup NO_RATINGS = (object, area) -> OptionalDouble.empty();
 
   /** A third each of inconsistent, neutral and consistent objects, in an order by chance. */
-  private static double[] attention(double strength, long seed) {
+  static double[] attention(double strength, long seed) {
     double[] attention = new double[OBJECTS];
     SplittableRandom chance = new SplittableRandom(seed);
     for (int i = 0; i < OBJECTS; i++) {
@@ -43,11 +43,11 @@ class RecoveryTest {
     return data;
   }
 
-  private static double truth(double attention) {
+  static double truth(double attention) {
     return 1 / (1 + Math.exp(ConsistencyEstimate.STEEPNESS * attention));
   }
 
-  private static int index(String object) {
+  static int index(String object) {
     return Integer.parseInt(object.replaceAll("\\D", "")) - 1;
   }
 

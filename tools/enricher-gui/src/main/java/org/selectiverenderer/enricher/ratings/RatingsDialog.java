@@ -1,11 +1,14 @@
 package org.selectiverenderer.enricher.ratings;
 
+import java.awt.Insets;
+import java.awt.Rectangle;
 import java.awt.Window;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JComponent;
@@ -23,6 +26,8 @@ import javax.swing.KeyStroke;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.authoring.EditRejectedException;
+import org.selectiverenderer.authoring.ratings.RatingScale;
+import org.selectiverenderer.authoring.ratings.ViewedObjects;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.base.files.InputFileReader;
 import org.selectiverenderer.base.problem.Problem;
@@ -37,7 +42,9 @@ import org.selectiverenderer.swing.WindowPacker;
 
 /**
  * Imports a table of expectancy ratings: the author chooses the file, corrects which Switch each
- * object is, reviews the implied metadata, and applies it as one undo step.
+ * object is, reviews the implied metadata, and applies it as one undo step. Head logs propose the
+ * consistency of objects from what participants looked at; the author accepts proposals one by one,
+ * and those accepted take the place of ratings.
  */
 @SuppressWarnings("serial") // never written
 public final class RatingsDialog extends JDialog {
@@ -45,9 +52,11 @@ public final class RatingsDialog extends JDialog {
 
   private final EnricherSession session;
   private final RatingsImportModel model;
+  private final JPanel gaze;
   private final JTextField file = new JTextField(30);
   private final JCheckBox follow =
       Mnemonics.on(new JCheckBox("", true), Texts.of("ratings.follow"));
+  private final JCheckBox linear = Mnemonics.on(new JCheckBox(), Texts.of("ratings.linear"));
   private final JLabel summary = PlainText.only(new JLabel());
   private final JTabbedPane messages = new JTabbedPane();
   private final JList<String> leftOut = PlainText.entries(new JList<>());
@@ -59,12 +68,20 @@ public final class RatingsDialog extends JDialog {
     super(owner, Texts.of("ratings.title"), ModalityType.DOCUMENT_MODAL);
     this.session = session;
     this.model = new RatingsImportModel(session.enrichment());
+    this.gaze =
+        RatingsTableFactory.captioned(
+            Mnemonics.label("ratings.caption.gaze"),
+            RatingsTableFactory.gaze(new GazeTableModel(model)),
+            134,
+            8);
     setDefaultCloseOperation(DISPOSE_ON_CLOSE);
     JPanel content =
-        new JPanel(new MigLayout("insets dialog, fill", "[grow,fill]", "[][][grow,fill][][][]"));
+        new JPanel(new MigLayout("insets dialog, fill", "[grow,fill]", "[][][grow,fill][][][][]"));
     content.add(source(), "wrap");
     content.add(summary, "wrap");
     content.add(tables(), "grow, wrap");
+    gaze.setVisible(false);
+    content.add(gaze, "grow, wrap, hidemode 3");
     content.add(options(), "wrap");
     content.add(messages(), "grow, wrap");
     content.add(buttons());
@@ -81,7 +98,7 @@ public final class RatingsDialog extends JDialog {
   }
 
   private JPanel source() {
-    JPanel panel = new JPanel(new MigLayout("insets 0, fillx", "[][grow,fill][]"));
+    JPanel panel = new JPanel(new MigLayout("insets 0, fillx", "[][grow,fill][][]"));
     JLabel label = Mnemonics.label("ratings.file");
     label.setLabelFor(file);
     file.getAccessibleContext().setAccessibleName(Texts.of("ratings.file.name"));
@@ -92,6 +109,10 @@ public final class RatingsDialog extends JDialog {
     panel.add(label);
     panel.add(file);
     panel.add(browse);
+    JButton logs = Mnemonics.button("ratings.logs");
+    logs.setToolTipText(Texts.of("ratings.logs.tip"));
+    logs.addActionListener(e -> browseLogs());
+    panel.add(logs);
     return panel;
   }
 
@@ -101,8 +122,8 @@ public final class RatingsDialog extends JDialog {
     JSplitPane split =
         new JSplitPane(
             JSplitPane.HORIZONTAL_SPLIT,
-            RatingsTableFactory.captioned(Mnemonics.label("ratings.caption.matches"), matches, 48),
-            RatingsTableFactory.captioned(Mnemonics.label("ratings.caption.implied"), implied, 86));
+            RatingsTableFactory.captioned(Mnemonics.label("ratings.caption.matches"), matches, 48, 14),
+            RatingsTableFactory.captioned(Mnemonics.label("ratings.caption.implied"), implied, 86, 14));
     split.setResizeWeight(0.4);
     split.setBorder(null);
     return split;
@@ -115,8 +136,12 @@ public final class RatingsDialog extends JDialog {
     proposals.addActionListener(e -> model.acceptProposals());
 
     follow.addActionListener(e -> model.unratedFollow(follow.isSelected()));
+    linear.setToolTipText(Texts.of("ratings.linear.tip"));
+    linear.addActionListener(
+        e -> model.scale(linear.isSelected() ? RatingScale.LINEAR : RatingScale.BANDS));
     panel.add(proposals);
-    panel.add(follow);
+    panel.add(follow, "wrap");
+    panel.add(linear, "span");
     return panel;
   }
 
@@ -154,6 +179,55 @@ public final class RatingsDialog extends JDialog {
     }
   }
 
+  private void browseLogs() {
+    NamedFileChooser chooser = new NamedFileChooser();
+    chooser.setCurrentDirectory(session.file().path().toAbsolutePath().toFile().getParentFile());
+    chooser.setDialogTitle(Texts.of("ratings.chooser.logs"));
+    chooser.setFileSelectionMode(JFileChooser.FILES_AND_DIRECTORIES);
+    chooser.setMultiSelectionEnabled(true);
+    chooser.setFileFilter(new FileNameExtensionFilter(Texts.of("ratings.tables.logs"), "csv"));
+    if (chooser.showOpenDialog(this) == JFileChooser.APPROVE_OPTION) {
+      openLogs(Stream.of(chooser.getSelectedFiles()).map(File::toPath).toList());
+    }
+  }
+
+  /**
+   * Reads head logs in the background and shows what they propose.
+   *
+   * @param logs files, and folders of sessions or studies
+   */
+  public void openLogs(List<Path> logs) {
+    String scene = String.valueOf(session.file().path().getFileName());
+    ViewedObjects objects = model.viewed();
+    session
+        .tasks()
+        .run(
+            Texts.of("ratings.reading.logs"),
+            () -> RatingsImportModel.read(logs, scene, objects),
+            model::take,
+            failure ->
+                model.problem(
+                    new Problem(
+                        Problem.Severity.ERROR,
+                        SourceLocation.of(logs.get(0).toString()),
+                        Texts.of("ratings.another", failure.getMessage()))));
+  }
+
+  /** Makes the proposals anew after another table was read or matched. */
+  private void renewProposals() {
+    GazeProposals logs = model.gaze().logs();
+    if (model.takeGazeStale() && logs != null) {
+      ViewedObjects objects = model.viewed();
+      session
+          .tasks()
+          .run(
+              Texts.of("ratings.reading.logs"),
+              () -> logs.of(objects),
+              proposals -> model.take(logs, proposals),
+              failure -> summary.setText(failure.getMessage()));
+    }
+  }
+
   /** Shows the dialog and waits until it is closed. */
   public void showAndWait() {
     InitialFocus.show(this, file);
@@ -184,7 +258,23 @@ public final class RatingsDialog extends JDialog {
     return new RatingsImportModel.Table(table.toString(), Optional.empty(), List.of(problem));
   }
 
+  /** Makes room for the proposals, by the tables above where the screen is low. */
+  private void showProposals() {
+    gaze.setVisible(true);
+    pack();
+    Rectangle screen = getGraphicsConfiguration().getBounds();
+    Insets bars = getToolkit().getScreenInsets(getGraphicsConfiguration());
+    int height = Math.min(getHeight(), screen.height - bars.top - bars.bottom);
+    setSize(Math.min(getWidth(), screen.width - bars.left - bars.right), height);
+    int lowest = screen.y + screen.height - bars.bottom - height;
+    setLocation(getX(), Math.max(screen.y + bars.top, Math.min(getY(), lowest)));
+  }
+
   private void refresh() {
+    renewProposals();
+    if (!gaze.isVisible() && !model.gaze().proposals().isEmpty()) {
+      showProposals();
+    }
     List<String> left = model.leftOut();
     leftOut.setListData(left.toArray(String[]::new));
     problems.setListData(model.problems().stream().map(Problem::toString).toArray(String[]::new));

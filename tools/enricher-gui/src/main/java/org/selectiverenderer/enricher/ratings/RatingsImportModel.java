@@ -1,5 +1,7 @@
 package org.selectiverenderer.enricher.ratings;
 
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -9,10 +11,13 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.enrichment.DocumentEnrichment;
 import org.selectiverenderer.authoring.enrichment.EnrichedSwitch;
+import org.selectiverenderer.authoring.ratings.GazeProposal;
 import org.selectiverenderer.authoring.ratings.ObjectNameMatcher;
 import org.selectiverenderer.authoring.ratings.ObjectNameMatcher.Match;
 import org.selectiverenderer.authoring.ratings.RatingPlan;
+import org.selectiverenderer.authoring.ratings.RatingScale;
 import org.selectiverenderer.authoring.ratings.Ratings;
+import org.selectiverenderer.authoring.ratings.ViewedObjects;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
@@ -23,6 +28,9 @@ import org.selectiverenderer.enricher.text.Texts;
  * and the implied metadata, which follows each correction at once. Not thread-safe.
  */
 final class RatingsImportModel {
+  /** The result of reading head logs. */
+  record Logs(GazeProposals read, List<GazeProposal> proposals, List<Problem> problems) {}
+
   /** The result of reading a table. */
   record Table(String name, Optional<Ratings> ratings, List<Problem> problems) {}
 
@@ -34,6 +42,9 @@ final class RatingsImportModel {
   private @Nullable ObjectNameMatcher matching;
   private @Nullable RatingPlan plan;
   private boolean unratedFollow = true;
+  private RatingScale scale = RatingScale.BANDS;
+  private final GazeImport gaze = new GazeImport();
+  private boolean gazeStale;
 
   RatingsImportModel(DocumentEnrichment enrichment) {
     this.enrichment = enrichment;
@@ -58,12 +69,69 @@ final class RatingsImportModel {
         ratings == null
             ? null
             : new ObjectNameMatcher(ratings.means().keySet(), enrichment.switches());
+    gazeStale = gaze.logs() != null;
     work();
+  }
+
+  /** What logs name in the scene as it is now, with the ratings of the table. */
+  ViewedObjects viewed() {
+    return ratings == null || matching == null
+        ? ViewedObjects.of(enrichment)
+        : new ViewedObjects(enrichment, ratings, matching);
+  }
+
+  /** Reads head logs and makes proposals; thread-safe. */
+  static Logs read(List<Path> logs, String scene, ViewedObjects objects) throws IOException {
+    ProblemCollector problems = new ProblemCollector();
+    GazeProposals read = GazeProposals.read(logs, scene, problems);
+    return new Logs(read, read.of(objects), problems.list());
+  }
+
+  /** Uses logs that were read. */
+  void take(Logs logs) {
+    problems = logs.problems();
+    take(logs.read(), logs.proposals());
+  }
+
+  /** Uses new proposals from the logs that were read. */
+  void take(GazeProposals read, List<GazeProposal> proposals) {
+    gaze.take(read, proposals);
+    gazeStale = false;
+    work();
+  }
+
+  GazeImport gaze() {
+    return gaze;
+  }
+
+  /** Whether the ratings have changed since the proposals were made; false after it was asked. */
+  boolean takeGazeStale() {
+    boolean stale = gazeStale;
+    gazeStale = false;
+    return stale;
+  }
+
+  /** Accepts a proposal from the logs, or takes that back. */
+  void accept(GazeProposal proposal, boolean accept) {
+    gaze.accept(proposal, accept);
+    work();
+  }
+
+  /** Lists a problem alone, as of logs that could not be read. */
+  void problem(Problem problem) {
+    problems = List.of(problem);
+    listeners.forEach(Runnable::run);
   }
 
   /** Sets whether objects without ratings are treated as expected in their room. */
   void unratedFollow(boolean follow) {
     unratedFollow = follow;
+    work();
+  }
+
+  /** Sets how ratings choose among versions. */
+  void scale(RatingScale chosen) {
+    scale = chosen;
     work();
   }
 
@@ -73,6 +141,7 @@ final class RatingsImportModel {
     if (current != null) {
       switchName.ifPresentOrElse(
           name -> current.choose(object, name), () -> current.leaveOut(object));
+      gazeStale = gaze.logs() != null;
       work();
     }
   }
@@ -84,16 +153,26 @@ final class RatingsImportModel {
       current.matches().stream()
           .filter(match -> match.how() == ObjectNameMatcher.How.PROPOSED)
           .forEach(match -> current.choose(match.object(), match.switchName().orElseThrow()));
+      gazeStale = gaze.logs() != null;
       work();
     }
   }
 
   /** Computes the plan again, as after an edit of the document. */
   void work() {
-    plan =
-        ratings == null || matching == null
-            ? null
-            : RatingPlan.of(enrichment, ratings, matching, unratedFollow);
+    Ratings table = ratings;
+    if (table == null && gaze.chosen().isEmpty()) {
+      plan = null;
+    } else {
+      Ratings all = gaze.onto(table == null ? new Ratings(Map.of()) : table, viewed());
+      plan =
+          RatingPlan.of(
+              enrichment,
+              all,
+              GazeImport.matching(all, matching, enrichment),
+              unratedFollow && table != null,
+              scale);
+    }
     listeners.forEach(Runnable::run);
   }
 
@@ -150,6 +229,14 @@ final class RatingsImportModel {
 
   /** A sentence that summarizes the import. */
   String summary() {
+    if (!gaze.proposals().isEmpty() && ratings == null) {
+      return Texts.of(
+          "ratings.summary.gaze",
+          DecimalFormatter.grouped(gaze.proposals().size()),
+          DecimalFormatter.grouped(
+              gaze.proposals().stream().filter(GazeProposal::applicable).count()),
+          DecimalFormatter.grouped(gaze.chosen().size()));
+    }
     if (plan == null) {
       return name.isEmpty() ? Texts.of("ratings.choose") : Texts.of("ratings.notused");
     }
@@ -174,6 +261,8 @@ final class RatingsImportModel {
   Optional<Edit> edit() {
     // The scene may have been edited since the plan was computed.
     work();
-    return plan().filter(p -> applicable()).map(p -> p.edit(Texts.of("ratings.step", name)));
+    String step =
+        ratings == null ? Texts.of("ratings.step.gaze") : Texts.of("ratings.step", name);
+    return plan().filter(p -> applicable()).map(p -> p.edit(step));
   }
 }

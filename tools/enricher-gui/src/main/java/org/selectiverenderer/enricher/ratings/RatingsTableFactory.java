@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.ratings;
 
+import java.awt.Component;
 import java.awt.Dimension;
 import java.util.List;
 import javax.swing.DefaultCellEditor;
@@ -9,6 +10,7 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
 import javax.swing.ListSelectionModel;
+import javax.swing.table.TableCellRenderer;
 import javax.swing.table.TableModel;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.enricher.component.ColumnHeads;
@@ -16,7 +18,7 @@ import org.selectiverenderer.enricher.component.ShortcutTable;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.swing.PlainText;
 
-/** Creates the two tables of the import dialog, with their captions. */
+/** Creates the tables of the import dialog, with their captions. */
 final class RatingsTableFactory {
   private RatingsTableFactory() {}
 
@@ -42,6 +44,25 @@ final class RatingsTableFactory {
     return table;
   }
 
+  static JTable gaze(GazeTableModel model) {
+    JTable table = table(model, Texts.of("ratings.gaze"));
+    int[] shares = {8, 18, 16, 8, 7, 11, 25, 17};
+    for (int i = 0; i < shares.length; i++) {
+      table.getColumnModel().getColumn(i).setPreferredWidth(10 * shares[i]);
+    }
+    ColumnHeads.fit(table);
+    TableCellRenderer boxes = table.getDefaultRenderer(Boolean.class);
+    table.setDefaultRenderer(
+        Boolean.class,
+        (of, value, selected, focused, row, column) -> {
+          Component box =
+              boxes.getTableCellRendererComponent(of, value, selected, focused, row, column);
+          box.setEnabled(model.isCellEditable(row, column));
+          return box;
+        });
+    return table;
+  }
+
   private static JTable table(TableModel model, String name) {
     JTable table = new ShortcutTable(model);
     PlainText.cells(table);
@@ -55,13 +76,13 @@ final class RatingsTableFactory {
   }
 
   /** Creates a panel with a table under its caption. */
-  static JPanel captioned(JLabel label, JTable table, int widthInLetters) {
+  static JPanel captioned(JLabel label, JTable table, int widthInLetters, int rows) {
     JPanel panel = new JPanel(new MigLayout("insets 0, fill", "[grow,fill]", "[][grow,fill]"));
 
     label.setLabelFor(table);
     int letter = table.getFontMetrics(table.getFont()).charWidth('n');
     table.setPreferredScrollableViewportSize(
-        new Dimension(letter * widthInLetters, table.getRowHeight() * 14));
+        new Dimension(letter * widthInLetters, table.getRowHeight() * rows));
     panel.add(label, "wrap");
     panel.add(new JScrollPane(table), "grow");
     return panel;

@@ -6,12 +6,15 @@ import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import javax.swing.JButton;
 import javax.swing.JTable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.enricher.robot.TestSessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.schema.ConsistencyType;
+import org.selectiverenderer.study.gaze.GazeSimulator;
 import org.selectiverenderer.testing.ShowsWindows;
 import org.selectiverenderer.testing.robot.GuiRobot;
 
@@ -94,5 +97,114 @@ class RatingsDialogTest {
     hands.press(KeyEvent.VK_ESCAPE);
     hands.await("the end", () -> !dialog.isShowing());
     assertThat(session.document().modified()).isFalse();
+  }
+
+  @Test
+  void proposalsFromLogsAreAcceptedOneByOneAndAppliedAsOneStep() throws IOException {
+    TestSessions.theme(false);
+    double[] attention = {1, -1, 0, 1, -1, 0, 1, -1, 0, 1, -1, 0};
+    StringBuilder scene = new StringBuilder();
+    for (int i = 1; i <= attention.length; i++) {
+      scene.append(TestSessions.object("Object" + i));
+    }
+    EnricherSession session = TestSessions.with(folder, scene.toString());
+    String before = session.document().text().toString();
+    String name = String.valueOf(session.file().path().getFileName());
+    GazeSimulator room =
+        new GazeSimulator(
+            name, List.of("OfficeSchema"), GazeSimulator.along(attention, 1));
+    for (int p = 1; p <= 10; p++) {
+      GazeSimulator.write(
+          room.log(60, p), folder.resolve("logs/sub-%02d/ses-01/head/a_run-01.csv".formatted(p)));
+    }
+    Path ratings =
+        Files.writeString(
+            folder.resolve("r.csv"),
+            "object,schema,rating\nObject1,OfficeSchema,6\nObject3,OfficeSchema,5\n");
+    GuiRobot hands = new GuiRobot();
+    RatingsDialog dialog = GuiRobot.onEdt(() -> new RatingsDialog(null, session));
+    hands.show(dialog);
+    JTable proposals =
+        GuiRobot.named(dialog, "Proposals from what participants looked at", JTable.class);
+    assertThat(GuiRobot.onEdt(proposals::isShowing)).isFalse();
+    GuiRobot.onEdt(
+        () -> {
+          dialog.openLogs(List.of(folder.resolve("logs")));
+          return true;
+        });
+    hands.await("the proposals", () -> proposals.getRowCount() == 12);
+    hands.await("their table", proposals::isShowing);
+    assertThat(GuiRobot.named(dialog, "Apply", JButton.class).isEnabled()).isFalse();
+    assertThat(cell(proposals, 0, 7)).isEqualTo("inconsistent");
+    String object = cell(proposals, 0, 1);
+    hands.click(proposals, 0, GazeTableModel.ACCEPT);
+    hands.await("the plan", GuiRobot.named(dialog, "Apply", JButton.class)::isEnabled);
+    GuiRobot.picture(dialog.getContentPane(), "ratings-gaze", 1);
+
+    GuiRobot.onEdt(
+        () -> {
+          dialog.open(ratings);
+          return true;
+        });
+    hands.await("the ratings beside", () -> rated(proposals, "Switch_Object1").equals("6.00"));
+    assertThat(GuiRobot.onEdt(() -> accepted(proposals, object))).isTrue();
+
+    hands.click(GuiRobot.named(dialog, "Apply", JButton.class));
+    hands.await("the end", () -> !dialog.isShowing());
+    assertThat(session.document().history().names()).hasSize(1);
+    assertThat(session.enrichment().switchesByName().get(object).choices().get(0).values())
+        .satisfies(
+            values -> {
+              assertThat(values.schemas()).containsExactly("OfficeSchema");
+              assertThat(values.type()).contains(ConsistencyType.INCONSISTENT);
+            });
+    session.document().history().undo();
+    assertThat(session.document().text().toString()).isEqualTo(before);
+  }
+
+  private static String cell(JTable table, int row, int column) {
+    return GuiRobot.onEdt(() -> String.valueOf(table.getValueAt(row, column)));
+  }
+
+  private static String rated(JTable table, String object) {
+    return String.valueOf(table.getValueAt(row(table, object), 3));
+  }
+
+  private static boolean accepted(JTable table, String object) {
+    return Boolean.TRUE.equals(table.getValueAt(row(table, object), GazeTableModel.ACCEPT));
+  }
+
+  private static int row(JTable table, String object) {
+    for (int row = 0; row < table.getRowCount(); row++) {
+      if (object.equals(table.getValueAt(row, 1))) {
+        return row;
+      }
+    }
+    throw new AssertionError(object + " is not in the table");
+  }
+
+  @Test
+  void logsThatCannotBeReadAreSaid() throws IOException {
+    TestSessions.theme(false);
+    EnricherSession session = TestSessions.with(folder, TestSessions.object("Sink"));
+    GuiRobot hands = new GuiRobot();
+    RatingsDialog dialog = GuiRobot.onEdt(() -> new RatingsDialog(null, session));
+    hands.show(dialog);
+    Path none = Files.createDirectory(folder.resolve("none"));
+    GuiRobot.onEdt(
+        () -> {
+          dialog.openLogs(List.of(none));
+          return true;
+        });
+    javax.swing.JList<?> problems =
+        GuiRobot.named(dialog, "Problems of the table", javax.swing.JList.class);
+    hands.await("the problem", () -> problems.getModel().getSize() == 1);
+    assertThat(GuiRobot.onEdt(() -> problems.getModel().getElementAt(0).toString()))
+        .contains("no head logs in this folder");
+    GuiRobot.onEdt(
+        () -> {
+          dialog.dispose();
+          return true;
+        });
   }
 }
