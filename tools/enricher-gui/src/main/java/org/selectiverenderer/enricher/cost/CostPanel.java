@@ -126,7 +126,7 @@ public final class CostPanel extends JPanel {
   private void dressStates() {
     statesTable
         .column(StatesTableModel.SCOPE, 9, 8)
-        .column(StatesTableModel.STATE, 20, 14)
+        .column(StatesTableModel.STATE, 20, 12)
         .numbers(StatesTableModel.POLYGONS, 9, 8)
         .numbers(StatesTableModel.PERCENT, 7, 7)
         .numbers(StatesTableModel.TEXTURES, 8, 7)
