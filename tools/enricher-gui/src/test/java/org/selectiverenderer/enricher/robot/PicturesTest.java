@@ -20,7 +20,6 @@ import javax.swing.JTable;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.selectiverenderer.authoring.enrichment.EnrichedSwitch;
 import org.selectiverenderer.authoring.ratings.ObjectNameMatcher;
 import org.selectiverenderer.authoring.ratings.RatingPlan;
 import org.selectiverenderer.authoring.ratings.RatingScale;
@@ -137,18 +136,23 @@ class PicturesTest {
   void gaze(boolean dark) throws IOException {
     TestSessions.theme(dark);
     EnricherSession session = TestSessions.open(SCENES.resolve("apartment-plain.x3d"));
-    List<String> names =
-        session.enrichment().switches().stream()
-            .map(EnrichedSwitch::name)
-            .filter(name -> name.startsWith("Switch_"))
-            .limit(24)
-            .toList();
-    double[] attention = new double[names.size()];
-    for (int i = 0; i < attention.length; i++) {
-      attention[i] = 0.8 * (i % 3 - 1);
-    }
+    byte[] table = Files.readAllBytes(RATINGS);
+    Ratings ratings = Ratings.read("ratings.csv", table, new ProblemCollector()).orElseThrow();
+    List<String> names = new ArrayList<>();
+    List<Double> attention = new ArrayList<>();
+    new ObjectNameMatcher(ratings.means().keySet(), session.enrichment().switches())
+        .matches()
+        .forEach(
+            match -> {
+              Ratings.Mean mean = ratings.means().get(match.object()).get("OfficeSchema");
+              if (mean != null) {
+                names.add(match.switchName().orElseThrow());
+                attention.add((3.8 - mean.value()) / 2);
+              }
+            });
     List<Target> targets = new ArrayList<>();
-    for (Target each : GazeSimulator.along(attention, 1)) {
+    double[] all = attention.stream().mapToDouble(each -> each).toArray();
+    for (Target each : GazeSimulator.along(all, 1)) {
       targets.add(new Target(names.get(targets.size()), each.box(), each.attention()));
     }
     List<String> schemas = List.of("OfficeSchema");
