@@ -174,7 +174,11 @@ final class SceneController implements ControlledArea.Listener {
   /** Returns whether the versions differ in their polygons, so that a budget can choose. */
   private static boolean differsInPolygons(VersionedObject object) {
     return object.versions() > 0
-        && object.schemas().map(SwitchSchemas::quality).filter(Quality.POLYGONS::equals).isPresent();
+        && object
+            .schemas()
+            .map(SwitchSchemas::quality)
+            .filter(Quality.POLYGONS::equals)
+            .isPresent();
   }
 
   private void callFor(VersionedObject object, int version) {
