@@ -156,7 +156,7 @@ public final class RunCommand extends CliCommand {
     if (view.listed()) {
       return ViewOptions.list(scene.file(), console());
     }
-    budget.in(condition.settings(), true);
+    budget.in(qualities.with(condition.settings()), true);
     TrackerSpec tracker = head.tracker(display.worn());
     CommandFileCheck files = check(tracker);
     ProblemCollector pathProblems = new ProblemCollector(console()::problem);

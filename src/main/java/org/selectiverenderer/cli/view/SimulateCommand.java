@@ -111,7 +111,7 @@ public final class SimulateCommand extends CliCommand {
     if (!(rate > 0) || Double.isInfinite(rate)) {
       throw CommandException.usage("--rate must be a number of frames per second above 0");
     }
-    budget.in(condition.settings(), false);
+    budget.in(qualities.with(condition.settings()), false);
     ProblemCollector pathProblems = new ProblemCollector(console()::problem);
     Optional<CameraPath> walked = CameraPathReader.read(path, pathProblems);
     if (walked.isEmpty()) {

@@ -207,7 +207,7 @@ class EnrichCommandTest {
         .containsPattern("Switch_Object5 +OfficeSchema +- +0\\.[6-9].* 12 .* consistent\n")
         .containsPattern("Switch_Object9 .*undecided\n");
     assertThat(err).contains("of 16 proposals are clear").contains("room.x3d: enriched");
-    assertThat(Files.readString(scene)).contains("OfficeSchema").contains("'inconsistent'");
+    assertThat(Files.readString(scene)).contains("OfficeSchema", "\"inconsistent\"");
     assertThat(folder.resolve("room.x3d.bak")).hasContent(before);
     assertThat(Files.readString(scene).replaceAll("(?m)^\\s*</?Metadata.*\n", ""))
         .contains("<Switch DEF='Switch_Object9'><Shape/><Shape/></Switch>\n");

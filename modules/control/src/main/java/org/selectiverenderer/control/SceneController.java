@@ -161,7 +161,7 @@ final class SceneController implements ControlledArea.Listener {
     if (known == null) {
       known = new ArrayList<>();
       for (VersionedObject object : objects.values()) {
-        if (object.schemas().isPresent() && !held.containsKey(object.name())) {
+        if (differsInPolygons(object) && !held.containsKey(object.name())) {
           known.add(object);
         }
       }
@@ -169,6 +169,12 @@ final class SceneController implements ControlledArea.Listener {
       choosable = known;
     }
     return known;
+  }
+
+  /** Returns whether the versions differ in their polygons, so that a budget can choose. */
+  private static boolean differsInPolygons(VersionedObject object) {
+    return object.versions() > 0
+        && object.schemas().map(SwitchSchemas::quality).filter(Quality.POLYGONS::equals).isPresent();
   }
 
   private void callFor(VersionedObject object, int version) {
@@ -473,7 +479,8 @@ final class SceneController implements ControlledArea.Listener {
       ControlledChoice choice = change.switchKey();
       if (choice instanceof VersionedObject object) {
         callFor(object, change.to());
-        if (settings.budget().isPresent() || held.containsKey(object.name())) {
+        boolean budgeted = settings.budget().isPresent() && differsInPolygons(object);
+        if (budgeted || held.containsKey(object.name())) {
           continue; // With a budget areas only tell what is consistent, and the budget chooses.
         }
       }

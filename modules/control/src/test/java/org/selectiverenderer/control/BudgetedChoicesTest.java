@@ -114,6 +114,25 @@ class BudgetedChoicesTest implements SwitchTiming {
   }
 
   @Test
+  void versionsThatDifferInAnotherQualityFollowTheAreas() {
+    scene.close();
+    String lit =
+        ControlledSceneFixture.object("DEF='Lit'", "kitchen", "hall")
+            .replace(
+                "<MetadataString name='consistencyType'",
+                "<MetadataString name='quality' value='\"light\"'/>"
+                    + "<MetadataString name='consistencyType'");
+    scene =
+        new ControlledSceneFixture(
+            ControlledSceneFixture.area("Kitchen", 0, "kitchen", "hall") + lit);
+    scene.control(BUDGET, this);
+
+    assertThat(scene.controller.choosable()).isEmpty();
+    scene.walkTo(0);
+    assertThat(scene.choice("Lit")).isZero();
+  }
+
+  @Test
   void onlyTheSelectiveConditionHasABudget() {
     RenderingBudget budget = BUDGET.budget().orElseThrow();
     assertThatThrownBy(() -> new Settings(Condition.HIGH, 0).within(budget))
