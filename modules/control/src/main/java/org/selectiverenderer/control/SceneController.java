@@ -174,7 +174,7 @@ final class SceneController implements ControlledArea.Listener {
   /** Returns whether the versions differ in their polygons, so that a budget can choose. */
   private static boolean differsInPolygons(VersionedObject object) {
     return object.versions() > 0
-        && object.schemas().map(SwitchSchemas::quality).filter(Quality.POLYGONS::equals).isPresent();
+        && object.schemas().orElseThrow().quality() == Quality.POLYGONS;
   }
 
   private void callFor(VersionedObject object, int version) {
