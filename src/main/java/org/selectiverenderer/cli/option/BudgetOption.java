@@ -37,7 +37,7 @@ public final class BudgetOption {
     if (budget.unit() == RenderingBudget.Unit.MS && !measured) {
       throw CommandException.usage(
           "--budget %s needs frames that are drawn, and simulate draws none; give triangles:N, or "
-              .formatted(budget)
+                  .formatted(budget)
               + "use run");
     }
     return settings.within(budget);

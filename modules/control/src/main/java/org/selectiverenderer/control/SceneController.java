@@ -318,8 +318,7 @@ final class SceneController implements ControlledArea.Listener {
   private void levelChanged(ControlledField field, int from, double time) {
     if (!settings.controls()) {
       now = time;
-      events.accept(
-          field.change(time, from, field.shown(), ChoiceCause.SCENE, Optional.empty()));
+      events.accept(field.change(time, from, field.shown(), ChoiceCause.SCENE, Optional.empty()));
     }
     queue.forget(field);
     activation.noteShown(field, field.shown());
@@ -406,8 +405,7 @@ final class SceneController implements ControlledArea.Listener {
    *
    * @param fresh whether the viewer has not seen them yet, so that no choice has to wait
    */
-  private void setOut(
-      Collection<? extends ControlledChoice> candidates, long seed, boolean fresh) {
+  private void setOut(Collection<? extends ControlledChoice> candidates, long seed, boolean fresh) {
     if (!settings.controls()) {
       return;
     }
@@ -437,9 +435,7 @@ final class SceneController implements ControlledArea.Listener {
     } else if (settings.rule(quality).isPresent()) {
       show(choice, settings.rule(quality).get().choice(schemas));
     } else {
-      conditional
-          .computeIfAbsent(quality, key -> new LinkedHashMap<>())
-          .put(choice, schemas);
+      conditional.computeIfAbsent(quality, key -> new LinkedHashMap<>()).put(choice, schemas);
     }
   }
 

@@ -100,9 +100,7 @@ public final class SelectiveController implements AutoCloseable {
 
     /** Returns whether areas change a quality as the viewer walks. */
     boolean follows(Quality quality) {
-      return rule(quality)
-          .map(QualityRule.SELECTIVE::equals)
-          .orElse(condition.switches());
+      return rule(quality).map(QualityRule.SELECTIVE::equals).orElse(condition.switches());
     }
 
     /** Creates settings in which versions change at once. */

@@ -54,8 +54,9 @@ class BudgetedChoicesTest implements SwitchTiming {
   @Test
   void areasChangeNothingButTheConsistencyOfTheObjects() {
     List<ChoosableObject> objects = scene.controller.choosable();
-    assertThat(objects).extracting(object -> object.node()).containsExactly(
-        scene.node("Vase"), scene.node("Lamp"));
+    assertThat(objects)
+        .extracting(object -> object.node())
+        .containsExactly(scene.node("Vase"), scene.node("Lamp"));
     assertThat(objects).allMatch(object -> object.versions() == 2 && object.shown() == 1);
     assertThat(objects).extracting(ChoosableObject::consistency).containsExactly(1.0, 1.0);
 
@@ -80,8 +81,7 @@ class BudgetedChoicesTest implements SwitchTiming {
     assertThat(scene.choice("Vase")).isZero();
     assertThat(vase.shown()).isZero();
     assertThat(scene.news())
-        .containsExactly(
-            new SwitchChange(3, "Vase", 1, 0, ChoiceCause.BUDGET, Optional.empty()));
+        .containsExactly(new SwitchChange(3, "Vase", 1, 0, ChoiceCause.BUDGET, Optional.empty()));
   }
 
   @Test
