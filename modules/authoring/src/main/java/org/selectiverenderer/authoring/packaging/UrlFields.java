@@ -7,13 +7,17 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import org.selectiverenderer.authoring.MFStringParser;
+import org.selectiverenderer.schema.FieldReference;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** Finds the fields of elements that hold urls: those of type MFString named url or so. */
+/**
+ * Finds the fields of elements that hold urls: those of type MFString named url or so, and the
+ * levels of qualities that set such a field.
+ */
 public final class UrlFields {
   /** Fields that the author of a prototype or script has declared, and their values. */
   private static final Set<String> OWN = Set.of("field", "fieldValue");
@@ -44,11 +48,36 @@ public final class UrlFields {
         }
         continue;
       }
+      if (isLevelOfUrl(element)) {
+        add(element, "value", found);
+      }
       for (String name : names.computeIfAbsent(element.name(), this::fields)) {
         add(element, name, found);
       }
     }
     return found;
+  }
+
+  /** Returns whether a MetadataString is the value of a level that a url may have. */
+  private static boolean isLevelOfUrl(DocumentElement element) {
+    return named(element, "value")
+        && element
+            .parent()
+            .flatMap(DocumentElement::parent)
+            .filter(quality -> quality.children().stream().anyMatch(UrlFields::namesUrl))
+            .isPresent();
+  }
+
+  private static boolean namesUrl(DocumentElement element) {
+    return named(element, "field")
+        && MFStringParser.strings(element.text("value").orElse("")).stream()
+            .flatMap(text -> FieldReference.of(text).stream())
+            .anyMatch(target -> isUrl(target.field()));
+  }
+
+  private static boolean named(DocumentElement element, String name) {
+    return element.name().equals("MetadataString")
+        && element.text("name").filter(text -> text.strip().equals(name)).isPresent();
   }
 
   private static void add(DocumentElement element, String attribute, List<UrlField> found) {

@@ -77,6 +77,31 @@ class ScenePackagerTest {
   }
 
   @Test
+  void picturesOfOtherLevelsOfATextureAreTakenToo() throws IOException {
+    write("shared/wood_25.png", "small");
+    String string = "<MetadataString name='%s' value='%s' containerField='value'/>";
+    ScenePackage packed =
+        collect(
+            "<ImageTexture DEF='Wood' url='\"textures/wood.png\"'/><Switch><MetadataSet"
+                + " containerField='metadata'><MetadataSet name='fieldQualities'"
+                + " containerField='metadata'><MetadataSet containerField='value'>"
+                + string.formatted("quality", "\"textures\"")
+                + string.formatted("field", "\"Wood.url\"")
+                + "<MetadataSet containerField='value'>"
+                + string.formatted("value", "\"../../shared/wood_25.png\"")
+                + "</MetadataSet></MetadataSet></MetadataSet></MetadataSet></Switch>"
+                + string.formatted("value", "\"../../secret/key.txt\""),
+            folder.resolve("shared"),
+            folder.resolve("secret"));
+    assertThat(places(packed)).anyMatch(place -> place.endsWith("wood_25.png"));
+    assertThat(places(packed)).noneMatch(place -> place.endsWith("key.txt"));
+    assertThat(new String(packed.scene().changed().orElseThrow()))
+        .as("the level names it where it is now")
+        .contains("wood_25.png")
+        .doesNotContain("../shared/wood_25.png");
+  }
+
+  @Test
   void allThatASceneNamesIsTakenAndFoundAgain() throws IOException {
     ScenePackage packed =
         collect(
