@@ -40,7 +40,8 @@ import org.selectiverenderer.x3d.source.DocumentElement;
 public final class CostPanel extends JPanel {
   private static final long serialVersionUID = 1L;
 
-  private static final double HALF = 0.55;
+  /** The share of the room that the table of states takes. */
+  private static final double STATES = 0.62;
 
   /** Pixels that a scroll bar and its frame may take. */
   private static final int SCROLLING = 20;
@@ -82,7 +83,7 @@ public final class CostPanel extends JPanel {
             true,
             new JScrollPane(statesTable),
             new JScrollPane(objectsTable));
-    split.setResizeWeight(HALF);
+    split.setResizeWeight(STATES);
     split.addComponentListener(
         new ComponentAdapter() {
           @Override
@@ -119,16 +120,16 @@ public final class CostPanel extends JPanel {
     int wanted = wide ? JSplitPane.HORIZONTAL_SPLIT : JSplitPane.VERTICAL_SPLIT;
     if (split.getOrientation() != wanted) {
       split.setOrientation(wanted);
-      split.setDividerLocation(HALF);
+      split.setDividerLocation(STATES);
     }
   }
 
   private void dressStates() {
     statesTable
         .column(StatesTableModel.SCOPE, 9, 8)
-        .column(StatesTableModel.STATE, 20, 12)
+        .column(StatesTableModel.STATE, 20, 13)
         .numbers(StatesTableModel.POLYGONS, 9, 8)
-        .numbers(StatesTableModel.PERCENT, 7, 7)
+        .numbers(StatesTableModel.PERCENT, 8, 8)
         .numbers(StatesTableModel.TEXTURES, 8, 7)
         .numbers(StatesTableModel.DRAWS, 6, 5)
         .column(StatesTableModel.LIMIT, 9, 7)
