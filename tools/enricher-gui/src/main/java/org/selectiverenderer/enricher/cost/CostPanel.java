@@ -62,6 +62,9 @@ public final class CostPanel extends JPanel {
   private transient Optional<CostRow> chosen = Optional.empty();
   private boolean following;
 
+  /** Whether the border between the tables has been placed once; then it is the author's. */
+  private boolean arranged;
+
   /** A count that arrived while the author edits a limit; shown when editing ends. */
   private transient Optional<List<CostRow>> waiting = Optional.empty();
 
@@ -118,7 +121,8 @@ public final class CostPanel extends JPanel {
         split.getWidth()
             >= statesTable.getMinimumSize().width + objectsTable.getMinimumSize().width + borders;
     int wanted = wide ? JSplitPane.HORIZONTAL_SPLIT : JSplitPane.VERTICAL_SPLIT;
-    if (split.getOrientation() != wanted) {
+    if (!arranged || split.getOrientation() != wanted) {
+      arranged = true;
       split.setOrientation(wanted);
       split.setDividerLocation(STATES);
     }
@@ -127,13 +131,13 @@ public final class CostPanel extends JPanel {
   private void dressStates() {
     statesTable
         .column(StatesTableModel.SCOPE, 9, 8)
-        .column(StatesTableModel.STATE, 20, 13)
+        .column(StatesTableModel.STATE, 20, 15)
         .numbers(StatesTableModel.POLYGONS, 9, 8)
         .numbers(StatesTableModel.PERCENT, 8, 8)
-        .numbers(StatesTableModel.TEXTURES, 8, 7)
-        .numbers(StatesTableModel.DRAWS, 6, 5)
+        .numbers(StatesTableModel.TEXTURES, 9, 9)
+        .numbers(StatesTableModel.DRAWS, 7, 7)
         .column(StatesTableModel.LIMIT, 9, 7)
-        .column(StatesTableModel.BAR, 17, 11);
+        .column(StatesTableModel.BAR, 17, 15);
     LimitCell limits = new LimitCell();
     limits.setHorizontalAlignment(SwingConstants.TRAILING);
     statesTable.getColumnModel().getColumn(StatesTableModel.LIMIT).setCellRenderer(limits);
