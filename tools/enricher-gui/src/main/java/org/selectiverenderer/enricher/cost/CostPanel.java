@@ -41,7 +41,8 @@ import org.selectiverenderer.x3d.source.DocumentElement;
 public final class CostPanel extends JPanel {
   private static final long serialVersionUID = 1L;
 
-  private static final double HALF = 0.55;
+  /** The share of the room that the table of states takes. */
+  private static final double STATES = 0.62;
 
   /** Pixels that a scroll bar and its frame may take. */
   private static final int SCROLLING = 20;
@@ -61,6 +62,9 @@ public final class CostPanel extends JPanel {
   private transient List<CostRow> before = List.of();
   private transient Optional<CostRow> chosen = Optional.empty();
   private boolean following;
+
+  /** Whether the border between the tables has been placed once; then it is the author's. */
+  private boolean arranged;
 
   /** A count that arrived while the author edits a limit; shown when editing ends. */
   private transient Optional<List<CostRow>> waiting = Optional.empty();
@@ -83,7 +87,7 @@ public final class CostPanel extends JPanel {
             true,
             new JScrollPane(statesTable),
             new JScrollPane(objectsTable));
-    split.setResizeWeight(HALF);
+    split.setResizeWeight(STATES);
     split.addComponentListener(
         new ComponentAdapter() {
           @Override
@@ -118,22 +122,23 @@ public final class CostPanel extends JPanel {
         split.getWidth()
             >= statesTable.getMinimumSize().width + objectsTable.getMinimumSize().width + borders;
     int wanted = wide ? JSplitPane.HORIZONTAL_SPLIT : JSplitPane.VERTICAL_SPLIT;
-    if (split.getOrientation() != wanted) {
+    if (!arranged || split.getOrientation() != wanted) {
+      arranged = true;
       split.setOrientation(wanted);
-      split.setDividerLocation(HALF);
+      split.setDividerLocation(STATES);
     }
   }
 
   private void dressStates() {
     statesTable
         .column(StatesTableModel.SCOPE, 9, 8)
-        .column(StatesTableModel.STATE, 20, 12)
+        .column(StatesTableModel.STATE, 20, 15)
         .numbers(StatesTableModel.POLYGONS, 9, 8)
-        .numbers(StatesTableModel.PERCENT, 7, 7)
-        .numbers(StatesTableModel.TEXTURES, 8, 7)
-        .numbers(StatesTableModel.DRAWS, 6, 5)
+        .numbers(StatesTableModel.PERCENT, 8, 8)
+        .numbers(StatesTableModel.TEXTURES, 9, 9)
+        .numbers(StatesTableModel.DRAWS, 7, 7)
         .column(StatesTableModel.LIMIT, 9, 7)
-        .column(StatesTableModel.BAR, 17, 11);
+        .column(StatesTableModel.BAR, 17, 15);
     LimitCell limits = new LimitCell();
     limits.setHorizontalAlignment(SwingConstants.TRAILING);
     statesTable.getColumnModel().getColumn(StatesTableModel.LIMIT).setCellRenderer(limits);
